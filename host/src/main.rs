@@ -1,0 +1,2 @@
+//! The program `unitvec`.
+fn main() {}

@@ -1,0 +1,42 @@
+//! The contract that every codec keeps.
+
+use glam::Vec3;
+
+/// A way to store a direction in [`BITS`](Self::BITS) bits.
+///
+/// Implementors are types without values: `Oct32::encode(v)`.
+pub trait Codec {
+    /// Identifier, as in the `unitvec` program, the SPIR-V entry points (`oct16p_encode`) and the GLSL functions.
+    const NAME: &'static str;
+
+    /// Significant bits of a code. Bits above them are 0 on encode and ignored on decode.
+    const BITS: u32;
+
+    /// Bytes that a stored code takes: the least of 1, 2, 3, 4, 6, 8 that holds [`BITS`](Self::BITS).
+    const BYTES: usize = storage_bytes(Self::BITS);
+
+    /// An upper bound of the angle, in degrees, between a direction of the codec's domain and its decoded code.
+    const MAX_ERROR_DEG: f32;
+
+    /// The code as a value: `u32`.
+    type Code: Copy + PartialEq;
+
+    /// The code of the direction of `v`. The length of `v` does not matter; a vector without a usable direction
+    /// (see [`direction`](crate::direction)) gets the code of +Z.
+    fn encode(v: Vec3) -> Self::Code;
+
+    /// The direction that `code` stands for, of unit length to within 2 ULP. Any bit pattern is valid.
+    fn decode(code: Self::Code) -> Vec3;
+}
+
+/// The least of 1, 2, 3, 4, 6, 8 bytes that holds `bits` bits; 8 for more than 64.
+pub const fn storage_bytes(bits: u32) -> usize {
+    match bits.div_ceil(8) {
+        0 | 1 => 1,
+        2 => 2,
+        3 => 3,
+        4 => 4,
+        5 | 6 => 6,
+        _ => 8,
+    }
+}

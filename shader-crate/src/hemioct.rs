@@ -1,0 +1,79 @@
+//! Hemi-octahedral codes: the hemisphere z >= 0 on the upper half of an octahedron, turned to fill the square.
+//!
+//! Source: Cigolle et al. 2014, section 5, listing 6.
+//!
+//! The half octahedron's diamond, rotated by 45 degrees and scaled, is the whole square `[-1, 1]^2`: twice the
+//! points of [`oct`](crate::oct) for half the sphere.
+//!
+//! * Layout: u = x + y in the low half of the code, v = x - y in the high half, both snorm in two's complement.
+//! * Error: at most `sqrt(3/2) / m` radians (m the snorm's largest integer), in the middle of the octants.
+//! * Domain: z >= 0. A direction below the equator gets the code of its horizontal part, (x, y, 0); one without a
+//!   horizontal part, -Z, that of +Z.
+
+use crate::codec::Codec;
+use crate::direction::or_z;
+use crate::math::{floor, is_negative, negate_if, normalize};
+use crate::scalar::{mask, signed_code, snorm_integer, snorm_max};
+use glam::{Vec2, Vec3};
+
+/// The lattice point of the direction of `v`: the nearest in the square (listing 6, then snorm rounding).
+#[inline(always)]
+pub fn lattice(v: Vec3, m: f32) -> Vec2 {
+    let upper_z = if is_negative(v.z) { 0.0 } else { v.z };
+    let (v, norm) = or_z(Vec3::new(v.x, v.y, upper_z));
+    let scale = m / norm;
+    let (u, w) = ((v.x + v.y) * scale, (v.x - v.y) * scale);
+    Vec2::new(round_symmetric(u), round_symmetric(w))
+}
+
+/// The direction of a lattice point (listing 6): unit length to within 2 ULP, z >= 0. All steps before the
+/// normalisation are exact for lattice points; with `m` = 1 it takes snorm values instead.
+#[inline(always)]
+pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
+    let (x, y) = (e.x + e.y, e.x - e.y);
+    normalize(Vec3::new(x, y, 2.0 * m - x.abs() - y.abs()))
+}
+
+/// The nearest whole number, ties away from zero.
+#[inline(always)]
+fn round_symmetric(x: f32) -> f32 {
+    negate_if(is_negative(x), floor(x.abs() + 0.5))
+}
+
+/// Hemi-octahedral code of `BITS` bits (16, 24 or 32) for directions with z >= 0.
+pub struct HemiOct<const BITS: u32>;
+
+impl<const BITS: u32> Codec for HemiOct<BITS> {
+    const NAME: &'static str = match BITS {
+        16 => "hemioct16",
+        24 => "hemioct24",
+        32 => "hemioct32",
+        _ => panic!("HemiOct has 16, 24 or 32 bits"),
+    };
+    const BITS: u32 = BITS;
+    /// For directions with z >= 0. `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32
+    /// (at most 2^-21 of the square's half side) adds.
+    const MAX_ERROR_DEG: f32 =
+        (1.224_744_9 * (1.0 / snorm_max(BITS / 2) + 1.0 / 2_097_152.0) as f32).to_degrees();
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let e = lattice(v, snorm_max(BITS / 2));
+        signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let u = snorm_integer(code & mask(BITS / 2), BITS / 2);
+        let v = snorm_integer(code >> (BITS / 2), BITS / 2);
+        from_lattice(Vec2::new(u, v), snorm_max(BITS / 2))
+    }
+}
+
+/// 16 bits: a VK_FORMAT_R8G8_SNORM.
+pub type HemiOct16 = HemiOct<16>;
+/// 24 bits: two snorm12.
+pub type HemiOct24 = HemiOct<24>;
+/// 32 bits: a VK_FORMAT_R16G16_SNORM.
+pub type HemiOct32 = HemiOct<32>;

@@ -1,0 +1,151 @@
+//! Compute entry points `<identifier>_encode` and `<identifier>_decode`, one SPIR-V module each.
+//!
+//! Binding 0 is the input, binding 1 the output, the push constant is the number of vectors. Vectors are three
+//! packed f32, codes are dense bytes. An invocation takes four consecutive vectors, which is what makes any code
+//! width end on whole words; the buffers are padded to a multiple of four vectors. Workgroups have 64 invocations.
+
+use crate::codec::Codec;
+use crate::{
+    HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise16, OctPrecise20,
+    OctPrecise22, OctPrecise24, OctPrecise32,
+};
+use glam::Vec3;
+use spirv_std::spirv;
+
+/// Four vectors, as words of f32 bits.
+type Vectors = [u32; 12];
+
+/// Number of vectors to process.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct Count {
+    /// The number.
+    pub vectors: u32,
+}
+
+#[inline(always)]
+fn vector(words: &Vectors, n: usize) -> Vec3 {
+    Vec3::new(
+        f32::from_bits(words[3 * n]),
+        f32::from_bits(words[3 * n + 1]),
+        f32::from_bits(words[3 * n + 2]),
+    )
+}
+
+#[inline(always)]
+fn set_vector(words: &mut Vectors, n: usize, v: Vec3) {
+    words[3 * n] = v.x.to_bits();
+    words[3 * n + 1] = v.y.to_bits();
+    words[3 * n + 2] = v.z.to_bits();
+}
+
+/// Four codes and the words they fill.
+trait Words {
+    fn pack(codes: [u32; 4]) -> Self;
+    fn unpack(&self) -> [u32; 4];
+}
+
+impl Words for [u32; 2] {
+    #[inline(always)]
+    fn pack([a, b, c, d]: [u32; 4]) -> Self {
+        [a | (b << 16), c | (d << 16)]
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> [u32; 4] {
+        [self[0], self[0] >> 16, self[1], self[1] >> 16]
+    }
+}
+
+impl Words for [u32; 3] {
+    #[inline(always)]
+    fn pack([a, b, c, d]: [u32; 4]) -> Self {
+        [a | (b << 24), (b >> 8) | (c << 16), (c >> 16) | (d << 8)]
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> [u32; 4] {
+        [self[0], (self[0] >> 24) | (self[1] << 8), (self[1] >> 16) | (self[2] << 16), self[2] >> 8]
+    }
+}
+
+impl Words for [u32; 4] {
+    #[inline(always)]
+    fn pack(codes: [u32; 4]) -> Self {
+        codes
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> [u32; 4] {
+        *self
+    }
+}
+
+#[inline(always)]
+fn encode<C: Codec<Code = u32>, W: Words>(index: usize, count: Count, input: &[Vectors], output: &mut [W]) {
+    if index * 4 >= count.vectors as usize {
+        return;
+    }
+    let v = &input[index];
+    output[index] = W::pack([
+        C::encode(vector(v, 0)),
+        C::encode(vector(v, 1)),
+        C::encode(vector(v, 2)),
+        C::encode(vector(v, 3)),
+    ]);
+}
+
+#[inline(always)]
+fn decode<C: Codec<Code = u32>, W: Words>(index: usize, count: Count, input: &[W], output: &mut [Vectors]) {
+    if index * 4 >= count.vectors as usize {
+        return;
+    }
+    let [a, b, c, d] = input[index].unpack();
+    let v = &mut output[index];
+    set_vector(v, 0, C::decode(a));
+    set_vector(v, 1, C::decode(b));
+    set_vector(v, 2, C::decode(c));
+    set_vector(v, 3, C::decode(d));
+}
+
+macro_rules! kernels {
+    ($($encode:ident $encode_name:literal $decode:ident $decode_name:literal $codec:ty, $bytes:literal bytes;)*) => { $(
+        #[doc = concat!("Encodes four vectors with [`", stringify!($codec), "`].")]
+        #[spirv(compute(threads(64), entry_point_name = $encode_name))]
+        pub fn $encode(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] count: &Count,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[Vectors],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [[u32; $bytes]],
+        ) {
+            encode::<$codec, _>(id.x as usize, *count, input, output);
+        }
+
+        #[doc = concat!("Decodes four codes of [`", stringify!($codec), "`].")]
+        #[spirv(compute(threads(64), entry_point_name = $decode_name))]
+        pub fn $decode(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] count: &Count,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; $bytes]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [Vectors],
+        ) {
+            decode::<$codec, _>(id.x as usize, *count, input, output);
+        }
+    )* };
+}
+
+kernels! {
+    oct16_encode "oct16_encode" oct16_decode "oct16_decode" Oct16, 2 bytes;
+    oct16p_encode "oct16p_encode" oct16p_decode "oct16p_decode" OctPrecise16, 2 bytes;
+    oct20_encode "oct20_encode" oct20_decode "oct20_decode" Oct20, 3 bytes;
+    oct20p_encode "oct20p_encode" oct20p_decode "oct20p_decode" OctPrecise20, 3 bytes;
+    oct22_encode "oct22_encode" oct22_decode "oct22_decode" Oct22, 3 bytes;
+    oct22p_encode "oct22p_encode" oct22p_decode "oct22p_decode" OctPrecise22, 3 bytes;
+    oct24_encode "oct24_encode" oct24_decode "oct24_decode" Oct24, 3 bytes;
+    oct24p_encode "oct24p_encode" oct24p_decode "oct24p_decode" OctPrecise24, 3 bytes;
+    oct32_encode "oct32_encode" oct32_decode "oct32_decode" Oct32, 4 bytes;
+    oct32p_encode "oct32p_encode" oct32p_decode "oct32p_decode" OctPrecise32, 4 bytes;
+    hemioct16_encode "hemioct16_encode" hemioct16_decode "hemioct16_decode" HemiOct16, 2 bytes;
+    hemioct24_encode "hemioct24_encode" hemioct24_decode "hemioct24_decode" HemiOct24, 3 bytes;
+    hemioct32_encode "hemioct32_encode" hemioct32_decode "hemioct32_decode" HemiOct32, 4 bytes;
+}

@@ -1,0 +1,67 @@
+//! Unit-vector codecs: normals, tangents and light directions in 16 to 32 bits.
+//!
+//! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs
+//! on the CPU and, compiled to SPIR-V by rust-gpu, on the GPU, and gives the same bits on both: codec code keeps
+//! to operations that IEEE 754 and Vulkan define alike (`+ - * /`, square root, floor, comparison, integers).
+//!
+//! ```
+//! use glam::Vec3;
+//! use unitvec::{Codec, Oct32, OctPrecise16};
+//!
+//! let normal = Vec3::new(0.6, 0.0, -0.8);
+//! let code: u32 = Oct32::encode(normal);
+//! assert!(Oct32::decode(code).angle_between(normal) < Oct32::MAX_ERROR_DEG.to_radians());
+//!
+//! // A precise encoder writes the format of its fast one: decode with either.
+//! let code = OctPrecise16::encode(normal);
+//! assert_eq!(OctPrecise16::decode(code), unitvec::Oct16::decode(code));
+//! ```
+//!
+//! # Which codec
+//!
+//! | type | bits | mean error (degrees) | max error (degrees) | for |
+//! |---|---|---|---|---|
+//! | [`Oct16`] / [`OctPrecise16`] | 16 | 0.337 / 0.315 | 0.951 / 0.637 | vertex attributes, thin G-buffers |
+//! | [`Oct20`] / [`OctPrecise20`] | 20 | 0.0837 / 0.0782 | 0.238 / 0.159 | with 12 bits left for material flags |
+//! | [`Oct22`] / [`OctPrecise22`] | 22 | 0.0418 / 0.0391 | 0.119 / 0.0793 | with 10 bits left |
+//! | [`Oct24`] / [`OctPrecise24`] | 24 | 0.0209 / 0.0195 | 0.0594 / 0.0396 | three bytes of an RGB8 target |
+//! | [`Oct32`] / [`OctPrecise32`] | 32 | 0.00131 / 0.00122 | 0.00371 / 0.00248 | anything else |
+//! | [`HemiOct16`], [`HemiOct24`], [`HemiOct32`] | 16, 24, 32 | 0.240, 0.0149, 0.00093 | 0.556, 0.0344, 0.00215 | directions with z >= 0 |
+//!
+//! # What every codec promises
+//!
+//! * `encode` takes any vector: the length does not matter. A vector without a usable direction (zero, infinite,
+//!   NaN, or of an L1 norm outside [2^-100, 2^100)) gets the code of +Z.
+//! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above
+//!   [`Codec::BITS`] are ignored.
+//! * Decoding, encoding and decoding again gives the first vector back, exactly.
+//! * Codes are stored little endian and tightly packed in [`Codec::BYTES`] bytes: see [`slice`].
+//!
+//! # Features
+//!
+//! `std` (default) takes square root and floor from the standard library; without it, turn on `libm`. `kernels` is
+//! for the SPIR-V build alone.
+
+#![cfg_attr(not(feature = "std"), no_std)]
+#![forbid(unsafe_code)]
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
+
+pub mod codec;
+pub mod direction;
+pub mod hemioct;
+#[cfg(feature = "kernels")]
+pub mod kernels;
+pub mod math;
+pub mod oct;
+pub mod scalar;
+#[cfg(not(target_arch = "spirv"))]
+pub mod slice;
+
+pub use codec::Codec;
+pub use hemioct::{HemiOct, HemiOct16, HemiOct24, HemiOct32};
+pub use oct::{
+    Oct, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise, OctPrecise16, OctPrecise20, OctPrecise22,
+    OctPrecise24, OctPrecise32,
+};

@@ -1,0 +1,48 @@
+//! The few functions that `core` lacks, with the same result on every target.
+
+use glam::Vec3;
+
+/// Square root, correctly rounded on the CPU; on a GPU as exact as its `sqrt`.
+#[inline(always)]
+pub fn sqrt(x: f32) -> f32 {
+    #[cfg(feature = "std")]
+    return x.sqrt();
+    #[cfg(not(feature = "std"))]
+    return libm::sqrtf(x);
+}
+
+/// The largest integer not above `x`, as a float.
+#[inline(always)]
+pub fn floor(x: f32) -> f32 {
+    #[cfg(feature = "std")]
+    return x.floor();
+    #[cfg(not(feature = "std"))]
+    return libm::floorf(x);
+}
+
+/// True where `x` is below zero by at least the least normal number.
+///
+/// Devices may flush denormals to zero, so a comparison with zero would tell -1e-40 from 0 on some and not on
+/// others. This one has the same answer everywhere; both zeros and all denormals count as not negative.
+#[inline(always)]
+pub fn is_negative(x: f32) -> bool {
+    x <= -f32::MIN_POSITIVE
+}
+
+/// `-x` where `negative`, else `x`.
+#[inline(always)]
+pub fn negate_if(negative: bool, x: f32) -> f32 {
+    if negative { -x } else { x }
+}
+
+/// `a . b`, summed from x to z.
+#[inline(always)]
+pub fn dot(a: Vec3, b: Vec3) -> f32 {
+    (a.x * b.x + a.y * b.y) + a.z * b.z
+}
+
+/// `v` at unit length, to within 2 ULP. `v . v` must be a normal number.
+#[inline(always)]
+pub fn normalize(v: Vec3) -> Vec3 {
+    v * (1.0 / sqrt(dot(v, v)))
+}
