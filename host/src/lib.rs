@@ -1,1 +1,26 @@
-//! Host.
+//! What runs the codecs of `unitvec`: the CPU, and any Vulkan device with the SPIR-V from Rust or from GLSL.
+//!
+//! * [`catalogue`]: the one list of codecs.
+//! * [`vulkan`]: devices, buffers, kernels; all `unsafe` is there.
+//! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
+//! * [`backend`]: the three ways to run a codec, behind one trait.
+//! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
+//! * [`mesh`], [`stream`] and [`output`]: files in and out.
+
+#![deny(unsafe_code)]
+
+pub mod backend;
+pub mod catalogue;
+pub mod conform;
+mod error;
+pub mod glsl;
+pub mod manifest;
+pub mod measure;
+pub mod mesh;
+pub mod modules;
+pub mod output;
+pub mod sampling;
+pub mod stream;
+pub mod vulkan;
+
+pub use error::{Error, Result};

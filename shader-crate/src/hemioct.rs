@@ -19,6 +19,7 @@ use glam::{Vec2, Vec3};
 /// The lattice point of the direction of `v`: the nearest in the square (listing 6, then snorm rounding).
 #[inline(always)]
 pub fn lattice(v: Vec3, m: f32) -> Vec2 {
+    let (v, _) = or_z(v);
     let upper_z = if is_negative(v.z) { 0.0 } else { v.z };
     let (v, norm) = or_z(Vec3::new(v.x, v.y, upper_z));
     let scale = m / norm;
@@ -53,8 +54,7 @@ impl<const BITS: u32> Codec for HemiOct<BITS> {
     const BITS: u32 = BITS;
     /// For directions with z >= 0. `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32
     /// (at most 2^-21 of the square's half side) adds.
-    const MAX_ERROR_DEG: f32 =
-        (1.224_744_9 * (1.0 / snorm_max(BITS / 2) + 1.0 / 2_097_152.0) as f32).to_degrees();
+    const MAX_ERROR_DEG: f32 = (1.224_744_9 * (1.0 / snorm_max(BITS / 2) + 1.0 / 2_097_152.0)).to_degrees();
     type Code = u32;
 
     #[inline(always)]

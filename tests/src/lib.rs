@@ -1,1 +1,35 @@
 //! Helpers of the integration tests.
+
+pub mod oracle;
+pub mod program;
+pub mod remez;
+pub mod sampling;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
+
+/// The repository's root.
+pub fn repository() -> PathBuf {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.parent().unwrap_or(here).to_owned()
+}
+
+/// lavapipe, with validation.
+///
+/// # Panics
+/// If there is none: `cargo xtask setup` installs it.
+pub fn lavapipe() -> Arc<Device> {
+    let instance = Instance::new(None, true).unwrap_or_else(|error| panic!("{error}"));
+    Device::open(&Arc::new(instance), &DeviceChoice::Named("lavapipe".into()))
+        .unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Fails the test if the validation layer has said anything.
+///
+/// # Panics
+/// If it has.
+pub fn assert_no_validation_messages(device: &Device) {
+    let messages = device.instance().validation_messages();
+    assert!(messages.is_empty(), "validation messages:\n{}", messages.join("\n"));
+}

@@ -1,2 +1,100 @@
-//! xtask
-fn main() {}
+//! `cargo xtask`: set-up, conform, test and spirv, each ending in a clear verdict.
+//!
+//! No dependencies, so that it starts at once on a fresh machine.
+
+mod setup;
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::time::Instant;
+
+const USAGE: &str = "\
+usage: cargo xtask <command>
+
+  conform [arguments of `unitvec conform`]   install what is missing, then show that CPU, SPIR-V from Rust and SPIR-V
+                                             from GLSL agree to the bit (on lavapipe unless --device says otherwise)
+  test [arguments of `cargo test`]           install what is missing, then run all tests
+  setup                                      install what is missing, no more
+  spirv [--check]                            rebuild spirv/*.spv with rust-gpu; --check compares instead
+";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let Some((command, rest)) = arguments.split_first() else {
+        eprint!("{USAGE}");
+        return ExitCode::from(2);
+    };
+    let started = Instant::now();
+    let outcome = match command.as_str() {
+        "conform" => setup::run().and_then(|()| conform(rest)),
+        "test" => setup::run().and_then(|()| test(rest)),
+        "setup" => setup::run(),
+        "spirv" => spirv(rest),
+        "help" | "--help" | "-h" => {
+            print!("{USAGE}");
+            return ExitCode::SUCCESS;
+        }
+        unknown => {
+            eprintln!("xtask: unknown command `{unknown}`\n\n{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    let seconds = started.elapsed().as_secs();
+    match outcome {
+        Ok(()) => {
+            println!("xtask {command}: PASS ({seconds} s)");
+            ExitCode::SUCCESS
+        }
+        Err(reason) => {
+            eprintln!("xtask {command}: FAIL ({seconds} s): {reason}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn conform(arguments: &[String]) -> Result<(), String> {
+    announce_glslang();
+    let mut command =
+        cargo(&["run", "--package", "unitvec-host", "--bin", "unitvec", "--", "conform", "--validate"]);
+    let chosen = env::var_os("UNITVEC_DEVICE").is_some()
+        || arguments.iter().any(|argument| argument.starts_with("--device"));
+    if !chosen {
+        command.args(["--device", "lavapipe"]);
+    }
+    run(command.args(arguments))
+}
+
+fn test(arguments: &[String]) -> Result<(), String> {
+    announce_glslang();
+    run(cargo(&["test", "--workspace", "--exclude", "xtask-spirv"]).args(arguments))
+}
+
+fn spirv(arguments: &[String]) -> Result<(), String> {
+    println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
+    run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
+}
+
+fn announce_glslang() {
+    println!("xtask: the first build compiles glslang from source, about 8 minutes on 2 cores");
+}
+
+/// The cargo that runs this, in the repository's root.
+fn cargo(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
+    command.args(arguments).current_dir(repository());
+    command
+}
+
+fn repository() -> PathBuf {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    here.parent().unwrap_or(here).to_owned()
+}
+
+fn run(command: &mut Command) -> Result<(), String> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!("{} ended with {status}", command.get_program().to_string_lossy())),
+        Err(error) => Err(format!("{} cannot be started: {error}", command.get_program().to_string_lossy())),
+    }
+}

@@ -1,4 +1,9 @@
-//! The few functions that `core` lacks, with the same result on every target.
+//! The functions that `core` lacks, with the same result on every target: square root and floor, and trigonometry made
+//! of plain arithmetic.
+
+mod trig;
+
+pub use trig::*;
 
 use glam::Vec3;
 

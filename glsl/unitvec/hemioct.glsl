@@ -1,0 +1,69 @@
+// unitvec: hemi-octahedral codes of 16, 24 and 32 bits, for directions with z >= 0.
+//
+// Source: Cigolle et al. 2014, listing 6.
+//
+//   hemioct16_encode(v), hemioct16_decode(code)      integer codes; also hemioct24, hemioct32
+//   float32x3_to_hemioct(v), hemioct_to_float32x3(e) for snorm formats that the hardware converts
+//
+// The code functions take any v: below the equator z counts as 0, and +Z stands in for what has no direction. Layout:
+// u = x + y in the low half, v = x - y in the high half, two's complement snorm.
+
+#ifndef UNITVEC_HEMIOCT_GLSL
+#define UNITVEC_HEMIOCT_GLSL
+
+#ifndef UNITVEC_SCALAR_GLSL
+#include "scalar.glsl"
+#endif
+
+// Nearest whole number, ties away from zero.
+float hemioct_round(float x) {
+    UNITVEC_PRECISE float position = abs(x) + 0.5;
+    return unitvec_negate_if(unitvec_is_negative(x), floor(position));
+}
+
+// Lattice point of the direction of v (listing 6, then snorm rounding), m the snorm's largest integer.
+vec2 hemioct_lattice(vec3 v, float m) {
+    v = unitvec_or_z(v);
+    v = unitvec_or_z(vec3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
+    UNITVEC_PRECISE vec2 p = vec2(v.x + v.y, v.x - v.y) * (m / unitvec_l1_norm(v));
+    return vec2(hemioct_round(p.x), hemioct_round(p.y));
+}
+
+// Direction of a lattice point (listing 6), unit length to within 2 ULP.
+vec3 hemioct_from_lattice(vec2 e, float m) {
+    UNITVEC_PRECISE vec2 p = vec2(e.x + e.y, e.x - e.y);
+    UNITVEC_PRECISE float z = 2.0 * m - abs(p.x) - abs(p.y);
+    return unitvec_normalize(vec3(p, z));
+}
+
+// Listing 6: the projection, unquantised, on [-1, 1]^2. v must have z >= 0 and a direction.
+vec2 float32x3_to_hemioct(vec3 v) {
+    UNITVEC_PRECISE vec2 p = v.xy * (1.0 / (abs(v.x) + abs(v.y) + v.z));
+    UNITVEC_PRECISE vec2 e = vec2(p.x + p.y, p.x - p.y);
+    return e;
+}
+
+// Listing 6: the direction of a pair of snorm values on [-1, 1].
+vec3 hemioct_to_float32x3(vec2 e) {
+    return hemioct_from_lattice(e, 1.0);
+}
+
+uint hemioct_encode(vec3 v, uint bits) {
+    vec2 e = hemioct_lattice(v, snorm_max(bits / 2u));
+    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+}
+
+vec3 hemioct_decode(uint code, uint bits) {
+    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
+    return hemioct_from_lattice(e, snorm_max(bits / 2u));
+}
+
+uint hemioct16_encode(vec3 v) { return hemioct_encode(v, 16u); }
+uint hemioct24_encode(vec3 v) { return hemioct_encode(v, 24u); }
+uint hemioct32_encode(vec3 v) { return hemioct_encode(v, 32u); }
+
+vec3 hemioct16_decode(uint code) { return hemioct_decode(code, 16u); }
+vec3 hemioct24_decode(uint code) { return hemioct_decode(code, 24u); }
+vec3 hemioct32_decode(uint code) { return hemioct_decode(code, 32u); }
+
+#endif

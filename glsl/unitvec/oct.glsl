@@ -1,0 +1,183 @@
+// unitvec: octahedral codes of 16, 20, 22, 24 and 32 bits.
+//
+// Source: Cigolle et al. 2014, listings 1 to 5; Meyer et al. 2010, section 5.
+//
+//   oct16_encode(v), oct16_decode(code)      integer codes; also oct20, oct22, oct24, oct32
+//   oct16p_encode(v), ...                    precise encoders of the same formats
+//   float32x3_to_oct(v), oct_to_float32x3(e) for snorm formats that the hardware converts
+//
+// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: x in the
+// low half, y in the high half, two's complement snorm; oct24 instead has the three bytes of listing 5, first byte
+// lowest. With m the snorm's largest integer, codes are the whole points of the square [-m, m]^2: its lattice.
+
+#ifndef UNITVEC_OCT_GLSL
+#define UNITVEC_OCT_GLSL
+
+#ifndef UNITVEC_SCALAR_GLSL
+#include "scalar.glsl"
+#endif
+
+// Moves a point of the positive octant, scaled to x + y + z = m, to where the lower half of the octahedron is folded
+// out if z is negative.
+vec2 oct_fold(float z, vec2 p, float m) {
+    UNITVEC_PRECISE vec2 folded = m - p.yx;
+    return unitvec_is_negative(z) ? folded : p;
+}
+
+// Gives p, from the positive octant, the signs of v.
+vec2 oct_mirror(vec3 v, vec2 p) {
+    return vec2(unitvec_negate_if(unitvec_is_negative(v.x), p.x), unitvec_negate_if(unitvec_is_negative(v.y), p.y));
+}
+
+// Lattice point of the direction of v: the nearest one in the square (listing 1, then snorm rounding).
+vec2 oct_lattice(vec3 v, float m) {
+    v = unitvec_or_z(v);
+    UNITVEC_PRECISE vec2 p = abs(v.xy) * (m / unitvec_l1_norm(v));
+    UNITVEC_PRECISE vec2 rounded = floor(oct_fold(v.z, p, m) + 0.5);
+    return oct_mirror(v, rounded);
+}
+
+// A lattice point (xy) and the squared tangent of its angle to the vector sought, as a fraction (z / w).
+vec4 oct_candidate(vec2 point, float pp, float dd, float dp) {
+    UNITVEC_PRECISE float along = pp + dp;
+    UNITVEC_PRECISE float numerator = dd * pp - dp * dp;
+    UNITVEC_PRECISE float denominator = along * along;
+    return vec4(point, numerator, denominator);
+}
+
+// The candidate with the smaller angle; a where they are equal.
+vec4 oct_nearer(vec4 a, vec4 b) {
+    UNITVEC_PRECISE float cost_a = a.z * b.w;
+    UNITVEC_PRECISE float cost_b = b.z * a.w;
+    return cost_b < cost_a ? b : a;
+}
+
+// Corner of the lattice cell around p that is nearest to it in angle, for p in the positive octant with
+// x + y + z = m.
+//
+// A corner p + d is off by the angle of tan^2 = |d x p|^2 / ((p + d) . p)^2, and |d x p|^2 = (d . d)(p . p) -
+// (d . p)^2. From corner to corner d changes by (1, 0, -1) and (0, 1, -1). The far corner of a cell that the octant's
+// edge z = 0 cuts is no candidate: the octahedron folds there.
+vec2 oct_nearest_corner(vec3 p, float m) {
+    vec2 corner = floor(p.xy);
+    UNITVEC_PRECISE float k = m - corner.x - corner.y;
+    UNITVEC_PRECISE vec3 d = vec3(corner, k) - p;
+
+    float pp = unitvec_dot(p, p);
+    float dd = unitvec_dot(d, d);
+    float dp = unitvec_dot(d, p);
+    UNITVEC_PRECISE vec2 step_dp = p.xy - p.z;
+    UNITVEC_PRECISE vec2 dd_step = dd + 2.0 * (d.xy - d.z) + 2.0;
+    UNITVEC_PRECISE float dd_far = dd_step.x + dd_step.y - dd + 2.0;
+    UNITVEC_PRECISE vec2 dp_step = dp + step_dp;
+    UNITVEC_PRECISE float dp_far = dp + step_dp.x + step_dp.y;
+
+    vec4 best = oct_candidate(corner, pp, dd, dp);
+    best = oct_nearer(best, oct_candidate(corner + vec2(1.0, 0.0), pp, dd_step.x, dp_step.x));
+    best = oct_nearer(best, oct_candidate(corner + vec2(0.0, 1.0), pp, dd_step.y, dp_step.y));
+    vec4 with_far = oct_nearer(best, oct_candidate(corner + vec2(1.0, 1.0), pp, dd_far, dp_far));
+    return k < 2.0 ? best.xy : with_far.xy;
+}
+
+// Lattice point of the direction of v that is nearest in angle.
+vec2 oct_lattice_precise(vec3 v, float m) {
+    v = unitvec_or_z(v);
+    UNITVEC_PRECISE vec3 p = abs(v) * (m / unitvec_l1_norm(v));
+    return oct_mirror(v, oct_fold(v.z, oct_nearest_corner(p, m), m));
+}
+
+// Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.
+vec3 oct_from_lattice(vec2 e, float m) {
+    UNITVEC_PRECISE float z = m - abs(e.x) - abs(e.y);
+    float below = z < 0.0 ? -z : 0.0;
+    UNITVEC_PRECISE float x = e.x + unitvec_negate_if(e.x >= 0.0, below);
+    UNITVEC_PRECISE float y = e.y + unitvec_negate_if(e.y >= 0.0, below);
+    return unitvec_normalize(vec3(x, y, z));
+}
+
+// Listing 1: the octahedral projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds.
+// v must have a direction; its length does not matter.
+vec2 float32x3_to_oct(vec3 v) {
+    UNITVEC_PRECISE vec2 p = abs(v.xy) * (1.0 / unitvec_l1_norm(v));
+    return oct_mirror(v, oct_fold(v.z, p, 1.0));
+}
+
+// Listing 2: the direction of a pair of snorm values on [-1, 1].
+vec3 oct_to_float32x3(vec2 e) {
+    return oct_from_lattice(e, 1.0);
+}
+
+// Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
+vec2 float32x3_to_octn_precise(vec3 v, int n) {
+    float m = snorm_max(uint(n / 2));
+    UNITVEC_PRECISE vec2 e = oct_lattice_precise(v, m) / m;
+    return e;
+}
+
+// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
+vec3 snorm12x2_to_unorm8x3(vec2 f) {
+    UNITVEC_PRECISE vec2 u = floor(clamp(f, -1.0, 1.0) * 2047.0 + 2047.5);
+    float high = floor(u.x / 16.0);
+    float carry = floor(u.y / 256.0);
+    UNITVEC_PRECISE vec3 bytes = vec3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
+    UNITVEC_PRECISE vec3 unorm = bytes / 255.0;
+    return unorm;
+}
+
+// Listing 5: the inverse, from unorm8 values as a texture fetch gives them.
+vec2 unorm8x3_to_snorm12x2(vec3 u) {
+    UNITVEC_PRECISE vec3 bytes = floor(u * 255.0 + 0.5);
+    float high = floor(bytes.y / 16.0);
+    UNITVEC_PRECISE vec2 biased = vec2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
+    UNITVEC_PRECISE vec2 s = (biased - 2047.0) / 2047.0;
+    return clamp(s, vec2(-1.0), vec2(1.0));
+}
+
+// Code of a lattice point, `bits` bits in all.
+uint oct_pack(vec2 e, uint bits) {
+    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+}
+
+vec2 oct_unpack(uint code, uint bits) {
+    return vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
+}
+
+// Code of a lattice point with m = 2047: the bytes of listing 5, the first in the low bits.
+uint oct_pack_unorm8x3(vec2 e) {
+    uint u = unitvec_signed_code(e.x + 2047.0, 12u);
+    uint v = unitvec_signed_code(e.y + 2047.0, 12u);
+    return (u >> 4u) | ((u & 15u) << 12u) | (v & 0xf00u) | ((v & 255u) << 16u);
+}
+
+// The pattern 4095 of a component, which encoding never writes, counts as 4094.
+vec2 oct_unpack_unorm8x3(uint code) {
+    float u = float(((code & 255u) << 4u) | ((code >> 12u) & 15u));
+    float v = float((code & 0xf00u) | ((code >> 16u) & 255u));
+    return min(vec2(u, v) - 2047.0, vec2(2047.0));
+}
+
+uint oct16_encode(vec3 v) { return oct_pack(oct_lattice(v, 127.0), 16u); }
+uint oct20_encode(vec3 v) { return oct_pack(oct_lattice(v, 511.0), 20u); }
+uint oct22_encode(vec3 v) { return oct_pack(oct_lattice(v, 1023.0), 22u); }
+uint oct24_encode(vec3 v) { return oct_pack_unorm8x3(oct_lattice(v, 2047.0)); }
+uint oct32_encode(vec3 v) { return oct_pack(oct_lattice(v, 32767.0), 32u); }
+
+uint oct16p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 127.0), 16u); }
+uint oct20p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 511.0), 20u); }
+uint oct22p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 1023.0), 22u); }
+uint oct24p_encode(vec3 v) { return oct_pack_unorm8x3(oct_lattice_precise(v, 2047.0)); }
+uint oct32p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 32767.0), 32u); }
+
+vec3 oct16_decode(uint code) { return oct_from_lattice(oct_unpack(code, 16u), 127.0); }
+vec3 oct20_decode(uint code) { return oct_from_lattice(oct_unpack(code, 20u), 511.0); }
+vec3 oct22_decode(uint code) { return oct_from_lattice(oct_unpack(code, 22u), 1023.0); }
+vec3 oct24_decode(uint code) { return oct_from_lattice(oct_unpack_unorm8x3(code), 2047.0); }
+vec3 oct32_decode(uint code) { return oct_from_lattice(oct_unpack(code, 32u), 32767.0); }
+
+vec3 oct16p_decode(uint code) { return oct16_decode(code); }
+vec3 oct20p_decode(uint code) { return oct20_decode(code); }
+vec3 oct22p_decode(uint code) { return oct22_decode(code); }
+vec3 oct24p_decode(uint code) { return oct24_decode(code); }
+vec3 oct32p_decode(uint code) { return oct32_decode(code); }
+
+#endif

@@ -1,0 +1,6 @@
+// unitvec: all codec families. See the family's file for its functions.
+
+#include "scalar.glsl"
+#include "math.glsl"
+#include "oct.glsl"
+#include "hemioct.glsl"

@@ -1,0 +1,174 @@
+use super::{Vulkan, print, status_after_validation, to_json};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use unitvec_host::backend::{Gpu, KernelSource};
+use unitvec_host::catalogue::{self, CATALOGUE, CodecInfo};
+use unitvec_host::conform::{self, Options, Report, Row};
+use unitvec_host::vulkan::{Device, DeviceInfo};
+use unitvec_host::{Result, glsl, mesh, output};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Codec to run, as `unitvec codecs` lists them; may be given again. All of them if not given.
+    #[arg(long, value_name = "ID")]
+    codec: Vec<String>,
+    /// Random directions for each codec.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    count: usize,
+    /// Seed of the random directions.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Write the report as JSON as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    #[command(flatten)]
+    vulkan: Vulkan,
+    /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given.
+    mesh: Vec<PathBuf>,
+}
+
+/// The mesh that ships with the program.
+const BUNNY: &[u8] = include_bytes!("../../../tests/data/bunny.obj");
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let codecs = chosen_codecs(&arguments.codec)?;
+    let options =
+        Options { count: arguments.count, seed: arguments.seed, normals: normals(&arguments.mesh)? };
+    let device = arguments.vulkan.device()?;
+    let mut spirv = Gpu::new(&device, KernelSource::Spirv(arguments.vulkan.modules()?), true)?;
+    let mut glsl = Gpu::new(&device, KernelSource::Glsl(glsl::Compiler::new()?), true)?;
+
+    let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
+    if !to_stdout {
+        print(&heading(device.info(), &options))?;
+    }
+    let bar = progress_bar(codecs.iter().map(|codec| conform::work(codec, &options)).sum());
+    let mut rows = Vec::new();
+    for codec in codecs {
+        bar.set_message(codec.id);
+        let row = conform::run_codec(codec, &options, &mut spirv, &mut glsl, &mut |done| bar.inc(done))?;
+        if !to_stdout {
+            let mut printed = Ok(ExitCode::SUCCESS);
+            bar.suspend(|| printed = print(&line(&row)));
+            printed?;
+        }
+        rows.push(row);
+    }
+    bar.finish_and_clear();
+    finish(arguments, &device, to_stdout, rows)
+}
+
+fn finish(
+    arguments: &Arguments,
+    device: &std::sync::Arc<Device>,
+    to_stdout: bool,
+    rows: Vec<Row>,
+) -> Result<ExitCode> {
+    let report = Report { device: device.info().clone(), agreed: rows.iter().all(Row::agrees), rows };
+    if !to_stdout {
+        print(&verdict(&report))?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_file(path, to_json(&report).as_bytes())?;
+    }
+    Ok(status_after_validation(Some(device), report.agreed))
+}
+
+fn chosen_codecs(ids: &[String]) -> Result<Vec<&'static CodecInfo>> {
+    if ids.is_empty() {
+        return Ok(CATALOGUE.iter().collect());
+    }
+    ids.iter().map(|id| Ok(catalogue::find(id)?)).collect()
+}
+
+fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
+    if meshes.is_empty() {
+        return Ok(mesh::read_obj(Path::new("bunny.obj"), BUNNY)?.normals);
+    }
+    let mut normals = Vec::new();
+    for path in meshes {
+        normals.extend(mesh::read(path)?.normals);
+    }
+    Ok(normals)
+}
+
+fn progress_bar(length: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:<10} {wide_bar} {percent}%, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(length).with_style(style)
+}
+
+fn heading(device: &DeviceInfo, options: &Options) -> String {
+    format!(
+        "device: {} ({:?}), driver {}, Vulkan {}\n\
+         vectors a codec: {} random (seed {}), {} mesh normals, special ones, and all codes of up to 24 bits decoded\n\
+         mismatches are against the CPU; ns is device time a vector, SPIR-V from Rust / from GLSL\n\n\
+         {:<10} {:>4} {:>10} {:>10}  {:>11} {:>11}  {:>15} {:>15}\n\
+         {:<10} {:>4} {:>10} {:>10}  {:>11} {:>11}  {:>15} {:>15}\n",
+        device.name,
+        device.kind,
+        device.driver,
+        device.api_version,
+        options.count,
+        options.seed,
+        options.normals.len(),
+        "codec",
+        "bits",
+        "mean",
+        "max",
+        "encode diff",
+        "decode diff",
+        "encode ns",
+        "decode ns",
+        "",
+        "",
+        "degrees",
+        "degrees",
+        "rust / glsl",
+        "rust / glsl",
+        "rust / glsl",
+        "rust / glsl",
+    )
+}
+
+fn line(row: &Row) -> String {
+    let pair = |a: u64, b: u64| format!("{a} / {b}");
+    let time = |a: Option<f64>, b: Option<f64>| match (a, b) {
+        (Some(a), Some(b)) => format!("{a:.3} / {b:.3}"),
+        _ => "- / -".to_owned(),
+    };
+    let (encode, decode, ns) = (&row.encode_mismatches, &row.decode_mismatches, &row.device_ns);
+    let mut text = format!(
+        "{:<10} {:>4} {:>10.6} {:>10.6}  {:>11} {:>11}  {:>15} {:>15}\n",
+        row.id,
+        row.bits,
+        row.mean_deg,
+        row.max_deg,
+        pair(encode.spirv, encode.glsl),
+        pair(decode.spirv, decode.glsl),
+        time(ns.encode_spirv, ns.encode_glsl),
+        time(ns.decode_spirv, ns.decode_glsl),
+    );
+    for example in &row.examples {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "    {example}");
+    }
+    text
+}
+
+fn verdict(report: &Report) -> String {
+    let (vectors, codes) =
+        report.rows.iter().fold((0, 0), |(vectors, codes), row| (vectors + row.vectors, codes + row.codes));
+    if report.agreed {
+        return format!(
+            "\nconform: PASS: CPU, SPIR-V from Rust and SPIR-V from GLSL agree to the bit: {} codecs, {vectors} vectors \
+             encoded, {codes} codes decoded\n",
+            report.rows.len()
+        );
+    }
+    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id).collect();
+    format!("\nconform: FAIL: the three do not agree for {}\n", failed.join(", "))
+}

@@ -1,0 +1,67 @@
+use crate::{catalogue, glsl, mesh, modules, vulkan};
+use std::io;
+use std::path::PathBuf;
+
+/// A result with this crate's [`Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// Anything that stops a command. Each message is one line that names the thing and the remedy.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// See [`catalogue::UnknownCodec`].
+    #[error(transparent)]
+    UnknownCodec(#[from] catalogue::UnknownCodec),
+    /// See [`vulkan::Error`].
+    #[error(transparent)]
+    Vulkan(#[from] vulkan::Error),
+    /// See [`modules::Error`].
+    #[error(transparent)]
+    Modules(#[from] modules::Error),
+    /// See [`glsl::Error`].
+    #[error(transparent)]
+    Glsl(#[from] glsl::Error),
+    /// See [`mesh::MeshError`].
+    #[error(transparent)]
+    Mesh(#[from] mesh::MeshError),
+    /// A slice function was given the wrong sizes.
+    #[error(transparent)]
+    LengthMismatch(#[from] unitvec::slice::LengthMismatch),
+    /// A file or pipe cannot be read.
+    #[error("cannot read {}: {source}", .path.display())]
+    Read {
+        /// Its path.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
+    /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
+    #[error("cannot write {}: {source}", .path.display())]
+    Write {
+        /// Its path.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
+    /// Input that ends within an element.
+    #[error(
+        "{} ends after {whole} whole {unit} and {left} bytes of another; is it cut short, or of another format?",
+        .path.display()
+    )]
+    Truncated {
+        /// Path of the input.
+        path: PathBuf,
+        /// Whole elements read.
+        whole: u64,
+        /// Element, in plural, with its size.
+        unit: String,
+        /// Bytes after the last whole element.
+        left: usize,
+    },
+}
+
+impl Error {
+    /// True where the command line itself is at fault, which exits with status 2 instead of 1.
+    pub fn is_usage(&self) -> bool {
+        matches!(self, Self::UnknownCodec(_) | Self::Vulkan(vulkan::Error::UnknownDevice { .. }))
+    }
+}

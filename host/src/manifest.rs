@@ -1,0 +1,138 @@
+//! `spirv/manifest.json`: what the committed modules are and which sources they came from.
+
+use crate::catalogue::Direction;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+
+/// Name of the manifest file in the modules' folder.
+pub const FILE_NAME: &str = "manifest.json";
+
+/// The manifest of a folder of SPIR-V modules.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Version of rust-gpu that compiled the modules.
+    pub rust_gpu: String,
+    /// rust-gpu's target: the SPIR-V environment.
+    pub target: String,
+    /// [`sources_sha256`] of the tree they were compiled from.
+    pub sources_sha256: String,
+    /// The modules, by file name.
+    pub modules: Vec<Module>,
+}
+
+/// One SPIR-V module.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Module {
+    /// File name in the manifest's folder.
+    pub file: String,
+    /// Codec identifier.
+    pub codec: String,
+    /// Half of the codec.
+    pub direction: Direction,
+    /// Name of the entry point, a compute shader.
+    pub entry_point: String,
+    /// Size of a workgroup.
+    pub workgroup_size: [u32; 3],
+    /// Vectors that one invocation takes: the buffers are padded to a multiple of it.
+    pub vectors_per_invocation: u32,
+    /// Storage buffers, all in descriptor set 0.
+    pub bindings: Vec<Binding>,
+    /// Push constants.
+    pub push_constants: Vec<PushConstant>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+}
+
+/// A storage buffer.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Binding {
+    /// Binding number.
+    pub binding: u32,
+    /// `read` or `write`.
+    pub access: String,
+    /// What it holds.
+    pub content: String,
+    /// Bytes a vector takes in it.
+    pub bytes_per_vector: u32,
+}
+
+/// A push constant.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct PushConstant {
+    /// Byte offset.
+    pub offset: u32,
+    /// Type: `u32`.
+    pub r#type: String,
+    /// What it holds.
+    pub content: String,
+}
+
+/// SHA-256 of `bytes` in hexadecimal.
+pub fn sha256_hex(bytes: &[u8]) -> String {
+    hex(&Sha256::digest(bytes))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// A hash of everything in the repository that the modules are made from: the crate's and the SPIR-V build's sources
+/// and the locked versions of the packages that shape the output.
+///
+/// # Errors
+/// Any error of reading those files.
+pub fn sources_sha256(repository: &Path) -> io::Result<String> {
+    let mut files =
+        vec![repository.join("shader-crate/Cargo.toml"), repository.join("xtask/spirv/Cargo.toml")];
+    rust_files(&repository.join("shader-crate/src"), &mut files)?;
+    rust_files(&repository.join("xtask/spirv/src"), &mut files)?;
+    let mut named: Vec<(String, PathBuf)> =
+        files.into_iter().map(|file| (portable_name(repository, &file), file)).collect();
+    named.sort();
+
+    let mut hash = Sha256::new();
+    for (name, file) in named {
+        hash_entry(&mut hash, &name, &fs::read(file)?);
+    }
+    let lock = fs::read_to_string(repository.join("Cargo.lock"))?;
+    for package in locked_packages(&lock) {
+        hash_entry(&mut hash, "Cargo.lock", package.trim().as_bytes());
+    }
+    Ok(hex(&hash.finalize()))
+}
+
+/// Packages whose version decides the bytes of the modules.
+const SHAPING_PACKAGES: [&str; 7] =
+    ["glam", "libm", "rspirv", "spirv-builder", "spirv-std", "spirv-tools", "spirv-tools-sys"];
+
+fn locked_packages(lock: &str) -> impl Iterator<Item = &str> {
+    lock.split("[[package]]").filter(|package| {
+        SHAPING_PACKAGES.iter().any(|name| package.trim_start().starts_with(&format!("name = \"{name}\"\n")))
+    })
+}
+
+fn hash_entry(hash: &mut Sha256, name: &str, content: &[u8]) {
+    hash.update(name.as_bytes());
+    hash.update([0]);
+    hash.update((content.len() as u64).to_le_bytes());
+    hash.update(content);
+}
+
+fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            rust_files(&path, files)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn portable_name(root: &Path, file: &Path) -> String {
+    let relative = file.strip_prefix(root).unwrap_or(file);
+    relative.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+}

@@ -1,0 +1,54 @@
+//! Angular error, by the survey's method (Cigolle et al. 2014, section 4.1) in float64.
+
+/// The angle between two directions in degrees: `atan2(|a x b|, a . b)`, which unlike the arc cosine of `a . b` is
+/// exact for small angles. The lengths do not matter.
+pub fn angle_deg(a: [f32; 3], b: [f32; 3]) -> f64 {
+    let [a, b] = [a, b].map(|v| v.map(f64::from));
+    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
+    sine.atan2(dot).to_degrees()
+}
+
+/// Mean and maximum of a series of errors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ErrorStats {
+    sum: f64,
+    max: f64,
+    count: u64,
+}
+
+impl ErrorStats {
+    /// Takes in the error between a direction and what it was decoded to.
+    pub fn add(&mut self, original: [f32; 3], decoded: [f32; 3]) {
+        let error = angle_deg(original, decoded);
+        self.sum += error;
+        self.max = self.max.max(error);
+        self.count += 1;
+    }
+
+    /// Mean in degrees; 0 for an empty series.
+    pub fn mean_deg(&self) -> f64 {
+        if self.count == 0 { 0.0 } else { self.sum / self.count as f64 }
+    }
+
+    /// Maximum in degrees.
+    pub fn max_deg(&self) -> f64 {
+        self.max
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn angles_of_known_directions() {
+        assert_eq!(angle_deg([1.0, 0.0, 0.0], [0.0, 2.0, 0.0]), 90.0);
+        assert_eq!(angle_deg([1.0, 0.0, 0.0], [-3.0, 0.0, 0.0]), 180.0);
+        assert_eq!(angle_deg([0.0, 0.0, 5.0], [0.0, 0.0, 1.0]), 0.0);
+        let small = 2f32.powi(-40);
+        let expected = f64::from(small).to_degrees();
+        assert!((angle_deg([1.0, 0.0, 0.0], [1.0, small, 0.0]) / expected - 1.0).abs() < 1e-12);
+    }
+}

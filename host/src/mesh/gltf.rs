@@ -1,0 +1,514 @@
+//! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate.
+
+use std::collections::HashSet;
+use std::path::Path;
+
+use ::gltf::accessor::{DataType, Dimensions};
+use ::gltf::buffer::{Source, View};
+use ::gltf::json;
+use ::gltf::mesh::Mode;
+use ::gltf::{Accessor, Buffer, Document, Gltf, Primitive, Semantic};
+use base64::Engine;
+use base64::alphabet;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+
+use super::{Mesh, MeshError, area_weighted, check_finite, finish, parse_error};
+
+const FORMAT: &str = "glTF";
+
+/// Reads the normals of all primitives of all meshes, each accessor of normals once.
+///
+/// They are as the accessors have them: neither nodes nor skins nor morph targets are applied.
+pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let (document, blob) = load(path, bytes)?;
+    let file = File { path, buffers: read_buffers(path, &document, blob.as_deref())? };
+    let (mut normals, mut computed, mut seen) = (Vec::new(), false, HashSet::new());
+    for primitive in document.meshes().flat_map(|mesh| mesh.primitives()) {
+        match primitive.get(&Semantic::Normals) {
+            Some(accessor) if !seen.insert(accessor.index()) => {}
+            Some(accessor) => {
+                check_finite(path, &file.positions(&primitive)?)?;
+                normals.extend(file.normals(&primitive, &accessor)?);
+            }
+            None => {
+                normals.extend(file.computed_normals(&primitive)?);
+                computed = true;
+            }
+        }
+    }
+    finish(path, normals, computed)
+}
+
+/// Parses and validates the parts that hold geometry.
+fn load(path: &Path, bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>), MeshError> {
+    let error = |error: gltf::Error| parse_error(path, FORMAT, error);
+    // The parser subtracts the header's size from this length unchecked.
+    let glb_length = bytes.strip_prefix(b"glTF").and_then(|rest| rest.get(4..8)).map(u32_from_le);
+    if glb_length.is_some_and(|length| length < 12) {
+        return Err(parse_error(path, FORMAT, "the GLB header gives a length below its own"));
+    }
+    let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(error)?;
+    let root = geometry_of(document.into_json());
+    check_position_indices(path, &root)?;
+    Ok((Document::from_json(root).map_err(error)?, blob))
+}
+
+fn u32_from_le(bytes: &[u8]) -> u32 {
+    bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
+}
+
+/// Keeps what normals depend on, so that an unknown extension of a material, or an attribute of the
+/// application's own, does not fail the validation of a mesh that can be read.
+fn geometry_of(root: json::Root) -> json::Root {
+    const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
+    let json::Root { accessors, asset, buffers, buffer_views, mut meshes, mut extensions_required, .. } =
+        root;
+    extensions_required.retain(|name| !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
+    for primitive in meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
+        primitive.attributes.retain(|semantic, _| {
+            use json::validation::Checked::Valid;
+            matches!(semantic, Valid(Semantic::Positions | Semantic::Normals))
+        });
+        primitive.material = None;
+        primitive.targets = None;
+    }
+    json::Root { accessors, asset, buffers, buffer_views, meshes, extensions_required, ..Default::default() }
+}
+
+/// Checks the one index that the validation of the `gltf` crate uses before it is validated.
+fn check_position_indices(path: &Path, root: &json::Root) -> Result<(), MeshError> {
+    let indices = root.meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|p| p.attributes.values());
+    match indices.map(|index| index.value()).find(|&index| index >= root.accessors.len()) {
+        Some(index) => Err(parse_error(path, FORMAT, format!("no accessor {index}"))),
+        None => Ok(()),
+    }
+}
+
+fn read_buffers(path: &Path, document: &Document, blob: Option<&[u8]>) -> Result<Vec<Vec<u8>>, MeshError> {
+    let read = |buffer: Buffer| {
+        let bytes = match buffer.source() {
+            Source::Bin => {
+                blob.map(<[u8]>::to_vec).ok_or_else(|| "it has neither a URI nor a BIN chunk".into())
+            }
+            Source::Uri(uri) => read_uri(path, uri),
+        };
+        bytes
+            .and_then(|bytes| match bytes.len() < buffer.length() {
+                true => Err(format!("it has {} of its {} bytes", bytes.len(), buffer.length())),
+                false => Ok(bytes),
+            })
+            .map_err(|reason| MeshError::MissingBuffer { path: path.into(), buffer: buffer.index(), reason })
+    };
+    document.buffers().map(read).collect()
+}
+
+fn read_uri(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        return decode_data(data);
+    }
+    let name = percent_decode(uri);
+    if uri.contains(':') || Path::new(&name).is_absolute() {
+        return Err("its URI is neither a relative file name nor base64 data".into());
+    }
+    let file = path.with_file_name(&name);
+    std::fs::read(&file).map_err(|error| format!("cannot read {}: {error}", file.display()))
+}
+
+fn decode_data(data: &str) -> Result<Vec<u8>, String> {
+    // Exporters differ over the padding.
+    const LENIENT: GeneralPurposeConfig =
+        GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
+    let (_, encoded) = data.split_once(";base64,").ok_or("its data URI is not in base64")?;
+    let engine = GeneralPurpose::new(&alphabet::STANDARD, LENIENT);
+    engine.decode(encoded).map_err(|error| format!("its data URI is not in base64: {error}"))
+}
+
+fn percent_decode(uri: &str) -> String {
+    let mut bytes = Vec::with_capacity(uri.len());
+    let mut rest = uri.as_bytes();
+    while let Some((&byte, tail)) = rest.split_first() {
+        let code = tail.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
+        let code = code.and_then(|digits| u8::from_str_radix(digits, 16).ok());
+        match code.filter(|_| byte == b'%') {
+            Some(code) => {
+                bytes.push(code);
+                rest = &tail[2..];
+            }
+            None => {
+                bytes.push(byte);
+                rest = tail;
+            }
+        }
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// A document's buffers, at least as long as it declares them.
+struct File<'p> {
+    path: &'p Path,
+    buffers: Vec<Vec<u8>>,
+}
+
+impl File<'_> {
+    fn normals(&self, primitive: &Primitive, accessor: &Accessor) -> Result<Vec<[f32; 3]>, MeshError> {
+        self.check_vectors(accessor)?;
+        let normals = primitive.reader(|buffer| self.data(buffer)).read_normals();
+        Ok(normals.ok_or_else(|| self.error("unreadable normals"))?.collect())
+    }
+
+    fn positions(&self, primitive: &Primitive) -> Result<Vec<[f64; 3]>, MeshError> {
+        let accessor = primitive.get(&Semantic::Positions);
+        self.check_vectors(&accessor.ok_or_else(|| self.error("a primitive has no positions"))?)?;
+        let positions = primitive.reader(|buffer| self.data(buffer)).read_positions();
+        let positions = positions.ok_or_else(|| self.error("unreadable positions"))?;
+        Ok(positions.map(|position| position.map(f64::from)).collect())
+    }
+
+    fn computed_normals(&self, primitive: &Primitive) -> Result<Vec<[f32; 3]>, MeshError> {
+        let positions = self.positions(primitive)?;
+        let corners = match primitive.indices() {
+            Some(accessor) => self.indices(primitive, &accessor)?,
+            None => (0..).take(positions.len()).collect(),
+        };
+        area_weighted(self.path, &positions, triangles(primitive.mode(), &corners))
+    }
+
+    fn indices(&self, primitive: &Primitive, accessor: &Accessor) -> Result<Vec<i64>, MeshError> {
+        let is_integer = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
+        if !is_integer || accessor.dimensions() != Dimensions::Scalar {
+            return Err(self.error(format!("accessor {} cannot be indices", accessor.index())));
+        }
+        self.check_extents(accessor)?;
+        let indices = primitive.reader(|buffer| self.data(buffer)).read_indices();
+        Ok(indices.ok_or_else(|| self.error("unreadable indices"))?.into_u32().map(i64::from).collect())
+    }
+
+    fn check_vectors(&self, accessor: &Accessor) -> Result<(), MeshError> {
+        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
+            return Err(self.error(format!("accessor {} has no three-vectors of floats", accessor.index())));
+        }
+        self.check_extents(accessor)
+    }
+
+    /// Checks that all parts of an accessor lie in their buffers: the reader takes that for granted.
+    fn check_extents(&self, accessor: &Accessor) -> Result<(), MeshError> {
+        /// Zeros take no space in the file: without a bound, a few bytes could ask for any memory.
+        const MAX_ZEROS: usize = 1 << 24;
+        let mut parts = Vec::new();
+        match accessor.view() {
+            Some(view) => parts.push((view, accessor.offset(), accessor.count(), accessor.size())),
+            None if accessor.count() > MAX_ZEROS => {
+                return Err(self.error(format!("accessor {} is too long a run of zeros", accessor.index())));
+            }
+            None => {}
+        }
+        if let Some(sparse) = accessor.sparse() {
+            let (indices, values) = (sparse.indices(), sparse.values());
+            parts.push((indices.view(), indices.offset(), sparse.count(), indices.index_type().size()));
+            parts.push((values.view(), values.offset(), sparse.count(), accessor.size()));
+        }
+        match parts.iter().all(|(view, offset, count, size)| self.holds(view, *offset, *count, *size)) {
+            true => Ok(()),
+            false => {
+                Err(self.error(format!("accessor {} is empty or ends past its buffer", accessor.index())))
+            }
+        }
+    }
+
+    fn holds(&self, view: &View, offset: usize, count: usize, size: usize) -> bool {
+        let stride = view.stride().unwrap_or(size);
+        let end = || count.checked_sub(1)?.checked_mul(stride)?.checked_add(size)?.checked_add(offset);
+        let view_end = view.offset().checked_add(view.length());
+        let buffer_length = self.buffers.get(view.buffer().index()).map_or(0, Vec::len);
+        stride >= size
+            && end().is_some_and(|end| end <= view.length())
+            && view_end.is_some_and(|end| end <= buffer_length)
+    }
+
+    fn data(&self, buffer: Buffer) -> Option<&[u8]> {
+        self.buffers.get(buffer.index()).map(Vec::as_slice)
+    }
+
+    fn error(&self, reason: impl std::fmt::Display) -> MeshError {
+        parse_error(self.path, FORMAT, reason)
+    }
+}
+
+/// The triangles of a primitive, wound as the specification orders them; points and lines have none.
+fn triangles(mode: Mode, corners: &[i64]) -> Vec<[i64; 3]> {
+    match mode {
+        Mode::Triangles => corners.as_chunks().0.to_vec(),
+        Mode::TriangleStrip => {
+            let flip =
+                |(k, c): (usize, &[i64])| if k % 2 == 0 { [c[0], c[1], c[2]] } else { [c[0], c[2], c[1]] };
+            corners.windows(3).enumerate().map(flip).collect()
+        }
+        Mode::TriangleFan => super::fan(corners).collect(),
+        Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{CUBE_CORNERS, CUBE_FACES, Scratch, assert_close, cube_normals};
+    use super::*;
+
+    fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
+        parse(Path::new("a.glb"), bytes)
+    }
+
+    fn floats(vectors: &[[f32; 3]]) -> Vec<u8> {
+        vectors.iter().flatten().flat_map(|c| c.to_le_bytes()).collect()
+    }
+
+    fn cube_indices() -> Vec<u8> {
+        let corners = CUBE_FACES.iter().flat_map(|&[a, b, c, d]| [a, b, c, a, c, d]);
+        corners.flat_map(u16::to_le_bytes).collect()
+    }
+
+    /// The cube's buffer: 96 bytes of positions, 96 of normals, 72 of indices.
+    fn cube_buffer() -> Vec<u8> {
+        [floats(&CUBE_CORNERS), floats(&cube_normals()), cube_indices()].concat()
+    }
+
+    /// A document over a buffer of that layout, with one mesh of the given primitives.
+    fn json(primitives: &str, uri: &str) -> String {
+        let bounds = r#""min":[-1,-1,-1],"max":[1,1,1]"#;
+        format!(
+            r#"{{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":[{primitives}]}}],
+            "buffers":[{{"byteLength":264{uri}}}],"bufferViews":[
+            {{"buffer":0,"byteLength":96}},{{"buffer":0,"byteOffset":96,"byteLength":96}},
+            {{"buffer":0,"byteOffset":192,"byteLength":72}}],"accessors":[
+            {{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3",{bounds}}},
+            {{"bufferView":1,"componentType":5126,"count":8,"type":"VEC3"}},
+            {{"bufferView":2,"componentType":5123,"count":36,"type":"SCALAR"}}]}}"#
+        )
+    }
+
+    const WITH_NORMALS: &str = r#"{"attributes":{"POSITION":0,"NORMAL":1},"indices":2}"#;
+    const WITHOUT_NORMALS: &str = r#"{"attributes":{"POSITION":0},"indices":2}"#;
+
+    fn glb(json: &str, blob: Option<&[u8]>) -> Vec<u8> {
+        let chunk = |kind: &[u8; 4], data: &[u8], pad: u8| {
+            let mut data = data.to_vec();
+            data.resize(data.len().next_multiple_of(4), pad);
+            [&(data.len() as u32).to_le_bytes(), kind.as_slice(), &data].concat()
+        };
+        let bin = blob.map_or(Vec::new(), |blob| chunk(b"BIN\0", blob, 0));
+        let body = [chunk(b"JSON", json.as_bytes(), b' '), bin].concat();
+        let length = body.len() as u32 + 12;
+        [b"glTF".as_slice(), &2u32.to_le_bytes(), &length.to_le_bytes(), &body].concat()
+    }
+
+    fn cube(primitives: &str) -> Vec<u8> {
+        glb(&json(primitives, ""), Some(&cube_buffer()))
+    }
+
+    fn is_parse(result: &Result<Mesh, MeshError>) -> bool {
+        matches!(result, Err(MeshError::Parse { .. }))
+    }
+
+    /// Normals of a GLB come back bit for bit; computed ones point along the cube's diagonals.
+    #[test]
+    fn reads_and_computes() {
+        let mesh = read(&cube(WITH_NORMALS)).unwrap();
+        assert_eq!((mesh.normals, mesh.computed), (cube_normals(), false));
+        let mesh = read(&cube(WITHOUT_NORMALS)).unwrap();
+        assert!(mesh.computed);
+        assert_close(&mesh.normals, &cube_normals());
+    }
+
+    /// All primitives count, an accessor of normals that two share once.
+    #[test]
+    fn all_primitives() {
+        let mesh = read(&cube(&format!("{WITH_NORMALS},{WITHOUT_NORMALS},{WITH_NORMALS}"))).unwrap();
+        assert!(mesh.computed);
+        assert_close(&mesh.normals, &[cube_normals(), cube_normals()].concat());
+    }
+
+    /// NaN normals pass through, while a NaN position is an error even beside normals.
+    #[test]
+    fn not_finite() {
+        let mut buffer = cube_buffer();
+        buffer[96..100].copy_from_slice(&f32::NAN.to_le_bytes());
+        let document = json(WITH_NORMALS, "");
+        assert!(read(&glb(&document, Some(&buffer))).unwrap().normals[0][0].is_nan());
+        buffer[12..16].copy_from_slice(&f32::NAN.to_le_bytes());
+        let result = read(&glb(&document, Some(&buffer)));
+        assert!(matches!(result, Err(MeshError::NotFinite { vertex: 1, .. })));
+    }
+
+    /// The buffer is found as a data URI, padded or not, and in a file whose name is percent-encoded.
+    #[test]
+    fn external_buffers() {
+        let scratch = Scratch::new("gltf-buffers");
+        let encoded = base64::engine::general_purpose::STANDARD.encode([cube_buffer(), vec![0]].concat());
+        std::fs::write(scratch.path("the cube.bin"), cube_buffer()).unwrap();
+        let data = "data:application/octet-stream;base64,";
+        for uri in [
+            format!("{data}{encoded}"),
+            format!("{data}{}", encoded.trim_end_matches('=')),
+            "the%20cube.bin".into(),
+        ] {
+            let path = scratch.path("a.gltf");
+            std::fs::write(&path, json(WITH_NORMALS, &format!(r#","uri":"{uri}""#))).unwrap();
+            assert_eq!(super::super::read(&path).unwrap().normals, cube_normals());
+        }
+    }
+
+    /// Each way in which a buffer can be missing names the buffer.
+    #[test]
+    fn missing_buffers() {
+        let uris = [
+            "absent.bin",
+            "/etc/hostname",
+            "http://example.org/a.bin",
+            "data:,abc",
+            "data:;base64,*",
+            "data:;base64,AA",
+        ];
+        for uri in uris {
+            let result = read(json(WITH_NORMALS, &format!(r#","uri":"{uri}""#)).as_bytes());
+            assert!(matches!(result, Err(MeshError::MissingBuffer { buffer: 0, .. })), "{uri}: {result:?}");
+        }
+        for blob in [None, Some(&cube_buffer()[..100])] {
+            let result = read(&glb(&json(WITH_NORMALS, ""), blob));
+            assert!(matches!(result, Err(MeshError::MissingBuffer { buffer: 0, .. })));
+        }
+    }
+
+    /// Strips flip every second triangle and fans turn about their first corner, so that all face up.
+    #[test]
+    fn strips_and_fans() {
+        let faces_up = |mode, square: [[f32; 3]; 4]| {
+            let corners = floats(&square);
+            let uri = base64::engine::general_purpose::STANDARD.encode(&corners);
+            let document = format!(
+                r#"{{"asset":{{"version":"2.0"}},"buffers":[{{"byteLength":48,"uri":"data:;base64,{uri}"}}],
+                "meshes":[{{"primitives":[{{"mode":{mode},"attributes":{{"POSITION":0}}}}]}}],
+                "bufferViews":[{{"buffer":0,"byteLength":48}}],"accessors":[{{"bufferView":0,
+                "componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]}}]}}"#
+            );
+            read(document.as_bytes())
+        };
+        let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
+        assert_eq!(faces_up(5, [a, b, d, c]).unwrap().normals, [[0.0, 0.0, 1.0]; 4]);
+        assert_eq!(faces_up(6, [a, b, c, d]).unwrap().normals, [[0.0, 0.0, 1.0]; 4]);
+        assert_eq!(faces_up(4, [a, b, c, d]).unwrap().normals, [[0.0, 0.0, 1.0]; 3]);
+        for points_or_lines in 0..4 {
+            let result = faces_up(points_or_lines, [a, b, c, d]);
+            assert!(matches!(result, Err(MeshError::NoFaces { .. })));
+        }
+    }
+
+    /// Sparse values replace those of the base, with a base and with zeros in its place.
+    #[test]
+    fn sparse_accessors() {
+        let sparse = |base: &str, count: usize| {
+            json(WITH_NORMALS, "").replace(
+                r#"{"bufferView":1,"componentType":5126,"count":8,"#,
+                &format!(
+                    r#"{{{base}"componentType":5126,"count":{count},"sparse":{{"count":1,
+                    "indices":{{"bufferView":2,"byteOffset":2,"componentType":5123}},
+                    "values":{{"bufferView":0}}}},"#
+                ),
+            )
+        };
+        let buffer = cube_buffer();
+        for (base, other) in [(r#""bufferView":1,"#, cube_normals()[0]), ("", [0.0; 3])] {
+            let normals = read(&glb(&sparse(base, 8), Some(&buffer))).unwrap().normals;
+            // The second of the cube's indices, which stand in for those of the sparse value, is 3.
+            assert_eq!((normals.len(), normals[3], normals[0]), (8, CUBE_CORNERS[0], other));
+        }
+        assert!(is_parse(&read(&glb(&sparse("", 1 << 40), Some(&buffer)))));
+    }
+
+    /// Extensions of materials and attributes of the application do not matter; compression does.
+    #[test]
+    fn extensions() {
+        let document = json(WITH_NORMALS, "").replace(r#""NORMAL""#, r#""_FACE":2,"NORMAL""#);
+        let required = |name| document.replacen('{', &format!(r#"{{"extensionsRequired":["{name}"],"#), 1);
+        let read = |name| read(&glb(&required(name), Some(&cube_buffer())));
+        assert_eq!(read("KHR_materials_unlit").unwrap().normals, cube_normals());
+        assert!(is_parse(&read("KHR_draco_mesh_compression")));
+    }
+
+    /// Every number that the `gltf` crate would trust is checked first.
+    #[test]
+    fn damaged_documents() {
+        let changes = [
+            (r#""POSITION":0"#, r#""POSITION":9"#),
+            (r#""POSITION":0"#, r#""POSITION":2"#),
+            (r#""POSITION":0,"#, ""),
+            (r#""NORMAL":1"#, r#""NORMAL":9"#),
+            (r#""NORMAL":1"#, r#""NORMAL":2"#),
+            (r#""count":8"#, r#""count":0"#),
+            (r#""count":8"#, r#""count":9"#),
+            (r#""count":8"#, r#""count":18446744073709551615"#),
+            (r#""byteLength":96"#, r#""byteOffset":18446744073709551615,"byteLength":96"#),
+            (r#""byteLength":96"#, r#""byteOffset":200,"byteLength":96"#),
+            (r#""byteLength":96"#, r#""byteStride":4,"byteLength":96"#),
+            (r#""buffer":0"#, r#""buffer":7"#),
+            (r#""2.0""#, "2.0"),
+        ];
+        for (from, to) in changes {
+            let document = json(WITH_NORMALS, "").replace(from, to);
+            let result = read(&glb(&document, Some(&cube_buffer())));
+            assert!(is_parse(&result), "{from} {to}: {result:?}");
+        }
+        for (from, to) in [("5123", "5126"), (r#""count":36"#, r#""count":37"#), ("SCALAR", "VEC2")] {
+            let document = json(WITHOUT_NORMALS, "").replace(from, to);
+            assert!(is_parse(&read(&glb(&document, Some(&cube_buffer())))), "{from} {to}");
+        }
+    }
+
+    /// An index past the positions is reported with its value.
+    #[test]
+    fn index_out_of_range() {
+        let mut buffer = cube_buffer();
+        buffer[262..].copy_from_slice(&8u16.to_le_bytes());
+        let error = read(&glb(&json(WITHOUT_NORMALS, ""), Some(&buffer))).unwrap_err();
+        let MeshError::IndexOutOfRange { index, vertices, .. } = error else { panic!("{error}") };
+        assert_eq!((index, vertices), (8, 8));
+    }
+
+    /// A GLB cut off at any byte is an error, not a panic, also where its header is made to agree.
+    #[test]
+    fn truncation_is_an_error() {
+        let bytes = cube(WITH_NORMALS);
+        for end in 0..bytes.len() {
+            let mut cut = bytes[..end].to_vec();
+            assert!(read(&cut).is_err(), "{end}");
+            if end >= 12 {
+                cut[8..12].copy_from_slice(&(end as u32).to_le_bytes());
+                assert!(read(&cut).is_err(), "{end}");
+            }
+        }
+    }
+
+    /// A GLB header may give any length.
+    #[test]
+    fn header_lengths() {
+        for length in (0..=20).chain([u32::MAX]) {
+            let mut bytes = cube(WITH_NORMALS);
+            bytes[8..12].copy_from_slice(&length.to_le_bytes());
+            let result = read(&bytes);
+            assert!((12..u32::MAX).contains(&length) || is_parse(&result), "{length}: {result:?}");
+        }
+    }
+
+    /// One wrong byte anywhere does not panic.
+    #[test]
+    fn damage_does_not_panic() {
+        for primitives in [WITH_NORMALS, WITHOUT_NORMALS] {
+            let bytes = cube(primitives);
+            for at in 0..bytes.len() {
+                for value in [0, b'0', b'9', b'-', b'"', b',', 0xff] {
+                    let mut damaged = bytes.clone();
+                    damaged[at] = value;
+                    let _ = read(&damaged);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,176 @@
+//! Wavefront OBJ, parsed by `tobj`.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use super::{Mesh, MeshError, area_weighted, check_finite, finish, parse_error};
+
+const FORMAT: &str = "OBJ";
+
+/// Reads the normals of OBJ text.
+pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    // Only names and comments are ever not ASCII, and they may be in any encoding.
+    let text = String::from_utf8_lossy(bytes);
+    let text = text.trim_start_matches('\u{feff}');
+    let has_normals = count(text, "vn") > 0;
+    if !has_normals && count(text, "f") == 0 {
+        return Err(MeshError::NoFaces { path: path.into() });
+    }
+    let model = load(&condense(text)).map_err(|error| parse_error(path, FORMAT, error))?;
+    let positions: Vec<_> = triples(&model.positions).iter().map(|p| p.map(f64::from)).collect();
+    if has_normals {
+        check_finite(path, &positions)?;
+        return finish(path, triples(&model.normals).to_vec(), false);
+    }
+    let triangles = triples(&model.indices).iter().map(|t| t.map(i64::from));
+    finish(path, area_weighted(path, &positions, triangles)?, true)
+}
+
+/// The lines that the normals come from, for `tobj` to read as one object.
+///
+/// `tobj` splits a file at its objects, groups and materials and renumbers the vertices of each part
+/// in the order of first use. Without the lines that split, and after a one-vertex face for every
+/// `v` and `vn`, it keeps them all, in file order. Faces are dropped where there are normals, and
+/// `vt` always, since `tobj` overflows on their indices when these are far out of range.
+fn condense(text: &str) -> String {
+    let (positions, normals) = (count(text, "v"), count(text, "vn"));
+    let mut condensed = String::new();
+    for k in 1..=positions.max(normals) {
+        // Writing to a string does not fail.
+        let _ = match normals {
+            0 => writeln!(condensed, "f {k}"),
+            _ => writeln!(condensed, "f {}//{}", k.min(positions.max(1)), k.min(normals)),
+        };
+    }
+    if positions == 0 && normals > 0 {
+        condensed.push_str("v 0 0 0\n");
+    }
+    let source = if normals > 0 { "vn" } else { "f" };
+    for line in text.lines().filter(|line| ["v", source].contains(&keyword(line))) {
+        condensed.push_str(line);
+        condensed.push('\n');
+    }
+    condensed
+}
+
+fn load(text: &str) -> Result<tobj::Mesh, tobj::LoadError> {
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
+    let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| Ok(Default::default()))?;
+    Ok(models.into_iter().next().map(|model| model.mesh).unwrap_or_default())
+}
+
+fn count(text: &str, word: &str) -> usize {
+    text.lines().filter(|line| keyword(line) == word).count()
+}
+
+fn keyword(line: &str) -> &str {
+    line.split_whitespace().next().unwrap_or_default()
+}
+
+fn triples<T>(flat: &[T]) -> &[[T; 3]] {
+    flat.as_chunks().0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{CUBE_CORNERS, CUBE_FACES, assert_close, cube_normals};
+    use super::*;
+
+    fn read(text: &str) -> Result<Mesh, MeshError> {
+        parse(Path::new("a.obj"), text.as_bytes())
+    }
+
+    /// The cube, its first faces in one object, the others in a second.
+    fn cube() -> String {
+        let mut text = String::from("# cube\no first\n");
+        for [x, y, z] in CUBE_CORNERS {
+            writeln!(text, "v {x} {y} {z}").unwrap();
+        }
+        for (k, face) in CUBE_FACES.iter().enumerate() {
+            let [a, b, c, d] = face.map(|i| i + 1);
+            text += if k == 3 { "o second\nusemtl red\n" } else { "" };
+            writeln!(text, "f {a} {b} {c} {d}").unwrap();
+        }
+        text
+    }
+
+    /// Faces of all objects add to one vertex: a seam would give normals that miss the diagonals.
+    #[test]
+    fn computes_over_all_objects() {
+        let mesh = read(&cube()).unwrap();
+        assert!(mesh.computed);
+        assert_close(&mesh.normals, &cube_normals());
+    }
+
+    /// `vn` lines come back once each, in file order, whatever the faces of the objects use.
+    #[test]
+    fn normals_are_the_list_of_the_file() {
+        let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 2 0\nvn nan 0 0\n\
+            o a\nf 1//2 2//2 3//1\no b\nvn 5 0 0\nf -3//-1 2//1 3//1\n";
+        let mesh = read(text).unwrap();
+        assert!(!mesh.computed);
+        assert_eq!(mesh.normals.len(), 4);
+        assert_eq!(mesh.normals[..2], [[0.0, 0.0, 1.0], [0.0, 2.0, 0.0]]);
+        assert!(mesh.normals[2][0].is_nan());
+        assert_eq!(mesh.normals[3], [5.0, 0.0, 0.0]);
+    }
+
+    /// Normals need neither positions nor faces, and there may be fewer than vertices.
+    #[test]
+    fn normals_alone_are_enough() {
+        assert_eq!(read("vn 1 0 0\nvn 0 1 0").unwrap().normals, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        let fewer = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
+        assert_eq!(read(fewer).unwrap().normals, [[0.0, 0.0, 1.0]]);
+    }
+
+    /// Negative indices, texture coordinates, CRLF, a byte order mark and Latin-1 names are all read.
+    #[test]
+    fn reads_the_usual_variants() {
+        let text =
+            b"\xef\xbb\xbfv 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\ng caf\xe9\r\nvt 0 0\r\nf -3/1 -2/1 -1/1\r\n";
+        let mesh = parse(Path::new("a.obj"), text).unwrap();
+        assert_eq!(mesh.normals, [[0.0, 0.0, 1.0]; 3]);
+    }
+
+    /// Bad numbers and indices, those that overflow `tobj` among them, are errors.
+    #[test]
+    fn damage_is_an_error() {
+        let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
+        for line in ["f 1 2 4", "f 0 1 2", "f 1 2 -4", "f 1 2 x", "f", "f 1/2/3/4 2 3", "v 1 2"] {
+            let result = read(&format!("{corners}f 1 2 3\n{line}\n"));
+            assert!(matches!(result, Err(MeshError::Parse { .. })), "{line}: {result:?}");
+        }
+        let min = isize::MIN;
+        for line in [format!("f {min} {min} {min}"), format!("f 1/{min}/{min} 2/-9/-9 3/0/0")] {
+            let _ = read(&format!("{corners}{line}\n"));
+            let _ = read(&format!("{corners}vn 0 0 1\n{line}\n"));
+        }
+        assert!(matches!(read("vn 0 0\n"), Err(MeshError::Parse { .. })));
+    }
+
+    /// A vertex that is not finite is named by its place in the file, with and without normals.
+    #[test]
+    fn positions_must_be_finite() {
+        for normals in ["", "vn 0 0 1\n"] {
+            let text = format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 1e39 0\n{normals}f 3 1 2\n");
+            assert!(matches!(read(&text), Err(MeshError::NotFinite { vertex: 3, .. })));
+        }
+    }
+
+    /// No faces, or none with an area, is its own error.
+    #[test]
+    fn needs_faces() {
+        for text in ["", "v 0 0 0\n", "v 0 0 0\nv 1 0 0\nl 1 2\n", "v 0 0 0\nf 1 1 1\n"] {
+            assert!(matches!(read(text), Err(MeshError::NoFaces { .. })), "{text}");
+        }
+    }
+
+    /// Text cut off anywhere does not panic.
+    #[test]
+    fn truncation_does_not_panic() {
+        let text = cube() + "vn 0 0 1\nvn 1 0 0\n";
+        for end in 0..text.len() {
+            let _ = read(&text[..end]);
+        }
+    }
+}

@@ -1,0 +1,376 @@
+//! PLY, ASCII and binary of both byte orders, parsed by `ply-rs-bw`.
+
+use std::io::BufRead;
+use std::path::Path;
+
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
+
+use super::{Mesh, MeshError, area_weighted, check_finite, fan, finish, parse_error};
+
+const FORMAT: &str = "PLY";
+
+/// Reads the normals of a PLY file: `nx ny nz` of the element `vertex`, else from the lists
+/// `vertex_indices` or `vertex_index` of the element `face`. Triangle strips are not read.
+pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let error = |error: ParseError| parse_error(path, FORMAT, error);
+    let mut reader = Reader::new(bytes);
+    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(error)?;
+    check_counts(path, &header, bytes.len())?;
+    let source = Source::of(&header).ok_or_else(|| MeshError::NoFaces { path: path.into() })?;
+    let (vertices, faces) = read_elements(&mut reader, &header, source).map_err(error)?;
+    let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
+    match source {
+        Source::Normals => {
+            check_finite(path, &positions)?;
+            finish(path, vertices.into_iter().map(|vertex| vertex.normal).collect(), false)
+        }
+        Source::Faces => {
+            let triangles = faces.iter().flat_map(|face| fan(&face.0));
+            finish(path, area_weighted(path, &positions, triangles)?, true)
+        }
+    }
+}
+
+/// Refuses a count that the file cannot hold: the parser would fill the memory with elements that
+/// have no properties.
+fn check_counts(path: &Path, header: &Header, bytes: usize) -> Result<(), MeshError> {
+    match header.elements.values().find(|element| element.count > bytes) {
+        Some(ElementDef { name, count, .. }) => {
+            Err(parse_error(path, FORMAT, format!("{count} elements {name} in a file of {bytes} bytes")))
+        }
+        None => Ok(()),
+    }
+}
+
+/// Where the normals come from.
+#[derive(Clone, Copy, PartialEq)]
+enum Source {
+    Normals,
+    Faces,
+}
+
+impl Source {
+    fn of(header: &Header) -> Option<Self> {
+        let vertex = header.elements.get("vertex")?;
+        let has = |name: &&str| {
+            let property = vertex.properties.get(*name);
+            property.is_some_and(|p| matches!(p.data_type, PropertyType::Scalar(_)))
+        };
+        if ["nx", "ny", "nz"].iter().all(has) {
+            return Some(Self::Normals);
+        }
+        let face = header.elements.get("face")?;
+        let has_indices = INDICES.iter().any(|name| face.properties.contains_key(*name));
+        (has_indices && ["x", "y", "z"].iter().all(has)).then_some(Self::Faces)
+    }
+}
+
+fn read_elements<T: BufRead>(
+    reader: &mut Reader<T>,
+    header: &Header,
+    source: Source,
+) -> Result<(Vec<Vertex>, Vec<Face>), ParseError> {
+    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
+    for (name, element) in &header.elements {
+        match (name.as_str(), source) {
+            ("vertex", _) => vertices = Parser::new().read_payload_for_element(reader, element, header)?,
+            ("face", Source::Faces) => {
+                faces = Parser::new().read_payload_for_element(reader, element, header)?;
+            }
+            _ => drop(Parser::<Skipped>::new().read_payload_for_element(reader, element, header)?),
+        }
+    }
+    Ok((vertices, faces))
+}
+
+#[derive(Default)]
+struct Vertex {
+    position: [f64; 3],
+    normal: [f32; 3],
+}
+
+impl PropertyAccess for Vertex {
+    fn new() -> Self {
+        Self::default()
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        let Some(value) = to_f64(&property) else {
+            return PropertyAccessResult::Ignored;
+        };
+        match name {
+            "x" => self.position[0] = value,
+            "y" => self.position[1] = value,
+            "z" => self.position[2] = value,
+            "nx" => self.normal[0] = value as f32,
+            "ny" => self.normal[1] = value as f32,
+            "nz" => self.normal[2] = value as f32,
+            _ => return PropertyAccessResult::Ignored,
+        }
+        PropertyAccessResult::Set
+    }
+}
+
+fn to_f64(property: &Property) -> Option<f64> {
+    match *property {
+        Property::Double(value) => Some(value),
+        // Exact in f64 only: an f32 has too few bits for these.
+        Property::Int(value) => Some(value.into()),
+        Property::UInt(value) => Some(value.into()),
+        _ => property.to_f32_lossy().map(f64::from),
+    }
+}
+
+/// The property names in use for the corners of a face.
+const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
+
+#[derive(Default)]
+struct Face(Vec<i64>);
+
+impl PropertyAccess for Face {
+    fn new() -> Self {
+        Self::default()
+    }
+
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
+        if !INDICES.contains(&name) {
+            return PropertyAccessResult::Ignored;
+        }
+        let Some(indices) = to_indices(property) else {
+            return PropertyAccessResult::UnsupportedType;
+        };
+        self.0 = indices;
+        PropertyAccessResult::Set
+    }
+}
+
+fn to_indices(property: Property) -> Option<Vec<i64>> {
+    fn widen<T: Into<i64>>(list: Vec<T>) -> Option<Vec<i64>> {
+        Some(list.into_iter().map(Into::into).collect())
+    }
+    match property {
+        Property::ListChar(list) => widen(list),
+        Property::ListUChar(list) => widen(list),
+        Property::ListShort(list) => widen(list),
+        Property::ListUShort(list) => widen(list),
+        Property::ListInt(list) => widen(list),
+        Property::ListUInt(list) => widen(list),
+        _ => None,
+    }
+}
+
+/// An element of no interest.
+struct Skipped;
+
+impl PropertyAccess for Skipped {
+    fn new() -> Self {
+        Self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::{CUBE_CORNERS, CUBE_FACES, assert_close, cube_normals};
+    use super::*;
+
+    fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
+        parse(Path::new("a.ply"), bytes)
+    }
+
+    #[derive(Clone, Copy)]
+    enum Encoding {
+        Ascii,
+        Little,
+        Big,
+    }
+
+    const ENCODINGS: [(Encoding, &str); 3] = [
+        (Encoding::Ascii, "ascii"),
+        (Encoding::Little, "binary_little_endian"),
+        (Encoding::Big, "binary_big_endian"),
+    ];
+
+    /// One number of a payload, in the type that its header declares.
+    enum Number {
+        U8(u8),
+        I16(i16),
+        F32(f32),
+        F64(f64),
+    }
+
+    fn payload(encoding: Encoding, elements: &[Vec<Number>]) -> Vec<u8> {
+        let mut bytes = Vec::new();
+        for element in elements {
+            for number in element {
+                bytes.extend(match (encoding, number) {
+                    (Encoding::Ascii, Number::U8(n)) => format!("{n} ").into_bytes(),
+                    (Encoding::Ascii, Number::I16(n)) => format!("{n} ").into_bytes(),
+                    (Encoding::Ascii, Number::F32(n)) => format!("{n} ").into_bytes(),
+                    (Encoding::Ascii, Number::F64(n)) => format!("{n} ").into_bytes(),
+                    (_, Number::U8(n)) => vec![*n],
+                    (Encoding::Little, Number::I16(n)) => n.to_le_bytes().to_vec(),
+                    (Encoding::Little, Number::F32(n)) => n.to_le_bytes().to_vec(),
+                    (Encoding::Little, Number::F64(n)) => n.to_le_bytes().to_vec(),
+                    (Encoding::Big, Number::I16(n)) => n.to_be_bytes().to_vec(),
+                    (Encoding::Big, Number::F32(n)) => n.to_be_bytes().to_vec(),
+                    (Encoding::Big, Number::F64(n)) => n.to_be_bytes().to_vec(),
+                });
+            }
+            if matches!(encoding, Encoding::Ascii) {
+                bytes.push(b'\n');
+            }
+        }
+        bytes
+    }
+
+    fn file(encoding: (Encoding, &str), header: &str, elements: &[Vec<Number>]) -> Vec<u8> {
+        let head = format!("ply\nformat {} 1.0\n{header}end_header\n", encoding.1);
+        [head.into_bytes(), payload(encoding.0, elements)].concat()
+    }
+
+    /// The cube without normals: positions as doubles, faces as lists of shorts after a property to skip.
+    fn cube(encoding: (Encoding, &str), list: &str) -> Vec<u8> {
+        let header = format!(
+            "comment a cube\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n\
+            element face 6\nproperty uchar flags\nproperty list uchar short {list}\n"
+        );
+        let corners = CUBE_CORNERS.map(|corner| corner.map(|c| Number::F64(c.into())).into());
+        let faces = CUBE_FACES.map(|face| {
+            let indices = face.map(|i| Number::I16(i as i16));
+            [Number::U8(7), Number::U8(4)].into_iter().chain(indices).collect()
+        });
+        file(encoding, &header, &corners.into_iter().chain(faces).collect::<Vec<_>>())
+    }
+
+    /// Two vertices with normals of mixed types, and an element to skip before them.
+    fn with_normals(encoding: (Encoding, &str), second: f32) -> Vec<u8> {
+        let header = "element extra 1\nproperty list uchar float weights\n\
+            element vertex 2\nproperty float x\nproperty float y\nproperty float z\n\
+            property float nx\nproperty short ny\nproperty double nz\n";
+        let extra = vec![Number::U8(2), Number::F32(0.5), Number::F32(0.5)];
+        let vertex = |n: f32| {
+            let position = [1.0, 2.0, 3.0].map(Number::F32);
+            position.into_iter().chain([Number::F32(n), Number::I16(-3), Number::F64(0.25)]).collect()
+        };
+        file(encoding, header, &[extra, vertex(0.5), vertex(second)])
+    }
+
+    /// A face list without normals gives the cube's diagonals in every encoding, under both names.
+    #[test]
+    fn computes_from_faces() {
+        for encoding in ENCODINGS {
+            for list in INDICES {
+                let mesh = read(&cube(encoding, list)).unwrap();
+                assert!(mesh.computed);
+                assert_close(&mesh.normals, &cube_normals());
+            }
+        }
+    }
+
+    /// Normals of any numeric type come back as they are in every encoding, NaN too.
+    #[test]
+    fn normals_pass_through() {
+        for encoding in ENCODINGS {
+            let mesh = read(&with_normals(encoding, 4.0)).unwrap();
+            assert_eq!(mesh.normals, [[0.5, -3.0, 0.25], [4.0, -3.0, 0.25]]);
+            assert!(!mesh.computed);
+        }
+        assert!(read(&with_normals(ENCODINGS[1], f32::NAN)).unwrap().normals[1][0].is_nan());
+    }
+
+    fn triangle(index_type: &str, last: &str) -> Vec<u8> {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
+            property int z\nelement face 1\nproperty list uint {index_type} vertex_index\nend_header\n\
+            0 0 0\n1 0 0\n0 1 0\n3 0 1 {last}\n"
+        )
+        .into_bytes()
+    }
+
+    /// Every integer type serves as an index; a float does not.
+    #[test]
+    fn index_types() {
+        for index_type in ["char", "uchar", "short", "ushort", "int", "uint", "int8", "uint32"] {
+            assert_eq!(read(&triangle(index_type, "2")).unwrap().normals, [[0.0, 0.0, 1.0]; 3]);
+        }
+        assert!(matches!(read(&triangle("float", "2")), Err(MeshError::Parse { .. })));
+    }
+
+    /// An index past the vertices or below zero is reported with its value.
+    #[test]
+    fn index_out_of_range() {
+        for bad in [3, -1] {
+            let error = read(&triangle("int", &bad.to_string())).unwrap_err();
+            let MeshError::IndexOutOfRange { index, vertices, .. } = error else { panic!("{error}") };
+            assert_eq!((index, vertices), (bad, 3));
+        }
+    }
+
+    /// A position that is not finite is an error, also where normals are there.
+    #[test]
+    fn positions_must_be_finite() {
+        let mut bytes = with_normals(ENCODINGS[1], 0.0);
+        let second = bytes.len() - 26;
+        bytes[second..second + 4].copy_from_slice(&f32::INFINITY.to_le_bytes());
+        assert!(matches!(read(&bytes), Err(MeshError::NotFinite { vertex: 1, .. })));
+        let mut bytes = cube(ENCODINGS[1], INDICES[0]);
+        let first = bytes.len() - 6 * 10 - 8 * 24;
+        bytes[first..first + 8].copy_from_slice(&1e300f64.to_le_bytes());
+        assert!(matches!(read(&bytes), Err(MeshError::NotFinite { vertex: 0, .. })));
+    }
+
+    /// A point cloud without normals has nothing to compute them from.
+    #[test]
+    fn needs_faces() {
+        let header = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
+        let bytes = file(ENCODINGS[0], header, &[vec![Number::U8(0), Number::U8(0), Number::U8(0)]]);
+        assert!(matches!(read(&bytes), Err(MeshError::NoFaces { .. })));
+    }
+
+    /// Counts that no file of this size can hold fail at once instead of filling the memory.
+    #[test]
+    fn absurd_counts_fail() {
+        for (header, elements) in [
+            ("element vertex 18446744073709551615\n", vec![]),
+            ("element face 99999999999999\nelement vertex 1\nproperty float x\n", vec![]),
+            (
+                "element face 1\nproperty list uint int vertex_index\nelement vertex 1\n\
+                property float x\nproperty float y\nproperty float z\n",
+                vec![vec![Number::U8(255), Number::U8(255), Number::U8(255), Number::U8(255)]],
+            ),
+        ] {
+            for encoding in ENCODINGS {
+                let result = read(&file(encoding, header, &elements));
+                assert!(matches!(result, Err(MeshError::Parse { .. })), "{header}: {result:?}");
+            }
+        }
+    }
+
+    /// A binary file cut off at any byte is an error, not a panic, and so is an empty one.
+    #[test]
+    fn truncation_is_an_error() {
+        for encoding in &ENCODINGS[1..] {
+            for bytes in [cube(*encoding, INDICES[0]), with_normals(*encoding, 1.0)] {
+                assert!((0..bytes.len()).all(|end| read(&bytes[..end]).is_err()));
+            }
+        }
+        let bytes = cube(ENCODINGS[0], INDICES[0]);
+        (0..bytes.len()).for_each(|end| drop(read(&bytes[..end])));
+    }
+
+    /// One wrong byte anywhere does not panic.
+    #[test]
+    fn damage_does_not_panic() {
+        for encoding in ENCODINGS {
+            let bytes = cube(encoding, INDICES[1]);
+            for at in 0..bytes.len() {
+                for value in [0, b'0', b'9', b'-', b'\n', 0x80, 0xff] {
+                    let mut damaged = bytes.clone();
+                    damaged[at] = value;
+                    let _ = read(&damaged);
+                }
+            }
+        }
+    }
+}

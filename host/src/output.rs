@@ -1,0 +1,127 @@
+//! Output files that exist whole or not at all.
+
+use crate::{Error, Result};
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use tempfile::NamedTempFile;
+
+/// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
+/// that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
+/// directly.
+pub struct Output {
+    path: PathBuf,
+    to: Destination,
+}
+
+enum Destination {
+    Temporary(NamedTempFile),
+    Direct(Box<dyn Write>),
+}
+
+impl Output {
+    /// Starts a file that will be `path`.
+    ///
+    /// # Errors
+    /// [`Error::Write`] if its folder cannot be written to.
+    pub fn create(path: &Path) -> Result<Self> {
+        let to = open(path).map_err(|source| Error::Write { path: path.to_owned(), source })?;
+        Ok(Self { path: path.to_owned(), to })
+    }
+
+    /// The path it will have.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Flushes the file and gives it its name, replacing any file that had it.
+    ///
+    /// # Errors
+    /// [`Error::Write`]; the file that had the name is still there then.
+    pub fn finish(mut self) -> Result<()> {
+        let path = self.path.clone();
+        let result = match self.to {
+            Destination::Temporary(ref mut file) => file.as_file().sync_all(),
+            Destination::Direct(ref mut writer) => writer.flush(),
+        };
+        let renamed = match (result, self.to) {
+            (Ok(()), Destination::Temporary(file)) => {
+                file.persist(&self.path).map(drop).map_err(|error| error.error)
+            }
+            (result, _) => result,
+        };
+        renamed.map_err(|source| Error::Write { path, source })
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.to {
+            Destination::Temporary(file) => file.write(bytes),
+            Destination::Direct(writer) => writer.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.to {
+            Destination::Temporary(file) => file.flush(),
+            Destination::Direct(writer) => writer.flush(),
+        }
+    }
+}
+
+fn open(path: &Path) -> io::Result<Destination> {
+    if path == Path::new("-") {
+        return Ok(Destination::Direct(Box::new(io::stdout().lock())));
+    }
+    let is_special = path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
+    if is_special {
+        return Ok(Destination::Direct(Box::new(OpenOptions::new().write(true).open(path)?)));
+    }
+    if path.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let file = tempfile::Builder::new()
+        .prefix(".unitvec-")
+        .permissions(default_permissions())
+        .tempfile_in(folder)?;
+    Ok(Destination::Temporary(file))
+}
+
+/// Read and write for all, less the umask: what a plain new file gets. Temporary files are private otherwise.
+#[cfg(unix)]
+fn default_permissions() -> std::fs::Permissions {
+    std::os::unix::fs::PermissionsExt::from_mode(0o666)
+}
+
+/// Writes a whole small file, as [`Output`] does.
+///
+/// # Errors
+/// [`Error::Write`].
+pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
+    let mut output = Output::create(path)?;
+    output.write_all(content).map_err(|source| Error::Write { path: path.to_owned(), source })?;
+    output.finish()
+}
+
+/// Opens a file to read; `-` is the standard input.
+///
+/// # Errors
+/// [`Error::Read`].
+pub fn open_input(path: &Path) -> Result<Box<dyn io::Read>> {
+    if path == Path::new("-") {
+        return Ok(Box::new(io::stdin().lock()));
+    }
+    let refuse_folder = |file: File| match file.metadata()?.is_dir() {
+        true => Err(io::ErrorKind::IsADirectory.into()),
+        false => Ok(file),
+    };
+    match File::open(path).and_then(refuse_folder) {
+        Ok(file) => Ok(Box::new(file)),
+        Err(source) => Err(Error::Read { path: path.to_owned(), source }),
+    }
+}

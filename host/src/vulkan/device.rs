@@ -1,0 +1,271 @@
+use super::{Error, Instance, Named};
+use ash::vk;
+use serde::Serialize;
+use std::sync::Arc;
+
+/// What a device is.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct DeviceInfo {
+    /// Position in Vulkan's list.
+    pub index: usize,
+    /// Name.
+    pub name: String,
+    /// Kind.
+    pub kind: DeviceKind,
+    /// Driver, its own name and version text.
+    pub driver: String,
+    /// Vulkan version that it implements.
+    pub api_version: String,
+}
+
+/// Kinds of device, best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DeviceKind {
+    /// A GPU of its own.
+    Discrete,
+    /// A GPU that shares the host's memory.
+    Integrated,
+    /// A GPU of a virtual machine.
+    Virtual,
+    /// Anything else.
+    Other,
+    /// The CPU: lavapipe, SwiftShader.
+    Software,
+}
+
+/// Which device to use.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum DeviceChoice {
+    /// The first of the best kind there is: real GPUs before software.
+    Best,
+    /// By position in the list, or by a part of the name (any case).
+    Named(String),
+}
+
+impl DeviceChoice {
+    /// The choice that `--device` or `UNITVEC_DEVICE` makes; [`Best`](Self::Best) without one.
+    pub fn from_option(name: Option<String>) -> Self {
+        name.map_or(Self::Best, Self::Named)
+    }
+
+    /// The device of `devices` that this chooses.
+    ///
+    /// # Errors
+    /// [`Error::NoDevice`] if there is none at all, [`Error::UnknownDevice`] if none fits.
+    pub fn choose<'a>(&self, devices: &'a [DeviceInfo]) -> Result<&'a DeviceInfo, Error> {
+        match self {
+            Self::Best => devices.iter().min_by_key(|device| device.kind).ok_or(Error::NoDevice),
+            Self::Named(_) if devices.is_empty() => Err(Error::NoDevice),
+            Self::Named(name) => by_index_or_name(name, devices).ok_or_else(|| Error::UnknownDevice {
+                wanted: name.clone(),
+                available: devices.iter().map(|device| device.name.clone()).collect(),
+            }),
+        }
+    }
+}
+
+fn by_index_or_name<'a>(wanted: &str, devices: &'a [DeviceInfo]) -> Option<&'a DeviceInfo> {
+    if let Ok(index) = wanted.parse::<usize>() {
+        return devices.get(index);
+    }
+    // lavapipe calls its device llvmpipe; people call it lavapipe.
+    let wanted = match wanted.to_lowercase().as_str() {
+        "" => return None,
+        "lavapipe" => "llvmpipe".to_owned(),
+        other => other.to_owned(),
+    };
+    devices.iter().find(|device| device.name.to_lowercase().contains(&wanted))
+}
+
+/// A logical device with one queue for compute and transfer.
+pub struct Device {
+    pub(super) raw: ash::Device,
+    pub(super) queue: vk::Queue,
+    pub(super) queue_family: u32,
+    pub(super) memory: vk::PhysicalDeviceMemoryProperties,
+    /// Nanoseconds a timestamp tick; `None` if the queue has no timestamps.
+    pub(super) timestamp_period: Option<f32>,
+    info: DeviceInfo,
+    instance: Arc<Instance>,
+}
+
+impl Device {
+    /// Opens a device.
+    ///
+    /// # Errors
+    /// As [`DeviceChoice::choose`], [`Error::MissingFeature`], or a failed call.
+    pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
+        let info = choice.choose(&Self::list(instance)?)?.clone();
+        let physical = physical_devices(instance)?[info.index];
+        require_memory_model(instance, physical, &info)?;
+        let (queue_family, timestamps) = compute_queue(instance, physical, &info)?;
+
+        let priorities = [1.0];
+        let queues = [vk::DeviceQueueCreateInfo::default()
+            .queue_family_index(queue_family)
+            .queue_priorities(&priorities)];
+        let mut features = vk::PhysicalDeviceVulkan12Features::default().vulkan_memory_model(true);
+        let create = vk::DeviceCreateInfo::default().queue_create_infos(&queues).push_next(&mut features);
+        // SAFETY: the physical device is the instance's, the queue family and the feature are ones it has.
+        let raw = unsafe { instance.raw.create_device(physical, &create, None) }.named("vkCreateDevice")?;
+        // SAFETY: the device was created with one queue of this family.
+        let queue = unsafe { raw.get_device_queue(queue_family, 0) };
+        // SAFETY: queries of a physical device of the instance.
+        let (memory, limits) = unsafe {
+            (
+                instance.raw.get_physical_device_memory_properties(physical),
+                instance.raw.get_physical_device_properties(physical).limits,
+            )
+        };
+        let timestamp_period = timestamps.then_some(limits.timestamp_period);
+        Ok(Arc::new(Self {
+            raw,
+            queue,
+            queue_family,
+            memory,
+            timestamp_period,
+            info,
+            instance: instance.clone(),
+        }))
+    }
+
+    /// All devices, in Vulkan's order.
+    ///
+    /// # Errors
+    /// A failed call.
+    pub fn list(instance: &Instance) -> Result<Vec<DeviceInfo>, Error> {
+        let devices = physical_devices(instance)?;
+        Ok(devices.into_iter().enumerate().map(|(index, device)| describe(instance, index, device)).collect())
+    }
+
+    /// What this device is.
+    pub fn info(&self) -> &DeviceInfo {
+        &self.info
+    }
+
+    /// The instance it belongs to.
+    pub fn instance(&self) -> &Instance {
+        &self.instance
+    }
+}
+
+impl Drop for Device {
+    fn drop(&mut self) {
+        // SAFETY: buffers, kernels and runners keep an Arc to the device, so none is left.
+        unsafe { self.raw.destroy_device(None) };
+    }
+}
+
+fn physical_devices(instance: &Instance) -> Result<Vec<vk::PhysicalDevice>, Error> {
+    // SAFETY: a query of a live instance.
+    match unsafe { instance.raw.enumerate_physical_devices() } {
+        Err(vk::Result::ERROR_INITIALIZATION_FAILED | vk::Result::ERROR_INCOMPATIBLE_DRIVER) => {
+            Err(Error::NoDevice)
+        }
+        result => result.named("vkEnumeratePhysicalDevices"),
+    }
+}
+
+fn describe(instance: &Instance, index: usize, device: vk::PhysicalDevice) -> DeviceInfo {
+    let mut driver = vk::PhysicalDeviceDriverProperties::default();
+    let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
+    // SAFETY: the device is the instance's; the chained struct is of Vulkan 1.2, which the instance asks for.
+    unsafe { instance.raw.get_physical_device_properties2(device, &mut properties) };
+    let properties = properties.properties;
+    let text = |name: Result<&std::ffi::CStr, _>| {
+        name.map_or_else(|_| String::new(), |s| s.to_string_lossy().into_owned())
+    };
+    let version = properties.api_version;
+    DeviceInfo {
+        index,
+        name: text(properties.device_name_as_c_str()),
+        kind: kind(properties.device_type),
+        driver: format!("{} {}", text(driver.driver_name_as_c_str()), text(driver.driver_info_as_c_str())),
+        api_version: format!(
+            "{}.{}.{}",
+            vk::api_version_major(version),
+            vk::api_version_minor(version),
+            vk::api_version_patch(version)
+        ),
+    }
+}
+
+fn kind(device_type: vk::PhysicalDeviceType) -> DeviceKind {
+    match device_type {
+        vk::PhysicalDeviceType::DISCRETE_GPU => DeviceKind::Discrete,
+        vk::PhysicalDeviceType::INTEGRATED_GPU => DeviceKind::Integrated,
+        vk::PhysicalDeviceType::VIRTUAL_GPU => DeviceKind::Virtual,
+        vk::PhysicalDeviceType::CPU => DeviceKind::Software,
+        _ => DeviceKind::Other,
+    }
+}
+
+/// The modules that rust-gpu makes use the Vulkan memory model.
+fn require_memory_model(
+    instance: &Instance,
+    device: vk::PhysicalDevice,
+    info: &DeviceInfo,
+) -> Result<(), Error> {
+    let mut vulkan12 = vk::PhysicalDeviceVulkan12Features::default();
+    let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut vulkan12);
+    // SAFETY: the device is the instance's; the chained struct is of Vulkan 1.2, which the instance asks for.
+    unsafe { instance.raw.get_physical_device_features2(device, &mut features) };
+    if vulkan12.vulkan_memory_model == vk::TRUE {
+        return Ok(());
+    }
+    Err(Error::MissingFeature { device: info.name.clone(), feature: "vulkanMemoryModel" })
+}
+
+/// The first queue family with compute, and whether it has timestamps.
+fn compute_queue(
+    instance: &Instance,
+    device: vk::PhysicalDevice,
+    info: &DeviceInfo,
+) -> Result<(u32, bool), Error> {
+    // SAFETY: a query of a physical device of the instance.
+    let families = unsafe { instance.raw.get_physical_device_queue_family_properties(device) };
+    families
+        .iter()
+        .zip(0..)
+        .find(|(family, _)| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
+        .map(|(family, index)| (index, family.timestamp_valid_bits > 0))
+        .ok_or_else(|| Error::MissingFeature { device: info.name.clone(), feature: "a compute queue" })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn device(index: usize, name: &str, kind: DeviceKind) -> DeviceInfo {
+        DeviceInfo { index, name: name.into(), kind, driver: String::new(), api_version: String::new() }
+    }
+
+    fn three() -> Vec<DeviceInfo> {
+        vec![
+            device(0, "llvmpipe (LLVM 15.0.6, 256 bits)", DeviceKind::Software),
+            device(1, "Some Integrated GPU", DeviceKind::Integrated),
+            device(2, "Some Discrete GPU", DeviceKind::Discrete),
+        ]
+    }
+
+    #[test]
+    fn real_gpus_come_before_software() {
+        assert_eq!(DeviceChoice::Best.choose(&three()).map(|device| device.index).ok(), Some(2));
+        assert_eq!(DeviceChoice::Best.choose(&three()[..1]).map(|device| device.index).ok(), Some(0));
+        assert!(matches!(DeviceChoice::Best.choose(&[]), Err(Error::NoDevice)));
+    }
+
+    #[test]
+    fn a_device_is_named_by_index_or_part_of_its_name() {
+        let devices = three();
+        let choose =
+            |name: &str| DeviceChoice::Named(name.into()).choose(&devices).map(|device| device.index).ok();
+        assert_eq!(choose("1"), Some(1));
+        assert_eq!(choose("discrete"), Some(2));
+        assert_eq!(choose("lavapipe"), Some(0));
+        assert_eq!(choose("3"), None);
+        assert_eq!(choose("voodoo"), None);
+        assert_eq!(choose(""), None);
+    }
+}

@@ -1,0 +1,73 @@
+use ash::vk;
+
+/// What can go wrong between the program and a Vulkan device.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The Vulkan loader is missing.
+    #[error(
+        "the Vulkan loader {library} cannot be loaded ({reason}); install it (Debian: apt-get install libvulkan1 \
+         mesa-vulkan-drivers) or name one in UNITVEC_VULKAN_LOADER"
+    )]
+    NoLoader {
+        /// Library that was tried.
+        library: String,
+        /// The dynamic linker's words.
+        reason: String,
+    },
+    /// There is a loader, but no device behind it.
+    #[error(
+        "no Vulkan device: no driver was found; install one (Debian: apt-get install mesa-vulkan-drivers) and check \
+         VK_DRIVER_FILES and VK_ICD_FILENAMES"
+    )]
+    NoDevice,
+    /// No device has this name or index.
+    #[error("no Vulkan device is called `{wanted}`; there are: {}", list(.available))]
+    UnknownDevice {
+        /// What was asked for.
+        wanted: String,
+        /// Names of the devices there are.
+        available: Vec<String>,
+    },
+    /// The device lacks something that the kernels need.
+    #[error("device `{device}` lacks {feature}, which the kernels need; choose another with --device")]
+    MissingFeature {
+        /// Device name.
+        device: String,
+        /// Feature or limit.
+        feature: &'static str,
+    },
+    /// Validation was asked for and is not installed.
+    #[error(
+        "the validation layer VK_LAYER_KHRONOS_validation is not installed (Debian: apt-get install \
+         vulkan-validationlayers)"
+    )]
+    NoValidationLayer,
+    /// A SPIR-V module is not made of whole words.
+    #[error("the SPIR-V of `{entry_point}` is not a module: {reason}")]
+    NotSpirv {
+        /// Entry point sought.
+        entry_point: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// More vectors than a dispatch takes.
+    #[error("a dispatch takes 1 to {limit} vectors, not {vectors}")]
+    BadCount {
+        /// Vectors asked for.
+        vectors: usize,
+        /// The most a dispatch takes.
+        limit: usize,
+    },
+    /// A Vulkan call failed.
+    #[error("Vulkan call {call} failed: {result}")]
+    Call {
+        /// The call.
+        call: &'static str,
+        /// What it returned.
+        result: vk::Result,
+    },
+}
+
+fn list(names: &[String]) -> String {
+    names.iter().enumerate().map(|(index, name)| format!("{index}: {name}")).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,130 @@
+use super::{Error, Named};
+use ash::{Entry, ext, vk};
+use std::ffi::{CStr, c_void};
+use std::sync::{Mutex, PoisonError};
+
+const VALIDATION_LAYER: &CStr = c"VK_LAYER_KHRONOS_validation";
+
+/// A Vulkan instance, with the validation layer's messages collected where that was asked for.
+pub struct Instance {
+    pub(super) raw: ash::Instance,
+    validation: Option<Validation>,
+    // Keeps the loader's library open for as long as its functions are in use.
+    _entry: Entry,
+}
+
+struct Validation {
+    functions: ext::debug_utils::Instance,
+    messenger: vk::DebugUtilsMessengerEXT,
+    // Boxed, since the messenger holds its address.
+    messages: Box<Mutex<Vec<String>>>,
+}
+
+impl Instance {
+    /// Loads Vulkan and creates an instance. `loader` names another loader library than the system's.
+    ///
+    /// # Errors
+    /// [`Error::NoLoader`], [`Error::NoDevice`] (the loader finds no driver), [`Error::NoValidationLayer`] or a
+    /// failed call.
+    pub fn new(loader: Option<&str>, validate: bool) -> Result<Self, Error> {
+        let entry = load(loader)?;
+        if validate && !has_validation_layer(&entry)? {
+            return Err(Error::NoValidationLayer);
+        }
+        let layers = [VALIDATION_LAYER.as_ptr()];
+        let extensions = [ext::debug_utils::NAME.as_ptr()];
+        let features = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
+        let mut validation_features =
+            vk::ValidationFeaturesEXT::default().enabled_validation_features(&features);
+        let application =
+            vk::ApplicationInfo::default().application_name(c"unitvec").api_version(vk::API_VERSION_1_2);
+        let mut create = vk::InstanceCreateInfo::default().application_info(&application);
+        if validate {
+            create = create
+                .enabled_layer_names(&layers)
+                .enabled_extension_names(&extensions)
+                .push_next(&mut validation_features);
+        }
+        // SAFETY: `create` and all it points to outlive the call.
+        let raw = match unsafe { entry.create_instance(&create, None) } {
+            Err(vk::Result::ERROR_INCOMPATIBLE_DRIVER) => return Err(Error::NoDevice),
+            result => result.named("vkCreateInstance")?,
+        };
+        let mut instance = Self { raw, validation: None, _entry: entry };
+        if validate {
+            instance.validation = Some(Validation::new(&instance)?);
+        }
+        Ok(instance)
+    }
+
+    /// What the validation layer has said so far, warnings included; empty without validation.
+    pub fn validation_messages(&self) -> Vec<String> {
+        self.validation.as_ref().map_or_else(Vec::new, |validation| {
+            validation.messages.lock().unwrap_or_else(PoisonError::into_inner).clone()
+        })
+    }
+}
+
+impl Drop for Instance {
+    fn drop(&mut self) {
+        if let Some(validation) = self.validation.take() {
+            // SAFETY: the messenger is this instance's and is destroyed once.
+            unsafe { validation.functions.destroy_debug_utils_messenger(validation.messenger, None) };
+        }
+        // SAFETY: everything made from the instance keeps an Arc to it, so nothing is left.
+        unsafe { self.raw.destroy_instance(None) };
+    }
+}
+
+impl Validation {
+    fn new(instance: &Instance) -> Result<Self, Error> {
+        let functions = ext::debug_utils::Instance::new(&instance._entry, &instance.raw);
+        let messages = Box::new(Mutex::new(Vec::new()));
+        let user_data: *const Mutex<Vec<String>> = &raw const *messages;
+        let create = vk::DebugUtilsMessengerCreateInfoEXT::default()
+            .message_severity(
+                vk::DebugUtilsMessageSeverityFlagsEXT::WARNING | vk::DebugUtilsMessageSeverityFlagsEXT::ERROR,
+            )
+            .message_type(
+                vk::DebugUtilsMessageTypeFlagsEXT::VALIDATION
+                    | vk::DebugUtilsMessageTypeFlagsEXT::PERFORMANCE,
+            )
+            .pfn_user_callback(Some(collect))
+            .user_data(user_data.cast_mut().cast());
+        // SAFETY: `create` outlives the call; the user data lives as long as the messenger, in the same struct.
+        let messenger = unsafe { functions.create_debug_utils_messenger(&create, None) }
+            .named("vkCreateDebugUtilsMessengerEXT")?;
+        Ok(Self { functions, messenger, messages })
+    }
+}
+
+/// Appends a message to the list that `user_data` points to.
+unsafe extern "system" fn collect(
+    _severity: vk::DebugUtilsMessageSeverityFlagsEXT,
+    _type: vk::DebugUtilsMessageTypeFlagsEXT,
+    data: *const vk::DebugUtilsMessengerCallbackDataEXT<'_>,
+    user_data: *mut c_void,
+) -> vk::Bool32 {
+    // SAFETY: Vulkan passes valid callback data and the user data given at creation, a Mutex<Vec<String>>.
+    let (message, messages) =
+        unsafe { ((*data).message_as_c_str(), &*user_data.cast::<Mutex<Vec<String>>>()) };
+    let text =
+        message.map_or_else(|| "message without text".into(), |text| text.to_string_lossy().into_owned());
+    messages.lock().unwrap_or_else(PoisonError::into_inner).push(text);
+    vk::FALSE
+}
+
+fn load(loader: Option<&str>) -> Result<Entry, Error> {
+    let library = loader.unwrap_or("libvulkan.so.1");
+    // SAFETY: loading a Vulkan loader runs its initialisers, which have no preconditions; the library is the system's
+    // own or the one the user named.
+    unsafe { Entry::load_from(library) }
+        .map_err(|error| Error::NoLoader { library: library.to_owned(), reason: error.to_string() })
+}
+
+fn has_validation_layer(entry: &Entry) -> Result<bool, Error> {
+    // SAFETY: a query without preconditions.
+    let layers =
+        unsafe { entry.enumerate_instance_layer_properties() }.named("vkEnumerateInstanceLayerProperties")?;
+    Ok(layers.iter().any(|layer| layer.layer_name_as_c_str() == Ok(VALIDATION_LAYER)))
+}

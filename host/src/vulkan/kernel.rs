@@ -1,0 +1,410 @@
+use super::buffer::{Buffer, Place};
+use super::{Device, Error, Named};
+use ash::vk;
+use std::ffi::CString;
+use std::sync::Arc;
+
+/// Bytes of the largest element a buffer holds: a vector of three f32.
+const MAX_ELEMENT: usize = 12;
+
+/// Vectors of one invocation: buffers are padded to a multiple of this.
+const GROUP: usize = 4;
+
+/// Invocations of one workgroup.
+const WORKGROUP: usize = 64;
+
+/// What output buffers are filled with before a run, so that output which a kernel fails to write stands out: NaN as
+/// a component, and a code that none of the tests' inputs gives throughout.
+const SENTINEL: u32 = 0x7fc0_dead;
+
+/// A compute kernel with the interface of `spirv/manifest.json`: binding 0 in, binding 1 out, the number of vectors
+/// as push constant.
+pub struct Kernel {
+    pipeline: vk::Pipeline,
+    layout: Arc<Layout>,
+}
+
+/// The interface that all kernels share.
+struct Layout {
+    set: vk::DescriptorSetLayout,
+    pipeline: vk::PipelineLayout,
+    device: Arc<Device>,
+}
+
+/// Runs kernels on a device: two buffers, in and out, staged where the host does not see the device's memory.
+pub struct Runner {
+    device: Arc<Device>,
+    layout: Arc<Layout>,
+    input: Staged,
+    output: Staged,
+    pool: vk::CommandPool,
+    commands: vk::CommandBuffer,
+    descriptors: vk::DescriptorPool,
+    set: vk::DescriptorSet,
+    fence: vk::Fence,
+    queries: vk::QueryPool,
+    capacity: usize,
+    fill_output: bool,
+}
+
+fn buffer_size(capacity: usize) -> usize {
+    capacity.next_multiple_of(GROUP) * MAX_ELEMENT
+}
+
+/// A device buffer and, where the host cannot map it, its staging buffer.
+struct Staged {
+    device: Buffer,
+    staging: Option<Buffer>,
+}
+
+impl Staged {
+    fn new(device: &Arc<Device>, size: usize) -> Result<Self, Error> {
+        let buffer = Buffer::new(device, size, Place::Device)?;
+        let staging = if buffer.is_mapped() { None } else { Some(Buffer::new(device, size, Place::Host)?) };
+        Ok(Self { device: buffer, staging })
+    }
+
+    fn host(&self) -> &Buffer {
+        self.staging.as_ref().unwrap_or(&self.device)
+    }
+
+    fn host_mut(&mut self) -> &mut Buffer {
+        self.staging.as_mut().unwrap_or(&mut self.device)
+    }
+}
+
+impl Runner {
+    /// A runner for up to `capacity` vectors at a time. With `fill_output`, output memory is overwritten before each
+    /// run, so that what a kernel fails to write cannot pass for its result.
+    ///
+    /// # Errors
+    /// A failed call, or [`Error::MissingFeature`].
+    pub fn new(device: &Arc<Device>, capacity: usize, fill_output: bool) -> Result<Self, Error> {
+        let size = buffer_size(capacity);
+        let layout = Arc::new(Layout::new(device)?);
+        let mut runner = Self {
+            device: device.clone(),
+            layout,
+            input: Staged::new(device, size)?,
+            output: Staged::new(device, size)?,
+            pool: vk::CommandPool::null(),
+            commands: vk::CommandBuffer::null(),
+            descriptors: vk::DescriptorPool::null(),
+            set: vk::DescriptorSet::null(),
+            fence: vk::Fence::null(),
+            queries: vk::QueryPool::null(),
+            capacity,
+            fill_output,
+        };
+        runner.create_commands()?;
+        runner.create_descriptors()?;
+        Ok(runner)
+    }
+
+    /// The most vectors that [`run`](Self::run) takes.
+    pub fn capacity(&self) -> usize {
+        self.capacity
+    }
+
+    /// The device it runs on.
+    pub fn device(&self) -> &Arc<Device> {
+        &self.device
+    }
+
+    /// Makes a kernel of a SPIR-V module.
+    ///
+    /// # Errors
+    /// [`Error::NotSpirv`] or a failed call.
+    pub fn kernel(&self, spirv: &[u8], entry_point: &str) -> Result<Kernel, Error> {
+        Kernel::new(&self.layout, spirv, entry_point)
+    }
+
+    /// Runs `kernel` on `vectors` vectors and waits for it. Returns the nanoseconds that the device took for the
+    /// kernel alone, where it has timestamps.
+    ///
+    /// # Errors
+    /// [`Error::BadCount`] or a failed call.
+    pub fn run(
+        &mut self,
+        kernel: &Kernel,
+        vectors: usize,
+        input: &[u8],
+        output: &mut [u8],
+    ) -> Result<Option<f64>, Error> {
+        if vectors == 0 || vectors > self.capacity {
+            return Err(Error::BadCount { vectors, limit: self.capacity });
+        }
+        let size = buffer_size(self.capacity);
+        let input = &input[..input.len().min(size)];
+        self.input.host_mut().write(input);
+        self.record(kernel, vectors, input.len(), output.len().min(size))?;
+        self.submit_and_wait()?;
+        self.output.host().read(output);
+        self.elapsed()
+    }
+
+    fn create_commands(&mut self) -> Result<(), Error> {
+        let device = &self.device.raw;
+        let pool = vk::CommandPoolCreateInfo::default()
+            .queue_family_index(self.device.queue_family)
+            .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER);
+        let queries = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2);
+        // SAFETY: the create infos are valid for this device; what is created is destroyed in `drop`.
+        unsafe {
+            self.pool = device.create_command_pool(&pool, None).named("vkCreateCommandPool")?;
+            let allocate =
+                vk::CommandBufferAllocateInfo::default().command_pool(self.pool).command_buffer_count(1);
+            self.commands = device.allocate_command_buffers(&allocate).named("vkAllocateCommandBuffers")?[0];
+            self.fence = device.create_fence(&vk::FenceCreateInfo::default(), None).named("vkCreateFence")?;
+            if self.device.timestamp_period.is_some() {
+                self.queries = device.create_query_pool(&queries, None).named("vkCreateQueryPool")?;
+            }
+        }
+        Ok(())
+    }
+
+    fn create_descriptors(&mut self) -> Result<(), Error> {
+        let device = &self.device.raw;
+        let sizes =
+            [vk::DescriptorPoolSize::default().ty(vk::DescriptorType::STORAGE_BUFFER).descriptor_count(2)];
+        let pool = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
+        let layouts = [self.layout.set];
+        let whole = |buffer: &Staged| {
+            [vk::DescriptorBufferInfo::default().buffer(buffer.device.raw).range(vk::WHOLE_SIZE)]
+        };
+        let (input, output) = (whole(&self.input), whole(&self.output));
+        // SAFETY: the create infos are valid; the pool has room for the one set; the buffers live as long as it.
+        unsafe {
+            self.descriptors = device.create_descriptor_pool(&pool, None).named("vkCreateDescriptorPool")?;
+            let allocate = vk::DescriptorSetAllocateInfo::default()
+                .descriptor_pool(self.descriptors)
+                .set_layouts(&layouts);
+            self.set = device.allocate_descriptor_sets(&allocate).named("vkAllocateDescriptorSets")?[0];
+            let write = vk::WriteDescriptorSet::default()
+                .dst_set(self.set)
+                .descriptor_type(vk::DescriptorType::STORAGE_BUFFER);
+            let writes =
+                [write.dst_binding(0).buffer_info(&input), write.dst_binding(1).buffer_info(&output)];
+            device.update_descriptor_sets(&writes, &[]);
+        }
+        Ok(())
+    }
+
+    fn record(
+        &self,
+        kernel: &Kernel,
+        vectors: usize,
+        input_bytes: usize,
+        output_bytes: usize,
+    ) -> Result<(), Error> {
+        let device = &self.device.raw;
+        let commands = self.commands;
+        let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+        let workgroups = vectors.div_ceil(GROUP * WORKGROUP) as u32;
+        let timed = self.queries != vk::QueryPool::null();
+        // SAFETY: the command buffer is not in use, since each submission is waited for; all handles are the runner's
+        // or the kernel's, of the same device; copies and the dispatch stay within the buffers, whose size is that of
+        // `capacity` vectors of the largest element; barriers order each step's memory accesses before the next's.
+        unsafe {
+            device.begin_command_buffer(commands, &begin).named("vkBeginCommandBuffer")?;
+            if timed {
+                device.cmd_reset_query_pool(commands, self.queries, 0, 2);
+            }
+            if let Some(staging) = &self.input.staging {
+                copy(device, commands, staging, &self.input.device, input_bytes);
+            }
+            if self.fill_output {
+                device.cmd_fill_buffer(commands, self.output.device.raw, 0, vk::WHOLE_SIZE, SENTINEL);
+            }
+            barrier(device, commands, Step::Transfer, Step::Compute);
+            device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, kernel.pipeline);
+            device.cmd_bind_descriptor_sets(
+                commands,
+                vk::PipelineBindPoint::COMPUTE,
+                self.layout.pipeline,
+                0,
+                &[self.set],
+                &[],
+            );
+            device.cmd_push_constants(
+                commands,
+                self.layout.pipeline,
+                vk::ShaderStageFlags::COMPUTE,
+                0,
+                &(vectors as u32).to_ne_bytes(),
+            );
+            if timed {
+                let stage = vk::PipelineStageFlags::COMPUTE_SHADER;
+                device.cmd_write_timestamp(commands, stage, self.queries, 0);
+                device.cmd_dispatch(commands, workgroups, 1, 1);
+                device.cmd_write_timestamp(commands, stage, self.queries, 1);
+            } else {
+                device.cmd_dispatch(commands, workgroups, 1, 1);
+            }
+            if let Some(staging) = &self.output.staging {
+                barrier(device, commands, Step::Compute, Step::Transfer);
+                copy(device, commands, &self.output.device, staging, output_bytes);
+                barrier(device, commands, Step::Transfer, Step::Host);
+            } else {
+                barrier(device, commands, Step::Compute, Step::Host);
+            }
+            device.end_command_buffer(commands).named("vkEndCommandBuffer")
+        }
+    }
+
+    fn submit_and_wait(&self) -> Result<(), Error> {
+        let device = &self.device.raw;
+        let commands = [self.commands];
+        let submit = [vk::SubmitInfo::default().command_buffers(&commands)];
+        // SAFETY: the command buffer is recorded, the fence unsignalled and both unused by any other submission.
+        unsafe {
+            device.queue_submit(self.device.queue, &submit, self.fence).named("vkQueueSubmit")?;
+            device.wait_for_fences(&[self.fence], true, u64::MAX).named("vkWaitForFences")?;
+            device.reset_fences(&[self.fence]).named("vkResetFences")
+        }
+    }
+
+    fn elapsed(&self) -> Result<Option<f64>, Error> {
+        let Some(period) = self.device.timestamp_period else { return Ok(None) };
+        let mut ticks = [0u64; 2];
+        let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
+        // SAFETY: both queries were written by the submission that has ended.
+        unsafe { self.device.raw.get_query_pool_results(self.queries, 0, &mut ticks, flags) }
+            .named("vkGetQueryPoolResults")?;
+        Ok(Some(ticks[1].wrapping_sub(ticks[0]) as f64 * f64::from(period)))
+    }
+}
+
+impl Drop for Runner {
+    fn drop(&mut self) {
+        let device = &self.device.raw;
+        // SAFETY: all handles are this runner's own (or null, which is ignored). A submission that failed to be waited
+        // for may still run: the device is idled first, and if even that fails it is lost and runs nothing.
+        unsafe {
+            let _ = device.device_wait_idle();
+            device.destroy_query_pool(self.queries, None);
+            device.destroy_fence(self.fence, None);
+            device.destroy_descriptor_pool(self.descriptors, None);
+            device.destroy_command_pool(self.pool, None);
+        }
+    }
+}
+
+impl Layout {
+    fn new(device: &Arc<Device>) -> Result<Self, Error> {
+        let binding = vk::DescriptorSetLayoutBinding::default()
+            .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
+            .descriptor_count(1)
+            .stage_flags(vk::ShaderStageFlags::COMPUTE);
+        let bindings = [binding.binding(0), binding.binding(1)];
+        let create = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
+        // SAFETY: a valid create info; destroyed in `drop`.
+        let set = unsafe { device.raw.create_descriptor_set_layout(&create, None) }
+            .named("vkCreateDescriptorSetLayout")?;
+        let mut layout = Self { set, pipeline: vk::PipelineLayout::null(), device: device.clone() };
+
+        let sets = [set];
+        let constants = [vk::PushConstantRange::default().stage_flags(vk::ShaderStageFlags::COMPUTE).size(4)];
+        let create =
+            vk::PipelineLayoutCreateInfo::default().set_layouts(&sets).push_constant_ranges(&constants);
+        // SAFETY: as above.
+        layout.pipeline =
+            unsafe { device.raw.create_pipeline_layout(&create, None) }.named("vkCreatePipelineLayout")?;
+        Ok(layout)
+    }
+}
+
+impl Drop for Layout {
+    fn drop(&mut self) {
+        // SAFETY: kernels and runners keep an Arc to the layout, so nothing uses it; null is ignored.
+        unsafe {
+            self.device.raw.destroy_pipeline_layout(self.pipeline, None);
+            self.device.raw.destroy_descriptor_set_layout(self.set, None);
+        }
+    }
+}
+
+impl Kernel {
+    fn new(layout: &Arc<Layout>, spirv: &[u8], entry_point: &str) -> Result<Self, Error> {
+        let not_spirv =
+            |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
+        let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
+            .map_err(|error| not_spirv(&error.to_string()))?;
+        let name =
+            CString::new(entry_point).map_err(|_| not_spirv("the entry point's name contains a NUL"))?;
+        let device = &layout.device.raw;
+
+        let create = vk::ShaderModuleCreateInfo::default().code(&words);
+        // SAFETY: the code is SPIR-V by its magic number; that it is valid is checked where modules are built, and by
+        // their hash where they are read.
+        let module = unsafe { device.create_shader_module(&create, None) }.named("vkCreateShaderModule")?;
+        let stage = vk::PipelineShaderStageCreateInfo::default()
+            .stage(vk::ShaderStageFlags::COMPUTE)
+            .module(module)
+            .name(&name);
+        let create = [vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout.pipeline)];
+        // SAFETY: the module and the layout are of this device; the module may go once the pipeline is made.
+        let result = unsafe {
+            let result = device.create_compute_pipelines(vk::PipelineCache::null(), &create, None);
+            device.destroy_shader_module(module, None);
+            result
+        };
+        let pipelines =
+            result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
+        Ok(Self { pipeline: pipelines[0], layout: layout.clone() })
+    }
+}
+
+impl Drop for Kernel {
+    fn drop(&mut self) {
+        // SAFETY: the pipeline is this kernel's own; every submission that used it was waited for.
+        unsafe { self.layout.device.raw.destroy_pipeline(self.pipeline, None) };
+    }
+}
+
+/// What accesses memory in a step of a submission.
+#[derive(Clone, Copy)]
+enum Step {
+    Transfer,
+    Compute,
+    Host,
+}
+
+impl Step {
+    fn stage_and_access(self) -> (vk::PipelineStageFlags, vk::AccessFlags) {
+        match self {
+            Self::Transfer => (
+                vk::PipelineStageFlags::TRANSFER,
+                vk::AccessFlags::TRANSFER_READ | vk::AccessFlags::TRANSFER_WRITE,
+            ),
+            Self::Compute => (
+                vk::PipelineStageFlags::COMPUTE_SHADER,
+                vk::AccessFlags::SHADER_READ | vk::AccessFlags::SHADER_WRITE,
+            ),
+            Self::Host => (vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ),
+        }
+    }
+}
+
+/// Records that all memory accesses of `before` come before those of `after`.
+///
+/// # Safety
+/// `commands` is being recorded.
+unsafe fn barrier(device: &ash::Device, commands: vk::CommandBuffer, before: Step, after: Step) {
+    let ((from, source), (to, destination)) = (before.stage_and_access(), after.stage_and_access());
+    let memory = [vk::MemoryBarrier::default().src_access_mask(source).dst_access_mask(destination)];
+    // SAFETY: as the caller promises.
+    unsafe {
+        device.cmd_pipeline_barrier(commands, from, to, vk::DependencyFlags::empty(), &memory, &[], &[]);
+    }
+}
+
+/// Records a copy of the first `bytes` bytes.
+///
+/// # Safety
+/// `commands` is being recorded; both buffers have at least `bytes` bytes.
+unsafe fn copy(device: &ash::Device, commands: vk::CommandBuffer, from: &Buffer, to: &Buffer, bytes: usize) {
+    let region = [vk::BufferCopy::default().size(bytes as u64)];
+    // SAFETY: as the caller promises.
+    unsafe { device.cmd_copy_buffer(commands, from.raw, to.raw, &region) };
+}

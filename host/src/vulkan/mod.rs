@@ -1,0 +1,31 @@
+//! The Vulkan layer: instance, device choice, buffers and compute kernels, each released when dropped.
+//!
+//! All of the program's `unsafe` is here, around ash calls. The rules that make those calls sound hold throughout:
+//! handles are created and destroyed only by the type that owns them; whatever uses a device keeps it alive through
+//! an `Arc`; a submission is waited for before the call that made it returns, so nothing is in use when dropped.
+
+#![allow(unsafe_code)]
+
+mod buffer;
+mod device;
+mod error;
+mod instance;
+mod kernel;
+
+pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
+pub use error::Error;
+pub use instance::Instance;
+pub use kernel::{Kernel, Runner};
+
+use ash::vk;
+
+/// Names the call in the error.
+trait Named<T> {
+    fn named(self, call: &'static str) -> Result<T, Error>;
+}
+
+impl<T> Named<T> for Result<T, vk::Result> {
+    fn named(self, call: &'static str) -> Result<T, Error> {
+        self.map_err(|result| Error::Call { call, result })
+    }
+}

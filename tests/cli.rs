@@ -1,0 +1,135 @@
+//! The program's commands, run as a user runs them.
+
+use serde_json::Value;
+use std::path::Path;
+use unitvec_host::catalogue::CATALOGUE;
+use unitvec_host::measure::angle_deg;
+use unitvec_host::{mesh, sampling};
+use unitvec_tests::program::{run, run_with_input, stderr, stdout};
+use unitvec_tests::repository;
+
+fn raw(vectors: &[[f32; 3]]) -> Vec<u8> {
+    vectors.iter().flatten().flat_map(|component| component.to_le_bytes()).collect()
+}
+
+fn vectors(raw: &[u8]) -> Vec<[f32; 3]> {
+    let components: Vec<f32> =
+        raw.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect();
+    components.chunks_exact(3).map(|vector| vector.try_into().unwrap()).collect()
+}
+
+fn path(path: &Path) -> &str {
+    path.to_str().unwrap()
+}
+
+#[test]
+fn codecs_lists_the_catalogue() {
+    let table = stdout(&run(["codecs"]));
+    let json: Value = serde_json::from_slice(&run(["codecs", "--json"]).stdout).unwrap();
+    assert_eq!(json.as_array().unwrap().len(), CATALOGUE.len());
+    for (codec, entry) in CATALOGUE.iter().zip(json.as_array().unwrap()) {
+        assert!(table.lines().any(|line| line.starts_with(codec.id)), "{}", codec.id);
+        assert_eq!(entry["id"], codec.id);
+        assert_eq!(entry["bits"], codec.bits);
+        assert_eq!(entry["bytes"], codec.bytes);
+    }
+}
+
+#[test]
+fn devices_marks_the_one_that_would_be_used() {
+    let output = run(["devices"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.lines().any(|line| line.starts_with('*') && line.contains("llvmpipe")), "{text}");
+}
+
+/// All backends write the same files, and decoding gives the directions back within the codec's error.
+#[test]
+fn files_round_trip_on_every_backend() {
+    let folder = tempfile::tempdir().unwrap();
+    // More than one chunk, and not a multiple of four.
+    let original =
+        sampling::random_directions(unitvec_host::catalogue::Domain::Hemisphere, (1 << 20) + 5, 11);
+    let input = folder.path().join("normals.bin");
+    std::fs::write(&input, raw(&original)).unwrap();
+    for codec in CATALOGUE.iter().filter(|codec| ["oct16", "oct24p", "hemioct32"].contains(&codec.id)) {
+        let mut results = Vec::new();
+        for backend in ["cpu", "spirv", "glsl"] {
+            let (codes, back) = (folder.path().join("codes"), folder.path().join("back"));
+            let arguments = ["--validate", "--codec", codec.id, "--backend", backend];
+            let encoded = run([&["encode"], &arguments[..], &[path(&input), path(&codes)]].concat());
+            assert!(encoded.status.success(), "{}", stderr(&encoded));
+            let decoded = run([&["decode"], &arguments[..], &[path(&codes), path(&back)]].concat());
+            assert!(decoded.status.success(), "{}", stderr(&decoded));
+            results.push((std::fs::read(&codes).unwrap(), std::fs::read(&back).unwrap()));
+        }
+        assert!(results.iter().all(|result| *result == results[0]), "{}", codec.id);
+        let (codes, back) = &results[0];
+        assert_eq!(codes.len(), original.len() * codec.bytes);
+        let back = vectors(back);
+        assert_eq!(back.len(), original.len());
+        let worst = original.iter().zip(&back).map(|(a, b)| angle_deg(*a, *b)).fold(0.0, f64::max);
+        assert!(worst <= f64::from(codec.max_error_deg), "{}: {worst}", codec.id);
+    }
+}
+
+#[test]
+fn standard_streams_are_a_pipe() {
+    let original = sampling::random_directions(unitvec_host::catalogue::Domain::Sphere, 1000, 5);
+    let encoded = run_with_input(["encode", "--codec", "oct32p", "-", "-"], &raw(&original));
+    assert!(encoded.status.success(), "{}", stderr(&encoded));
+    assert_eq!(encoded.stdout.len(), 4000);
+    let decoded = run_with_input(["decode", "--codec", "oct32", "-", "-"], &encoded.stdout);
+    let back = vectors(&decoded.stdout);
+    assert!(original.iter().zip(&back).all(|(a, b)| angle_deg(*a, *b) < 0.0026));
+    let nothing = run_with_input(["encode", "--codec", "oct16", "-", "-"], &[]);
+    assert!(nothing.status.success() && nothing.stdout.is_empty());
+}
+
+#[test]
+fn a_mesh_is_encoded_as_its_normals() {
+    let folder = tempfile::tempdir().unwrap();
+    let bunny = repository().join("tests/data/bunny.obj");
+    let codes = folder.path().join("bunny.oct16p");
+    let output = run(["encode", "--codec", "oct16p", path(&bunny), path(&codes)]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let normals = mesh::read(&bunny).unwrap().normals;
+    assert_eq!(std::fs::read(&codes).unwrap().len(), 2 * normals.len());
+}
+
+#[test]
+fn conform_reports_in_words_and_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let json = folder.path().join("report.json");
+    let bunny = repository().join("tests/data/bunny.obj");
+    let arguments = ["conform", "--validate", "--codec", "oct16", "--codec", "hemioct32", "--count", "1000"];
+    let output = run([&arguments[..], &["--json", path(&json), path(&bunny)]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(stdout(&output).contains("conform: PASS"));
+    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    assert_eq!(report["agreed"], true);
+    assert!(report["device"]["name"].as_str().unwrap().contains("llvmpipe"));
+    let rows = report["rows"].as_array().unwrap();
+    assert_eq!(
+        rows.iter().map(|row| row["id"].as_str().unwrap()).collect::<Vec<_>>(),
+        ["oct16", "hemioct32"]
+    );
+    for row in rows {
+        assert!(row["vectors"].as_u64().unwrap() > 1000);
+        assert!(row["mean_deg"].as_f64().unwrap() > 0.0);
+        assert!(row["max_deg"].as_f64().unwrap() > row["mean_deg"].as_f64().unwrap());
+        for half in ["encode_mismatches", "decode_mismatches"] {
+            assert_eq!((&row[half]["spirv"], &row[half]["glsl"]), (&Value::from(0), &Value::from(0)));
+        }
+    }
+    assert_eq!(rows[0]["bits"], 16);
+}
+
+/// The report goes to a pipe whole: no table around it.
+#[test]
+fn conform_writes_json_to_the_standard_output() {
+    let output = run(["conform", "--codec", "oct20", "--count", "10", "--json", "-"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["rows"][0]["id"], "oct20");
+}

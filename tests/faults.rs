@@ -1,0 +1,222 @@
+//! What goes wrong ends in one clear line and status 1 or 2, without a panic and without partial output.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+use unitvec_tests::program::{command, stderr};
+use unitvec_tests::repository;
+
+/// Runs to the end and checks that the failure is one line that contains `words`, with this status.
+fn assert_fails(command: &mut Command, status: i32, words: &[&str]) -> Output {
+    let output = command.output().unwrap();
+    let text = stderr(&output);
+    assert_eq!(output.status.code(), Some(status), "{text}");
+    assert_eq!(text.lines().count(), 1, "{text}");
+    assert!(text.starts_with("unitvec: ") && !text.contains("panicked"), "{text}");
+    for word in words {
+        assert!(text.contains(word), "`{word}` is not in: {text}");
+    }
+    output
+}
+
+fn folder() -> TempDir {
+    tempfile::tempdir().unwrap()
+}
+
+fn file(folder: &TempDir, name: &str, content: &[u8]) -> PathBuf {
+    let path = folder.path().join(name);
+    std::fs::write(&path, content).unwrap();
+    path
+}
+
+fn encode(codec: &str, input: &Path, output: &Path) -> Command {
+    let mut command = command(["encode", "--codec", codec]);
+    command.args([input, output]);
+    command
+}
+
+/// Names in a folder, hidden ones too.
+fn names(folder: &TempDir) -> Vec<String> {
+    let mut names: Vec<String> = std::fs::read_dir(folder.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn no_vulkan_loader() {
+    let mut conform = command(["conform"]);
+    conform.env("UNITVEC_VULKAN_LOADER", "libno-such-loader.so");
+    assert_fails(&mut conform, 1, &["libno-such-loader.so", "apt-get install libvulkan1"]);
+}
+
+#[test]
+fn no_device() {
+    for subcommand in ["conform", "devices"] {
+        let mut without_drivers = command([subcommand]);
+        without_drivers
+            .env("VK_ICD_FILENAMES", "/nonexistent.json")
+            .env("VK_DRIVER_FILES", "/nonexistent.json");
+        assert_fails(&mut without_drivers, 1, &["no Vulkan device", "apt-get install mesa-vulkan-drivers"]);
+    }
+}
+
+#[test]
+fn unknown_device() {
+    for name in ["voodoo2", "99"] {
+        let arguments = ["conform", "--device", name];
+        assert_fails(&mut command(arguments), 2, &[name, "there are: 0: llvmpipe"]);
+    }
+}
+
+#[test]
+fn unknown_codec() {
+    let folder = folder();
+    let input = file(&folder, "in.bin", &[0; 12]);
+    assert_fails(
+        &mut encode("oct17", &input, &folder.path().join("out")),
+        2,
+        &["`oct17`", "oct16p", "unitvec codecs"],
+    );
+    assert_fails(&mut command(["conform", "--codec", "oct17"]), 2, &["`oct17`"]);
+    assert_eq!(names(&folder), ["in.bin"]);
+}
+
+/// Cut within an element, at the start or after millions: nothing is left, and a file of that name stays as it was.
+#[test]
+fn truncated_input() {
+    let folder = folder();
+    let output = file(&folder, "out", b"precious");
+    for length in [1, 11, 13, 12 * ((1 << 20) + 3) + 4] {
+        let input = file(&folder, "in.bin", &vec![0; length]);
+        let left = (length % 12).to_string();
+        assert_fails(
+            &mut encode("oct32", &input, &output),
+            1,
+            &["in.bin", &format!("{left} bytes of another")],
+        );
+    }
+    let codes = file(&folder, "codes", &[0; 10]);
+    let mut decode = command(["decode", "--codec", "oct24"]);
+    assert_fails(decode.args([&codes, &output]), 1, &["codes", "3 whole codes of 3 bytes", "1 bytes"]);
+    assert_eq!(names(&folder), ["codes", "in.bin", "out"]);
+    assert_eq!(std::fs::read(output).unwrap(), b"precious");
+}
+
+#[test]
+fn missing_input() {
+    let folder = folder();
+    for name in ["absent.bin", "absent.obj", "."] {
+        let input = folder.path().join(name);
+        assert_fails(
+            &mut encode("oct16", &input, &folder.path().join("out")),
+            1,
+            &[folder.path().to_str().unwrap()],
+        );
+    }
+    assert!(names(&folder).is_empty());
+}
+
+#[test]
+fn a_mesh_with_no_faces() {
+    let folder = folder();
+    let input = file(&folder, "points.obj", b"v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+    assert_fails(&mut encode("oct16", &input, &folder.path().join("out")), 1, &["points.obj", "faces"]);
+    assert_eq!(names(&folder), ["points.obj"]);
+}
+
+#[test]
+fn a_mesh_with_a_nan_position() {
+    let folder = folder();
+    let input = file(&folder, "nan.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
+    assert_fails(&mut encode("oct16", &input, &folder.path().join("out")), 1, &["nan.obj"]);
+    assert_eq!(names(&folder), ["nan.obj"]);
+}
+
+#[test]
+fn a_mesh_that_is_none() {
+    let folder = folder();
+    for name in ["noise.obj", "noise.ply", "noise.gltf", "noise.glb"] {
+        let input = file(&folder, name, b"f 1 2 \xff\xfe\n{[");
+        assert_fails(&mut encode("oct16", &input, &folder.path().join("out")), 1, &[name]);
+        assert_fails(&mut command(["conform".as_ref(), input.as_os_str()]), 1, &[name]);
+    }
+}
+
+/// Root may write to a read-only folder, so for root it is one that nobody can make files in.
+#[test]
+fn a_read_only_output_folder() {
+    let folder = folder();
+    let input = file(&folder, "in.bin", &[0; 12]);
+    let locked = folder.path().join("locked");
+    std::fs::create_dir(&locked).unwrap();
+    let mut permissions = locked.metadata().unwrap().permissions();
+    permissions.set_readonly(true);
+    std::fs::set_permissions(&locked, permissions).unwrap();
+    let is_root = std::fs::write(locked.join("probe"), b"").is_ok();
+    let output = if is_root { PathBuf::from("/proc/self/out") } else { locked.join("out") };
+    assert_fails(&mut encode("oct16", &input, &output), 1, &["cannot write", output.to_str().unwrap()]);
+    let mut conform = command(["conform", "--codec", "oct16", "--count", "10", "--json"]);
+    let failed = conform.arg(&output).output().unwrap();
+    assert_eq!(failed.status.code(), Some(1));
+    assert!(stderr(&failed).contains("cannot write"));
+}
+
+#[test]
+fn a_full_disk() {
+    let folder = folder();
+    let input = file(&folder, "in.bin", &[0; 12]);
+    assert_fails(&mut encode("oct16", &input, Path::new("/dev/full")), 1, &["cannot write /dev/full"]);
+}
+
+fn copy_of_the_modules() -> TempDir {
+    let copy = folder();
+    for entry in std::fs::read_dir(repository().join("spirv")).unwrap() {
+        let path = entry.unwrap().path();
+        std::fs::copy(&path, copy.path().join(path.file_name().unwrap())).unwrap();
+    }
+    copy
+}
+
+/// Encoding with modules from this folder fails with these words.
+fn assert_modules_fail(modules: &TempDir, words: &[&str]) {
+    let folder = folder();
+    let input = file(&folder, "in.bin", &[0; 12]);
+    let mut command = encode("oct16", &input, &folder.path().join("out"));
+    command.args(["--backend", "spirv", "--spirv"]).arg(modules.path());
+    assert_fails(&mut command, 1, words);
+    assert_eq!(names(&folder), ["in.bin"]);
+}
+
+#[test]
+fn a_corrupted_module() {
+    let modules = copy_of_the_modules();
+    let path = modules.path().join("oct16_encode.spv");
+    let mut bytes = std::fs::read(&path).unwrap();
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 1;
+    std::fs::write(&path, bytes).unwrap();
+    assert_modules_fail(&modules, &["oct16_encode.spv", "corrupted", "cargo xtask spirv"]);
+}
+
+#[test]
+fn a_missing_module() {
+    let modules = copy_of_the_modules();
+    std::fs::remove_file(modules.path().join("oct16_encode.spv")).unwrap();
+    assert_modules_fail(&modules, &["oct16_encode.spv", "cargo xtask spirv"]);
+    std::fs::remove_file(modules.path().join("manifest.json")).unwrap();
+    assert_modules_fail(&modules, &["manifest.json", "cargo xtask spirv"]);
+    std::fs::write(modules.path().join("manifest.json"), b"{").unwrap();
+    assert_modules_fail(&modules, &["manifest.json", "cargo xtask spirv"]);
+}
+
+#[test]
+fn a_wrong_command_line() {
+    for arguments in [&["encode"][..], &["frobnicate"], &["conform", "--count", "-3"], &[]] {
+        let output = command(arguments).output().unwrap();
+        assert_eq!(output.status.code(), Some(2));
+        assert!(!stderr(&output).contains("panicked"));
+    }
+}

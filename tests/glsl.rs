@@ -1,0 +1,230 @@
+//! The GLSL includes compile in every way they may be used, and the survey's functions do what its listings do.
+
+use std::process::Command;
+use unitvec_host::backend::{Backend, Cpu};
+use unitvec_host::catalogue::{CATALOGUE, Domain, find};
+use unitvec_host::glsl::{self, Compiler};
+use unitvec_host::sampling::random_directions;
+use unitvec_host::vulkan::Runner;
+use unitvec_tests::{assert_no_validation_messages, lavapipe};
+
+const FAMILIES: [&str; 2] = ["oct", "hemioct"];
+
+fn text(family: &str) -> &'static str {
+    glsl::source(&format!("unitvec/{family}.glsl")).unwrap()
+}
+
+/// A call of every codec's two functions.
+fn calls(file: &str) -> String {
+    let codecs = CATALOGUE.iter().filter(|codec| codec.glsl_file == file);
+    codecs.map(|codec| format!("v += {id}_decode({id}_encode(v));\n", id = codec.id)).collect()
+}
+
+#[test]
+fn every_family_compiles_by_include() {
+    let compiler = Compiler::new().unwrap();
+    for file in FAMILIES.map(|family| format!("{family}.glsl")).iter().chain([&"unitvec.glsl".to_owned()]) {
+        let body = if file == "unitvec.glsl" { String::new() } else { calls(file) };
+        let shader = format!(
+            "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/{file}\"\n\
+             layout(local_size_x = 1) in;\nlayout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{body}}}\n"
+        );
+        compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{file}: {error}"));
+    }
+}
+
+/// Pasted one after the other, once or twice, in a shader that does not know #include.
+#[test]
+fn families_compile_by_pasting() {
+    let compiler = Compiler::new().unwrap();
+    for family in FAMILIES {
+        let (scalar, codec, calls) = (text("scalar"), text(family), calls(&format!("{family}.glsl")));
+        let shader = format!(
+            "#version 450\n{scalar}{codec}{scalar}{codec}layout(local_size_x = 1) in;\n\
+             layout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{calls}}}\n"
+        );
+        compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{family}: {error}"));
+    }
+}
+
+/// glslang's own checker, since shaderc has no ES 3.00.
+#[test]
+fn families_are_valid_glsl_es_300() {
+    let folder = tempfile::tempdir().unwrap();
+    for family in FAMILIES {
+        let (scalar, codec, calls) = (text("scalar"), text(family), calls(&format!("{family}.glsl")));
+        let shader = format!(
+            "#version 300 es\nprecision highp float;\nprecision highp int;\n{scalar}{codec}in vec3 direction;\n\
+             out vec4 color;\nvoid main() {{\nvec3 v = direction;\n{calls}color = vec4(v, 1.0);\n}}\n"
+        );
+        let path = folder.path().join(format!("{family}.frag"));
+        std::fs::write(&path, shader).unwrap();
+        let output = Command::new("glslangValidator")
+            .arg(&path)
+            .output()
+            .expect("glslangValidator is missing: `cargo xtask setup` installs it");
+        assert!(output.status.success(), "{family}: {}", String::from_utf8_lossy(&output.stdout));
+    }
+}
+
+/// Runs `expression`, a vec3 of the vec3 `v`, on lavapipe.
+fn evaluate(expression: &str, vectors: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    let shader = format!(
+        "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/unitvec.glsl\"\n\
+         layout(local_size_x = 64) in;\nlayout(push_constant) uniform Count {{ uint vectors; }};\n\
+         layout(binding = 0) readonly buffer Input {{ float a[]; }};\n\
+         layout(binding = 1) writeonly buffer Output {{ float b[]; }};\n\
+         void main() {{\n\
+             for (uint i = 4u * gl_GlobalInvocationID.x; i < min(vectors, 4u * gl_GlobalInvocationID.x + 4u); ++i) {{\n\
+                 vec3 v = vec3(a[3u * i], a[3u * i + 1u], a[3u * i + 2u]);\n\
+                 vec3 r = {expression};\n\
+                 b[3u * i] = r.x; b[3u * i + 1u] = r.y; b[3u * i + 2u] = r.z;\n\
+             }}\n\
+         }}\n"
+    );
+    let module = Compiler::new().unwrap().compile("user.comp", &shader, &[]).unwrap();
+    let device = lavapipe();
+    let mut runner = Runner::new(&device, vectors.len(), true).unwrap();
+    let kernel = runner.kernel(&module, glsl::ENTRY_POINT).unwrap();
+    let input: Vec<u8> = vectors.iter().flatten().flat_map(|c| c.to_ne_bytes()).collect();
+    let mut output = vec![0; input.len()];
+    runner.run(&kernel, vectors.len(), &input, &mut output).unwrap();
+    assert_no_validation_messages(&device);
+    let components: Vec<f32> =
+        output.chunks_exact(4).map(|bytes| f32::from_ne_bytes(bytes.try_into().unwrap())).collect();
+    components.chunks_exact(3).map(|vector| vector.try_into().unwrap()).collect()
+}
+
+/// Fails where results differ from the expected by more than `tolerance` in a component.
+fn assert_close(
+    inputs: &[[f32; 3]],
+    results: &[[f32; 3]],
+    tolerance: f64,
+    expected: impl Fn([f64; 3]) -> [f64; 3],
+) {
+    for (input, result) in inputs.iter().zip(results) {
+        let wanted = expected(input.map(f64::from));
+        let far = wanted.iter().zip(result).any(|(a, b)| (a - f64::from(*b)).abs() > tolerance);
+        assert!(!far, "{input:?}: {result:?}, expected {wanted:?}");
+    }
+}
+
+fn sign_not_zero(x: f64) -> f64 {
+    if x >= 0.0 { 1.0 } else { -1.0 }
+}
+
+/// Three rounded operations on values of at most 1: within 4 ULP of 0.5.
+const PROJECTION_TOLERANCE: f64 = 2.4e-7;
+
+/// Listing 1 in float64.
+#[test]
+fn float32x3_to_oct_is_listing_1() {
+    let inputs = random_directions(Domain::Sphere, 20_000, 1);
+    let results = evaluate("vec3(float32x3_to_oct(v), 0.0)", &inputs);
+    assert_close(&inputs, &results, PROJECTION_TOLERANCE, |[x, y, z]| {
+        let norm = x.abs() + y.abs() + z.abs();
+        let (u, v) = (x / norm, y / norm);
+        if z > 0.0 {
+            return [u, v, 0.0];
+        }
+        [(1.0 - v.abs()) * sign_not_zero(u), (1.0 - u.abs()) * sign_not_zero(v), 0.0]
+    });
+}
+
+/// Listing 2 in float64, on snorm8 values.
+#[test]
+fn oct_to_float32x3_is_listing_2() {
+    let inputs: Vec<[f32; 3]> = (0..255 * 255)
+        .map(|n| [n % 255, n / 255].map(|i| (i - 127) as f32 / 127.0))
+        .map(|[u, v]| [u, v, 0.0])
+        .collect();
+    let results = evaluate("oct_to_float32x3(v.xy)", &inputs);
+    assert_close(&inputs, &results, 3e-7, |[u, v, _]| {
+        let z = 1.0 - u.abs() - v.abs();
+        let (x, y) = if z < 0.0 {
+            ((1.0 - v.abs()) * sign_not_zero(u), (1.0 - u.abs()) * sign_not_zero(v))
+        } else {
+            (u, v)
+        };
+        let length = (x * x + y * y + z * z).sqrt();
+        [x, y, z].map(|c| c / length)
+    });
+}
+
+/// Listing 3 gives the precise code as snorm values: divided by m, what the code's two halves hold.
+#[test]
+fn float32x3_to_octn_precise_is_the_precise_code() {
+    let inputs = random_directions(Domain::Sphere, 20_000, 2);
+    for (id, bits) in [("oct16p", 16), ("oct20p", 20), ("oct32p", 32)] {
+        let results = evaluate(&format!("vec3(float32x3_to_octn_precise(v, {bits}), 0.0)"), &inputs);
+        let codec = find(id).unwrap();
+        let mut codes = vec![0; inputs.len() * codec.bytes];
+        Cpu.encode(codec, &inputs, &mut codes).unwrap();
+        let half = bits / 2;
+        for (code, result) in codes.chunks_exact(codec.bytes).zip(&results) {
+            let code = code.iter().rev().fold(0u32, |code, byte| (code << 8) | u32::from(*byte));
+            let snorm = |code: u32| {
+                f64::from((code << (32 - half)) as i32 >> (32 - half)) / (2f64.powi(half - 1) - 1.0)
+            };
+            let expected = [snorm(code), snorm(code >> half)];
+            let differ = expected.iter().zip(result).any(|(a, b)| (a - f64::from(*b)).abs() > 1e-7);
+            assert!(!differ, "{id}: {code:x} {result:?}");
+        }
+    }
+}
+
+/// Listing 4's integer arithmetic, on every 16th pair and back again.
+#[test]
+fn listing_5_packs_like_listing_4() {
+    let pairs: Vec<[i32; 2]> =
+        (0..4095 * 4095).step_by(17).map(|n| [n % 4095 - 2047, n / 4095 - 2047]).collect();
+    let inputs: Vec<[f32; 3]> =
+        pairs.iter().map(|[x, y]| [*x as f32 / 2047.0, *y as f32 / 2047.0, 0.0]).collect();
+    let bytes = evaluate("snorm12x2_to_unorm8x3(v.xy) * 255.0", &inputs);
+    for ([x, y], bytes) in pairs.iter().zip(&bytes) {
+        let (u, v) = (x + 2047, y + 2047);
+        let expected = [u >> 4, ((u & 15) << 4) | (v >> 8), v & 255];
+        assert_eq!(bytes.map(|byte| byte.round() as i32), expected, "{x} {y}");
+    }
+    let unorm: Vec<[f32; 3]> = bytes.iter().map(|bytes| bytes.map(|byte| byte.round() / 255.0)).collect();
+    let back = evaluate("vec3(unorm8x3_to_snorm12x2(v), 0.0) * 2047.0", &unorm);
+    for (pair, back) in pairs.iter().zip(&back) {
+        assert_eq!([back[0], back[1]].map(|c| c.round() as i32), *pair);
+    }
+}
+
+/// Listing 6 in float64, both ways.
+#[test]
+fn hemioct_is_listing_6() {
+    let inputs = random_directions(Domain::Hemisphere, 20_000, 4);
+    let projected = evaluate("vec3(float32x3_to_hemioct(v), 0.0)", &inputs);
+    assert_close(&inputs, &projected, 2.0 * PROJECTION_TOLERANCE, |[x, y, z]| {
+        let norm = x.abs() + y.abs() + z;
+        let (p, q) = (x / norm, y / norm);
+        [p + q, p - q, 0.0]
+    });
+    let back = evaluate("hemioct_to_float32x3(v.xy)", &projected);
+    assert_close(&inputs, &back, 1e-6, |v| v);
+}
+
+/// snorm and unorm codes of the scalar functions are the crate's.
+#[test]
+fn scalar_functions_are_the_crates() {
+    let inputs: Vec<[f32; 3]> = (-3000..3000).map(|n| [n as f32 / 2500.0, 0.0, 0.0]).collect();
+    for bits in [2, 5, 8, 10, 16, 22] {
+        let expression =
+            format!("vec3(float(unorm_encode(v.x, {bits}u)), float(snorm_encode(v.x, {bits}u)), 0.0)");
+        for (input, result) in inputs.iter().zip(evaluate(&expression, &inputs)) {
+            let expected = [
+                unitvec::scalar::unorm_encode(input[0], bits),
+                unitvec::scalar::snorm_encode(input[0], bits),
+            ];
+            assert_eq!(
+                [result[0], result[1]],
+                expected.map(|code| code as f32),
+                "{bits} bits of {}",
+                input[0]
+            );
+        }
+    }
+}

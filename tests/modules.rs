@@ -1,0 +1,144 @@
+//! The committed SPIR-V modules are what the manifest says, are fresh, valid, and keep the arithmetic rules.
+
+use std::collections::{BTreeSet, HashSet};
+use std::process::Command;
+use unitvec_host::catalogue::{CATALOGUE, Direction};
+use unitvec_host::manifest::{Manifest, sha256_hex, sources_sha256};
+use unitvec_tests::repository;
+
+fn manifest() -> Manifest {
+    let text = std::fs::read(repository().join("spirv/manifest.json")).unwrap();
+    serde_json::from_slice(&text).unwrap()
+}
+
+/// A stale module is found without the compiler: `cargo xtask spirv` rebuilds it.
+#[test]
+fn modules_are_built_from_the_sources_as_they_are() {
+    assert_eq!(manifest().sources_sha256, sources_sha256(&repository()).unwrap(), "run `cargo xtask spirv`");
+}
+
+#[test]
+fn the_folder_holds_two_modules_a_codec_as_the_manifest_describes_them() {
+    let manifest = manifest();
+    let mut expected: BTreeSet<String> = BTreeSet::from(["manifest.json".to_owned()]);
+    for codec in CATALOGUE {
+        for direction in [Direction::Encode, Direction::Decode] {
+            let name = codec.function(direction);
+            let module = manifest.modules.iter().find(|module| module.entry_point == name).unwrap();
+            assert_eq!((module.codec.as_str(), module.direction), (codec.id, direction));
+            let sizes = module.bindings.iter().map(|binding| binding.bytes_per_vector as usize);
+            let expected_sizes =
+                if direction == Direction::Encode { [12, codec.bytes] } else { [codec.bytes, 12] };
+            assert!(sizes.eq(expected_sizes), "{name}");
+            let bytes = std::fs::read(repository().join("spirv").join(&module.file)).unwrap();
+            assert_eq!(module.sha256, sha256_hex(&bytes), "{name}");
+            expected.insert(module.file.clone());
+        }
+    }
+    assert_eq!(manifest.modules.len(), 2 * CATALOGUE.len());
+    let actual: BTreeSet<String> = std::fs::read_dir(repository().join("spirv"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    assert_eq!(actual, expected);
+}
+
+#[test]
+fn spirv_val_accepts_every_module() {
+    for module in manifest().modules {
+        let path = repository().join("spirv").join(&module.file);
+        let output = Command::new("spirv-val")
+            .args(["--target-env", "vulkan1.2"])
+            .arg(&path)
+            .output()
+            .expect("spirv-val is missing: `cargo xtask setup` installs it");
+        assert!(output.status.success(), "{}: {}", module.file, String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
+fn every_float_result_is_marked_no_contraction() {
+    for (name, instructions) in all_modules() {
+        let decorated: HashSet<u32> = instructions
+            .iter()
+            .filter(|instruction| {
+                instruction.opcode == OP_DECORATE && instruction.operands[1] == NO_CONTRACTION
+            })
+            .map(|instruction| instruction.operands[0])
+            .collect();
+        let arithmetic: Vec<u32> = instructions
+            .iter()
+            .filter(|instruction| FLOAT_ARITHMETIC.contains(&instruction.opcode))
+            .map(|instruction| instruction.operands[1])
+            .collect();
+        assert!(arithmetic.len() > 5, "{name} has no arithmetic");
+        assert!(arithmetic.iter().all(|id| decorated.contains(id)), "{name}");
+    }
+}
+
+#[test]
+fn modules_need_shader_and_the_vulkan_memory_model_and_nothing_else() {
+    for (name, instructions) in all_modules() {
+        let operands = |opcode| {
+            let of_opcode = instructions.iter().filter(move |instruction| instruction.opcode == opcode);
+            of_opcode.map(|instruction| instruction.operands.clone()).collect::<Vec<_>>()
+        };
+        for capability in operands(OP_CAPABILITY) {
+            assert!([SHADER, VULKAN_MEMORY_MODEL].contains(&capability[0]), "{name}: {capability:?}");
+        }
+        assert_eq!(operands(OP_EXTENSION).len(), 0, "{name}");
+        assert_eq!(operands(OP_EXECUTION_MODE)[0][1..], [LOCAL_SIZE, 64, 1, 1], "{name}");
+    }
+}
+
+/// No source text or paths of the machine that built them.
+#[test]
+fn modules_carry_no_debug_text() {
+    for (name, instructions) in all_modules() {
+        assert!(!instructions.iter().any(|instruction| DEBUG_TEXT.contains(&instruction.opcode)), "{name}");
+    }
+}
+
+/// An instruction: its opcode and the words after the first.
+struct Instruction {
+    opcode: u32,
+    operands: Vec<u32>,
+}
+
+// Numbers from the SPIR-V specification, section 3.
+const OP_EXTENSION: u32 = 10;
+const OP_EXECUTION_MODE: u32 = 16;
+const OP_CAPABILITY: u32 = 17;
+const OP_DECORATE: u32 = 71;
+const NO_CONTRACTION: u32 = 42;
+const SHADER: u32 = 1;
+const VULKAN_MEMORY_MODEL: u32 = 5345;
+const LOCAL_SIZE: u32 = 17;
+/// OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv, OpFRem, OpFMod, OpVectorTimesScalar to OpDot.
+const FLOAT_ARITHMETIC: [u32; 14] = [127, 129, 131, 133, 136, 140, 141, 142, 143, 144, 145, 146, 147, 148];
+/// OpSourceContinued, OpSource, OpSourceExtension, OpName, OpMemberName, OpString, OpLine, OpModuleProcessed.
+const DEBUG_TEXT: [u32; 8] = [2, 3, 4, 5, 6, 7, 8, 330];
+
+fn all_modules() -> Vec<(String, Vec<Instruction>)> {
+    let modules = manifest().modules.into_iter();
+    modules
+        .map(|module| {
+            let bytes = std::fs::read(repository().join("spirv").join(&module.file)).unwrap();
+            (module.file, parse(&bytes))
+        })
+        .collect()
+}
+
+fn parse(bytes: &[u8]) -> Vec<Instruction> {
+    let words: Vec<u32> =
+        bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+    assert_eq!(words[0], 0x0723_0203, "SPIR-V's magic number");
+    let mut rest = &words[5..];
+    let mut instructions = Vec::new();
+    while let [first, ..] = rest {
+        let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
+        instructions.push(Instruction { opcode, operands: rest[1..length].to_vec() });
+        rest = &rest[length..];
+    }
+    instructions
+}

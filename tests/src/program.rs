@@ -1,0 +1,79 @@
+//! The program `unitvec`, run as a user runs it.
+
+use crate::repository;
+use std::ffi::OsStr;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::sync::OnceLock;
+
+/// Path of the program, built first in the profile of the tests.
+///
+/// # Panics
+/// If it does not build.
+pub fn path() -> &'static Path {
+    static PATH: OnceLock<PathBuf> = OnceLock::new();
+    PATH.get_or_init(|| {
+        let test = std::env::current_exe().unwrap_or_else(|error| panic!("{error}"));
+        // A test is target/<profile>/deps/<test>.
+        let folder =
+            test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
+        let mut build = Command::new(env!("CARGO"));
+        build
+            .args(["build", "--quiet", "--package", "unitvec-host", "--bin", "unitvec"])
+            .current_dir(repository());
+        if folder.ends_with("release") {
+            build.arg("--release");
+        }
+        let status = build.status().unwrap_or_else(|error| panic!("{error}"));
+        assert!(status.success(), "unitvec does not build");
+        folder.join("unitvec")
+    })
+}
+
+/// A command that runs the program on lavapipe, with no UNITVEC_* setting of the caller's.
+pub fn command<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
+    let mut command = Command::new(path());
+    command.args(arguments).stdin(Stdio::null());
+    for name in ["UNITVEC_SPIRV", "UNITVEC_VULKAN_LOADER"] {
+        command.env_remove(name);
+    }
+    command.env("UNITVEC_DEVICE", "lavapipe");
+    command
+}
+
+/// Runs the program to its end.
+///
+/// # Panics
+/// If it cannot be started.
+pub fn run<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Output {
+    command(arguments).output().unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Runs the program with `input` as its standard input.
+///
+/// # Panics
+/// If it cannot be started or does not take its input.
+pub fn run_with_input<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>, input: &[u8]) -> Output {
+    let mut child = command(arguments)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap_or_else(|error| panic!("{error}"));
+    let mut stdin = child.stdin.take().unwrap_or_else(|| panic!("no standard input"));
+    std::thread::scope(|scope| {
+        scope.spawn(move || stdin.write_all(input));
+        child.wait_with_output().unwrap_or_else(|error| panic!("{error}"))
+    })
+}
+
+/// Standard error as text.
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// Standard output as text.
+pub fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}

@@ -1,0 +1,188 @@
+//! Every codec takes any input, alone and in slices, and gives what the contract of [`unitvec::Codec`] says.
+
+use glam::Vec3;
+use proptest::prelude::*;
+use unitvec::Codec;
+use unitvec::slice::{decode_slice, encode_slice};
+use unitvec_tests::oracle::{self, HemiOct, Oct, Oracle, angle_deg, length, widen};
+use unitvec_tests::sampling::{self, END_OF_NORMS, LEAST_NORM, special_inputs, sphere, usable};
+
+/// A codec and the oracle of its mapping.
+trait Checked: Codec<Code = u32> {
+    type Oracle: Oracle;
+}
+
+impl<const BITS: u32> Checked for unitvec::Oct<BITS> {
+    type Oracle = Oct;
+}
+
+impl<const BITS: u32> Checked for unitvec::OctPrecise<BITS> {
+    type Oracle = Oct;
+}
+
+impl<const BITS: u32> Checked for unitvec::HemiOct<BITS> {
+    type Oracle = HemiOct;
+}
+
+/// Calls `check::<codec>(arguments)` for every codec.
+macro_rules! for_every_codec {
+    ($check:ident($($argument:expr),*)) => {
+        for_every_codec!($check($($argument),*): Oct16 Oct20 Oct22 Oct24 Oct32
+            OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32);
+    };
+    ($check:ident $arguments:tt: $($codec:ident)*) => {
+        $($check::<unitvec::$codec> $arguments;)*
+    };
+}
+
+/// Asserts the contract of `encode`: a code of the codec's bits, that of +Z if `v` has no usable direction, and one
+/// within the maximal error of the direction if it has.
+fn check_encode<C: Checked>(v: [f32; 3]) {
+    let code = C::encode(Vec3::from_array(v));
+    assert!(u64::from(code) < 1 << C::BITS, "{}: {v:?} gives {code:#x}", C::NAME);
+    let exact = v.map(f64::from);
+    let plus_z = code == C::encode(Vec3::Z);
+    let usable = usable(v);
+    if usable == Some(false) {
+        assert!(plus_z, "{}: {v:?} has no direction but the code {code:#x}", C::NAME);
+        return;
+    }
+    let direction = C::Oracle::domain(exact);
+    let error = angle_deg(direction, C::Oracle::decode(code, C::BITS));
+    // What is left of a vector below the hemisphere may itself be too short to be a direction: the contract leaves
+    // open whether it counts.
+    let short = direction.iter().map(|t| t.abs()).sum::<f64>() < f64::from(LEAST_NORM);
+    assert!(
+        error <= f64::from(C::MAX_ERROR_DEG) || (plus_z && (short || usable.is_none())),
+        "{}: {v:?} gets {code:#x}, {error} degrees off",
+        C::NAME
+    );
+}
+
+/// Asserts the contract of `decode`: a finite vector of unit length to 2 ULP, whatever the bits.
+fn check_decode<C: Checked>(code: u32) {
+    let v = C::decode(code);
+    let off = (length(widen(v)) - 1.0).abs();
+    assert!(v.is_finite() && off <= oracle::LENGTH_ROUNDING, "{}: {code:#x} gives {v:?}", C::NAME);
+}
+
+fn check_same_code<C: Checked>(a: Vec3, b: Vec3) {
+    let [code_a, code_b] = [a, b].map(C::encode);
+    assert_eq!(code_a, code_b, "{}: {a:?} and {b:?}", C::NAME);
+}
+
+/// Zeros, denormals, infinities, NaN, huge and tiny numbers in all combinations, and the fold lines.
+#[test]
+fn special_inputs_keep_the_contract() {
+    for v in special_inputs() {
+        for_every_codec!(check_encode(v));
+    }
+}
+
+/// The range of usable L1 norms is exactly [2^-100, 2^100).
+#[test]
+fn usable_norms_end_where_the_contract_says() {
+    for norm in [LEAST_NORM, END_OF_NORMS.next_down()] {
+        for_every_codec!(check_same_code(Vec3::X * norm, Vec3::X));
+        for_every_codec!(check_same_code(Vec3::NEG_Y * norm, Vec3::NEG_Y));
+    }
+    for norm in [LEAST_NORM.next_down(), END_OF_NORMS] {
+        for_every_codec!(check_same_code(Vec3::X * norm, Vec3::Z));
+        for_every_codec!(check_same_code(Vec3::NEG_Y * norm, Vec3::Z));
+    }
+}
+
+/// Components that are -0 or a denormal count as +0: it is not left to the device's treatment of them.
+#[test]
+fn negative_zeros_and_denormals_count_as_zero() {
+    for tiny in [-0.0, -1e-40, 1e-40, -f32::from_bits(1), -f32::MIN_POSITIVE.next_down()] {
+        for (a, b) in
+            [(0.6, 0.8), (0.6, -0.8), (-0.6, 0.8), (-0.6, -0.8), (0.0, -1.0), (-1.0, 0.0), (0.1, -0.1)]
+        {
+            for_every_codec!(check_same_code(Vec3::new(tiny, a, b), Vec3::new(0.0, a, b)));
+            for_every_codec!(check_same_code(Vec3::new(a, tiny, b), Vec3::new(a, 0.0, b)));
+            for_every_codec!(check_same_code(Vec3::new(a, b, tiny), Vec3::new(a, b, 0.0)));
+            for_every_codec!(check_same_code(Vec3::new(tiny, tiny, b), Vec3::new(0.0, 0.0, b)));
+        }
+    }
+}
+
+/// The length does not matter: scaled by 2^-60 to 2^60, a vector keeps its code.
+#[test]
+fn scaling_keeps_the_code() {
+    for v in sphere(1, 2000) {
+        for exponent in -60..=60 {
+            for_every_codec!(check_same_code(v * 2f32.powi(exponent), v));
+        }
+    }
+}
+
+/// Codes of 2^20 bit patterns, the bits above the codec's included.
+#[test]
+fn any_code_decodes_to_a_unit_vector() {
+    for code in sampling::codes32(2, 1 << 19) {
+        for_every_codec!(check_decode(code));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 100_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Any three bit patterns taken as floats: most directions lie close to an axis.
+    #[test]
+    fn any_bits_keep_the_contract(bits in any::<[u32; 3]>()) {
+        for_every_codec!(check_encode(bits.map(f32::from_bits)));
+    }
+
+    /// Any three floats of exponents that are close together, so that the directions are all over the sphere.
+    #[test]
+    fn any_vector_keeps_the_contract(bits in any::<[u32; 3]>(), exponent in 20u32..232) {
+        for_every_codec!(check_encode(bits.map(|b| f32::from_bits((b & 0x81ff_ffff) + (exponent << 23)))));
+    }
+
+    /// Any code.
+    #[test]
+    fn any_code_keeps_the_contract(code in any::<u32>()) {
+        for_every_codec!(check_decode(code));
+    }
+}
+
+/// Slices of `count` vectors: the codes of the scalar functions, little endian and without gaps, and back.
+fn check_slices<C: Checked>(count: usize) {
+    let vectors: Vec<[f32; 3]> = sphere(count as u64, count).map(|v| v.to_array()).collect();
+    let codes: Vec<u32> = vectors.iter().map(|&v| C::encode(Vec3::from_array(v))).collect();
+    let expected: Vec<u8> =
+        codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(C::BYTES)).collect();
+    let mut bytes = vec![0xA5; count * C::BYTES];
+    assert_eq!(encode_slice::<C>(&vectors, &mut bytes), Ok(()), "{}", C::NAME);
+    assert_eq!(bytes, expected, "{}", C::NAME);
+
+    let expected: Vec<[f32; 3]> = codes.iter().map(|&code| C::decode(code).to_array()).collect();
+    let mut decoded = vec![[f32::NAN; 3]; count];
+    assert_eq!(decode_slice::<C>(&bytes, &mut decoded), Ok(()), "{}", C::NAME);
+    assert_eq!(decoded, expected, "{}", C::NAME);
+
+    // An output that is one element short or long is an error and stays as it was.
+    for size in [Some(count + 1), count.checked_sub(1)].into_iter().flatten() {
+        let mut decoded = vec![[7.0; 3]; size];
+        assert!(decode_slice::<C>(&bytes, &mut decoded).is_err(), "{}", C::NAME);
+        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{}", C::NAME);
+    }
+    // Nor can bytes be one short or long, which is not a whole number of codes.
+    for size in [Some(bytes.len() + 1), bytes.len().checked_sub(1)].into_iter().flatten() {
+        let mut bytes = vec![0xA5; size];
+        assert!(encode_slice::<C>(&vectors, &mut bytes).is_err(), "{}", C::NAME);
+        assert!(bytes.iter().all(|&byte| byte == 0xA5), "{}", C::NAME);
+        let mut decoded = vec![[7.0; 3]; count];
+        assert!(decode_slice::<C>(&bytes, &mut decoded).is_err(), "{}", C::NAME);
+        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{}", C::NAME);
+    }
+}
+
+/// Slices of 0 to 70 elements hold what the scalar functions give; those of a wrong length are left alone.
+#[test]
+fn slices_are_the_scalar_functions() {
+    for count in 0..=70 {
+        for_every_codec!(check_slices(count));
+    }
+}

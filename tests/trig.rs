@@ -1,0 +1,517 @@
+//! The crate's trigonometry: coefficients, errors against float64, exact values, symmetries and bad input.
+//!
+//! "All floats from a to b" are every 7th (a step that shares no pattern with powers of two), the ends apart.
+
+use glam::Vec2;
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use unitvec::math;
+use unitvec_tests::remez::Problem;
+use unitvec_tests::sampling::Rng;
+
+/// A function under test.
+type Function = fn(f32) -> f32;
+
+const PI_F32: f64 = std::f32::consts::PI as f64;
+const FRAC_1_PI_F32: f64 = std::f32::consts::FRAC_1_PI as f64;
+
+/// 2^-12: from here to 1 floats are tried densely.
+const SMALL: f32 = 1.0 / 4096.0;
+/// 2^-100: what is less counts as 0.
+const TINY: f32 = unitvec::direction::MIN_NORM;
+
+const SIN: [f32; 4] = [math::SIN_0, math::SIN_1, math::SIN_2, math::SIN_3];
+const COS: [f32; 4] = [math::COS_0, math::COS_1, math::COS_2, math::COS_3];
+const ATAN: [f32; 9] = [
+    math::ATAN_0,
+    math::ATAN_1,
+    math::ATAN_2,
+    math::ATAN_3,
+    math::ATAN_4,
+    math::ATAN_5,
+    math::ATAN_6,
+    math::ATAN_7,
+    math::ATAN_8,
+];
+const TAN: [f32; 7] =
+    [math::TAN_0, math::TAN_1, math::TAN_2, math::TAN_3, math::TAN_4, math::TAN_5, math::TAN_6];
+const ASIN: [f32; 6] = [math::ASIN_0, math::ASIN_1, math::ASIN_2, math::ASIN_3, math::ASIN_4, math::ASIN_5];
+
+/// `r / f(r)` of `u = r^2`: by this the fits with least relative error are weighted.
+fn over_sin(u: f64) -> f64 {
+    u.sqrt() / (PI * u.sqrt()).sin()
+}
+
+fn over_atan(u: f64) -> f64 {
+    u.sqrt() / (u.sqrt().atan() / FRAC_PI_4)
+}
+
+fn over_tan(u: f64) -> f64 {
+    u.sqrt() / (u.sqrt() * FRAC_PI_4).tan()
+}
+
+fn over_asin(u: f64) -> f64 {
+    u.sqrt() / (u.sqrt().asin() / PI)
+}
+
+/// Each set of coefficients is what the Remez exchange gives, rounded to f32, and leaves the error the docs state.
+#[test]
+fn coefficients_are_minimax() {
+    let sin = Problem { target: |u| 1.0 - PI_F32 * over_sin(u), weight: over_sin, end: 0.0625 };
+    let cos = Problem {
+        target: |u| (PI * u.sqrt()).cos() - (1.0 + f64::from(math::COS_0) * u),
+        weight: |u| u * u,
+        end: 0.0625,
+    };
+    let atan = Problem { target: |u| 1.0 - over_atan(u), weight: |u| over_atan(u) * (1.0 - u), end: 1.0 };
+    let tan = Problem { target: |u| 1.0 - over_tan(u), weight: |u| over_tan(u) * (1.0 - u), end: 1.0 };
+    let asin = Problem { target: |u| 1.0 - FRAC_1_PI_F32 * over_asin(u), weight: over_asin, end: 0.25 };
+    let cases: [(&str, Problem, &[f32], f64); 5] = [
+        ("sin", sin, &SIN, 3.3e-9),
+        ("cos", cos, &COS[1..], 4.1e-10),
+        ("atan", atan, &ATAN, 2.5e-9),
+        ("tan", tan, &TAN, 1.3e-9),
+        ("asin", asin, &ASIN, 4.5e-9),
+    ];
+    assert_eq!(math::COS_0, (-PI * PI / 2.0) as f32);
+    for (name, problem, constants, bound) in cases {
+        let fit = problem.solve(constants.len());
+        let rounded: Vec<f32> = fit.coefficients.iter().map(|&c| c as f32).collect();
+        println!("{name}: error {:.3e}, {rounded:?}", fit.error);
+        assert_eq!(rounded, constants, "{name}");
+        assert!(fit.error <= bound, "{name}: {}", fit.error);
+    }
+}
+
+/// The three parts of pi/2: the first two are its leading 8 and next 11 bits, the third is the rest rounded.
+#[test]
+fn half_pi_is_split() {
+    let cut = |x: f64, bits: i32| (x * 2f64.powi(bits)).floor() / 2f64.powi(bits);
+    let high = cut(FRAC_PI_2, 7);
+    let middle = cut(FRAC_PI_2 - high, 22);
+    assert_eq!(f64::from(math::HALF_PI_HIGH), high);
+    assert_eq!(f64::from(math::HALF_PI_MIDDLE), middle);
+    assert_eq!(math::HALF_PI_LOW, (FRAC_PI_2 - high - middle) as f32);
+}
+
+/// The GLSL mirror has the same constants.
+#[test]
+fn glsl_constants_are_the_crates() {
+    let text = include_str!("../glsl/unitvec/math.glsl");
+    let numbered = |name: &str, values: &[f32]| -> Vec<(String, f32)> {
+        values.iter().enumerate().map(|(i, &value)| (format!("{name}_{i}"), value)).collect()
+    };
+    let families = [("SIN", &SIN[..]), ("COS", &COS), ("ATAN", &ATAN), ("TAN", &TAN), ("ASIN", &ASIN)];
+    let mut constants: Vec<(String, f32)> =
+        families.iter().flat_map(|(name, values)| numbered(name, values)).collect();
+    let others = [
+        ("HALF_PI_HIGH", math::HALF_PI_HIGH),
+        ("HALF_PI_MIDDLE", math::HALF_PI_MIDDLE),
+        ("HALF_PI_LOW", math::HALF_PI_LOW),
+        ("PI", std::f32::consts::PI),
+        ("FRAC_1_PI", std::f32::consts::FRAC_1_PI),
+        ("FRAC_2_PI", std::f32::consts::FRAC_2_PI),
+        ("MIN_NORM", TINY),
+        ("MIN_POSITIVE", f32::MIN_POSITIVE),
+    ];
+    constants.extend(others.map(|(name, value)| (name.to_owned(), value)));
+
+    let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("const float")).collect();
+    assert_eq!(lines.len(), constants.len(), "constants of math.glsl");
+    for (name, value) in constants {
+        let start = format!("const float UNITVEC_{name} = ");
+        let literal = lines.iter().find_map(|line| line.strip_prefix(&start)?.strip_suffix(';'));
+        // As compilers may read it: in float64, then rounded.
+        let read = literal.and_then(|literal| literal.parse::<f64>().ok()).map(|number| number as f32);
+        assert_eq!(read.map(f32::to_bits), Some(value.to_bits()), "{name}: {literal:?}");
+    }
+}
+
+/// Every `step`-th float from `low` to `high`, both positive.
+fn floats(low: f32, high: f32, step: usize) -> impl Iterator<Item = f32> {
+    (low.to_bits()..=high.to_bits()).step_by(step).map(f32::from_bits)
+}
+
+/// Floats from 2^-100 to `high` (at least 2^-12): sparsely up to 2^-12, then every 7th.
+fn positive(high: f32) -> impl Iterator<Item = f32> {
+    floats(TINY, SMALL, 1009).chain(floats(SMALL, high, 7)).chain([high])
+}
+
+/// The greatest absolute and relative difference, and where they are.
+#[derive(Debug, Default)]
+struct Worst {
+    absolute: f64,
+    relative: f64,
+    at: [f32; 2],
+}
+
+impl Worst {
+    fn of(
+        arguments: impl Iterator<Item = f32>,
+        ours: impl Fn(f32) -> f32,
+        exact: impl Fn(f64) -> f64,
+    ) -> Self {
+        let mut worst = Self::default();
+        arguments.for_each(|t| worst.add(t, ours(t), exact(f64::from(t))));
+        worst
+    }
+
+    fn add(&mut self, argument: f32, ours: f32, exact: f64) {
+        let absolute = (f64::from(ours) - exact).abs();
+        // NaN must not pass.
+        assert!(absolute < f64::INFINITY, "{argument:e}: {ours}");
+        if absolute > self.absolute {
+            (self.absolute, self.at[0]) = (absolute, argument);
+        }
+        if absolute > self.relative * exact.abs() {
+            (self.relative, self.at[1]) = (absolute / exact.abs(), argument);
+        }
+    }
+
+    fn assert_within(&self, what: &str, absolute: f64, relative: f64) {
+        println!("{what}: {:.4e} absolute, {:.4e} relative, at {:?}", self.absolute, self.relative, self.at);
+        assert!(self.absolute <= absolute && self.relative <= relative, "{what}: {self:?}");
+    }
+}
+
+/// sin(pi t) of t in [0, 1] without the rounding of a product with pi near 1.
+fn sin_half_turns(t: f64) -> f64 {
+    if t > 0.5 { (PI * (1.0 - t)).sin() } else { (PI * t).sin() }
+}
+
+fn cos_half_turns(t: f64) -> f64 {
+    (PI * (0.5 - t)).sin()
+}
+
+/// Error over all floats from 2^-100 to 1.
+#[test]
+fn sin_cos_half_turns_error() {
+    Worst::of(positive(1.0), |t| math::sin_cos_half_turns(t).y, sin_half_turns).assert_within(
+        "sin_half_turns",
+        7.4e-8,
+        1.2e-7,
+    );
+    Worst::of(positive(1.0), |t| math::sin_cos_half_turns(t).x, cos_half_turns).assert_within(
+        "cos_half_turns",
+        7.4e-8,
+        1.2e-7,
+    );
+}
+
+/// The pair has unit length to within 9.2e-8, less than 2 ULP, over all floats of the first quarter turn.
+#[test]
+fn sin_cos_half_turns_has_unit_length() {
+    let length = |t| {
+        let v = math::sin_cos_half_turns(t).as_dvec2();
+        v.length()
+    };
+    let worst = positive(0.5).map(|t| (length(t) - 1.0).abs()).fold(0.0, f64::max);
+    assert!(worst <= 9.2e-8, "{worst}");
+}
+
+/// Error over all floats from 2^-100 to 1.
+#[test]
+fn octant_functions_error() {
+    Worst::of(positive(1.0), math::atan_octant, |r| r.atan() / FRAC_PI_4).assert_within(
+        "atan_octant",
+        5.3e-8,
+        1.1e-7,
+    );
+    Worst::of(positive(1.0), math::tan_octant, |t| (t * FRAC_PI_4).tan()).assert_within(
+        "tan_octant",
+        5.1e-8,
+        1.1e-7,
+    );
+}
+
+/// Error over all floats from 2^-100 to 1, and of acos from -1 to -2^-100 too; near 1 relative to acos itself.
+#[test]
+fn asin_and_acos_error() {
+    let both = || positive(1.0).chain(positive(1.0).map(|x| -x));
+    Worst::of(positive(1.0), math::asin_half_turns, |x| x.asin() / PI).assert_within(
+        "asin_half_turns",
+        4.4e-8,
+        2.5e-7,
+    );
+    Worst::of(both(), math::acos_half_turns, |x| x.acos() / PI).assert_within(
+        "acos_half_turns",
+        7.1e-8,
+        1.6e-7,
+    );
+    Worst::of(positive(1.0), math::asin, f64::asin).assert_within("asin", 2.1e-7, 3.3e-7);
+    Worst::of(both(), math::acos, f64::acos).assert_within("acos", 3.9e-7, 2.3e-7);
+}
+
+/// Error up to 1, up to 2^13, and relative near 0.
+#[test]
+fn radian_sin_cos_error() {
+    let last = math::MAX_RADIANS.next_down();
+    Worst::of(positive(1.0), math::sin, f64::sin).assert_within("sin to 1", 1.3e-7, 2.0e-7);
+    Worst::of(positive(1.0), math::cos, f64::cos).assert_within("cos to 1", 1.3e-7, 2.0e-7);
+    Worst::of(floats(1.0, last, 17), math::sin, f64::sin).assert_within("sin to 2^13", 1.3e-7, f64::INFINITY);
+    Worst::of(floats(1.0, last, 17), math::cos, f64::cos).assert_within("cos to 2^13", 1.3e-7, f64::INFINITY);
+}
+
+/// The floats around every multiple of pi/4 up to 2^13, where the quadrant changes or a function is near 0: error
+/// as elsewhere, never -0.
+#[test]
+fn radian_sin_cos_near_multiples_of_a_quarter_pi() {
+    let around = |k: u32| {
+        let nearest = (f64::from(k) * FRAC_PI_4) as f32;
+        (nearest.to_bits() - 50..=nearest.to_bits() + 50).map(f32::from_bits)
+    };
+    let arguments = || (1..10_000).flat_map(around).filter(|x| *x < math::MAX_RADIANS);
+    Worst::of(arguments(), math::sin, f64::sin).assert_within("sin", 1.3e-7, f64::INFINITY);
+    Worst::of(arguments(), math::cos, f64::cos).assert_within("cos", 1.3e-7, f64::INFINITY);
+    for x in arguments().flat_map(|x| [x, -x]) {
+        assert!(no_negative_zero(math::sin_cos(x)), "{x}");
+    }
+}
+
+fn no_negative_zero(v: Vec2) -> bool {
+    [v.x, v.y].iter().all(|c| c.to_bits() != (-0f32).to_bits())
+}
+
+/// Vectors of all kinds: random angles, random lengths, near the axes by every power of two to 2^-60, and near the
+/// diagonals.
+fn vectors(count: usize) -> impl Iterator<Item = Vec2> {
+    let mut rng = Rng::new(1);
+    (0..count).map(move |i| {
+        let angle = rng.range(-PI, PI);
+        let length = rng.range(-90.0, 90.0).exp2();
+        let [x, y] = [angle.cos(), angle.sin()];
+        let small = rng.range(-60.0, 0.0).exp2();
+        let [x, y] = match i % 5 {
+            0 => [x, y],
+            1 => [x * small, y],
+            2 => [x, y * small],
+            3 => [x, x.copysign(y) * (1.0 + small)],
+            _ => [x * length, y * length],
+        };
+        Vec2::new(x as f32, y as f32)
+    })
+}
+
+/// Error over 10^7 vectors of all kinds.
+#[test]
+fn atan2_error() {
+    let (mut half_turns, mut radians, mut octants) = (Worst::default(), Worst::default(), Worst::default());
+    for v in vectors(10_000_000) {
+        let exact = f64::from(v.y).atan2(f64::from(v.x));
+        half_turns.add(v.y, math::atan2_half_turns(v.y, v.x), exact / PI);
+        radians.add(v.y, math::atan2(v.y, v.x), exact);
+        if 0.0 <= v.y && v.y <= v.x {
+            octants.add(v.y, math::atan_octant_ratio(v.y, v.x), exact / FRAC_PI_4);
+        }
+    }
+    half_turns.assert_within("atan2_half_turns", 5.0e-8, 1.5e-7);
+    radians.assert_within("atan2", 3.4e-7, 2.3e-7);
+    octants.assert_within("atan_octant_ratio", 7.9e-8, 1.5e-7);
+}
+
+/// Multiples of a quarter: 0, +-1 and equal parts, out to 2^100 half turns; x and y as bits, so that -0 shows.
+#[test]
+fn sin_cos_half_turns_of_quarters() {
+    let diagonal = std::f32::consts::FRAC_1_SQRT_2;
+    let quarters = [
+        (1.0, 0.0),
+        (diagonal, diagonal),
+        (0.0, 1.0),
+        (-diagonal, diagonal),
+        (-1.0, 0.0),
+        (-diagonal, -diagonal),
+        (0.0, -1.0),
+        (diagonal, -diagonal),
+    ];
+    let bits = |v: Vec2| [v.x.to_bits(), v.y.to_bits()];
+    for i in -100_000i32..=100_000 {
+        let (x, y) = quarters[i.rem_euclid(8) as usize];
+        assert_eq!(bits(math::sin_cos_half_turns(i as f32 / 4.0)), bits(Vec2::new(x, y)), "{i}/4");
+    }
+    for exponent in 1..=127 {
+        assert_eq!(math::sin_cos_half_turns(2f32.powi(exponent)), Vec2::X, "2^{exponent}");
+    }
+    for even in [f32::MAX, f32::MIN, 2f32.powi(24) + 2.0] {
+        assert_eq!(math::sin_cos_half_turns(even), Vec2::X, "{even}");
+    }
+    assert_eq!(math::sin_cos_half_turns(2f32.powi(24) - 1.0), Vec2::NEG_X);
+}
+
+/// Axes and diagonals of vectors of every usable length.
+#[test]
+fn atan2_half_turns_of_axes_and_diagonals() {
+    for exponent in -100..99 {
+        let l = 1.9 * 2f32.powi(exponent);
+        let cases = [
+            (0.0, l, 0.0),
+            (l, l, 0.25),
+            (l, 0.0, 0.5),
+            (l, -l, 0.75),
+            (0.0, -l, 1.0),
+            (-0.0, -l, 1.0),
+            (-l, -l, -0.75),
+            (-l, 0.0, -0.5),
+            (-l, l, -0.25),
+            (-0.0, l, 0.0),
+            (-l, -0.0, -0.5),
+            (l, -0.0, 0.5),
+        ];
+        for (y, x, angle) in cases {
+            assert_eq!(math::atan2_half_turns(y, x).to_bits(), f32::to_bits(angle), "{y} {x}");
+        }
+        assert_eq!([math::atan_octant_ratio(0.0, l), math::atan_octant_ratio(l, l)], [0.0, 1.0]);
+    }
+    assert_eq!(math::atan2(1.0, 0.0), std::f32::consts::FRAC_PI_2);
+    assert_eq!(math::atan2(0.0, -1.0), std::f32::consts::PI);
+}
+
+/// The ends of the functions of one octant, and -1, 0 and 1 of the inverse functions, as bits.
+#[test]
+fn ends_are_exact() {
+    let cases: [(&str, Function, f32, f32); 10] = [
+        ("atan_octant", math::atan_octant, 0.0, 0.0),
+        ("atan_octant", math::atan_octant, 1.0, 1.0),
+        ("tan_octant", math::tan_octant, 0.0, 0.0),
+        ("tan_octant", math::tan_octant, 1.0, 1.0),
+        ("asin_half_turns", math::asin_half_turns, -1.0, -0.5),
+        ("asin_half_turns", math::asin_half_turns, -0.0, 0.0),
+        ("asin_half_turns", math::asin_half_turns, 1.0, 0.5),
+        ("acos_half_turns", math::acos_half_turns, -1.0, 1.0),
+        ("acos_half_turns", math::acos_half_turns, -0.0, 0.5),
+        ("acos_half_turns", math::acos_half_turns, 1.0, 0.0),
+    ];
+    for (name, function, x, expected) in cases {
+        assert_eq!(function(x).to_bits(), expected.to_bits(), "{name} of {x}");
+    }
+    assert_eq!([math::asin(1.0), math::acos(-1.0)], [std::f32::consts::FRAC_PI_2, std::f32::consts::PI]);
+}
+
+/// Mirrored angles give mirrored vectors: t, -t, and, where the arithmetic on t is exact, 1 - t, 1/2 - t and t + 2.
+#[test]
+fn sin_cos_half_turns_symmetries() {
+    for t in floats(0.25, 1.0, 31) {
+        let v = math::sin_cos_half_turns(t);
+        assert_eq!(math::sin_cos_half_turns(-t), Vec2::new(v.x, -v.y), "-{t}");
+        if t >= 0.5 {
+            assert_eq!(math::sin_cos_half_turns(1.0 - t), Vec2::new(-v.x, v.y), "1 - {t}");
+        }
+        assert_eq!(math::sin_cos_half_turns(0.5 - t), Vec2::new(v.y, v.x), "1/2 - {t}");
+    }
+    for i in 0..1 << 20 {
+        let t = i as f32 / 2f32.powi(19);
+        assert_eq!(math::sin_cos_half_turns(t + 2.0), math::sin_cos_half_turns(t), "2 + {t}");
+        assert_eq!(math::sin_cos_half_turns(t - 8.0), math::sin_cos_half_turns(t), "{t} - 8");
+    }
+}
+
+/// Vectors mirrored at the x axis and arguments with the other sign give the negated result exactly; scaling by a
+/// power of two changes nothing.
+#[test]
+fn inverse_symmetries() {
+    for v in vectors(1_000_000) {
+        let angle = math::atan2_half_turns(v.y, v.x);
+        assert_eq!(math::atan2_half_turns(-v.y, v.x), -angle, "{v}");
+        let doubled = 2.0 * v;
+        assert_eq!(math::atan2_half_turns(doubled.y, doubled.x), angle, "{v}");
+        assert!((-1.0..=1.0).contains(&angle), "{v}");
+    }
+    for x in floats(SMALL, 1.0, 101) {
+        assert_eq!(math::asin_half_turns(-x), -math::asin_half_turns(x), "{x}");
+        assert_eq!(math::sin_cos(-x), Vec2::new(math::cos(x), -math::sin(x)), "{x}");
+    }
+}
+
+/// The functions of an octant, and the arcs, never fall (acos: never rise) from one float to the next: every float
+/// from 1/4 to 1, which has all changes of formula, and sparsely below.
+#[test]
+fn monotonic() {
+    let functions: [(&str, Function); 4] = [
+        ("atan_octant", math::atan_octant),
+        ("tan_octant", math::tan_octant),
+        ("asin_half_turns", math::asin_half_turns),
+        ("-acos_half_turns", |x| -math::acos_half_turns(x)),
+    ];
+    for (name, function) in functions {
+        let mut last = -1.0;
+        for x in floats(TINY, 0.25, 1009).chain(floats(0.25, 1.0, 1)) {
+            let value = function(x);
+            assert!(value >= last, "{name} falls before {x:e}");
+            assert!(value <= 1.0, "{name} of {x:e}");
+            last = value;
+        }
+    }
+}
+
+/// atan2 of sine and cosine gives the angle back, to within 1.2e-7, and tan_octant what atan_octant was
+/// given, to within 1.8e-7.
+#[test]
+fn round_trips() {
+    for t in floats(SMALL, 1.0, 31).flat_map(|t| [t, -t]) {
+        let v = math::sin_cos_half_turns(t);
+        let back = math::atan2_half_turns(v.y, v.x);
+        assert!((back - t).abs() <= 1.2e-7, "{t}: {back}");
+        let back = math::tan_octant(math::atan_octant(t.abs()));
+        assert!((back - t.abs()).abs() <= 1.8e-7, "{t}: {back}");
+    }
+}
+
+/// Denormals and all below 2^-100 count as 0; so do infinity and NaN, or as the docs say. No result is -0.
+#[test]
+fn bad_input() {
+    let negligible = [0.0, f32::from_bits(1), 1e-40, f32::MIN_POSITIVE, TINY.next_down()];
+    let bad = [f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN];
+    for t in negligible.into_iter().flat_map(|t| [t, -t]) {
+        for v in [math::sin_cos_half_turns(t), math::sin_cos(t)] {
+            assert_eq!(v, Vec2::X, "{t:e}");
+            assert!(no_negative_zero(v), "{t:e}");
+        }
+        let results = [math::atan_octant(t), math::tan_octant(t), math::asin_half_turns(t), math::asin(t)];
+        assert_eq!(results.map(f32::to_bits), [0; 4], "{t:e}");
+        assert_eq!(math::acos_half_turns(t), 0.5, "{t:e}");
+        for (y, x) in [(0.5 * t, 0.4 * t), (0.0, t), (t, 0.0), (t, 1.0)] {
+            assert_eq!(math::atan2_half_turns(y, x).to_bits(), 0, "{y:e} {x:e}");
+        }
+        assert_eq!(math::atan2_half_turns(1.0, t), 0.5, "{t:e}");
+    }
+    for denormal in [f32::from_bits(1), 1e-40, -1e-40, f32::MIN_POSITIVE.next_down()] {
+        // Beside the least usable length a denormal would still be 2^-26 of it.
+        assert_eq!(math::atan2_half_turns(denormal, TINY).to_bits(), 0, "{denormal:e}");
+        assert_eq!(math::atan2_half_turns(denormal, -TINY), 1.0, "{denormal:e}");
+        assert_eq!(math::atan_octant_ratio(denormal, TINY).to_bits(), 0, "{denormal:e}");
+    }
+    for t in bad {
+        assert_eq!([math::sin_cos_half_turns(t), math::sin_cos(t)], [Vec2::X; 2], "{t}");
+        for other in [0.0, 1.0, -1.0, f32::MAX, t] {
+            let angles = [math::atan2_half_turns(t, other), math::atan2_half_turns(other, t)];
+            assert_eq!(angles.map(f32::to_bits), [0; 2], "{t} {other}");
+        }
+    }
+    for (x, asin, acos) in [
+        (f32::INFINITY, 0.5, 0.0),
+        (f32::NAN, 0.5, 0.0),
+        (1.0001, 0.5, 0.0),
+        (f32::MAX, 0.5, 0.0),
+        (f32::NEG_INFINITY, -0.5, 1.0),
+        (-1.0001, -0.5, 1.0),
+    ] {
+        assert_eq!([math::asin_half_turns(x), math::acos_half_turns(x)], [asin, acos], "{x}");
+    }
+    for x in [math::MAX_RADIANS, -math::MAX_RADIANS, f32::MAX] {
+        assert_eq!(math::sin_cos(x), Vec2::X, "{x}");
+    }
+}
+
+/// 10^7 random bit patterns: sines and cosines within [-1, 1], angles within [-1, 1], never NaN, -0 or denormal.
+#[test]
+fn random_bits() {
+    let mut rng = Rng::new(2);
+    for _ in 0..10_000_000 {
+        let bits = rng.bits();
+        let [x, y] = [bits as u32, (bits >> 32) as u32].map(f32::from_bits);
+        let [half_turns, radians] = [math::sin_cos_half_turns(x), math::sin_cos(x)];
+        let angles = [math::atan2_half_turns(y, x), math::asin_half_turns(x), math::acos_half_turns(x)];
+        for value in [half_turns.x, half_turns.y, radians.x, radians.y].into_iter().chain(angles) {
+            assert!((-1.0..=1.0).contains(&value), "{y:e} {x:e}: {value}");
+            assert!(value.to_bits() == 0 || value.is_normal(), "{y:e} {x:e}: {value:e}");
+        }
+    }
+}

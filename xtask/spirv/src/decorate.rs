@@ -1,0 +1,77 @@
+//! NoContraction on every float arithmetic result.
+
+use anyhow::{Result, anyhow};
+use rspirv::binary::Assemble;
+use rspirv::dr::{Instruction, Module, Operand};
+use rspirv::spirv::{Decoration, Op};
+use std::collections::HashSet;
+
+/// True for the instructions whose result a device could otherwise fuse or reassociate.
+fn is_float_arithmetic(op: Op) -> bool {
+    matches!(
+        op,
+        Op::FNegate
+            | Op::FAdd
+            | Op::FSub
+            | Op::FMul
+            | Op::FDiv
+            | Op::FRem
+            | Op::FMod
+            | Op::VectorTimesScalar
+            | Op::MatrixTimesScalar
+            | Op::VectorTimesMatrix
+            | Op::MatrixTimesVector
+            | Op::MatrixTimesMatrix
+            | Op::OuterProduct
+            | Op::Dot
+    )
+}
+
+fn arithmetic_results(module: &Module) -> impl Iterator<Item = u32> {
+    module
+        .functions
+        .iter()
+        .flat_map(|function| &function.blocks)
+        .flat_map(|block| &block.instructions)
+        .filter(|instruction| is_float_arithmetic(instruction.class.opcode))
+        .filter_map(|instruction| instruction.result_id)
+}
+
+fn parse(words: &[u32]) -> Result<Module> {
+    rspirv::dr::load_words(words).map_err(|error| anyhow!("rspirv cannot parse the module: {error}"))
+}
+
+/// Adds NoContraction wherever it is missing.
+pub fn no_contraction(words: &[u32]) -> Result<Vec<u32>> {
+    let mut module = parse(words)?;
+    let missing = undecorated(&module);
+    module.annotations.extend(missing.into_iter().map(|id| {
+        let operands = vec![Operand::IdRef(id), Operand::Decoration(Decoration::NoContraction)];
+        Instruction::new(Op::Decorate, None, None, operands)
+    }));
+    Ok(module.assemble())
+}
+
+/// Fails if a float arithmetic result lacks NoContraction.
+pub fn check_no_contraction(words: &[u32]) -> Result<()> {
+    match undecorated(&parse(words)?).as_slice() {
+        [] => Ok(()),
+        ids => Err(anyhow!(
+            "{} float results lost their NoContraction in spirv-opt, %{} first",
+            ids.len(),
+            ids[0]
+        )),
+    }
+}
+
+fn undecorated(module: &Module) -> Vec<u32> {
+    let decorated: HashSet<u32> = module
+        .annotations
+        .iter()
+        .filter(|annotation| {
+            annotation.operands.get(1) == Some(&Operand::Decoration(Decoration::NoContraction))
+        })
+        .filter_map(|annotation| annotation.operands.first()?.id_ref_any())
+        .collect();
+    arithmetic_results(module).filter(|id| !decorated.contains(id)).collect()
+}
