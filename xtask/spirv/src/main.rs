@@ -17,6 +17,7 @@ use std::process::ExitCode;
 use std::{env, fs};
 use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Direction};
 use unitvec_host::manifest::{self, Binding, Manifest, Module, PushConstant};
+use unitvec_host::output;
 
 const TARGET: &str = "spirv-unknown-vulkan1.2";
 const RUST_GPU: &str = "0.10.0";
@@ -190,13 +191,11 @@ fn compare(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
     Ok(())
 }
 
-/// Writes each file beside its place and renames it, then removes modules that are no longer built.
+/// Writes the files, then removes modules that are no longer built.
 fn replace(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
     fs::create_dir_all(folder)?;
     for (name, content) in files {
-        let mut temporary = tempfile::NamedTempFile::new_in(folder)?;
-        std::io::Write::write_all(&mut temporary, content)?;
-        temporary.persist(folder.join(name)).with_context(|| format!("writing spirv/{name}"))?;
+        output::write_file(&folder.join(name), content)?;
     }
     for name in spirv_files(folder)?.into_iter().filter(|name| !files.contains_key(name)) {
         fs::remove_file(folder.join(&name)).with_context(|| format!("removing spirv/{name}"))?;
