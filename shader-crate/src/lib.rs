@@ -37,7 +37,7 @@
 //! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above
 //!   [`Codec::BITS`] are ignored.
 //! * Decoding, encoding and decoding again gives the first vector back, exactly.
-//! * Codes are stored little endian and tightly packed in [`Codec::BYTES`] bytes: see [`slice`].
+//! * Codes are stored little endian and tightly packed in [`Codec::BYTES`] bytes: see [`mod@slice`].
 //!
 //! # Features
 //!
