@@ -12,7 +12,7 @@ layout(set = 0, binding = 1) writeonly buffer Output { Vectors vector_groups[]; 
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i * 4u >= vectors) return;
-    uint c[4] = unpack(code_groups[i]);
+    CODE c[4] = unpack(code_groups[i]);
     for (int n = 0; n < 4; ++n) {
         vec3 v = DECODE(c[n]);
         vector_groups[i].f[3 * n] = v.x;

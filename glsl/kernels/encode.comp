@@ -12,7 +12,7 @@ layout(set = 0, binding = 1) writeonly buffer Output { Codes code_groups[]; };
 void main() {
     uint i = gl_GlobalInvocationID.x;
     if (i * 4u >= vectors) return;
-    uint c[4];
+    CODE c[4];
     for (int n = 0; n < 4; ++n) {
         c[n] = ENCODE(vec3(vector_groups[i].f[3 * n], vector_groups[i].f[3 * n + 1], vector_groups[i].f[3 * n + 2]));
     }

@@ -46,7 +46,7 @@ pub struct CodecInfo {
 }
 
 impl CodecInfo {
-    const fn of<C: Codec<Code = u32>>(
+    const fn of<C: Codec>(
         survey_name: &'static str,
         glsl_file: &'static str,
         domain: Domain,

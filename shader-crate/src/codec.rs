@@ -18,8 +18,8 @@ pub trait Codec {
     /// An upper bound of the angle, in degrees, between a direction of the codec's domain and its decoded code.
     const MAX_ERROR_DEG: f32;
 
-    /// The code as a value: `u32`.
-    type Code: Copy + PartialEq;
+    /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
+    type Code: Code;
 
     /// The code of the direction of `v`. The length of `v` does not matter; a vector without a usable direction
     /// (see [`direction`](crate::direction)) gets the code of +Z.
@@ -27,6 +27,39 @@ pub trait Codec {
 
     /// The direction that `code` stands for, of unit length to within 2 ULP. Any bit pattern is valid.
     fn decode(code: Self::Code) -> Vec3;
+}
+
+/// A code as a value, made of one or two 32-bit words.
+pub trait Code: Copy + PartialEq {
+    /// The low and the high word; the latter is 0 for one-word codes.
+    fn to_words(self) -> [u32; 2];
+
+    /// The code of these words; one-word codes ignore the high one.
+    fn from_words(words: [u32; 2]) -> Self;
+}
+
+impl Code for u32 {
+    #[inline(always)]
+    fn to_words(self) -> [u32; 2] {
+        [self, 0]
+    }
+
+    #[inline(always)]
+    fn from_words(words: [u32; 2]) -> Self {
+        words[0]
+    }
+}
+
+impl Code for [u32; 2] {
+    #[inline(always)]
+    fn to_words(self) -> [u32; 2] {
+        self
+    }
+
+    #[inline(always)]
+    fn from_words(words: [u32; 2]) -> Self {
+        words
+    }
 }
 
 /// The least of 1, 2, 3, 4, 6, 8 bytes that holds `bits` bits; 8 for more than 64.

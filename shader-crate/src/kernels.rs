@@ -4,7 +4,7 @@
 //! packed f32, codes are dense bytes. An invocation takes four consecutive vectors, which is what makes any code
 //! width end on whole words; the buffers are padded to a multiple of four vectors. Workgroups have 64 invocations.
 
-use crate::codec::Codec;
+use crate::codec::{Code, Codec};
 use crate::{
     HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise16, OctPrecise20,
     OctPrecise22, OctPrecise24, OctPrecise32,
@@ -39,73 +39,108 @@ fn set_vector(words: &mut Vectors, n: usize, v: Vec3) {
     words[3 * n + 2] = v.z.to_bits();
 }
 
-/// Four codes and the words they fill.
+/// Low and high word of a code.
+type CodeWords = [u32; 2];
+
+/// The words that four codes fill.
 trait Words {
-    fn pack(codes: [u32; 4]) -> Self;
-    fn unpack(&self) -> [u32; 4];
+    fn pack(codes: [CodeWords; 4]) -> Self;
+    fn unpack(&self) -> [CodeWords; 4];
 }
 
 impl Words for [u32; 2] {
     #[inline(always)]
-    fn pack([a, b, c, d]: [u32; 4]) -> Self {
+    fn pack([[a, _], [b, _], [c, _], [d, _]]: [CodeWords; 4]) -> Self {
         [a | (b << 16), c | (d << 16)]
     }
 
     #[inline(always)]
-    fn unpack(&self) -> [u32; 4] {
-        [self[0], self[0] >> 16, self[1], self[1] >> 16]
+    fn unpack(&self) -> [CodeWords; 4] {
+        let [a, c] = *self;
+        [[a, 0], [a >> 16, 0], [c, 0], [c >> 16, 0]]
     }
 }
 
 impl Words for [u32; 3] {
     #[inline(always)]
-    fn pack([a, b, c, d]: [u32; 4]) -> Self {
+    fn pack([[a, _], [b, _], [c, _], [d, _]]: [CodeWords; 4]) -> Self {
         [a | (b << 24), (b >> 8) | (c << 16), (c >> 16) | (d << 8)]
     }
 
     #[inline(always)]
-    fn unpack(&self) -> [u32; 4] {
-        [self[0], (self[0] >> 24) | (self[1] << 8), (self[1] >> 16) | (self[2] << 16), self[2] >> 8]
+    fn unpack(&self) -> [CodeWords; 4] {
+        let [u, v, w] = *self;
+        [[u, 0], [(u >> 24) | (v << 8), 0], [(v >> 16) | (w << 16), 0], [w >> 8, 0]]
     }
 }
 
 impl Words for [u32; 4] {
     #[inline(always)]
-    fn pack(codes: [u32; 4]) -> Self {
-        codes
+    fn pack([[a, _], [b, _], [c, _], [d, _]]: [CodeWords; 4]) -> Self {
+        [a, b, c, d]
     }
 
     #[inline(always)]
-    fn unpack(&self) -> [u32; 4] {
-        *self
+    fn unpack(&self) -> [CodeWords; 4] {
+        let [a, b, c, d] = *self;
+        [[a, 0], [b, 0], [c, 0], [d, 0]]
+    }
+}
+
+impl Words for [u32; 6] {
+    #[inline(always)]
+    fn pack([[a, a_high], [b, b_high], [c, c_high], [d, d_high]]: [CodeWords; 4]) -> Self {
+        let pack_two =
+            |low, low_high, high, high_high| [low, low_high | (high << 16), (high >> 16) | (high_high << 16)];
+        let ([t, u, v], [w, x, y]) = (pack_two(a, a_high, b, b_high), pack_two(c, c_high, d, d_high));
+        [t, u, v, w, x, y]
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> [CodeWords; 4] {
+        let [t, u, v, w, x, y] = *self;
+        [[t, u & 0xffff], [(u >> 16) | (v << 16), v >> 16], [w, x & 0xffff], [(x >> 16) | (y << 16), y >> 16]]
+    }
+}
+
+impl Words for [u32; 8] {
+    #[inline(always)]
+    fn pack([[a, a_high], [b, b_high], [c, c_high], [d, d_high]]: [CodeWords; 4]) -> Self {
+        [a, a_high, b, b_high, c, c_high, d, d_high]
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> [CodeWords; 4] {
+        let [a, a_high, b, b_high, c, c_high, d, d_high] = *self;
+        [[a, a_high], [b, b_high], [c, c_high], [d, d_high]]
     }
 }
 
 #[inline(always)]
-fn encode<C: Codec<Code = u32>, W: Words>(index: usize, count: Count, input: &[Vectors], output: &mut [W]) {
+fn encode<C: Codec, W: Words>(index: usize, count: Count, input: &[Vectors], output: &mut [W]) {
     if index * 4 >= count.vectors as usize {
         return;
     }
     let v = &input[index];
     output[index] = W::pack([
-        C::encode(vector(v, 0)),
-        C::encode(vector(v, 1)),
-        C::encode(vector(v, 2)),
-        C::encode(vector(v, 3)),
+        C::encode(vector(v, 0)).to_words(),
+        C::encode(vector(v, 1)).to_words(),
+        C::encode(vector(v, 2)).to_words(),
+        C::encode(vector(v, 3)).to_words(),
     ]);
 }
 
 #[inline(always)]
-fn decode<C: Codec<Code = u32>, W: Words>(index: usize, count: Count, input: &[W], output: &mut [Vectors]) {
+fn decode<C: Codec, W: Words>(index: usize, count: Count, input: &[W], output: &mut [Vectors]) {
     if index * 4 >= count.vectors as usize {
         return;
     }
     let [a, b, c, d] = input[index].unpack();
     let v = &mut output[index];
-    set_vector(v, 0, C::decode(a));
-    set_vector(v, 1, C::decode(b));
-    set_vector(v, 2, C::decode(c));
-    set_vector(v, 3, C::decode(d));
+    set_vector(v, 0, C::decode(C::Code::from_words(a)));
+    set_vector(v, 1, C::decode(C::Code::from_words(b)));
+    set_vector(v, 2, C::decode(C::Code::from_words(c)));
+    set_vector(v, 3, C::decode(C::Code::from_words(d)));
 }
 
 macro_rules! kernels {

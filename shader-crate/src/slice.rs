@@ -1,6 +1,6 @@
 //! Whole slices of vectors, to and from densely packed codes.
 
-use crate::codec::Codec;
+use crate::codec::{Code, Codec};
 use core::fmt;
 use glam::Vec3;
 
@@ -25,13 +25,12 @@ impl core::error::Error for LengthMismatch {}
 ///
 /// # Errors
 /// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
-pub fn encode_slice<C: Codec<Code = u32>>(
-    vectors: &[[f32; 3]],
-    codes: &mut [u8],
-) -> Result<(), LengthMismatch> {
+pub fn encode_slice<C: Codec>(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
     for (vector, stored) in vectors.iter().zip(codes.chunks_exact_mut(C::BYTES)) {
-        stored.copy_from_slice(&C::encode(Vec3::from_array(*vector)).to_le_bytes()[..C::BYTES]);
+        let [low, high] = C::encode(Vec3::from_array(*vector)).to_words();
+        let bytes = (u64::from(high) << 32 | u64::from(low)).to_le_bytes();
+        stored.copy_from_slice(&bytes[..C::BYTES]);
     }
     Ok(())
 }
@@ -40,15 +39,13 @@ pub fn encode_slice<C: Codec<Code = u32>>(
 ///
 /// # Errors
 /// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
-pub fn decode_slice<C: Codec<Code = u32>>(
-    codes: &[u8],
-    vectors: &mut [[f32; 3]],
-) -> Result<(), LengthMismatch> {
+pub fn decode_slice<C: Codec>(codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
     for (stored, vector) in codes.chunks_exact(C::BYTES).zip(vectors) {
-        let mut word = [0; 4];
-        word[..C::BYTES].copy_from_slice(stored);
-        *vector = C::decode(u32::from_le_bytes(word)).to_array();
+        let mut bytes = [0; 8];
+        bytes[..C::BYTES].copy_from_slice(stored);
+        let code = u64::from_le_bytes(bytes);
+        *vector = C::decode(C::Code::from_words([code as u32, (code >> 32) as u32])).to_array();
     }
     Ok(())
 }
