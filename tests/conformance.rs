@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use unitvec_host::backend::{Backend, Cpu, Gpu, KernelSource};
-use unitvec_host::catalogue::{CATALOGUE, Direction, find};
+use unitvec_host::catalogue::{CATALOGUE, Direction, Domain, find};
 use unitvec_host::conform::{self, Options};
 use unitvec_host::manifest::sha256_hex;
 use unitvec_host::modules::Modules;
@@ -44,7 +44,7 @@ fn the_three_agree_to_the_bit() {
 #[test]
 fn any_number_of_vectors_can_be_dispatched() {
     let device = lavapipe();
-    let vectors = sampling::random_directions(unitvec_host::catalogue::Domain::Sphere, 1030, 3);
+    let vectors: Vec<[f32; 3]> = sampling::random_directions(Domain::Sphere, 3).take(1030).collect();
     for source in [embedded(), from_glsl()] {
         let mut gpu = Gpu::new(&device, source, true).unwrap();
         for codec in [find("oct16").unwrap(), find("oct24p").unwrap(), find("oct32").unwrap()] {

@@ -1,11 +1,11 @@
 //! Shows that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit, and how large the error is.
 
-use crate::Result;
 use crate::backend::{Backend, CHUNK, Cpu, Gpu};
 use crate::catalogue::{CodecInfo, Direction};
 use crate::measure::ErrorStats;
 use crate::sampling;
 use crate::vulkan::DeviceInfo;
+use crate::{Error, Result};
 use serde::Serialize;
 
 /// What to run.
@@ -114,15 +114,16 @@ pub fn run_codec(
     glsl.warm_up(codec)?;
     let mut comparison = Comparison::new(codec, spirv, glsl);
 
-    let random = sampling::random_directions(codec.domain, options.count, options.seed);
     let mut errors = ErrorStats::default();
-    for vectors in random.chunks(CHUNK) {
+    let random = sampling::random_directions(codec.domain, options.seed);
+    sampling::in_chunks(random, options.count, CHUNK, |vectors| {
         let codes = comparison.encode(vectors)?;
         for (original, decoded) in vectors.iter().zip(comparison.decode(&codes)?) {
             errors.add(*original, decoded);
         }
         progress(vectors.len() as u64);
-    }
+        Ok::<(), Error>(())
+    })?;
 
     let mut others = options.normals.clone();
     others.extend(sampling::special_vectors());
@@ -133,15 +134,12 @@ pub fn run_codec(
         progress(vectors.len() as u64);
     }
 
+    let count = code_count(codec, options) as usize;
+    let each = |codes: &[u64]| comparison.round_trip(codes, progress);
     if codec.bits <= EXHAUSTIVE_BITS {
-        let last = 1u32 << codec.bits;
-        for start in (0..last).step_by(CHUNK) {
-            comparison.round_trip(start..last.min(start + CHUNK as u32), progress)?;
-        }
+        sampling::in_chunks(0.., count, CHUNK, each)?;
     } else {
-        for codes in sampling::random_codes(options.count, options.seed).chunks(CHUNK) {
-            comparison.round_trip(codes.iter().copied(), progress)?;
-        }
+        sampling::in_chunks(sampling::random_codes(options.seed), count, CHUNK, each)?;
     }
     Ok(comparison.into_row(errors))
 }
@@ -232,9 +230,9 @@ impl<'a> Comparison<'a> {
     }
 
     /// Decodes codes and encodes what they stand for: every lattice point is an encoder's input as well.
-    fn round_trip(&mut self, codes: impl Iterator<Item = u32>, progress: &mut dyn FnMut(u64)) -> Result<()> {
+    fn round_trip(&mut self, codes: &[u64], progress: &mut dyn FnMut(u64)) -> Result<()> {
         let bytes: Vec<u8> =
-            codes.flat_map(|code| code.to_le_bytes().into_iter().take(self.codec.bytes)).collect();
+            codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(self.codec.bytes)).collect();
         let vectors = self.decode(&bytes)?;
         self.encode(&vectors)?;
         progress(vectors.len() as u64);

@@ -4,10 +4,10 @@ use crate::catalogue::Domain;
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 
-/// `count` directions, uniform over the domain, rounded to f32. The same seed gives the same directions.
-pub fn random_directions(domain: Domain, count: usize, seed: u64) -> Vec<[f32; 3]> {
+/// Directions without end, uniform over the domain, rounded to f32. The same seed gives the same directions.
+pub fn random_directions(domain: Domain, seed: u64) -> impl Iterator<Item = [f32; 3]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
-    (0..count).map(|_| direction(&mut random, domain)).collect()
+    std::iter::repeat_with(move || direction(&mut random, domain))
 }
 
 /// Archimedes: z is uniform for points uniform on the sphere.
@@ -21,10 +21,34 @@ fn direction(random: &mut impl Rng, domain: Domain) -> [f32; 3] {
     [radius * angle.cos(), radius * angle.sin(), z].map(|c| c as f32)
 }
 
-/// `count` random 32-bit codes.
-pub fn random_codes(count: usize, seed: u64) -> Vec<u32> {
+/// Random 64-bit codes without end; narrower ones take their low bits.
+pub fn random_codes(seed: u64) -> impl Iterator<Item = u64> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
-    (0..count).map(|_| random.random()).collect()
+    std::iter::repeat_with(move || random.random())
+}
+
+/// Calls `each` with chunks of at most `size` of the first `count` items.
+///
+/// # Errors
+/// The first error of `each`.
+pub fn in_chunks<T, E>(
+    mut items: impl Iterator<Item = T>,
+    count: usize,
+    size: usize,
+    mut each: impl FnMut(&[T]) -> Result<(), E>,
+) -> Result<(), E> {
+    let mut chunk = Vec::with_capacity(count.min(size));
+    let mut left = count;
+    while left > 0 {
+        chunk.clear();
+        chunk.extend(items.by_ref().take(left.min(size)));
+        if chunk.is_empty() {
+            break;
+        }
+        left -= chunk.len();
+        each(&chunk)?;
+    }
+    Ok(())
 }
 
 /// Every triple of components that are odd in one way or another: both zeros, denormals, the ends of the range of

@@ -1,5 +1,6 @@
 //! The command line.
 
+mod accuracy;
 mod codecs;
 mod conform;
 mod convert;
@@ -36,6 +37,8 @@ enum Command {
     Encode(convert::Arguments),
     /// Decode dense codes into raw little-endian f32 triples.
     Decode(convert::Arguments),
+    /// Measure the survey's error tables again, beside the published figures.
+    Accuracy(accuracy::Arguments),
     /// Show that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit.
     Conform(conform::Arguments),
 }
@@ -48,6 +51,7 @@ impl Arguments {
             Command::Devices(vulkan) => devices::run(&vulkan),
             Command::Encode(arguments) => convert::encode(&arguments),
             Command::Decode(arguments) => convert::decode(&arguments),
+            Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
         }
     }

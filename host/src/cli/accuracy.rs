@@ -1,0 +1,163 @@
+use super::{BackendName, Vulkan, print, status_after_validation, to_json};
+use clap::{Args, ValueEnum};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use unitvec_host::accuracy::{self, Row, Table};
+use unitvec_host::{Error, Result, output};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Table of the survey.
+    #[arg(long, value_enum, default_value = "all")]
+    table: TableName,
+    /// Random directions for each row.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
+    count: usize,
+    /// Seed of the random directions.
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// What runs the codecs.
+    #[arg(long, value_enum, default_value = "cpu")]
+    backend: BackendName,
+    /// Write the rows as JSON as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the rows as CSV as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    vulkan: Vulkan,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum TableName {
+    /// Table 1: all representations, over the sphere.
+    #[value(name = "1")]
+    One,
+    /// Table 3: hemi-oct and its rivals, over the hemisphere.
+    #[value(name = "3")]
+    Three,
+    /// Both.
+    All,
+}
+
+impl TableName {
+    fn tables(self) -> &'static [Table] {
+        match self {
+            Self::One => &[Table::One],
+            Self::Three => &[Table::Three],
+            Self::All => &[Table::One, Table::Three],
+        }
+    }
+}
+
+#[derive(serde::Serialize)]
+struct Report {
+    rows: Vec<Row>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let mut open = arguments.backend.open(&arguments.vulkan)?;
+    let published: Vec<_> = arguments
+        .table
+        .tables()
+        .iter()
+        .flat_map(|table| table.published().into_iter().map(move |row| (*table, row)))
+        .collect();
+    let bar = progress_bar(published.len() as u64);
+    let (mut rows, mut missing) = (Vec::new(), Vec::new());
+    for (table, row) in published {
+        bar.set_message(row.name.clone());
+        match row.codec() {
+            Some(codec) => rows.push(accuracy::measure_row(
+                open.backend.as_mut(),
+                table,
+                &row,
+                codec,
+                arguments.count,
+                arguments.seed,
+            )?),
+            None => missing.push(row.name),
+        }
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+
+    let is_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
+    if !is_stdout(&arguments.json) && !is_stdout(&arguments.csv) {
+        print(&table_text(&rows, &missing))?;
+    }
+    if let Some(path) = &arguments.csv {
+        output::write_file(path, &csv_bytes(path, &rows)?)?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_file(path, to_json(&Report { rows }).as_bytes())?;
+    }
+    Ok(status_after_validation(open.device.as_ref(), true))
+}
+
+fn progress_bar(rows: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    ProgressBar::new(rows).with_style(style)
+}
+
+fn csv_bytes(path: &Path, rows: &[Row]) -> Result<Vec<u8>> {
+    let failed = |error: String| Error::Write { path: path.to_owned(), source: std::io::Error::other(error) };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).map_err(|error| failed(error.to_string()))?;
+    }
+    writer.into_inner().map_err(|error| failed(error.to_string()))
+}
+
+fn table_text(rows: &[Row], missing: &[String]) -> String {
+    let mut text = format!(
+        "errors in degrees; ratio is ours / survey's; bound is that of hexagonal covering; waste is bits against it\n\
+         {:<5} {:<22} {:<19} {:>4}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}\n",
+        "table",
+        "codec",
+        "survey",
+        "bits",
+        "mean",
+        "survey",
+        "ratio",
+        "max",
+        "survey",
+        "ratio",
+        "bound mean",
+        "bound max",
+        "waste"
+    );
+    for row in rows {
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "{:<5} {:<22} {:<19} {:>4}  {:>9.6} {:>9.5} {:>6.3}  {:>9.6} {:>9.5} {:>6.3}  {:>9.6} {:>10.6} {:>6.2}",
+            row.table,
+            row.id,
+            row.survey_name,
+            row.bits,
+            row.mean_deg,
+            row.survey_mean_deg,
+            row.mean_deg / row.survey_mean_deg,
+            row.max_deg,
+            row.survey_max_deg,
+            row.max_deg / row.survey_max_deg,
+            row.bound_mean_deg,
+            row.bound_max_deg,
+            row.wasted_bits
+        );
+    }
+    if !missing.is_empty() {
+        let _ = writeln!(
+            text,
+            "\n{} rows of the survey are not implemented: {}",
+            missing.len(),
+            missing.join(", ")
+        );
+    }
+    text
+}
