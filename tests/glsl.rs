@@ -1,5 +1,6 @@
 //! The GLSL includes compile in every way they may be used, and the survey's functions do what its listings do.
 
+use std::collections::BTreeSet;
 use std::process::Command;
 use unitvec_host::backend::{Backend, Cpu};
 use unitvec_host::catalogue::{CATALOGUE, Domain, find};
@@ -8,10 +9,16 @@ use unitvec_host::sampling::random_directions;
 use unitvec_host::vulkan::Runner;
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 
-const FAMILIES: [&str; 2] = ["oct", "hemioct"];
+/// The families' include files.
+fn families() -> BTreeSet<&'static str> {
+    CATALOGUE.iter().map(|codec| codec.glsl_file).collect()
+}
 
-fn text(family: &str) -> &'static str {
-    glsl::source(&format!("unitvec/{family}.glsl")).unwrap()
+/// What to paste for a file: the files that it includes, and those they include, before it.
+fn pasted(file: &str) -> String {
+    let text = glsl::source(&format!("unitvec/{file}")).unwrap();
+    let included = text.lines().filter_map(|line| line.strip_prefix("#include \"")?.strip_suffix('"'));
+    included.map(pasted).collect::<String>() + text
 }
 
 /// A call of every codec's two functions.
@@ -23,27 +30,27 @@ fn calls(file: &str) -> String {
 #[test]
 fn every_family_compiles_by_include() {
     let compiler = Compiler::new().unwrap();
-    for file in FAMILIES.map(|family| format!("{family}.glsl")).iter().chain([&"unitvec.glsl".to_owned()]) {
-        let body = if file == "unitvec.glsl" { String::new() } else { calls(file) };
+    for file in families().into_iter().chain(["unitvec.glsl"]) {
         let shader = format!(
             "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/{file}\"\n\
-             layout(local_size_x = 1) in;\nlayout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{body}}}\n"
+             layout(local_size_x = 1) in;\nlayout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{}}}\n",
+            calls(file)
         );
         compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{file}: {error}"));
     }
 }
 
-/// Pasted one after the other, once or twice, in a shader that does not know #include.
+/// Pasted with what they include, once or twice, in a shader that does not know #include.
 #[test]
 fn families_compile_by_pasting() {
     let compiler = Compiler::new().unwrap();
-    for family in FAMILIES {
-        let (scalar, codec, calls) = (text("scalar"), text(family), calls(&format!("{family}.glsl")));
+    for file in families() {
+        let (text, calls) = (pasted(file), calls(file));
         let shader = format!(
-            "#version 450\n{scalar}{codec}{scalar}{codec}layout(local_size_x = 1) in;\n\
+            "#version 450\n{text}{text}layout(local_size_x = 1) in;\n\
              layout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{calls}}}\n"
         );
-        compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{family}: {error}"));
+        compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{file}: {error}"));
     }
 }
 
@@ -51,19 +58,20 @@ fn families_compile_by_pasting() {
 #[test]
 fn families_are_valid_glsl_es_300() {
     let folder = tempfile::tempdir().unwrap();
-    for family in FAMILIES {
-        let (scalar, codec, calls) = (text("scalar"), text(family), calls(&format!("{family}.glsl")));
+    for file in families() {
         let shader = format!(
-            "#version 300 es\nprecision highp float;\nprecision highp int;\n{scalar}{codec}in vec3 direction;\n\
-             out vec4 color;\nvoid main() {{\nvec3 v = direction;\n{calls}color = vec4(v, 1.0);\n}}\n"
+            "#version 300 es\nprecision highp float;\nprecision highp int;\n{}in vec3 direction;\n\
+             out vec4 color;\nvoid main() {{\nvec3 v = direction;\n{}color = vec4(v, 1.0);\n}}\n",
+            pasted(file),
+            calls(file)
         );
-        let path = folder.path().join(format!("{family}.frag"));
+        let path = folder.path().join("shader.frag");
         std::fs::write(&path, shader).unwrap();
         let output = Command::new("glslangValidator")
             .arg(&path)
             .output()
             .expect("glslangValidator is missing: `cargo xtask setup` installs it");
-        assert!(output.status.success(), "{family}: {}", String::from_utf8_lossy(&output.stdout));
+        assert!(output.status.success(), "{file}: {}", String::from_utf8_lossy(&output.stdout));
     }
 }
 
@@ -229,6 +237,45 @@ fn scalar_functions_are_the_crates() {
                 "{bits} bits of {}",
                 input[0]
             );
+        }
+    }
+}
+
+/// The trigonometry gives the crate's bits, over directions and angles of all sizes.
+#[test]
+fn trigonometry_is_the_crates_to_the_bit() {
+    use unitvec::math;
+    let mut inputs = directions(Domain::Sphere, 6);
+    inputs.extend(
+        directions(Domain::Sphere, 7)
+            .iter()
+            .zip(-60..60)
+            .map(|(v, exponent)| v.map(|c| c * 2f32.powi(exponent))),
+    );
+    inputs.extend(
+        unitvec_host::sampling::special_vectors().into_iter().filter(|v| v.iter().all(|c| c.is_finite())),
+    );
+    type Reference = fn(f32, f32) -> [f32; 3];
+    let functions: [(&str, Reference); 3] = [
+        ("vec3(unitvec_sin_cos_half_turns(v.x), unitvec_atan2_half_turns(v.y, v.x))", |x, y| {
+            [math::sin_cos_half_turns(x).x, math::sin_cos_half_turns(x).y, math::atan2_half_turns(y, x)]
+        }),
+        ("vec3(unitvec_sin_cos(v.x), unitvec_asin_half_turns(v.y))", |x, y| {
+            [math::sin_cos(x).x, math::sin_cos(x).y, math::asin_half_turns(y)]
+        }),
+        (
+            "vec3(unitvec_acos_half_turns(v.x), unitvec_atan_octant(abs(v.y)), unitvec_tan_octant(min(abs(v.x), 1.0)))",
+            |x, y| [math::acos_half_turns(x), math::atan_octant(y.abs()), math::tan_octant(x.abs().min(1.0))],
+        ),
+    ];
+    for (expression, reference) in functions {
+        for (input, result) in inputs.iter().zip(evaluate(expression, &inputs)) {
+            let expected = reference(input[0], input[1]);
+            let same = expected
+                .iter()
+                .zip(&result)
+                .all(|(a, b)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()));
+            assert!(same, "{expression} of {input:?}: {result:?}, the crate's {expected:?}");
         }
     }
 }

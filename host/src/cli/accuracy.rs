@@ -4,12 +4,14 @@ use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use unitvec_host::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_host::accuracy::{self, Row, Table};
+use unitvec_host::catalogue::CodecInfo;
 use unitvec_host::{Error, Result, output};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Table of the survey.
+    /// Table of the survey, or that of Meyer et al.
     #[arg(long, value_enum, default_value = "all")]
     table: TableName,
     /// Random directions for each row.
@@ -39,7 +41,9 @@ enum TableName {
     /// Table 3: hemi-oct and its rivals, over the hemisphere.
     #[value(name = "3")]
     Three,
-    /// Both.
+    /// Table 1 of Meyer et al.: bounds, and the largest errors that a search finds.
+    Meyer,
+    /// All three.
     All,
 }
 
@@ -49,7 +53,12 @@ impl TableName {
             Self::One => &[Table::One],
             Self::Three => &[Table::Three],
             Self::All => &[Table::One, Table::Three],
+            Self::Meyer => &[],
         }
+    }
+
+    fn has_meyer(self) -> bool {
+        matches!(self, Self::Meyer | Self::All)
     }
 }
 
@@ -66,7 +75,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         .iter()
         .flat_map(|table| table.published().into_iter().map(move |row| (*table, row)))
         .collect();
-    let bar = progress_bar(published.len() as u64);
+    let methods = meyer_rows(arguments.table.has_meyer());
+    let bar = progress_bar((published.len() + methods.len()) as u64);
     let (mut rows, mut missing) = (Vec::new(), Vec::new());
     for (table, row) in published {
         bar.set_message(row.name.clone());
@@ -83,6 +93,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         }
         bar.inc(1);
     }
+    for (method, codec) in methods {
+        bar.set_message(codec.id);
+        let backend = open.backend.as_mut();
+        rows.push(accuracy::measure_meyer_row(backend, method, codec, arguments.count, arguments.seed)?);
+        bar.inc(1);
+    }
     bar.finish_and_clear();
 
     let is_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
@@ -96,6 +112,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         output::write_file(path, to_json(&Report { rows }).as_bytes())?;
     }
     Ok(status_after_validation(open.device.as_ref(), true))
+}
+
+/// Meyer's methods at each width that there is a codec for.
+fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static CodecInfo)> {
+    let methods = METHODS.iter().filter(|_| wanted);
+    methods
+        .flat_map(|method| WIDTHS.iter().filter_map(move |bits| Some((method, method.codec(*bits)?))))
+        .collect()
 }
 
 fn progress_bar(rows: u64) -> ProgressBar {
@@ -115,7 +139,8 @@ fn csv_bytes(path: &Path, rows: &[Row]) -> Result<Vec<u8>> {
 
 fn table_text(rows: &[Row], missing: &[String]) -> String {
     let mut text = format!(
-        "errors in degrees; ratio is ours / survey's; bound is that of hexagonal covering; waste is bits against it\n\
+        "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal covering; waste is \
+         bits against it\n\
          {:<5} {:<22} {:<19} {:>4}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}\n",
         "table",
         "codec",
@@ -132,17 +157,19 @@ fn table_text(rows: &[Row], missing: &[String]) -> String {
         "waste"
     );
     for row in rows {
+        let (mean, ratio) = row.survey_mean_deg.map_or_else(
+            || ("-".to_owned(), "-".to_owned()),
+            |mean| (format!("{mean:.5}"), format!("{:.3}", row.mean_deg / mean)),
+        );
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "{:<5} {:<22} {:<19} {:>4}  {:>9.6} {:>9.5} {:>6.3}  {:>9.6} {:>9.5} {:>6.3}  {:>9.6} {:>10.6} {:>6.2}",
+            "{:<5} {:<22} {:<19} {:>4}  {:>9.6} {mean:>9} {ratio:>6}  {:>9.6} {:>9.6} {:>6.3}  {:>9.6} {:>10.6} {:>6.2}",
             row.table,
             row.id,
             row.survey_name,
             row.bits,
             row.mean_deg,
-            row.survey_mean_deg,
-            row.mean_deg / row.survey_mean_deg,
             row.max_deg,
             row.survey_max_deg,
             row.max_deg / row.survey_max_deg,

@@ -1,5 +1,7 @@
 //! The survey's error tables, measured again beside the published figures and the bound that no code can beat.
 
+pub mod meyer;
+
 use crate::Result;
 use crate::backend::{Backend, CHUNK};
 use crate::catalogue::{CATALOGUE, CodecInfo, Domain};
@@ -36,8 +38,8 @@ impl Table {
     /// Its rows as published, in the survey's order: by decreasing maximum error.
     pub fn published(self) -> Vec<Published> {
         let text = match self {
-            Self::One => include_str!("../data/survey_table1.csv"),
-            Self::Three => include_str!("../data/survey_table3.csv"),
+            Self::One => include_str!("../../data/survey_table1.csv"),
+            Self::Three => include_str!("../../data/survey_table3.csv"),
         };
         // The files are part of the program, and a test reads them whole.
         csv::Reader::from_reader(text.as_bytes()).deserialize().filter_map(|row| row.ok()).collect()
@@ -71,7 +73,7 @@ pub struct Row {
     pub table: &'static str,
     /// Codec identifier.
     pub id: &'static str,
-    /// The survey's name.
+    /// The published name.
     pub survey_name: String,
     /// Bits.
     pub bits: u32,
@@ -79,9 +81,9 @@ pub struct Row {
     pub mean_deg: f64,
     /// Maximum error, degrees.
     pub max_deg: f64,
-    /// The survey's mean error, degrees.
-    pub survey_mean_deg: f64,
-    /// The survey's maximum error, degrees.
+    /// The published mean error, degrees; Meyer et al. give none.
+    pub survey_mean_deg: Option<f64>,
+    /// The published maximum error, degrees; Meyer's bound.
     pub survey_max_deg: f64,
     /// Mean error of the hexagonal covering bound with as many codes, degrees.
     pub bound_mean_deg: f64,
@@ -144,21 +146,58 @@ pub fn measure_row(
     seed: u64,
 ) -> Result<Row> {
     let errors = measure(backend, codec, table.domain(), count, seed)?;
-    let (bound_mean_deg, bound_max_deg) = covering_bound_deg(codec.bits, codec.domain);
-    Ok(Row {
-        table: table.name(),
-        id: codec.id,
-        survey_name: published.name.clone(),
-        bits: codec.bits,
-        mean_deg: errors.mean_deg(),
-        max_deg: errors.max_deg(),
-        survey_mean_deg: published.mean_error_deg,
-        survey_max_deg: published.max_error_deg,
-        bound_mean_deg,
-        bound_max_deg,
-        // The bound's errors go as 2^(-bits / 2).
-        wasted_bits: 2.0 * (errors.mean_deg() / bound_mean_deg).log2(),
-    })
+    let published_errors = (Some(published.mean_error_deg), published.max_error_deg);
+    Ok(Row::new(
+        table.name(),
+        &published.name,
+        codec,
+        (errors.mean_deg(), errors.max_deg()),
+        published_errors,
+    ))
+}
+
+/// Measures a row of Meyer's table: mean over `count` random directions, maximum by search.
+///
+/// # Errors
+/// What the backend meets.
+pub fn measure_meyer_row(
+    backend: &mut dyn Backend,
+    method: &meyer::Method,
+    codec: &'static CodecInfo,
+    count: usize,
+    seed: u64,
+) -> Result<Row> {
+    let errors = measure(backend, codec, codec.domain, count, seed)?;
+    let (worst, _) = meyer::worst_error(backend, codec, seed)?;
+    let bound = (method.bound)(f64::from(codec.bits)).to_degrees();
+    let max_deg = errors.max_deg().max(worst);
+    Ok(Row::new("meyer", method.name, codec, (errors.mean_deg(), max_deg), (None, bound)))
+}
+
+impl Row {
+    fn new(
+        table: &'static str,
+        name: &str,
+        codec: &CodecInfo,
+        (mean_deg, max_deg): (f64, f64),
+        (survey_mean_deg, survey_max_deg): (Option<f64>, f64),
+    ) -> Self {
+        let (bound_mean_deg, bound_max_deg) = covering_bound_deg(codec.bits, codec.domain);
+        Self {
+            table,
+            id: codec.id,
+            survey_name: name.to_owned(),
+            bits: codec.bits,
+            mean_deg,
+            max_deg,
+            survey_mean_deg,
+            survey_max_deg,
+            bound_mean_deg,
+            bound_max_deg,
+            // The bound's errors go as 2^(-bits / 2).
+            wasted_bits: 2.0 * (mean_deg / bound_mean_deg).log2(),
+        }
+    }
 }
 
 #[cfg(test)]
