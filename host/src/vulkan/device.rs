@@ -44,9 +44,9 @@ pub enum DeviceChoice {
 }
 
 impl DeviceChoice {
-    /// The choice that `--device` or `UNITVEC_DEVICE` makes; [`Best`](Self::Best) without one.
+    /// The choice that `--device` or `UNITVEC_DEVICE` makes; [`Best`](Self::Best) without one or if it is empty.
     pub fn from_option(name: Option<String>) -> Self {
-        name.map_or(Self::Best, Self::Named)
+        name.filter(|name| !name.is_empty()).map_or(Self::Best, Self::Named)
     }
 
     /// The device of `devices` that this chooses.
