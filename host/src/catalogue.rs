@@ -35,6 +35,8 @@ pub struct CodecInfo {
     pub vk_format: Option<&'static str>,
     /// The directions it is made for.
     pub domain: Domain,
+    /// True where decoded vectors have unit length; false for raw component formats.
+    pub is_unit: bool,
     /// Upper bound of the error over the domain, in degrees.
     pub max_error_deg: f32,
     /// The GLSL include file with its functions.
@@ -59,6 +61,7 @@ impl CodecInfo {
             bytes: C::BYTES,
             vk_format,
             domain,
+            is_unit: C::IS_UNIT,
             max_error_deg: C::MAX_ERROR_DEG,
             glsl_file,
             encode: encode_slice::<C>,

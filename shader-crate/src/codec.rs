@@ -18,6 +18,10 @@ pub trait Codec {
     /// An upper bound of the angle, in degrees, between a direction of the codec's domain and its decoded code.
     const MAX_ERROR_DEG: f32;
 
+    /// True where decoded vectors have unit length, to within 2 ULP. Raw component formats leave normalising to the
+    /// caller.
+    const IS_UNIT: bool = true;
+
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
     type Code: Code;
 

@@ -14,7 +14,8 @@ usage: cargo xtask <command>
 
   conform [arguments of `unitvec conform`]   install what is missing, then show that CPU, SPIR-V from Rust and SPIR-V
                                              from GLSL agree to the bit (on lavapipe unless --device says otherwise)
-  test [arguments of `cargo test`]           install what is missing, then run all tests
+  test [--exhaustive] [arguments of          install what is missing, then run all tests; --exhaustive adds those of all
+       `cargo test`]                         2^32 codes of the 32-bit codecs, minutes a codec
   setup                                      install what is missing, no more
   spirv [--check]                            rebuild spirv/*.spv with rust-gpu; --check compares instead
 ";
@@ -67,7 +68,23 @@ fn conform(arguments: &[String]) -> Result<(), String> {
 
 fn test(arguments: &[String]) -> Result<(), String> {
     announce_glslang();
-    run(cargo(&["test", "--workspace", "--exclude", "xtask-spirv"]).args(arguments))
+    let (exhaustive, others): (Vec<_>, Vec<_>) =
+        arguments.iter().partition(|argument| *argument == "--exhaustive");
+    run(cargo(&["test", "--workspace", "--exclude", "xtask-spirv"]).args(others))?;
+    if exhaustive.is_empty() {
+        return Ok(());
+    }
+    println!("xtask: all 2^32 codes of each 32-bit codec, 1 to 3 minutes a codec on 2 cores");
+    run(&mut cargo(&[
+        "test",
+        "--package",
+        "unitvec-tests",
+        "--test",
+        "exhaustive",
+        "--",
+        "--ignored",
+        "--nocapture",
+    ]))
 }
 
 fn spirv(arguments: &[String]) -> Result<(), String> {
