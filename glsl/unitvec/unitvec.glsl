@@ -4,3 +4,4 @@
 #include "math.glsl"
 #include "oct.glsl"
 #include "hemioct.glsl"
+#include "oct_wide.glsl"

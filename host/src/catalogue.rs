@@ -3,8 +3,8 @@
 use serde::Serialize;
 use unitvec::slice::{LengthMismatch, decode_slice, encode_slice};
 use unitvec::{
-    Codec, HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise16, OctPrecise20,
-    OctPrecise22, OctPrecise24, OctPrecise32,
+    Codec, HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
+    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
 };
 
 /// The directions that a codec is made for.
@@ -127,6 +127,9 @@ pub static CATALOGUE: &[CodecInfo] = &[
     CodecInfo::of::<HemiOct16>("HemiOct16", "hemioct.glsl", Hemisphere, Some("VK_FORMAT_R8G8_SNORM")),
     CodecInfo::of::<HemiOct24>("HemiOct24", "hemioct.glsl", Hemisphere, None),
     CodecInfo::of::<HemiOct32>("HemiOct32", "hemioct.glsl", Hemisphere, Some("VK_FORMAT_R16G16_SNORM")),
+    CodecInfo::of::<Oct48>("oct48", "oct_wide.glsl", Sphere, None),
+    CodecInfo::of::<OctPrecise48>("oct48P", "oct_wide.glsl", Sphere, None),
+    CodecInfo::of::<OctPrecise52>("oct52P", "oct_wide.glsl", Sphere, None),
 ];
 
 /// No codec has this identifier.

@@ -6,8 +6,8 @@
 
 use crate::codec::{Code, Codec};
 use crate::{
-    HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise16, OctPrecise20,
-    OctPrecise22, OctPrecise24, OctPrecise32,
+    HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20,
+    OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
 };
 use glam::Vec3;
 use spirv_std::spirv;
@@ -183,4 +183,7 @@ kernels! {
     hemioct16_encode "hemioct16_encode" hemioct16_decode "hemioct16_decode" HemiOct16, 2 bytes;
     hemioct24_encode "hemioct24_encode" hemioct24_decode "hemioct24_decode" HemiOct24, 3 bytes;
     hemioct32_encode "hemioct32_encode" hemioct32_decode "hemioct32_decode" HemiOct32, 4 bytes;
+    oct48_encode "oct48_encode" oct48_decode "oct48_decode" Oct48, 6 bytes;
+    oct48p_encode "oct48p_encode" oct48p_decode "oct48p_decode" OctPrecise48, 6 bytes;
+    oct52p_encode "oct52p_encode" oct52p_decode "oct52p_decode" OctPrecise52, 8 bytes;
 }

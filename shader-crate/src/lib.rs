@@ -57,6 +57,7 @@ pub mod hemioct;
 pub mod kernels;
 pub mod math;
 pub mod oct;
+pub mod oct_wide;
 pub mod scalar;
 #[cfg(not(target_arch = "spirv"))]
 pub mod slice;
@@ -67,3 +68,4 @@ pub use oct::{
     Oct, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise, OctPrecise16, OctPrecise20, OctPrecise22,
     OctPrecise24, OctPrecise32,
 };
+pub use oct_wide::{Oct48, OctPrecise48, OctPrecise52, OctWide, OctWidePrecise};

@@ -6,6 +6,7 @@
 
 pub mod hemioct;
 pub mod oct;
+pub mod oct_wide;
 
 pub use hemioct::HemiOct;
 pub use oct::Oct;

@@ -1,0 +1,223 @@
+// unitvec: octahedral codes of 48 and 52 bits, finer than a float.
+//
+// Source: Meyer et al. 2010, section 5 and table 1. The mapping is that of oct.glsl.
+//
+//   oct48_encode(v), oct48_decode(code)      codes as uvec2, low word first
+//   oct48p_encode(v), oct52p_encode(v), ...  precise encoders
+//
+// Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: x in the low 24 or 26
+// bits, y in those above, two's complement snorm. Positions are sums of two floats, since one does not hold them;
+// decoded components are the floats nearest to the exact ones. Without `precise` (GLSL ES 3.00) a compiler may undo
+// that.
+
+#ifndef UNITVEC_OCT_WIDE_GLSL
+#define UNITVEC_OCT_WIDE_GLSL
+
+#ifndef UNITVEC_SCALAR_GLSL
+#include "scalar.glsl"
+#endif
+
+// A direction in the positive octant, on the octahedron x + y + z = m: the whole numbers of its x and y, how far it
+// lies beyond them, itself as a part of m, and the vector without signs, scaled by a power of two to an L1 norm of 1
+// to 2.
+struct OctWidePosition {
+    ivec2 whole;
+    vec2 fraction;
+    vec3 part;
+    vec3 vector;
+};
+
+// Largest integer of an snorm of `bits` bits (2 to 31).
+int oct_wide_max(uint bits) {
+    return int((1u << (bits - 1u)) - 1u);
+}
+
+// 2 to the power `exponent`, -126 to 127.
+float oct_wide_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
+
+// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
+float oct_wide_upper_half(float x) {
+    return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
+}
+
+// a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
+vec2 oct_wide_two_sum(float a, float b) {
+    UNITVEC_PRECISE float sum = a + b;
+    UNITVEC_PRECISE float b_in_sum = sum - a;
+    UNITVEC_PRECISE float rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
+    return vec2(sum, rest);
+}
+
+// What the rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
+float oct_wide_product_rest(float a, float b, float product) {
+    float a_upper = oct_wide_upper_half(a);
+    float b_upper = oct_wide_upper_half(b);
+    UNITVEC_PRECISE float a_lower = a - a_upper;
+    UNITVEC_PRECISE float b_lower = b - b_upper;
+    UNITVEC_PRECISE float rest =
+        (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
+    return rest;
+}
+
+// The coordinate (2^(bits-1) - 1) x / (sum.x + sum.y), 0 <= x <= sum.x; the quotient's first float is returned.
+float oct_wide_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int integer, out float fraction) {
+    UNITVEC_PRECISE float quotient = x * reciprocal;
+    UNITVEC_PRECISE float product = quotient * sum.x;
+    UNITVEC_PRECISE float product_rest = oct_wide_product_rest(quotient, sum.x, product);
+    UNITVEC_PRECISE float remainder = ((x - product) - product_rest) - quotient * sum.y;
+    float steps = oct_wide_exp2(int(bits) - 1);
+
+    UNITVEC_PRECISE float first = quotient * steps;
+    float whole = floor(first);
+    UNITVEC_PRECISE float beyond = ((first - whole) - quotient) + (remainder * reciprocal) * steps;
+    float carry = floor(beyond);
+    UNITVEC_PRECISE float rest = beyond - carry;
+
+    integer = int(whole) + int(carry);
+    fraction = rest;
+    return quotient;
+}
+
+// |x|, or 0 where that is a denormal, which some devices flush.
+float oct_wide_magnitude(float x) {
+    return abs(x) < 1.1754943508222875e-38 ? 0.0 : abs(x);
+}
+
+// Where v, which has a direction, lies in the positive octant, after mirroring.
+OctWidePosition oct_wide_position(vec3 v, uint bits) {
+    uint norm = floatBitsToUint(unitvec_l1_norm(v));
+    vec3 size = vec3(oct_wide_magnitude(v.x), oct_wide_magnitude(v.y), oct_wide_magnitude(v.z));
+    UNITVEC_PRECISE vec3 scaled = size * uintBitsToFloat((254u << 23u) - (norm & 0x7f800000u));
+    vec2 sum_xy = oct_wide_two_sum(scaled.x, scaled.y);
+    vec2 sum_z = oct_wide_two_sum(sum_xy.x, scaled.z);
+    UNITVEC_PRECISE vec2 sum = vec2(sum_z.x, sum_xy.y + sum_z.y);
+    UNITVEC_PRECISE float reciprocal = 1.0 / sum.x;
+
+    OctWidePosition p;
+    int x;
+    int y;
+    float fraction_x;
+    float fraction_y;
+    float part_x = oct_wide_coordinate(scaled.x, sum, reciprocal, bits, x, fraction_x);
+    float part_y = oct_wide_coordinate(scaled.y, sum, reciprocal, bits, y, fraction_y);
+    UNITVEC_PRECISE float part_z = scaled.z * reciprocal;
+    p.whole = ivec2(x, y);
+    p.fraction = vec2(fraction_x, fraction_y);
+    p.part = vec3(part_x, part_y, part_z);
+    p.vector = scaled;
+    return p;
+}
+
+// Unit vector of the lattice point p of the positive octant, each component nearest to the exact one: half an ULP off,
+// and 2^-33 for the arithmetic. All products with a reciprocal length of 12 bits are exact, or as good as it.
+vec3 oct_wide_decode_octant(ivec3 p, uint bits) {
+    uint low_bits = bits - 13u;
+    vec3 upper = vec3(p >> low_bits);
+    UNITVEC_PRECISE vec3 lower = vec3(p & ((1 << low_bits) - 1)) * oct_wide_exp2(-int(low_bits));
+
+    float squares = unitvec_dot(upper, upper);
+    UNITVEC_PRECISE float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
+    UNITVEC_PRECISE float estimate = 1.0 / sqrt(squares + other_squares);
+    float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
+
+    UNITVEC_PRECISE float scale = reciprocal * reciprocal;
+    float scale_upper = oct_wide_upper_half(scale);
+    float squares_upper = oct_wide_upper_half(squares);
+    UNITVEC_PRECISE float scale_lower = scale - scale_upper;
+    UNITVEC_PRECISE float squares_lower = squares - squares_upper;
+    UNITVEC_PRECISE float t =
+        ((squares_upper * scale_upper - 1.0) + (squares_upper * scale_lower + squares_lower * scale_upper))
+        + (squares_lower * scale_lower + other_squares * scale);
+    UNITVEC_PRECISE float correction = t * (t * 0.375 - 0.5);
+
+    UNITVEC_PRECISE vec3 first = upper * reciprocal;
+    UNITVEC_PRECISE vec3 second = lower * reciprocal;
+    UNITVEC_PRECISE vec3 v = first + (second + (first + second) * correction);
+    return v;
+}
+
+// Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the
+// vector itself costs least, so that what was decoded once keeps its code's vector.
+float oct_wide_cost(OctWidePosition p, ivec2 corner, uint bits) {
+    UNITVEC_PRECISE vec2 d = vec2(corner) - p.fraction;
+    UNITVEC_PRECISE float along = d.x * (p.part.x - p.part.z) + d.y * (p.part.y - p.part.z);
+    UNITVEC_PRECISE float squared = 2.0 * ((d.x * d.x + d.x * d.y) + d.y * d.y);
+    UNITVEC_PRECISE float cost = squared * unitvec_dot(p.part, p.part) - along * along;
+    if (bits != 26u) return cost;
+
+    ivec2 point = p.whole + corner;
+    vec3 decoded = oct_wide_decode_octant(ivec3(point, oct_wide_max(bits) - point.x - point.y), bits);
+    return decoded == p.vector ? -1.0 : cost;
+}
+
+// Lattice point nearest to p in angle, of the four corners of its cell. The far corner of a cell that the octant's edge
+// z = 0 cuts is no candidate: the octahedron folds there.
+ivec2 oct_wide_nearest_corner(OctWidePosition p, uint bits) {
+    float near = oct_wide_cost(p, ivec2(0, 0), bits);
+    float right = oct_wide_cost(p, ivec2(1, 0), bits);
+    float up = oct_wide_cost(p, ivec2(0, 1), bits);
+    float far = oct_wide_cost(p, ivec2(1, 1), bits);
+
+    ivec2 best = right < near ? ivec2(1, 0) : ivec2(0, 0);
+    float least = right < near ? right : near;
+    best = up < least ? ivec2(0, 1) : best;
+    least = up < least ? up : least;
+    best = far < least && oct_wide_max(bits) - p.whole.x - p.whole.y >= 2 ? ivec2(1, 1) : best;
+    return p.whole + best;
+}
+
+// Moves a lattice point of the positive octant to where the lower half of the octahedron is folded out if v.z is
+// negative, gives it the signs of v.x and v.y, and packs it.
+uvec2 oct_wide_pack(vec3 v, ivec2 p, uint bits) {
+    ivec2 e = unitvec_is_negative(v.z) ? oct_wide_max(bits) - p.yx : p;
+    uint mask = (1u << bits) - 1u;
+    uint x = uint(unitvec_is_negative(v.x) ? -e.x : e.x) & mask;
+    uint y = uint(unitvec_is_negative(v.y) ? -e.y : e.y) & mask;
+    return uvec2(x | (y << bits), y >> (32u - bits));
+}
+
+// Integer of an snorm code, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
+int oct_wide_snorm_integer(uint code, uint bits) {
+    int integer = int(code << (32u - bits)) >> int(32u - bits);
+    return max(integer, -oct_wide_max(bits));
+}
+
+// Code of two components of `bits` bits; the nearest point along each axis, rounded before the fold.
+uvec2 oct_wide_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    OctWidePosition p = oct_wide_position(v, bits);
+    ivec2 up = ivec2(p.fraction.x < 0.5 ? 0 : 1, p.fraction.y < 0.5 ? 0 : 1);
+    return oct_wide_pack(v, p.whole + up, bits);
+}
+
+// Code of two components of `bits` bits, nearest in angle.
+uvec2 oct_wide_encode_precise(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return oct_wide_pack(v, oct_wide_nearest_corner(oct_wide_position(v, bits), bits), bits);
+}
+
+vec3 oct_wide_decode(uvec2 code, uint bits) {
+    int x = oct_wide_snorm_integer(code.x, bits);
+    int y = oct_wide_snorm_integer((code.x >> bits) | (code.y << (32u - bits)), bits);
+    int m = oct_wide_max(bits);
+    ivec2 p = abs(ivec2(x, y));
+    int z = m - p.x - p.y;
+    p = z < 0 ? m - p.yx : p;
+    vec3 v = oct_wide_decode_octant(ivec3(p, abs(z)), bits);
+    // Not where a component is 0, which would become -0.
+    bool left = x < 0 && p.x > 0;
+    bool down = y < 0 && p.y > 0;
+    return vec3(unitvec_negate_if(left, v.x), unitvec_negate_if(down, v.y), unitvec_negate_if(z < 0, v.z));
+}
+
+uvec2 oct48_encode(vec3 v) { return oct_wide_encode(v, 24u); }
+uvec2 oct48p_encode(vec3 v) { return oct_wide_encode_precise(v, 24u); }
+uvec2 oct52p_encode(vec3 v) { return oct_wide_encode_precise(v, 26u); }
+
+vec3 oct48_decode(uvec2 code) { return oct_wide_decode(code, 24u); }
+vec3 oct48p_decode(uvec2 code) { return oct48_decode(code); }
+vec3 oct52p_decode(uvec2 code) { return oct_wide_decode(code, 26u); }
+
+#endif

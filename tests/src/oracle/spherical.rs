@@ -1,0 +1,140 @@
+//! Spherical coordinates, and what all formats of two angles are put to the test with.
+
+use super::{Oracle, Summary, angle_deg, cross, dot, largest, length, snorm, ulp, widen};
+use glam::Vec3;
+use std::f64::consts::PI;
+use unitvec::Codec;
+
+/// What `decode` makes of `f32` trigonometry, as an angle in radians: a sine and a cosine, each off by up to
+/// 7.0e-8, for each of the two angles, which are rounded to 2^-25 of a half turn at most, and a product.
+pub const DECODE_ROUNDING: f64 = 1.0 / (1 << 21) as f64;
+
+/// What `encode` makes of the rounding in `f32` of an angle, in half turns: 5e-8 for the arc tangent, and as much
+/// for the length and the scaling to steps.
+pub const ANGLE_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
+
+/// The survey's spherical coordinates and the bits of spherical16 to spherical32. Positions are in half turns: the
+/// first `2 theta / pi - 1`, the second `phi / pi`.
+pub struct Spherical;
+
+impl Oracle for Spherical {
+    fn position(v: [f64; 3]) -> [f64; 2] {
+        [2.0 * colatitude(v) - 1.0, azimuth(v)]
+    }
+
+    fn direction(e: [f64; 2]) -> [f64; 3] {
+        at((e[0] + 1.0) / 2.0, e[1])
+    }
+
+    fn decode(code: u32, bits: u32) -> [f64; 3] {
+        let [i, j] = Self::unpack(code, bits);
+        Self::direction([snorm(i, largest(bits)), f64::from(j) / steps(bits)])
+    }
+}
+
+/// The steps of phi, `2^(b-1)`, in half a turn.
+pub fn steps(bits: u32) -> f64 {
+    2f64.powi(bits as i32 / 2 - 1)
+}
+
+/// The angle from +Z in half turns.
+pub fn colatitude(v: [f64; 3]) -> f64 {
+    v[0].hypot(v[1]).atan2(v[2]) / PI
+}
+
+/// The angle from +X towards +Y in half turns.
+pub fn azimuth(v: [f64; 3]) -> f64 {
+    v[1].atan2(v[0]) / PI
+}
+
+/// The unit vector of a colatitude and an azimuth in half turns.
+pub fn at(colatitude: f64, azimuth: f64) -> [f64; 3] {
+    let ((sin, cos), (y, x)) = ((colatitude * PI).sin_cos(), (azimuth * PI).sin_cos());
+    [sin * x, sin * y, cos]
+}
+
+/// How far a point lies from a position, on a circle of `period` steps.
+pub fn around(position: f64, point: f64, period: f64) -> f64 {
+    let off = (position - point).rem_euclid(period);
+    off.min(period - off)
+}
+
+/// How far, in steps of theta and phi, the code's point is from the position of `v`. At a pole phi does not count.
+pub fn steps_off(v: [f64; 3], code: u32, bits: u32) -> [f64; 2] {
+    let (m, half_turn) = (largest(bits), steps(bits));
+    let ([t, phi], point) = (Spherical::position(v), Spherical::unpack(code, bits));
+    let [i, j] = point.map(f64::from);
+    let phi_off = around(phi * half_turn, j, 2.0 * half_turn);
+    [(t * m - i).abs(), if i.abs() < m { phi_off } else { 0.0 }]
+}
+
+/// Half the diagonal of a cell at the equator, in degrees: by `cos d = cos a cos b` it exceeds all others.
+pub fn bound_deg(bits: u32) -> f64 {
+    (90.0 / largest(bits) / 2.0).hypot(180.0 / steps(bits) / 2.0)
+}
+
+/// Asserts that `C` decodes each of `codes` to the oracle's direction within [`DECODE_ROUNDING`], to unit length,
+/// with no component -0 and with the high bits of the code set to anything.
+pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
+    let (mut worst_turn, mut worst_length) = (0f64, 0f64);
+    for code in codes {
+        let decoded = C::decode(code);
+        let (actual, expected) = (widen(decoded), O::decode(code, C::BITS));
+        let turn = length(cross(actual, expected));
+        let off = (length(actual) - 1.0).abs();
+        assert!(
+            turn <= DECODE_ROUNDING && dot(actual, expected) > 0.0 && off <= super::LENGTH_ROUNDING,
+            "{}: {code:#x} decodes to {decoded:?}, which is {turn:e} rad off {expected:?} and {off:e} off length 1",
+            C::NAME
+        );
+        let negative_zero = decoded.to_array().iter().any(|t| t.to_bits() == (-0f32).to_bits());
+        assert!(!negative_zero, "{}: {code:#x} decodes to {decoded:?}", C::NAME);
+        if C::BITS < 32 {
+            let dirty = code | (code.wrapping_mul(0x9E37_79B9) << C::BITS);
+            assert_eq!(C::decode(dirty), decoded, "{}: {dirty:#x}, bits above the code count", C::NAME);
+        }
+        (worst_turn, worst_length) = (worst_turn.max(turn), worst_length.max(off));
+    }
+    println!("{} decode: {:.3} ULP turned, {:.3} ULP of length", C::NAME, ulp(worst_turn), ulp(worst_length));
+}
+
+/// Asserts that `C` chooses the nearest point along each of two coordinates: by `steps_off` at most half a step
+/// away, and `rounding` steps that `f32` makes of it.
+pub fn assert_rounds<C: Codec<Code = u32>>(
+    directions: impl Iterator<Item = Vec3>,
+    steps_off: impl Fn([f64; 3], u32, u32) -> [f64; 2],
+    rounding: f64,
+) {
+    let beyond = directions.map(|v| {
+        let code = C::encode(v);
+        let off = steps_off(widen(v), code, C::BITS);
+        let beyond = off[0].max(off[1]) - 0.5;
+        assert!(beyond <= rounding, "{}: {v:?} gets {code:#x}, {off:?} steps away", C::NAME);
+        beyond
+    });
+    println!("{} encode: {:.6} steps, allowed {rounding:.6}", C::NAME, Summary::of(beyond).max);
+}
+
+/// Asserts that encoding `directions` comes to at least 99 % of `bound_deg`, and does not exceed it beyond
+/// rounding.
+pub fn assert_attains<C: Codec<Code = u32>>(directions: impl Iterator<Item = Vec3>, bound_deg: f64) {
+    let worst = Summary::of(directions.map(super::round_trip_error_deg::<C>)).max;
+    println!("{} worst: {worst:.7} of {bound_deg:.7}, said {:.7}", C::NAME, C::MAX_ERROR_DEG);
+    assert!(worst >= 0.99 * bound_deg, "{}: {worst} of {bound_deg}", C::NAME);
+    assert!(worst <= f64::from(C::MAX_ERROR_DEG), "{}: {worst} exceeds MAX_ERROR_DEG", C::NAME);
+    assert!(bound_deg <= f64::from(C::MAX_ERROR_DEG), "{}: MAX_ERROR_DEG under {bound_deg}", C::NAME);
+}
+
+/// Asserts that `C` decodes the image `f` of each direction to that of the decoded vector, within `f32` rounding,
+/// except where `is_tie`.
+pub fn assert_commutes_but_for_ties<C: Codec<Code = u32>>(
+    directions: impl Iterator<Item = Vec3>,
+    f: impl Fn(Vec3) -> Vec3,
+    is_tie: impl Fn(Vec3) -> bool,
+) {
+    for v in directions.filter(|&v| !is_tie(v)) {
+        let [expected, actual] = [f(C::decode(C::encode(v))), C::decode(C::encode(f(v)))];
+        let turn = angle_deg(widen(expected), widen(actual)).to_radians();
+        assert!(turn <= DECODE_ROUNDING, "{}: {v:?}: {expected:?} and {actual:?}", C::NAME);
+    }
+}
