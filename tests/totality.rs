@@ -4,7 +4,9 @@ use glam::Vec3;
 use proptest::prelude::*;
 use unitvec::Codec;
 use unitvec::slice::{decode_slice, encode_slice};
-use unitvec_tests::oracle::{self, HemiOct, Oct, Oracle, angle_deg, length, widen};
+use unitvec_tests::oracle::{
+    self, Cylindrical, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length, widen,
+};
 use unitvec_tests::sampling::{self, END_OF_NORMS, LEAST_NORM, special_inputs, sphere, usable};
 
 /// A codec and the oracle of its mapping.
@@ -24,11 +26,29 @@ impl<const BITS: u32> Checked for unitvec::HemiOct<BITS> {
     type Oracle = HemiOct;
 }
 
+impl<const BITS: u32> Checked for unitvec::Cylindrical<BITS> {
+    type Oracle = Cylindrical;
+}
+
+impl<const BITS: u32> Checked for unitvec::LatLong<BITS> {
+    type Oracle = LatLong;
+}
+
+impl<const BITS: u32> Checked for unitvec::LatLongD<BITS> {
+    type Oracle = LatLongD;
+}
+
+impl<const BITS: u32> Checked for unitvec::Spherical<BITS> {
+    type Oracle = Spherical;
+}
+
 /// Calls `check::<codec>(arguments)` for every codec.
 macro_rules! for_every_codec {
     ($check:ident($($argument:expr),*)) => {
         for_every_codec!($check($($argument),*): Oct16 Oct20 Oct22 Oct24 Oct32
-            OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32);
+            OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32
+            Spherical16 Spherical20 Spherical22 Spherical24 Spherical32 Cylindrical16 Cylindrical24 Cylindrical32
+            LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32);
     };
     ($check:ident $arguments:tt: $($codec:ident)*) => {
         $($check::<unitvec::$codec> $arguments;)*

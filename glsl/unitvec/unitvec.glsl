@@ -5,3 +5,7 @@
 #include "oct.glsl"
 #include "hemioct.glsl"
 #include "oct_wide.glsl"
+#include "spherical.glsl"
+#include "cylindrical.glsl"
+#include "latlong.glsl"
+#include "best_fit.glsl"

@@ -3,8 +3,10 @@
 use serde::Serialize;
 use unitvec::slice::{LengthMismatch, decode_slice, encode_slice};
 use unitvec::{
-    Codec, HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
-    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
+    Codec, CrytekBfn24, Cylindrical16, Cylindrical24, Cylindrical32, HemiOct16, HemiOct24, HemiOct32,
+    LatLong16, LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32,
+    Oct48, OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
+    SnormBest8, SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
 };
 
 /// The directions that a codec is made for.
@@ -130,6 +132,28 @@ pub static CATALOGUE: &[CodecInfo] = &[
     CodecInfo::of::<Oct48>("oct48", "oct_wide.glsl", Sphere, None),
     CodecInfo::of::<OctPrecise48>("oct48P", "oct_wide.glsl", Sphere, None),
     CodecInfo::of::<OctPrecise52>("oct52P", "oct_wide.glsl", Sphere, None),
+    CodecInfo::of::<Spherical16>("spherical16", "spherical.glsl", Sphere, Some("VK_FORMAT_R8G8_SINT")),
+    CodecInfo::of::<Spherical20>("spherical20", "spherical.glsl", Sphere, None),
+    CodecInfo::of::<Spherical22>("spherical22", "spherical.glsl", Sphere, None),
+    CodecInfo::of::<Spherical24>("spherical24", "spherical.glsl", Sphere, None),
+    CodecInfo::of::<Spherical32>("spherical32", "spherical.glsl", Sphere, Some("VK_FORMAT_R16G16_SINT")),
+    CodecInfo::of::<Cylindrical16>("cylindrical16", "cylindrical.glsl", Sphere, Some("VK_FORMAT_R8G8_SNORM")),
+    CodecInfo::of::<Cylindrical24>("cylindrical24", "cylindrical.glsl", Sphere, None),
+    CodecInfo::of::<Cylindrical32>(
+        "cylindrical32",
+        "cylindrical.glsl",
+        Sphere,
+        Some("VK_FORMAT_R16G16_SNORM"),
+    ),
+    CodecInfo::of::<LatLong16>("latlong16", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<LatLong24>("latlong24", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<LatLong32>("latlong32", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<LatLongD16>("latlong16D", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<LatLongD24>("latlong24D", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<LatLongD32>("latlong32D", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<SnormBest8>("snorm8x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM")),
+    CodecInfo::of::<SnormBest16>("snorm16x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R16G16B16_SNORM")),
+    CodecInfo::of::<CrytekBfn24>("CrytekBFN24", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM")),
 ];
 
 /// No codec has this identifier.

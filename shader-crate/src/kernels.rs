@@ -6,8 +6,10 @@
 
 use crate::codec::{Code, Codec};
 use crate::{
-    HemiOct16, HemiOct24, HemiOct32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20,
-    OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
+    CrytekBfn24, Cylindrical16, Cylindrical24, Cylindrical32, HemiOct16, HemiOct24, HemiOct32, LatLong16,
+    LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48,
+    OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
+    SnormBest8, SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
 };
 use glam::Vec3;
 use spirv_std::spirv;
@@ -186,4 +188,21 @@ kernels! {
     oct48_encode "oct48_encode" oct48_decode "oct48_decode" Oct48, 6 bytes;
     oct48p_encode "oct48p_encode" oct48p_decode "oct48p_decode" OctPrecise48, 6 bytes;
     oct52p_encode "oct52p_encode" oct52p_decode "oct52p_decode" OctPrecise52, 8 bytes;
+    spherical16_encode "spherical16_encode" spherical16_decode "spherical16_decode" Spherical16, 2 bytes;
+    spherical20_encode "spherical20_encode" spherical20_decode "spherical20_decode" Spherical20, 3 bytes;
+    spherical22_encode "spherical22_encode" spherical22_decode "spherical22_decode" Spherical22, 3 bytes;
+    spherical24_encode "spherical24_encode" spherical24_decode "spherical24_decode" Spherical24, 3 bytes;
+    spherical32_encode "spherical32_encode" spherical32_decode "spherical32_decode" Spherical32, 4 bytes;
+    cylindrical16_encode "cylindrical16_encode" cylindrical16_decode "cylindrical16_decode" Cylindrical16, 2 bytes;
+    cylindrical24_encode "cylindrical24_encode" cylindrical24_decode "cylindrical24_decode" Cylindrical24, 3 bytes;
+    cylindrical32_encode "cylindrical32_encode" cylindrical32_decode "cylindrical32_decode" Cylindrical32, 4 bytes;
+    latlong16_encode "latlong16_encode" latlong16_decode "latlong16_decode" LatLong16, 2 bytes;
+    latlong24_encode "latlong24_encode" latlong24_decode "latlong24_decode" LatLong24, 3 bytes;
+    latlong32_encode "latlong32_encode" latlong32_decode "latlong32_decode" LatLong32, 4 bytes;
+    latlong16d_encode "latlong16d_encode" latlong16d_decode "latlong16d_decode" LatLongD16, 2 bytes;
+    latlong24d_encode "latlong24d_encode" latlong24d_decode "latlong24d_decode" LatLongD24, 3 bytes;
+    latlong32d_encode "latlong32d_encode" latlong32d_decode "latlong32d_decode" LatLongD32, 4 bytes;
+    snorm8x3p_encode "snorm8x3p_encode" snorm8x3p_decode "snorm8x3p_decode" SnormBest8, 3 bytes;
+    snorm16x3p_encode "snorm16x3p_encode" snorm16x3p_decode "snorm16x3p_decode" SnormBest16, 6 bytes;
+    crytek_bfn24_encode "crytek_bfn24_encode" crytek_bfn24_decode "crytek_bfn24_decode" CrytekBfn24, 3 bytes;
 }

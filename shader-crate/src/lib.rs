@@ -50,22 +50,30 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
 
+pub mod best_fit;
 pub mod codec;
+pub mod cylindrical;
 pub mod direction;
 pub mod hemioct;
 #[cfg(feature = "kernels")]
 pub mod kernels;
+pub mod latlong;
 pub mod math;
 pub mod oct;
 pub mod oct_wide;
 pub mod scalar;
 #[cfg(not(target_arch = "spirv"))]
 pub mod slice;
+pub mod spherical;
 
+pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16};
 pub use codec::Codec;
+pub use cylindrical::{Cylindrical, Cylindrical16, Cylindrical24, Cylindrical32};
 pub use hemioct::{HemiOct, HemiOct16, HemiOct24, HemiOct32};
+pub use latlong::{LatLong, LatLong16, LatLong24, LatLong32, LatLongD, LatLongD16, LatLongD24, LatLongD32};
 pub use oct::{
     Oct, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise, OctPrecise16, OctPrecise20, OctPrecise22,
     OctPrecise24, OctPrecise32,
 };
 pub use oct_wide::{Oct48, OctPrecise48, OctPrecise52, OctWide, OctWidePrecise};
+pub use spherical::{Spherical, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32};

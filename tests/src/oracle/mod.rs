@@ -4,12 +4,19 @@
 //! Vectors"; "Meyer" is Meyer et al. 2010, "On Floating-Point Normal Vectors". Nothing here calls or copies codec
 //! code, except the comparisons at the end, which put it to the test.
 
+pub mod best_fit;
+pub mod cylindrical;
 pub mod hemioct;
+pub mod latlong;
 pub mod oct;
 pub mod oct_wide;
+pub mod spherical;
 
+pub use cylindrical::Cylindrical;
 pub use hemioct::HemiOct;
+pub use latlong::{LatLong, LatLongD};
 pub use oct::Oct;
+pub use spherical::Spherical;
 
 use glam::Vec3;
 use unitvec::Codec;

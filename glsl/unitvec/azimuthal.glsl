@@ -1,0 +1,434 @@
+// unitvec: azimuthal codes of 16, 20, 22, 24 and 32 bits: a hemisphere on a disk by a map projection, the disk on a
+// square or as it is, and one bit for the hemisphere.
+//
+// Source: Cigolle et al. 2014, section 2; Snyder 1987; Shirley and Chiu 1997; the ellipse map is the elliptical grid
+// map.
+//
+//   stereo16_encode(v), stereo16_decode(code)      stereographic; also eqarea (Lambert), eqdist (equidistant)
+//   stereo_concentric16_encode(v), ...             the disk on the square by Shirley and Chiu's map
+//   stereo_ellipse16_encode(v), ...                the disk on the square by the ellipse map
+//
+// Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for what has no direction.
+// Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1), above it;
+// the hemisphere (1 for z < 0) highest. Both ends of v have the pattern of -2^(n-1): there, on the equator, the
+// highest bit says which, 1 for +1. Why, and what else is to be known, is in the docs of the Rust crate's module
+// `azimuthal`, whose every operation these functions repeat.
+
+#ifndef UNITVEC_AZIMUTHAL_GLSL
+#define UNITVEC_AZIMUTHAL_GLSL
+
+#ifndef UNITVEC_SCALAR_GLSL
+#include "scalar.glsl"
+#endif
+#ifndef UNITVEC_MATH_GLSL
+#include "math.glsl"
+#endif
+
+// A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
+// `*_to_disk` of a square map leave the radius 0.
+
+float azimuthal_horizontal(vec3 v) {
+    UNITVEC_PRECISE float rho = sqrt(v.x * v.x + v.y * v.y);
+    return rho;
+}
+
+// Disk point of v, whose components are not negative and have the sum 1.
+vec4 stereo_to_disk(vec3 v) {
+    UNITVEC_PRECISE float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
+    UNITVEC_PRECISE vec2 point = v.xy * scale;
+    UNITVEC_PRECISE float radius = azimuthal_horizontal(v) * scale;
+    UNITVEC_PRECISE float rim = 2.0 * v.z * scale;
+    return vec4(point, radius, rim);
+}
+
+vec3 disk_to_stereo(vec2 point, float rim) {
+    UNITVEC_PRECISE float sum = 2.0 - rim;
+    UNITVEC_PRECISE vec2 horizontal = 2.0 * point / sum;
+    UNITVEC_PRECISE float z = rim / sum;
+    return vec3(horizontal, z);
+}
+
+vec4 eqarea_to_disk(vec3 v) {
+    UNITVEC_PRECISE float norm = sqrt(unitvec_dot(v, v));
+    UNITVEC_PRECISE float scale = 1.0 / sqrt(norm * (norm + v.z));
+    UNITVEC_PRECISE vec2 point = v.xy * scale;
+    UNITVEC_PRECISE float radius = azimuthal_horizontal(v) * scale;
+    UNITVEC_PRECISE float rim = v.z / norm;
+    return vec4(point, radius, rim);
+}
+
+vec3 disk_to_eqarea(vec2 point, float rim) {
+    UNITVEC_PRECISE float scale = sqrt(1.0 + rim);
+    UNITVEC_PRECISE vec2 horizontal = point * scale;
+    return vec3(horizontal, rim);
+}
+
+// The smaller of radius and 1 - radius is found first, so that both have a small relative error.
+vec4 eqdist_to_disk(vec3 v) {
+    float rho = azimuthal_horizontal(v);
+    bool low = rho > v.z;
+    float shorter = low ? v.z : rho;
+    float longer = low ? rho : v.z;
+    UNITVEC_PRECISE float part = 0.5 * unitvec_atan_octant_ratio(shorter, longer);
+    UNITVEC_PRECISE float rest = 1.0 - part;
+    float radius = low ? rest : part;
+    float inside = low ? part : rest;
+    UNITVEC_PRECISE float quotient = radius / rho;
+    float scale = rho > UNITVEC_MIN_NORM ? quotient : 0.0;
+    UNITVEC_PRECISE vec2 point = v.xy * scale;
+    UNITVEC_PRECISE float rim = inside * (1.0 + radius);
+    return vec4(point, radius, rim);
+}
+
+// Minimax polynomials of sin(pi r / 2) / r in c = 1 - r^2 and of cos(pi r / 2) / (1 - r^2) in w = r^2.
+const float UNITVEC_SINC_0 = 0.49999976;
+const float UNITVEC_SINC_1 = 0.066577174;
+const float UNITVEC_SINC_2 = 0.0040679215;
+const float UNITVEC_SINC_3 = 0.00015146394;
+
+const float UNITVEC_COSC_0 = -0.23370051;
+const float UNITVEC_COSC_1 = 0.019968653;
+const float UNITVEC_COSC_2 = -0.0008935995;
+const float UNITVEC_COSC_3 = 2.3629505e-5;
+
+vec3 disk_to_eqdist(vec2 point, float c) {
+    UNITVEC_PRECISE float scale =
+        1.0 + c * (UNITVEC_SINC_0 + c * (UNITVEC_SINC_1 + c * (UNITVEC_SINC_2 + c * UNITVEC_SINC_3)));
+    UNITVEC_PRECISE float w = 1.0 - c;
+    UNITVEC_PRECISE float low = UNITVEC_COSC_0 + w * (UNITVEC_COSC_1 + w * (UNITVEC_COSC_2 + w * UNITVEC_COSC_3));
+    UNITVEC_PRECISE float z = c + c * (w * low);
+    UNITVEC_PRECISE vec2 horizontal = point * scale;
+    return vec3(horizontal, z);
+}
+
+// How far, in steps, lattice points beyond the rim are moved at most.
+const float UNITVEC_REACH = 0.484375;
+
+// True for lattice points e of whose cell the disk covers nothing, or next to nothing. m has the largest integers.
+bool plain_is_remote(vec2 e, vec2 m) {
+    UNITVEC_PRECISE vec2 corner = (e - UNITVEC_REACH) / m;
+    UNITVEC_PRECISE float square = corner.x * corner.x + corner.y * corner.y;
+    return square > 1.0;
+}
+
+// Lattice point to write for the one that rounding gave: a remote one goes a step inward.
+vec2 plain_settle(vec2 e, vec2 m) {
+    UNITVEC_PRECISE vec2 slope = e / m / m;
+    UNITVEC_PRECISE vec2 settled = e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+    return plain_is_remote(e, m) ? settled : e;
+}
+
+// Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
+vec2 plain_move_to_rim(vec2 p, vec2 m, float excess) {
+    UNITVEC_PRECISE vec2 slope = p / m;
+    bool along_u = slope.x > slope.y;
+    float steep = along_u ? slope.x : slope.y;
+    float gentle = along_u ? slope.y : slope.x;
+    UNITVEC_PRECISE float alone = excess / steep;
+    UNITVEC_PRECISE float remainder = (excess - UNITVEC_REACH * steep) / gentle;
+    float first = alone < UNITVEC_REACH ? alone : UNITVEC_REACH;
+    float second = alone < UNITVEC_REACH ? 0.0 : remainder;
+    vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
+    UNITVEC_PRECISE vec2 on_rim = p - moved / m;
+    return on_rim;
+}
+
+// Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
+vec4 plain_to_disk(vec2 e, vec2 m) {
+    UNITVEC_PRECISE vec2 p = e / m;
+    UNITVEC_PRECISE float rim = 1.0 - (p.x * p.x + p.y * p.y);
+    UNITVEC_PRECISE float excess = -0.5 * rim;
+    vec2 moved = plain_move_to_rim(p, m, excess);
+    vec2 axis = p.x > p.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
+    vec2 on_rim = plain_is_remote(e, m) ? axis : moved;
+    UNITVEC_PRECISE float rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
+    return rim > 0.0 ? vec4(p, 0.0, rim) : vec4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
+}
+
+vec2 concentric_to_square(vec4 disk) {
+    bool steep = disk.y > disk.x;
+    float shorter = steep ? disk.x : disk.y;
+    float longer = steep ? disk.y : disk.x;
+    UNITVEC_PRECISE float across = disk.z * unitvec_atan_octant_ratio(shorter, longer);
+    return steep ? vec2(across, disk.z) : vec2(disk.z, across);
+}
+
+vec4 concentric_to_disk(vec2 e, vec2 m) {
+    UNITVEC_PRECISE vec2 s = e / m;
+    bool steep = s.y > s.x;
+    float shorter = steep ? s.x : s.y;
+    float radius = steep ? s.y : s.x;
+    UNITVEC_PRECISE float quotient = shorter / radius;
+    float octant = radius > 0.0 ? quotient : 0.0;
+    UNITVEC_PRECISE float angle = 0.25 * octant;
+    UNITVEC_PRECISE vec2 p = radius * unitvec_sin_cos_half_turns(angle);
+    UNITVEC_PRECISE float rim = 1.0 - radius * radius;
+    return vec4(steep ? p.yx : p, 0.0, rim);
+}
+
+// s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
+vec2 ellipse_to_square(vec4 disk) {
+    UNITVEC_PRECISE float difference = (disk.x - disk.y) * (disk.x + disk.y);
+    UNITVEC_PRECISE float sum = 2.0 + sqrt(difference * difference + 4.0 * disk.w);
+    UNITVEC_PRECISE vec2 s = 2.0 * disk.xy / vec2(sqrt(sum + difference), sqrt(sum - difference));
+    return s;
+}
+
+vec4 ellipse_to_disk(vec2 e, vec2 m) {
+    UNITVEC_PRECISE vec2 s = e / m;
+    UNITVEC_PRECISE vec2 root = vec2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
+    UNITVEC_PRECISE vec2 point = s * root;
+    // (1 - s^2) (1 - t^2), with one rounding less near the middle.
+    UNITVEC_PRECISE float factor = 1.0 - s.x * s.x;
+    UNITVEC_PRECISE float rim = factor - factor * (s.y * s.y);
+    return vec4(point, 0.0, rim);
+}
+
+// Largest integers of u and v at `bits` bits.
+vec2 azimuthal_largest(uint bits) {
+    return vec2(snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
+}
+
+// |v|, scaled to the L1 norm 1. v must have a direction.
+vec3 azimuthal_octant(vec3 v) {
+    UNITVEC_PRECISE vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
+    return octant;
+}
+
+// Lattice point nearest to a point of the square.
+vec2 azimuthal_round(vec2 s, uint bits) {
+    UNITVEC_PRECISE vec2 position = s * azimuthal_largest(bits) + 0.5;
+    return floor(position);
+}
+
+// Code of a lattice point with the signs of v.
+uint azimuthal_pack(vec2 e, vec3 v, uint bits) {
+    bool back = unitvec_is_negative(v.y);
+    bool flag = e.y < azimuthal_largest(bits).y ? unitvec_is_negative(v.z) : !back;
+    uint u_code = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(v.x), e.x), bits / 2u);
+    uint v_code = unitvec_signed_code(unitvec_negate_if(back, e.y), bits / 2u - 1u);
+    return u_code | (v_code << (bits / 2u)) | (flag ? 1u << (bits - 1u) : 0u);
+}
+
+// Integers of u and v, v without regard to the highest bit.
+vec2 azimuthal_unpack(uint code, uint bits) {
+    int v = int(code << 1u << (32u - bits)) >> int(33u - bits / 2u);
+    return vec2(unitvec_snorm_integer(code, bits / 2u), float(v));
+}
+
+// -x where negative; 0 where x is not positive.
+float azimuthal_signed(bool negative, float x) {
+    return x > 0.0 ? unitvec_negate_if(negative, x) : 0.0;
+}
+
+// Direction of a code, n being that of the magnitudes of its integers.
+vec3 azimuthal_mirror(vec3 n, uint code, uint bits) {
+    vec2 e = azimuthal_unpack(code, bits);
+    bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    bool back = e.y < 0.0 && !(flag && e.y <= -azimuthal_largest(bits).y);
+    return vec3(azimuthal_signed(e.x < 0.0, n.x), azimuthal_signed(back, n.y), azimuthal_signed(flag, n.z));
+}
+
+// Every projection with every map, at any width.
+uint stereo_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    vec2 e = azimuthal_round(stereo_to_disk(azimuthal_octant(v)).xy, bits);
+    return azimuthal_pack(plain_settle(e, azimuthal_largest(bits)), v, bits);
+}
+
+vec3 stereo_decode(uint code, uint bits) {
+    vec4 disk = plain_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_stereo(disk.xy, disk.w), code, bits);
+}
+
+uint stereo_concentric_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return azimuthal_pack(azimuthal_round(concentric_to_square(stereo_to_disk(azimuthal_octant(v))), bits), v, bits);
+}
+
+vec3 stereo_concentric_decode(uint code, uint bits) {
+    vec4 disk = concentric_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_stereo(disk.xy, disk.w), code, bits);
+}
+
+uint stereo_ellipse_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return azimuthal_pack(azimuthal_round(ellipse_to_square(stereo_to_disk(azimuthal_octant(v))), bits), v, bits);
+}
+
+vec3 stereo_ellipse_decode(uint code, uint bits) {
+    vec4 disk = ellipse_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_stereo(disk.xy, disk.w), code, bits);
+}
+
+uint eqarea_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    vec2 e = azimuthal_round(eqarea_to_disk(azimuthal_octant(v)).xy, bits);
+    return azimuthal_pack(plain_settle(e, azimuthal_largest(bits)), v, bits);
+}
+
+vec3 eqarea_decode(uint code, uint bits) {
+    vec4 disk = plain_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_eqarea(disk.xy, disk.w), code, bits);
+}
+
+uint eqarea_concentric_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return azimuthal_pack(azimuthal_round(concentric_to_square(eqarea_to_disk(azimuthal_octant(v))), bits), v, bits);
+}
+
+vec3 eqarea_concentric_decode(uint code, uint bits) {
+    vec4 disk = concentric_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_eqarea(disk.xy, disk.w), code, bits);
+}
+
+uint eqarea_ellipse_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return azimuthal_pack(azimuthal_round(ellipse_to_square(eqarea_to_disk(azimuthal_octant(v))), bits), v, bits);
+}
+
+vec3 eqarea_ellipse_decode(uint code, uint bits) {
+    vec4 disk = ellipse_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_eqarea(disk.xy, disk.w), code, bits);
+}
+
+uint eqdist_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    vec2 e = azimuthal_round(eqdist_to_disk(azimuthal_octant(v)).xy, bits);
+    return azimuthal_pack(plain_settle(e, azimuthal_largest(bits)), v, bits);
+}
+
+vec3 eqdist_decode(uint code, uint bits) {
+    vec4 disk = plain_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_eqdist(disk.xy, disk.w), code, bits);
+}
+
+uint eqdist_concentric_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return azimuthal_pack(azimuthal_round(concentric_to_square(eqdist_to_disk(azimuthal_octant(v))), bits), v, bits);
+}
+
+vec3 eqdist_concentric_decode(uint code, uint bits) {
+    vec4 disk = concentric_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_eqdist(disk.xy, disk.w), code, bits);
+}
+
+uint eqdist_ellipse_encode(vec3 v, uint bits) {
+    v = unitvec_or_z(v);
+    return azimuthal_pack(azimuthal_round(ellipse_to_square(eqdist_to_disk(azimuthal_octant(v))), bits), v, bits);
+}
+
+vec3 eqdist_ellipse_decode(uint code, uint bits) {
+    vec4 disk = ellipse_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
+    return azimuthal_mirror(disk_to_eqdist(disk.xy, disk.w), code, bits);
+}
+
+uint stereo16_encode(vec3 v) { return stereo_encode(v, 16u); }
+uint stereo20_encode(vec3 v) { return stereo_encode(v, 20u); }
+uint stereo22_encode(vec3 v) { return stereo_encode(v, 22u); }
+uint stereo24_encode(vec3 v) { return stereo_encode(v, 24u); }
+uint stereo32_encode(vec3 v) { return stereo_encode(v, 32u); }
+
+vec3 stereo16_decode(uint code) { return stereo_decode(code, 16u); }
+vec3 stereo20_decode(uint code) { return stereo_decode(code, 20u); }
+vec3 stereo22_decode(uint code) { return stereo_decode(code, 22u); }
+vec3 stereo24_decode(uint code) { return stereo_decode(code, 24u); }
+vec3 stereo32_decode(uint code) { return stereo_decode(code, 32u); }
+
+uint stereo_concentric16_encode(vec3 v) { return stereo_concentric_encode(v, 16u); }
+uint stereo_concentric20_encode(vec3 v) { return stereo_concentric_encode(v, 20u); }
+uint stereo_concentric22_encode(vec3 v) { return stereo_concentric_encode(v, 22u); }
+uint stereo_concentric24_encode(vec3 v) { return stereo_concentric_encode(v, 24u); }
+uint stereo_concentric32_encode(vec3 v) { return stereo_concentric_encode(v, 32u); }
+
+vec3 stereo_concentric16_decode(uint code) { return stereo_concentric_decode(code, 16u); }
+vec3 stereo_concentric20_decode(uint code) { return stereo_concentric_decode(code, 20u); }
+vec3 stereo_concentric22_decode(uint code) { return stereo_concentric_decode(code, 22u); }
+vec3 stereo_concentric24_decode(uint code) { return stereo_concentric_decode(code, 24u); }
+vec3 stereo_concentric32_decode(uint code) { return stereo_concentric_decode(code, 32u); }
+
+uint stereo_ellipse16_encode(vec3 v) { return stereo_ellipse_encode(v, 16u); }
+uint stereo_ellipse20_encode(vec3 v) { return stereo_ellipse_encode(v, 20u); }
+uint stereo_ellipse22_encode(vec3 v) { return stereo_ellipse_encode(v, 22u); }
+uint stereo_ellipse24_encode(vec3 v) { return stereo_ellipse_encode(v, 24u); }
+uint stereo_ellipse32_encode(vec3 v) { return stereo_ellipse_encode(v, 32u); }
+
+vec3 stereo_ellipse16_decode(uint code) { return stereo_ellipse_decode(code, 16u); }
+vec3 stereo_ellipse20_decode(uint code) { return stereo_ellipse_decode(code, 20u); }
+vec3 stereo_ellipse22_decode(uint code) { return stereo_ellipse_decode(code, 22u); }
+vec3 stereo_ellipse24_decode(uint code) { return stereo_ellipse_decode(code, 24u); }
+vec3 stereo_ellipse32_decode(uint code) { return stereo_ellipse_decode(code, 32u); }
+
+uint eqarea16_encode(vec3 v) { return eqarea_encode(v, 16u); }
+uint eqarea20_encode(vec3 v) { return eqarea_encode(v, 20u); }
+uint eqarea22_encode(vec3 v) { return eqarea_encode(v, 22u); }
+uint eqarea24_encode(vec3 v) { return eqarea_encode(v, 24u); }
+uint eqarea32_encode(vec3 v) { return eqarea_encode(v, 32u); }
+
+vec3 eqarea16_decode(uint code) { return eqarea_decode(code, 16u); }
+vec3 eqarea20_decode(uint code) { return eqarea_decode(code, 20u); }
+vec3 eqarea22_decode(uint code) { return eqarea_decode(code, 22u); }
+vec3 eqarea24_decode(uint code) { return eqarea_decode(code, 24u); }
+vec3 eqarea32_decode(uint code) { return eqarea_decode(code, 32u); }
+
+uint eqarea_concentric16_encode(vec3 v) { return eqarea_concentric_encode(v, 16u); }
+uint eqarea_concentric20_encode(vec3 v) { return eqarea_concentric_encode(v, 20u); }
+uint eqarea_concentric22_encode(vec3 v) { return eqarea_concentric_encode(v, 22u); }
+uint eqarea_concentric24_encode(vec3 v) { return eqarea_concentric_encode(v, 24u); }
+uint eqarea_concentric32_encode(vec3 v) { return eqarea_concentric_encode(v, 32u); }
+
+vec3 eqarea_concentric16_decode(uint code) { return eqarea_concentric_decode(code, 16u); }
+vec3 eqarea_concentric20_decode(uint code) { return eqarea_concentric_decode(code, 20u); }
+vec3 eqarea_concentric22_decode(uint code) { return eqarea_concentric_decode(code, 22u); }
+vec3 eqarea_concentric24_decode(uint code) { return eqarea_concentric_decode(code, 24u); }
+vec3 eqarea_concentric32_decode(uint code) { return eqarea_concentric_decode(code, 32u); }
+
+uint eqarea_ellipse16_encode(vec3 v) { return eqarea_ellipse_encode(v, 16u); }
+uint eqarea_ellipse20_encode(vec3 v) { return eqarea_ellipse_encode(v, 20u); }
+uint eqarea_ellipse22_encode(vec3 v) { return eqarea_ellipse_encode(v, 22u); }
+uint eqarea_ellipse24_encode(vec3 v) { return eqarea_ellipse_encode(v, 24u); }
+uint eqarea_ellipse32_encode(vec3 v) { return eqarea_ellipse_encode(v, 32u); }
+
+vec3 eqarea_ellipse16_decode(uint code) { return eqarea_ellipse_decode(code, 16u); }
+vec3 eqarea_ellipse20_decode(uint code) { return eqarea_ellipse_decode(code, 20u); }
+vec3 eqarea_ellipse22_decode(uint code) { return eqarea_ellipse_decode(code, 22u); }
+vec3 eqarea_ellipse24_decode(uint code) { return eqarea_ellipse_decode(code, 24u); }
+vec3 eqarea_ellipse32_decode(uint code) { return eqarea_ellipse_decode(code, 32u); }
+
+uint eqdist16_encode(vec3 v) { return eqdist_encode(v, 16u); }
+uint eqdist20_encode(vec3 v) { return eqdist_encode(v, 20u); }
+uint eqdist22_encode(vec3 v) { return eqdist_encode(v, 22u); }
+uint eqdist24_encode(vec3 v) { return eqdist_encode(v, 24u); }
+uint eqdist32_encode(vec3 v) { return eqdist_encode(v, 32u); }
+
+vec3 eqdist16_decode(uint code) { return eqdist_decode(code, 16u); }
+vec3 eqdist20_decode(uint code) { return eqdist_decode(code, 20u); }
+vec3 eqdist22_decode(uint code) { return eqdist_decode(code, 22u); }
+vec3 eqdist24_decode(uint code) { return eqdist_decode(code, 24u); }
+vec3 eqdist32_decode(uint code) { return eqdist_decode(code, 32u); }
+
+uint eqdist_concentric16_encode(vec3 v) { return eqdist_concentric_encode(v, 16u); }
+uint eqdist_concentric20_encode(vec3 v) { return eqdist_concentric_encode(v, 20u); }
+uint eqdist_concentric22_encode(vec3 v) { return eqdist_concentric_encode(v, 22u); }
+uint eqdist_concentric24_encode(vec3 v) { return eqdist_concentric_encode(v, 24u); }
+uint eqdist_concentric32_encode(vec3 v) { return eqdist_concentric_encode(v, 32u); }
+
+vec3 eqdist_concentric16_decode(uint code) { return eqdist_concentric_decode(code, 16u); }
+vec3 eqdist_concentric20_decode(uint code) { return eqdist_concentric_decode(code, 20u); }
+vec3 eqdist_concentric22_decode(uint code) { return eqdist_concentric_decode(code, 22u); }
+vec3 eqdist_concentric24_decode(uint code) { return eqdist_concentric_decode(code, 24u); }
+vec3 eqdist_concentric32_decode(uint code) { return eqdist_concentric_decode(code, 32u); }
+
+uint eqdist_ellipse16_encode(vec3 v) { return eqdist_ellipse_encode(v, 16u); }
+uint eqdist_ellipse20_encode(vec3 v) { return eqdist_ellipse_encode(v, 20u); }
+uint eqdist_ellipse22_encode(vec3 v) { return eqdist_ellipse_encode(v, 22u); }
+uint eqdist_ellipse24_encode(vec3 v) { return eqdist_ellipse_encode(v, 24u); }
+uint eqdist_ellipse32_encode(vec3 v) { return eqdist_ellipse_encode(v, 32u); }
+
+vec3 eqdist_ellipse16_decode(uint code) { return eqdist_ellipse_decode(code, 16u); }
+vec3 eqdist_ellipse20_decode(uint code) { return eqdist_ellipse_decode(code, 20u); }
+vec3 eqdist_ellipse22_decode(uint code) { return eqdist_ellipse_decode(code, 22u); }
+vec3 eqdist_ellipse24_decode(uint code) { return eqdist_ellipse_decode(code, 24u); }
+vec3 eqdist_ellipse32_decode(uint code) { return eqdist_ellipse_decode(code, 32u); }
+
+#endif

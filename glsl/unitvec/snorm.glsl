@@ -1,0 +1,54 @@
+// unitvec: raw snorm components: snorm5x3, snorm8x3, snorm10x3, snorm11_11_10, snorm16x3.
+//
+// Source: Cigolle et al. 2014, section 1.2.
+//
+//   snorm8x3_encode(v), snorm8x3_decode(code)      integer codes, uvec2 (low word first) for snorm16x3
+//
+// Components are stored as they are, clamped to [-1, 1], and not normalised. Layout: x in the low bits, then y, then z,
+// two's complement. Three zeros have no direction: they decode to +Z and are never written.
+
+#ifndef UNITVEC_SNORM_GLSL
+#define UNITVEC_SNORM_GLSL
+
+#ifndef UNITVEC_SCALAR_GLSL
+#include "scalar.glsl"
+#endif
+
+uint snorm3_encode(vec3 v, uint xy_bits, uint z_bits) {
+    v = unitvec_or_z(v);
+    uint code = snorm_encode(v.x, xy_bits) | (snorm_encode(v.y, xy_bits) << xy_bits)
+        | (snorm_encode(v.z, z_bits) << (2u * xy_bits));
+    return code == 0u ? ((1u << (z_bits - 1u)) - 1u) << (2u * xy_bits) : code;
+}
+
+vec3 snorm3_decode(uint code, uint xy_bits, uint z_bits) {
+    uint used = code << (32u - 2u * xy_bits - z_bits);
+    code = used == 0u ? ((1u << (z_bits - 1u)) - 1u) << (2u * xy_bits) : code;
+    return vec3(snorm_decode(code, xy_bits), snorm_decode(code >> xy_bits, xy_bits),
+        snorm_decode(code >> (2u * xy_bits), z_bits));
+}
+
+uvec2 snorm16x3_encode(vec3 v) {
+    v = unitvec_or_z(v);
+    uint low = snorm_encode(v.x, 16u) | (snorm_encode(v.y, 16u) << 16u);
+    uint z = snorm_encode(v.z, 16u);
+    return uvec2(low, (low | z) == 0u ? 0x7fffu : z);
+}
+
+vec3 snorm16x3_decode(uvec2 code) {
+    uint z = code.y & 0xffffu;
+    z = (code.x | z) == 0u ? 0x7fffu : z;
+    return vec3(snorm_decode(code.x, 16u), snorm_decode(code.x >> 16u, 16u), snorm_decode(z, 16u));
+}
+
+uint snorm5x3_encode(vec3 v) { return snorm3_encode(v, 5u, 5u); }
+uint snorm8x3_encode(vec3 v) { return snorm3_encode(v, 8u, 8u); }
+uint snorm10x3_encode(vec3 v) { return snorm3_encode(v, 10u, 10u); }
+uint snorm11_11_10_encode(vec3 v) { return snorm3_encode(v, 11u, 10u); }
+
+vec3 snorm5x3_decode(uint code) { return snorm3_decode(code, 5u, 5u); }
+vec3 snorm8x3_decode(uint code) { return snorm3_decode(code, 8u, 8u); }
+vec3 snorm10x3_decode(uint code) { return snorm3_decode(code, 10u, 10u); }
+vec3 snorm11_11_10_decode(uint code) { return snorm3_decode(code, 11u, 10u); }
+
+#endif

@@ -1,0 +1,37 @@
+// unitvec: raw components, scaled and biased to unorm8: v * 0.5 + 0.5.
+//
+// Source: Cigolle et al. 2014, section 1.2.
+//
+//   unorm8x3_encode(v), unorm8x3_decode(code)
+//
+// Components are stored as they are, clamped to [-1, 1], and not normalised. 0 becomes 1/255. Layout: x in the low byte.
+
+#ifndef UNITVEC_UNORM_GLSL
+#define UNITVEC_UNORM_GLSL
+
+#ifndef UNITVEC_SCALAR_GLSL
+#include "scalar.glsl"
+#endif
+
+uint unorm8x3_encode_component(float r) {
+    UNITVEC_PRECISE float biased = r * 0.5 + 0.5;
+    return unorm_encode(biased, 8u);
+}
+
+float unorm8x3_decode_component(uint code) {
+    UNITVEC_PRECISE float r = (2.0 * float(code & 255u) - 255.0) / 255.0;
+    return r;
+}
+
+uint unorm8x3_encode(vec3 v) {
+    v = unitvec_or_z(v);
+    return unorm8x3_encode_component(v.x) | (unorm8x3_encode_component(v.y) << 8u)
+        | (unorm8x3_encode_component(v.z) << 16u);
+}
+
+vec3 unorm8x3_decode(uint code) {
+    return vec3(unorm8x3_decode_component(code), unorm8x3_decode_component(code >> 8u),
+        unorm8x3_decode_component(code >> 16u));
+}
+
+#endif
