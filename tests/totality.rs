@@ -3,7 +3,9 @@
 use glam::Vec3;
 use proptest::prelude::*;
 use unitvec::Codec;
+use unitvec::azimuthal;
 use unitvec::slice::{decode_slice, encode_slice};
+use unitvec_tests::oracle::azimuthal as papers;
 use unitvec_tests::oracle::{
     self, Cylindrical, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length, widen,
 };
@@ -42,13 +44,43 @@ impl<const BITS: u32> Checked for unitvec::Spherical<BITS> {
     type Oracle = Spherical;
 }
 
+/// For each pair of a projection and a map, the oracle's own.
+macro_rules! check_azimuthal {
+    ($($projection:ident $map:ident $papers_projection:ident $papers_map:ident;)*) => {$(
+        impl<const BITS: u32> Checked for unitvec::Azimuthal<azimuthal::$projection, azimuthal::$map, BITS> {
+            type Oracle = papers::Azimuthal<{ papers::$papers_projection }, { papers::$papers_map }>;
+        }
+    )*};
+}
+
+check_azimuthal! {
+    Stereo Plain STEREO PLAIN;
+    Stereo Concentric STEREO CONCENTRIC;
+    Stereo Ellipse STEREO ELLIPSE;
+    Eqarea Plain EQAREA PLAIN;
+    Eqarea Concentric EQAREA CONCENTRIC;
+    Eqarea Ellipse EQAREA ELLIPSE;
+    Eqdist Plain EQDIST PLAIN;
+    Eqdist Concentric EQDIST CONCENTRIC;
+    Eqdist Ellipse EQDIST ELLIPSE;
+}
+
 /// Calls `check::<codec>(arguments)` for every codec.
 macro_rules! for_every_codec {
     ($check:ident($($argument:expr),*)) => {
         for_every_codec!($check($($argument),*): Oct16 Oct20 Oct22 Oct24 Oct32
             OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32
             Spherical16 Spherical20 Spherical22 Spherical24 Spherical32 Cylindrical16 Cylindrical24 Cylindrical32
-            LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32);
+            LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32
+            Stereo16 Stereo20 Stereo22 Stereo24 Stereo32
+            StereoConcentric16 StereoConcentric20 StereoConcentric22 StereoConcentric24 StereoConcentric32
+            StereoEllipse16 StereoEllipse20 StereoEllipse22 StereoEllipse24 StereoEllipse32
+            Eqarea16 Eqarea20 Eqarea22 Eqarea24 Eqarea32
+            EqareaConcentric16 EqareaConcentric20 EqareaConcentric22 EqareaConcentric24 EqareaConcentric32
+            EqareaEllipse16 EqareaEllipse20 EqareaEllipse22 EqareaEllipse24 EqareaEllipse32
+            Eqdist16 Eqdist20 Eqdist22 Eqdist24 Eqdist32
+            EqdistConcentric16 EqdistConcentric20 EqdistConcentric22 EqdistConcentric24 EqdistConcentric32
+            EqdistEllipse16 EqdistEllipse20 EqdistEllipse22 EqdistEllipse24 EqdistEllipse32);
     };
     ($check:ident $arguments:tt: $($codec:ident)*) => {
         $($check::<unitvec::$codec> $arguments;)*

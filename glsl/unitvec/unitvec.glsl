@@ -9,3 +9,4 @@
 #include "cylindrical.glsl"
 #include "latlong.glsl"
 #include "best_fit.glsl"
+#include "azimuthal.glsl"

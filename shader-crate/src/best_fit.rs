@@ -286,6 +286,7 @@ pub struct SnormBest8;
 impl Codec for SnormBest8 {
     const NAME: &'static str = "snorm8x3p";
     const BITS: u32 = 24;
+    const IS_UNIT: bool = false;
     /// 127 is a length that fits no worse than that, and is among those tried. Positions are off by 2^-17 at most.
     const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
     type Code = u32;
@@ -313,6 +314,7 @@ pub struct CrytekBfn24;
 impl Codec for CrytekBfn24 {
     const NAME: &'static str = "crytek_bfn24";
     const BITS: u32 = 24;
+    const IS_UNIT: bool = false;
     /// No length is below 64. The largest error seen is half of that, 0.31.
     const MAX_ERROR_DEG: f32 = error_bound(64.0, 1.0 / 16_384.0);
     type Code = u32;
@@ -341,6 +343,7 @@ pub struct SnormBest16;
 impl Codec for SnormBest16 {
     const NAME: &'static str = "snorm16x3p";
     const BITS: u32 = 48;
+    const IS_UNIT: bool = false;
     /// 32767 is a length that fits no worse than that. Positions are off by 2^-9 at most along each axis, both in the
     /// choice and in what is chosen.
     const MAX_ERROR_DEG: f32 = error_bound(snorm_max(16), 1.0 / 128.0);

@@ -1,6 +1,6 @@
 //! Cube codes: the sphere on a cube, by the face and the two coordinates on it.
 //!
-//! Source: Cigolle et al. 2014, section 2 (cube, and warpedcube after ISO/IEC 23005 2005); Meyer et al. 2010, section 4,
+//! Source: Cigolle et al. 2014, section 2 (cube, and warpedcube after ISO/IEC 2005); Meyer et al. 2010, section 4,
 //! eq. 8 (CM).
 //!
 //! The component of largest magnitude chooses the face; the two others, divided by it, are in \[-1, 1\]. The warped cube

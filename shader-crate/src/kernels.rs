@@ -6,10 +6,18 @@
 
 use crate::codec::{Code, Codec};
 use crate::{
-    CrytekBfn24, Cylindrical16, Cylindrical24, Cylindrical32, HemiOct16, HemiOct24, HemiOct32, LatLong16,
-    LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48,
-    OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52,
-    SnormBest8, SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
+    CrytekBfn24, Cylindrical16, Cylindrical24, Cylindrical32, Eqarea16, Eqarea20, Eqarea22, Eqarea24,
+    Eqarea32, EqareaConcentric16, EqareaConcentric20, EqareaConcentric22, EqareaConcentric24,
+    EqareaConcentric32, EqareaEllipse16, EqareaEllipse20, EqareaEllipse22, EqareaEllipse24, EqareaEllipse32,
+    Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32, EqdistConcentric16, EqdistConcentric20,
+    EqdistConcentric22, EqdistConcentric24, EqdistConcentric32, EqdistEllipse16, EqdistEllipse20,
+    EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, HemiOct16, HemiOct24, HemiOct32, LatLong16, LatLong24,
+    LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
+    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, SnormBest8,
+    SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Stereo16, Stereo20,
+    Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
+    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
+    StereoEllipse24, StereoEllipse32,
 };
 use glam::Vec3;
 use spirv_std::spirv;
@@ -205,4 +213,49 @@ kernels! {
     snorm8x3p_encode "snorm8x3p_encode" snorm8x3p_decode "snorm8x3p_decode" SnormBest8, 3 bytes;
     snorm16x3p_encode "snorm16x3p_encode" snorm16x3p_decode "snorm16x3p_decode" SnormBest16, 6 bytes;
     crytek_bfn24_encode "crytek_bfn24_encode" crytek_bfn24_decode "crytek_bfn24_decode" CrytekBfn24, 3 bytes;
+    stereo16_encode "stereo16_encode" stereo16_decode "stereo16_decode" Stereo16, 2 bytes;
+    stereo20_encode "stereo20_encode" stereo20_decode "stereo20_decode" Stereo20, 3 bytes;
+    stereo22_encode "stereo22_encode" stereo22_decode "stereo22_decode" Stereo22, 3 bytes;
+    stereo24_encode "stereo24_encode" stereo24_decode "stereo24_decode" Stereo24, 3 bytes;
+    stereo32_encode "stereo32_encode" stereo32_decode "stereo32_decode" Stereo32, 4 bytes;
+    stereo_concentric16_encode "stereo_concentric16_encode" stereo_concentric16_decode "stereo_concentric16_decode" StereoConcentric16, 2 bytes;
+    stereo_concentric20_encode "stereo_concentric20_encode" stereo_concentric20_decode "stereo_concentric20_decode" StereoConcentric20, 3 bytes;
+    stereo_concentric22_encode "stereo_concentric22_encode" stereo_concentric22_decode "stereo_concentric22_decode" StereoConcentric22, 3 bytes;
+    stereo_concentric24_encode "stereo_concentric24_encode" stereo_concentric24_decode "stereo_concentric24_decode" StereoConcentric24, 3 bytes;
+    stereo_concentric32_encode "stereo_concentric32_encode" stereo_concentric32_decode "stereo_concentric32_decode" StereoConcentric32, 4 bytes;
+    stereo_ellipse16_encode "stereo_ellipse16_encode" stereo_ellipse16_decode "stereo_ellipse16_decode" StereoEllipse16, 2 bytes;
+    stereo_ellipse20_encode "stereo_ellipse20_encode" stereo_ellipse20_decode "stereo_ellipse20_decode" StereoEllipse20, 3 bytes;
+    stereo_ellipse22_encode "stereo_ellipse22_encode" stereo_ellipse22_decode "stereo_ellipse22_decode" StereoEllipse22, 3 bytes;
+    stereo_ellipse24_encode "stereo_ellipse24_encode" stereo_ellipse24_decode "stereo_ellipse24_decode" StereoEllipse24, 3 bytes;
+    stereo_ellipse32_encode "stereo_ellipse32_encode" stereo_ellipse32_decode "stereo_ellipse32_decode" StereoEllipse32, 4 bytes;
+    eqarea16_encode "eqarea16_encode" eqarea16_decode "eqarea16_decode" Eqarea16, 2 bytes;
+    eqarea20_encode "eqarea20_encode" eqarea20_decode "eqarea20_decode" Eqarea20, 3 bytes;
+    eqarea22_encode "eqarea22_encode" eqarea22_decode "eqarea22_decode" Eqarea22, 3 bytes;
+    eqarea24_encode "eqarea24_encode" eqarea24_decode "eqarea24_decode" Eqarea24, 3 bytes;
+    eqarea32_encode "eqarea32_encode" eqarea32_decode "eqarea32_decode" Eqarea32, 4 bytes;
+    eqarea_concentric16_encode "eqarea_concentric16_encode" eqarea_concentric16_decode "eqarea_concentric16_decode" EqareaConcentric16, 2 bytes;
+    eqarea_concentric20_encode "eqarea_concentric20_encode" eqarea_concentric20_decode "eqarea_concentric20_decode" EqareaConcentric20, 3 bytes;
+    eqarea_concentric22_encode "eqarea_concentric22_encode" eqarea_concentric22_decode "eqarea_concentric22_decode" EqareaConcentric22, 3 bytes;
+    eqarea_concentric24_encode "eqarea_concentric24_encode" eqarea_concentric24_decode "eqarea_concentric24_decode" EqareaConcentric24, 3 bytes;
+    eqarea_concentric32_encode "eqarea_concentric32_encode" eqarea_concentric32_decode "eqarea_concentric32_decode" EqareaConcentric32, 4 bytes;
+    eqarea_ellipse16_encode "eqarea_ellipse16_encode" eqarea_ellipse16_decode "eqarea_ellipse16_decode" EqareaEllipse16, 2 bytes;
+    eqarea_ellipse20_encode "eqarea_ellipse20_encode" eqarea_ellipse20_decode "eqarea_ellipse20_decode" EqareaEllipse20, 3 bytes;
+    eqarea_ellipse22_encode "eqarea_ellipse22_encode" eqarea_ellipse22_decode "eqarea_ellipse22_decode" EqareaEllipse22, 3 bytes;
+    eqarea_ellipse24_encode "eqarea_ellipse24_encode" eqarea_ellipse24_decode "eqarea_ellipse24_decode" EqareaEllipse24, 3 bytes;
+    eqarea_ellipse32_encode "eqarea_ellipse32_encode" eqarea_ellipse32_decode "eqarea_ellipse32_decode" EqareaEllipse32, 4 bytes;
+    eqdist16_encode "eqdist16_encode" eqdist16_decode "eqdist16_decode" Eqdist16, 2 bytes;
+    eqdist20_encode "eqdist20_encode" eqdist20_decode "eqdist20_decode" Eqdist20, 3 bytes;
+    eqdist22_encode "eqdist22_encode" eqdist22_decode "eqdist22_decode" Eqdist22, 3 bytes;
+    eqdist24_encode "eqdist24_encode" eqdist24_decode "eqdist24_decode" Eqdist24, 3 bytes;
+    eqdist32_encode "eqdist32_encode" eqdist32_decode "eqdist32_decode" Eqdist32, 4 bytes;
+    eqdist_concentric16_encode "eqdist_concentric16_encode" eqdist_concentric16_decode "eqdist_concentric16_decode" EqdistConcentric16, 2 bytes;
+    eqdist_concentric20_encode "eqdist_concentric20_encode" eqdist_concentric20_decode "eqdist_concentric20_decode" EqdistConcentric20, 3 bytes;
+    eqdist_concentric22_encode "eqdist_concentric22_encode" eqdist_concentric22_decode "eqdist_concentric22_decode" EqdistConcentric22, 3 bytes;
+    eqdist_concentric24_encode "eqdist_concentric24_encode" eqdist_concentric24_decode "eqdist_concentric24_decode" EqdistConcentric24, 3 bytes;
+    eqdist_concentric32_encode "eqdist_concentric32_encode" eqdist_concentric32_decode "eqdist_concentric32_decode" EqdistConcentric32, 4 bytes;
+    eqdist_ellipse16_encode "eqdist_ellipse16_encode" eqdist_ellipse16_decode "eqdist_ellipse16_decode" EqdistEllipse16, 2 bytes;
+    eqdist_ellipse20_encode "eqdist_ellipse20_encode" eqdist_ellipse20_decode "eqdist_ellipse20_decode" EqdistEllipse20, 3 bytes;
+    eqdist_ellipse22_encode "eqdist_ellipse22_encode" eqdist_ellipse22_decode "eqdist_ellipse22_decode" EqdistEllipse22, 3 bytes;
+    eqdist_ellipse24_encode "eqdist_ellipse24_encode" eqdist_ellipse24_decode "eqdist_ellipse24_decode" EqdistEllipse24, 3 bytes;
+    eqdist_ellipse32_encode "eqdist_ellipse32_encode" eqdist_ellipse32_decode "eqdist_ellipse32_decode" EqdistEllipse32, 4 bytes;
 }

@@ -50,6 +50,7 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
 
+pub mod azimuthal;
 pub mod best_fit;
 pub mod codec;
 pub mod cylindrical;
@@ -66,6 +67,16 @@ pub mod scalar;
 pub mod slice;
 pub mod spherical;
 
+pub use azimuthal::{
+    Azimuthal, Eqarea16, Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20,
+    EqareaConcentric22, EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20,
+    EqareaEllipse22, EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32,
+    EqdistConcentric16, EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32,
+    EqdistEllipse16, EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Stereo16, Stereo20,
+    Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
+    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
+    StereoEllipse24, StereoEllipse32,
+};
 pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16};
 pub use codec::Codec;
 pub use cylindrical::{Cylindrical, Cylindrical16, Cylindrical24, Cylindrical32};

@@ -26,8 +26,9 @@
 //!   squares and of the length, at most 2^-20 of 1, turns a direction on the equator by up to 9.8e-4 radians where PP's
 //!   own error is 5.2e-4; measured are 6.3e-4 in all. SPP's own error is 3.2e-7; along the sextants' borders, where
 //!   the two largest components must be told apart, points move up to three steps inwards, and 1.1e-6 is measured.
-//! * Good for: tangent-space normal maps, whose normals keep near +Z: decode is a square root without a division, and
-//!   texture filtering works. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
+//! * Good for: tangent-space normal maps, whose normals keep near +Z: points inside decode with one square
+//!   root, from snorm values that the hardware may convert and filter; these functions add the divisions and selections
+//!   for points outside. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
 //! * Axes round-trip exactly, all six (XYOnly: the five of its domain). `xyonly32f` spends its bits around x = 0 and
 //!   y = 0, and has the largest steps at the equator, where the smallest are wanted: mean 0.0352 and maximum 1.5
 //!   degrees, hardly less than XYOnly24. (The survey's 0.07759 and 2.10047 are those of truncating conversion,

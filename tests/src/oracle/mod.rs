@@ -4,6 +4,7 @@
 //! Vectors"; "Meyer" is Meyer et al. 2010, "On Floating-Point Normal Vectors". Nothing here calls or copies codec
 //! code, except the comparisons at the end, which put it to the test.
 
+pub mod azimuthal;
 pub mod best_fit;
 pub mod cylindrical;
 pub mod hemioct;
