@@ -10,3 +10,8 @@
 #include "latlong.glsl"
 #include "best_fit.glsl"
 #include "azimuthal.glsl"
+#include "cube.glsl"
+#include "float.glsl"
+#include "projection.glsl"
+#include "snorm.glsl"
+#include "unorm.glsl"

@@ -6,18 +6,20 @@
 
 use crate::codec::{Code, Codec};
 use crate::{
-    CrytekBfn24, Cylindrical16, Cylindrical24, Cylindrical32, Eqarea16, Eqarea20, Eqarea22, Eqarea24,
-    Eqarea32, EqareaConcentric16, EqareaConcentric20, EqareaConcentric22, EqareaConcentric24,
-    EqareaConcentric32, EqareaEllipse16, EqareaEllipse20, EqareaEllipse22, EqareaEllipse24, EqareaEllipse32,
-    Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32, EqdistConcentric16, EqdistConcentric20,
-    EqdistConcentric22, EqdistConcentric24, EqdistConcentric32, EqdistEllipse16, EqdistEllipse20,
-    EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, HemiOct16, HemiOct24, HemiOct32, LatLong16, LatLong24,
-    LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
-    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, SnormBest8,
-    SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Stereo16, Stereo20,
-    Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
-    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
-    StereoEllipse24, StereoEllipse32,
+    CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, Eqarea16, Eqarea20,
+    Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20, EqareaConcentric22,
+    EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20, EqareaEllipse22,
+    EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32, EqdistConcentric16,
+    EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32, EqdistEllipse16,
+    EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Float16x3, HemiOct16, HemiOct24,
+    HemiOct32, LatLong16, LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22,
+    Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48,
+    OctPrecise52, Pp16, Pp24, Pp32, Pp48, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3,
+    SnormBest8, SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Spp16, Spp24,
+    Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20,
+    StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20,
+    StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24, WarpedCube32,
+    XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
 };
 use glam::Vec3;
 use spirv_std::spirv;
@@ -258,4 +260,29 @@ kernels! {
     eqdist_ellipse22_encode "eqdist_ellipse22_encode" eqdist_ellipse22_decode "eqdist_ellipse22_decode" EqdistEllipse22, 3 bytes;
     eqdist_ellipse24_encode "eqdist_ellipse24_encode" eqdist_ellipse24_decode "eqdist_ellipse24_decode" EqdistEllipse24, 3 bytes;
     eqdist_ellipse32_encode "eqdist_ellipse32_encode" eqdist_ellipse32_decode "eqdist_ellipse32_decode" EqdistEllipse32, 4 bytes;
+    snorm5x3_encode "snorm5x3_encode" snorm5x3_decode "snorm5x3_decode" Snorm5x3, 2 bytes;
+    snorm8x3_encode "snorm8x3_encode" snorm8x3_decode "snorm8x3_decode" Snorm8x3, 3 bytes;
+    snorm10x3_encode "snorm10x3_encode" snorm10x3_decode "snorm10x3_decode" Snorm10x3, 4 bytes;
+    snorm11_11_10_encode "snorm11_11_10_encode" snorm11_11_10_decode "snorm11_11_10_decode" Snorm11x11x10, 4 bytes;
+    snorm16x3_encode "snorm16x3_encode" snorm16x3_decode "snorm16x3_decode" Snorm16x3, 6 bytes;
+    unorm8x3_encode "unorm8x3_encode" unorm8x3_decode "unorm8x3_decode" Unorm8x3, 3 bytes;
+    float16x3_encode "float16x3_encode" float16x3_decode "float16x3_decode" Float16x3, 6 bytes;
+    cube16_encode "cube16_encode" cube16_decode "cube16_decode" Cube16, 2 bytes;
+    cube24_encode "cube24_encode" cube24_decode "cube24_decode" Cube24, 3 bytes;
+    cube32_encode "cube32_encode" cube32_decode "cube32_decode" Cube32, 4 bytes;
+    warpedcube16_encode "warpedcube16_encode" warpedcube16_decode "warpedcube16_decode" WarpedCube16, 2 bytes;
+    warpedcube24_encode "warpedcube24_encode" warpedcube24_decode "warpedcube24_decode" WarpedCube24, 3 bytes;
+    warpedcube32_encode "warpedcube32_encode" warpedcube32_decode "warpedcube32_decode" WarpedCube32, 4 bytes;
+    xyonly16_encode "xyonly16_encode" xyonly16_decode "xyonly16_decode" XyOnly16, 2 bytes;
+    xyonly24_encode "xyonly24_encode" xyonly24_decode "xyonly24_decode" XyOnly24, 3 bytes;
+    xyonly32_encode "xyonly32_encode" xyonly32_decode "xyonly32_decode" XyOnly32, 4 bytes;
+    xyonly32f_encode "xyonly32f_encode" xyonly32f_decode "xyonly32f_decode" XyOnly32F, 4 bytes;
+    pp16_encode "pp16_encode" pp16_decode "pp16_decode" Pp16, 2 bytes;
+    pp24_encode "pp24_encode" pp24_decode "pp24_decode" Pp24, 3 bytes;
+    pp32_encode "pp32_encode" pp32_decode "pp32_decode" Pp32, 4 bytes;
+    pp48_encode "pp48_encode" pp48_decode "pp48_decode" Pp48, 6 bytes;
+    spp16_encode "spp16_encode" spp16_decode "spp16_decode" Spp16, 2 bytes;
+    spp24_encode "spp24_encode" spp24_decode "spp24_decode" Spp24, 3 bytes;
+    spp32_encode "spp32_encode" spp32_decode "spp32_decode" Spp32, 4 bytes;
+    spp48_encode "spp48_encode" spp48_decode "spp48_decode" Spp48, 6 bytes;
 }

@@ -53,8 +53,10 @@ compile_error!("unitvec needs one of its features `std` and `libm` for square ro
 pub mod azimuthal;
 pub mod best_fit;
 pub mod codec;
+pub mod cube;
 pub mod cylindrical;
 pub mod direction;
+pub mod float;
 pub mod hemioct;
 #[cfg(feature = "kernels")]
 pub mod kernels;
@@ -62,10 +64,13 @@ pub mod latlong;
 pub mod math;
 pub mod oct;
 pub mod oct_wide;
+pub mod projection;
 pub mod scalar;
 #[cfg(not(target_arch = "spirv"))]
 pub mod slice;
+pub mod snorm;
 pub mod spherical;
+pub mod unorm;
 
 pub use azimuthal::{
     Azimuthal, Eqarea16, Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20,
@@ -79,7 +84,9 @@ pub use azimuthal::{
 };
 pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16};
 pub use codec::Codec;
+pub use cube::{Cube, Cube16, Cube24, Cube32, WarpedCube, WarpedCube16, WarpedCube24, WarpedCube32};
 pub use cylindrical::{Cylindrical, Cylindrical16, Cylindrical24, Cylindrical32};
+pub use float::Float16x3;
 pub use hemioct::{HemiOct, HemiOct16, HemiOct24, HemiOct32};
 pub use latlong::{LatLong, LatLong16, LatLong24, LatLong32, LatLongD, LatLongD16, LatLongD24, LatLongD32};
 pub use oct::{
@@ -87,4 +94,10 @@ pub use oct::{
     OctPrecise24, OctPrecise32,
 };
 pub use oct_wide::{Oct48, OctPrecise48, OctPrecise52, OctWide, OctWidePrecise};
+pub use projection::{
+    Pp, Pp16, Pp24, Pp32, Pp48, Spp, Spp16, Spp24, Spp32, Spp48, XyOnly, XyOnly16, XyOnly24, XyOnly32,
+    XyOnly32F,
+};
+pub use snorm::{Snorm3, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3};
 pub use spherical::{Spherical, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32};
+pub use unorm::Unorm8x3;

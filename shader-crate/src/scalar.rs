@@ -11,7 +11,7 @@ pub const fn unorm_max(bits: u32) -> f32 {
     ((1 << bits) - 1) as f32
 }
 
-/// Largest integer of an snorm of `bits` bits, `2^(bits-1) - 1`. `bits` is 2 to 22.
+/// Largest integer of an snorm of `bits` bits, `2^(bits-1) - 1`. `bits` is 2 to 24.
 #[inline(always)]
 pub const fn snorm_max(bits: u32) -> f32 {
     ((1 << (bits - 1)) - 1) as f32
@@ -42,7 +42,7 @@ pub fn snorm_encode(r: f32, bits: u32) -> u32 {
     signed_code(negate_if(is_negative(r), rounded), bits)
 }
 
-/// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 22) are
+/// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 24) are
 /// ignored.
 #[inline(always)]
 pub fn snorm_decode(code: u32, bits: u32) -> f32 {

@@ -41,6 +41,7 @@ impl<const BITS: u32> Codec for Snorm3<BITS> {
         _ => panic!("Snorm3 has 15, 24, 30 or 32 bits"),
     };
     const BITS: u32 = BITS;
+    const IS_UNIT: bool = false;
     /// For unit vectors. `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = match BITS {
         15 => 3.31,
@@ -78,6 +79,7 @@ pub struct Snorm16x3;
 impl Codec for Snorm16x3 {
     const NAME: &'static str = "snorm16x3";
     const BITS: u32 = 48;
+    const IS_UNIT: bool = false;
     /// For unit vectors. `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = 0.001_53;
     type Code = [u32; 2];

@@ -6,11 +6,15 @@
 
 pub mod azimuthal;
 pub mod best_fit;
+pub mod codes;
+pub mod cube;
 pub mod cylindrical;
 pub mod hemioct;
 pub mod latlong;
 pub mod oct;
 pub mod oct_wide;
+pub mod projection;
+pub mod raw;
 pub mod spherical;
 
 pub use cylindrical::Cylindrical;
