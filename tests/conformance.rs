@@ -47,7 +47,7 @@ fn any_number_of_vectors_can_be_dispatched() {
     let vectors: Vec<[f32; 3]> = sampling::random_directions(Domain::Sphere, 3).take(1030).collect();
     for source in [embedded(), from_glsl()] {
         let mut gpu = Gpu::new(&device, source, true).unwrap();
-        for codec in [find("oct16").unwrap(), find("oct24p").unwrap(), find("oct32").unwrap()] {
+        for codec in ["oct16", "oct24p", "oct32", "oct48", "oct52p"].map(|id| find(id).unwrap()) {
             for count in (0..20).chain(250..260).chain(1020..1030) {
                 let mut expected = vec![0; count * codec.bytes];
                 let mut actual = expected.clone();

@@ -71,7 +71,8 @@ fn every_float_result_is_marked_no_contraction() {
             .filter(|instruction| FLOAT_ARITHMETIC.contains(&instruction.opcode))
             .map(|instruction| instruction.operands[1])
             .collect();
-        assert!(arithmetic.len() > 5, "{name} has no arithmetic");
+        // Half floats are converted with integers alone.
+        assert!(arithmetic.len() > 5 || name.starts_with("float16x3"), "{name} has no arithmetic");
         assert!(arithmetic.iter().all(|id| decorated.contains(id)), "{name}");
     }
 }

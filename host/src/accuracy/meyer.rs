@@ -28,6 +28,12 @@ pub const WIDTHS: [u32; 4] = [16, 24, 32, 48];
 ///
 /// FPNV, three floats, stands twice. The table's formula has cells of 2 2^(-b/3), which is fixed point with b / 3 bits;
 /// its figure for 48 bits, 4.60e-4, is that of eq. 3, sqrt(2) / 3 2^-m, with the m = 10 bits of a half float.
+///
+/// The bounds take a coordinate's bits to be any number, whole or not. Where PP's b - 1 or SPP's and CM's b - 3 bits are
+/// odd, one coordinate has sqrt(2) times the bound's step and the other 1 / sqrt(2) times, and the error of both is
+/// sqrt(5) / 2 times the bound, or the square root of that for PP. SC stores an angle less than it could: ours stays
+/// well below. At 48 bits the decoded vector's own rounding to f32 (5.6e-8 radians) comes on top, and PP and SPP cannot
+/// be told from their neighbours' codes by an f32 input: see their module's docs.
 pub const METHODS: [Method; 8] = [
     Method {
         name: "FPNV",
@@ -35,7 +41,7 @@ pub const METHODS: [Method; 8] = [
         family: "fpnv",
         suffix: "",
     },
-    Method { name: "FPNV_half", bound: |_| SQRT_2 / 3.0 * 2f64.powi(-10), family: "float16x3_", suffix: "" },
+    Method { name: "FPNV_half", bound: |_| SQRT_2 / 3.0 * 2f64.powi(-10), family: "float", suffix: "" },
     Method { name: "PP", bound: |b| (1.0 + b / 4.0).exp2() * scale(b), family: "pp", suffix: "" },
     Method { name: "SPP", bound: |b| 2.0 * 6f64.sqrt() * scale(b), family: "spp", suffix: "" },
     Method { name: "SC", bound: |b| 2.0 * PI * scale(b), family: "spherical", suffix: "" },
@@ -52,7 +58,7 @@ impl Method {
     /// The codec that implements the method at this width, if the catalogue has one.
     pub fn codec(&self, bits: u32) -> Option<&'static CodecInfo> {
         let id = match self.name {
-            "FPNV_half" if bits == 48 => "float16x3".to_owned(),
+            "FPNV" | "FPNV_half" if bits == 48 => "float16x3".to_owned(),
             _ => format!("{}{bits}{}", self.family, self.suffix),
         };
         CATALOGUE.iter().find(|codec| codec.id == id)

@@ -137,11 +137,16 @@ fn csv_bytes(path: &Path, rows: &[Row]) -> Result<Vec<u8>> {
     writer.into_inner().map_err(|error| failed(error.to_string()))
 }
 
+/// Six decimals, or four digits of what they would not show.
+fn degrees(error: f64) -> String {
+    if error < 0.0001 { format!("{error:.3e}") } else { format!("{error:.6}") }
+}
+
 fn table_text(rows: &[Row], missing: &[String]) -> String {
     let mut text = format!(
         "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal covering; waste is \
          bits against it\n\
-         {:<5} {:<22} {:<19} {:>4}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}\n",
+         {:<5} {:<22} {:<19} {:>4}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}  {:>10} {:>10} {:>6}\n",
         "table",
         "codec",
         "survey",
@@ -164,17 +169,17 @@ fn table_text(rows: &[Row], missing: &[String]) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "{:<5} {:<22} {:<19} {:>4}  {:>9.6} {mean:>9} {ratio:>6}  {:>9.6} {:>9.6} {:>6.3}  {:>9.6} {:>10.6} {:>6.2}",
+            "{:<5} {:<22} {:<19} {:>4}  {:>9} {mean:>9} {ratio:>6}  {:>9} {:>9} {:>6.3}  {:>10} {:>10} {:>6.2}",
             row.table,
             row.id,
             row.survey_name,
             row.bits,
-            row.mean_deg,
-            row.max_deg,
-            row.survey_max_deg,
+            degrees(row.mean_deg),
+            degrees(row.max_deg),
+            degrees(row.survey_max_deg),
             row.max_deg / row.survey_max_deg,
-            row.bound_mean_deg,
-            row.bound_max_deg,
+            degrees(row.bound_mean_deg),
+            degrees(row.bound_max_deg),
             row.wasted_bits
         );
     }
