@@ -174,9 +174,11 @@ vec3 xyonly_decode(uint code, uint bits) {
 }
 
 uvec2 pp_encode(vec3 v, uint x_bits, uint y_bits) {
-    vec3 n = projection_unit(unitvec_or_z(v));
+    v = unitvec_or_z(v);
+    vec3 n = projection_unit(v);
     vec2 e = projection_round(projection_disk(x_bits, y_bits), abs(n.xy));
-    return projection_pack(n, e, unitvec_is_negative(n.z) ? 1u : 0u, x_bits, y_bits);
+    // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
+    return projection_pack(n, e, unitvec_is_negative(v.z) ? 1u : 0u, x_bits, y_bits);
 }
 
 vec3 pp_decode(uvec2 code, uint x_bits, uint y_bits) {

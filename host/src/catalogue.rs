@@ -49,6 +49,8 @@ pub struct CodecInfo {
     pub domain: Domain,
     /// True where decoded vectors have unit length; false for raw component formats.
     pub is_unit: bool,
+    /// True where the directions of the domain's axes come back exactly.
+    pub exact_axes: bool,
     /// Upper bound of the error over the domain, in degrees.
     pub max_error_deg: f32,
     /// The GLSL include file with its functions.
@@ -74,6 +76,7 @@ impl CodecInfo {
             vk_format,
             domain,
             is_unit: C::IS_UNIT,
+            exact_axes: C::EXACT_AXES,
             max_error_deg: C::MAX_ERROR_DEG,
             glsl_file,
             encode: encode_slice::<C>,

@@ -22,6 +22,9 @@ pub trait Codec {
     /// caller.
     const IS_UNIT: bool = true;
 
+    /// True where the directions of the axes (those of the codec's domain) come back exactly.
+    const EXACT_AXES: bool = true;
+
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
     type Code: Code;
 

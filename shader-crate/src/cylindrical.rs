@@ -51,6 +51,7 @@ impl<const BITS: u32> Codec for Cylindrical<BITS> {
         _ => panic!("Cylindrical has 16, 24 or 32 bits"),
     };
     const BITS: u32 = BITS;
+    const EXACT_AXES: bool = false;
     /// `acos(1 - 1 / 2m)`, and what the rounding of z in `f32`, at most 2^-22, adds: the error goes with the square
     /// root of the distance from the pole, so its relative growth is half that of the half step `1 / 2m`.
     const MAX_ERROR_DEG: f32 = match BITS {

@@ -235,6 +235,7 @@ impl<const BITS: u32> Codec for LatLong<BITS> {
         _ => panic!("LatLong has 16, 24 or 32 bits"),
     };
     const BITS: u32 = BITS;
+    const EXACT_AXES: bool = false;
     /// `sqrt(5) pi / 2^(h+1)` radians in degrees, and what the rounding of both angles and of the decoded vector
     /// adds: at most 7e-7 radians.
     const MAX_ERROR_DEG: f32 = 1.118_034 * 180.0 / (1 << (BITS / 2)) as f32 + 4e-5;

@@ -1,4 +1,4 @@
-//! Unit-vector codecs: normals, tangents and light directions in 16 to 32 bits.
+//! Unit-vector codecs: normals, tangents and light directions in 15 to 52 bits.
 //!
 //! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs
 //! on the CPU and, compiled to SPIR-V by rust-gpu, on the GPU, and gives the same bits on both: codec code keeps
@@ -25,18 +25,25 @@
 //! | [`Oct20`] / [`OctPrecise20`] | 20 | 0.0837 / 0.0782 | 0.238 / 0.159 | with 12 bits left for material flags |
 //! | [`Oct22`] / [`OctPrecise22`] | 22 | 0.0418 / 0.0390 | 0.119 / 0.0793 | with 10 bits left |
 //! | [`Oct24`] / [`OctPrecise24`] | 24 | 0.0209 / 0.0195 | 0.0595 / 0.0397 | three bytes of an RGB8 target |
-//! | [`Oct32`] / [`OctPrecise32`] | 32 | 0.00131 / 0.00122 | 0.00377 / 0.00252 | anything else |
+//! | [`Oct32`] / [`OctPrecise32`] | 32 | 0.00131 / 0.00122 | 0.00377 / 0.00252 | almost anything |
+//! | [`OctPrecise52`] | 52 | 1.1e-6 | 5.4e-6 | what must be as exact as three floats |
 //! | [`HemiOct16`], [`HemiOct24`], [`HemiOct32`] | 16, 24, 32 | 0.240, 0.0149, 0.000930 | 0.553, 0.0344, 0.00218 | directions with z >= 0 |
+//! | [`LatLongD16`], [`LatLongD24`], [`LatLongD32`] | 16, 24, 32 | 0.305, 0.0190, 0.00119 | 0.567, 0.0352, 0.00224 | least error, at several times the cost |
 //!
 //! Means are measured over uniform directions; maxima are [`Codec::MAX_ERROR_DEG`], rounded up.
+//!
+//! The other families are there to compare with and to read what others wrote: [`spherical`], [`cylindrical`],
+//! [`latlong`], [`azimuthal`] (stereographic, equal-area and equidistant), [`cube`], [`projection`], and the raw
+//! components of [`snorm`], [`unorm`], [`float`](mod@float) and [`best_fit`]. Each module says what its family is good for.
 //!
 //! # What every codec promises
 //!
 //! * `encode` takes any vector: the length does not matter. A vector without a usable direction (zero, infinite,
 //!   NaN, or of an L1 norm outside [2^-100, 2^100)) gets the code of +Z.
 //! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above
-//!   [`Codec::BITS`] are ignored.
-//! * Decoding, encoding and decoding again gives the first vector back, exactly.
+//!   [`Codec::BITS`] are ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller.
+//! * Decoding, encoding and decoding again gives the first vector back, exactly; with [`best_fit`], its direction to
+//!   within the codec's error.
 //! * Codes are stored little endian and tightly packed in [`Codec::BYTES`] bytes: see [`mod@slice`].
 //!
 //! # Features

@@ -218,7 +218,8 @@ fn pp_encode(v: Vec3, x_bits: u32, y_bits: u32) -> [u32; 2] {
     let (v, norm) = or_z(v);
     let n = unit(v, norm);
     let e = Plane::disk(x_bits, y_bits).round(Vec2::new(n.x.abs(), n.y.abs()));
-    pack(n, e, if is_negative(n.z) { 1 } else { 0 }, x_bits, y_bits)
+    // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
+    pack(n, e, if is_negative(v.z) { 1 } else { 0 }, x_bits, y_bits)
 }
 
 #[inline(always)]

@@ -33,6 +33,7 @@ pub struct Unorm8x3;
 impl Codec for Unorm8x3 {
     const NAME: &'static str = "unorm8x3";
     const BITS: u32 = 24;
+    const EXACT_AXES: bool = false;
     const IS_UNIT: bool = false;
     /// For unit vectors. `asin(sqrt(3)/255)`, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = 0.3893;
