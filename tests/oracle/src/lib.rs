@@ -14,12 +14,14 @@ pub mod oct;
 pub mod oct_wide;
 pub mod projection;
 pub mod raw;
+pub mod reference;
 pub mod spherical;
 
 pub use cylindrical::Cylindrical;
 pub use hemioct::HemiOct;
 pub use latlong::{LatLong, LatLongD};
 pub use oct::Oct;
+pub use reference::{RoundTrip, round_trip};
 pub use spherical::Spherical;
 
 /// An octahedral mapping of directions to the square `[-1, 1]^2`, and its code's bits.
