@@ -1,0 +1,141 @@
+//! The codecs once more, in `f64` and straight from the papers' formulas.
+//!
+//! The papers: "survey" is Cigolle et al. 2014, "A Survey of Efficient Representations for Independent Unit
+//! Vectors"; "Meyer" is Meyer et al. 2010, "On Floating-Point Normal Vectors". Nothing here calls or copies codec
+//! code.
+
+pub mod azimuthal;
+pub mod best_fit;
+pub mod cube;
+pub mod cylindrical;
+pub mod hemioct;
+pub mod latlong;
+pub mod oct;
+pub mod oct_wide;
+pub mod projection;
+pub mod raw;
+pub mod reference;
+pub mod spherical;
+
+pub use cylindrical::Cylindrical;
+pub use hemioct::HemiOct;
+pub use latlong::{LatLong, LatLongD};
+pub use oct::Oct;
+pub use reference::{RoundTrip, round_trip};
+pub use spherical::Spherical;
+
+/// An octahedral mapping of directions to the square `[-1, 1]^2`, and its code's bits.
+pub trait Oracle {
+    /// The real-valued position of a direction (any length) on the square.
+    fn position(v: [f64; 3]) -> [f64; 2];
+
+    /// The direction (any length) of a position on the square.
+    fn direction(e: [f64; 2]) -> [f64; 3];
+
+    /// The direction that is encoded in place of `v`: `v` itself if the mapping covers the sphere.
+    fn domain(v: [f64; 3]) -> [f64; 3] {
+        v
+    }
+
+    /// The pair of snorm integers in a code: the first in the low half, the second in the high half.
+    fn unpack(code: u32, bits: u32) -> [i32; 2] {
+        split_halves(code, bits)
+    }
+
+    /// The code of a pair of snorm integers.
+    fn pack(point: [i32; 2], bits: u32) -> u32 {
+        join_halves(point, bits)
+    }
+
+    /// The unit vector that a code stands for.
+    fn decode(code: u32, bits: u32) -> [f64; 3] {
+        let m = largest(bits);
+        normalize(Self::direction(Self::unpack(code, bits).map(|i| snorm(i, m))))
+    }
+}
+
+/// Survey, section 1.2: the largest integer `2^(b-1) - 1` of the snorm components of `b = bits / 2` bits.
+pub fn largest(bits: u32) -> f64 {
+    ((1 << (bits / 2 - 1)) - 1) as f64
+}
+
+/// Survey, section 1.2: the value of the snorm integer `i`, `clamp(i / (2^(b-1) - 1), -1, 1)`.
+pub fn snorm(i: i32, m: f64) -> f64 {
+    (f64::from(i) / m).clamp(-1.0, 1.0)
+}
+
+/// The integer that the low `b` bits of `bits` are in two's complement.
+pub fn twos_complement(bits: u32, b: u32) -> i32 {
+    let low = i64::from(bits) % (1 << b);
+    (if low < 1 << (b - 1) { low } else { low - (1 << b) }) as i32
+}
+
+/// The two integers, in two's complement, in the halves of a code's `bits` bits, the low half first.
+pub fn split_halves(code: u32, bits: u32) -> [i32; 2] {
+    [twos_complement(code, bits / 2), twos_complement(code >> (bits / 2), bits / 2)]
+}
+
+/// The code whose halves are two integers: the inverse of [`split_halves`].
+pub fn join_halves(point: [i32; 2], bits: u32) -> u32 {
+    let [low, high] = point.map(|i| i as u32 & ((1 << (bits / 2)) - 1));
+    low | (high << (bits / 2))
+}
+
+/// Survey, listing 1: +1 or -1.
+pub fn sign_not_zero(t: f64) -> f64 {
+    if t >= 0.0 { 1.0 } else { -1.0 }
+}
+
+/// The scalar product.
+pub fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// The Euclidean length.
+pub fn length(a: [f64; 3]) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// `a` scaled to length 1.
+pub fn normalize(a: [f64; 3]) -> [f64; 3] {
+    let l = length(a);
+    a.map(|t| t / l)
+}
+
+/// The vector product.
+pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// The angle between two vectors of any length, in degrees: `atan2(|a x b|, a . b)`, exact for small angles too.
+pub fn angle_deg(a: [f64; 3], b: [f64; 3]) -> f64 {
+    length(cross(a, b)).atan2(dot(a, b)).to_degrees()
+}
+
+/// The largest angle, in degrees, by which a position off by `steps` of the square's half side along each axis
+/// turns a direction on the octahedron: Meyer, eq. 10, where `steps` is half the sample spacing.
+pub fn turn_deg(steps: f64) -> f64 {
+    (3.0 / 2f64.sqrt() * 2.0 * steps).to_degrees()
+}
+
+/// Mean and maximum of a sequence.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Summary {
+    /// The arithmetic mean.
+    pub mean: f64,
+    /// The largest value.
+    pub max: f64,
+}
+
+impl Summary {
+    /// Of `values`.
+    pub fn of(values: impl Iterator<Item = f64>) -> Self {
+        let (mut sum, mut count, mut max) = (0.0, 0.0, f64::NEG_INFINITY);
+        for value in values {
+            sum += value;
+            count += 1.0;
+            max = value.max(max);
+        }
+        Self { mean: sum / count, max }
+    }
+}
