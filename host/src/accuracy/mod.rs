@@ -89,6 +89,10 @@ pub struct Row {
     pub bound_mean_deg: f64,
     /// Maximum error of that bound, degrees.
     pub bound_max_deg: f64,
+    /// Mean error with float64 intermediates, degrees, where that was asked for.
+    pub float64_mean_deg: Option<f64>,
+    /// Maximum error with float64 intermediates, degrees, where that was asked for.
+    pub float64_max_deg: Option<f64>,
     /// Bits wasted: with so many fewer the bound has this mean error.
     pub wasted_bits: f64,
 }
@@ -131,6 +135,20 @@ pub fn measure(
         Ok::<(), crate::Error>(())
     })?;
     Ok(errors)
+}
+
+/// The survey's second measurement: as [`measure`], with float64 from the f32 input to the angle. The derivation is the
+/// one that the tests hold the codecs against, and shares no code with them. `None` for a codec of neither table.
+pub fn measure_float64(codec: &CodecInfo, domain: Domain, count: usize, seed: u64) -> Option<(f64, f64)> {
+    let round_trip = unitvec_oracle::round_trip(codec.id)?;
+    let (mut sum, mut max) = (0.0, 0.0f64);
+    for vector in sampling::random_directions(domain, seed).take(count) {
+        let vector = vector.map(f64::from);
+        let error = unitvec_oracle::angle_deg(vector, round_trip(vector));
+        sum += error;
+        max = max.max(error);
+    }
+    Some((sum / count.max(1) as f64, max))
 }
 
 /// Measures a row of a table.
@@ -194,6 +212,8 @@ impl Row {
             survey_max_deg,
             bound_mean_deg,
             bound_max_deg,
+            float64_mean_deg: None,
+            float64_max_deg: None,
             // The bound's errors go as 2^(-bits / 2).
             wasted_bits: 2.0 * (mean_deg / bound_mean_deg).log2(),
         }
