@@ -6,7 +6,7 @@ use unitvec_host::catalogue::{CATALOGUE, Direction, Domain, find};
 use unitvec_host::conform::{self, Options};
 use unitvec_host::manifest::sha256_hex;
 use unitvec_host::modules::Modules;
-use unitvec_host::vulkan::Runner;
+use unitvec_host::vulkan::{Error, Runner};
 use unitvec_host::{glsl, mesh, sampling};
 use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
 
@@ -37,7 +37,8 @@ fn the_three_agree_to_the_bit() {
         assert!(row.codes >= if codec.bits <= 24 { 1 << codec.bits } else { 1_000_000 });
         assert!(row.max_deg <= f64::from(codec.max_error_deg), "{row:#?}");
     }
-    assert_no_validation_messages(&device);
+    drop((spirv, glsl));
+    assert_no_validation_messages(device);
 }
 
 /// The last invocation's group may be incomplete, and a dispatch's last workgroup: every count around those sizes.
@@ -63,7 +64,7 @@ fn any_number_of_vectors_can_be_dispatched() {
             }
         }
     }
-    assert_no_validation_messages(&device);
+    assert_no_validation_messages(device);
 }
 
 /// A kernel that writes nothing leaves the fill pattern, not the last run's result.
@@ -84,6 +85,23 @@ fn output_that_a_kernel_does_not_write_is_noticed() {
     runner.run(&kernel, 2, &[1, 2, 3, 4], &mut second).unwrap();
     assert_ne!(first, second);
     assert!(f32::from_le_bytes([second[0], second[1], second[2], second[3]]).is_nan());
+}
+
+/// What would be undefined in Vulkan is an error here.
+#[test]
+fn runners_refuse_what_they_cannot_run() {
+    let device = lavapipe();
+    assert!(matches!(Runner::new(&device, 0, false), Err(Error::BadCount { .. })));
+    assert!(matches!(Runner::new(&device, usize::MAX, false), Err(Error::BadCount { .. })));
+    let (mut one, other) = (Runner::new(&device, 8, false).unwrap(), Runner::new(&device, 8, false).unwrap());
+    let module = glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap(), Direction::Decode).unwrap();
+    let foreign = other.kernel(&module, glsl::ENTRY_POINT).unwrap();
+    assert!(matches!(one.run(&foreign, 1, &[0; 2], &mut [0; 12]), Err(Error::ForeignKernel)));
+    let kernel = one.kernel(&module, glsl::ENTRY_POINT).unwrap();
+    assert!(matches!(one.run(&kernel, 9, &[0; 18], &mut [0; 108]), Err(Error::BadCount { .. })));
+    assert!(matches!(one.kernel(&module, "absent"), Err(Error::NotSpirv { .. })));
+    drop((foreign, kernel, one, other));
+    assert_no_validation_messages(device);
 }
 
 /// With the precise encoder's module in the place of the fast one's, conform counts thousands of mismatches.

@@ -220,3 +220,52 @@ fn a_wrong_command_line() {
         assert!(!stderr(&output).contains("panicked"));
     }
 }
+
+#[test]
+fn options_that_do_not_go_together() {
+    let folder = folder();
+    let input = file(&folder, "in.bin", &[0; 12]);
+    for option in [&["--device", "0"][..], &["--validate"], &["--spirv", "."]] {
+        let mut on_cpu = encode("oct16", &input, &folder.path().join("out"));
+        assert_fails(on_cpu.args(option), 2, &["--backend spirv"]);
+    }
+    let bunny = repository().join("tests/data/bunny.obj");
+    let mut decode = command(["decode", "--codec", "oct16"]);
+    assert_fails(decode.args([&bunny, &folder.path().join("out")]), 2, &["is a mesh", "unitvec encode"]);
+    assert_fails(&mut command(["accuracy", "--json", "-", "--csv", "-"]), 2, &["--csv -"]);
+    for count in ["0", "18446744073709551615"] {
+        assert_eq!(command(["conform", "--count", count]).output().unwrap().status.code(), Some(2));
+    }
+    assert_eq!(names(&folder), ["in.bin"]);
+}
+
+/// A codec's name in the survey's spelling, or a width that does not exist, gets a suggestion.
+#[test]
+fn unknown_codecs_get_suggestions() {
+    assert_fails(&mut command(["conform", "--codec", "oct16P"]), 2, &["did you mean oct16p?"]);
+    assert_fails(
+        &mut command(["conform", "--codec", "cube17"]),
+        2,
+        &["did you mean cube16, cube24, cube32?"],
+    );
+    assert_fails(&mut command(["conform", "--codec", "zzz"]), 2, &["`unitvec codecs` lists them all"]);
+}
+
+/// A module with another entry point or cut short, though its hash is the manifest's, does not reach the driver.
+#[test]
+fn a_module_of_something_else() {
+    for cut in [false, true] {
+        let modules = copy_of_the_modules();
+        let mut bytes = std::fs::read(modules.path().join("oct16_decode.spv")).unwrap();
+        if cut {
+            bytes = std::fs::read(modules.path().join("oct16_encode.spv")).unwrap();
+            bytes.truncate(bytes.len() / 8 * 4);
+        }
+        let mut manifest = unitvec_host::modules::Modules::open(None).unwrap().manifest().clone();
+        let entry = manifest.modules.iter_mut().find(|module| module.entry_point == "oct16_encode").unwrap();
+        entry.sha256 = unitvec_host::manifest::sha256_hex(&bytes);
+        std::fs::write(modules.path().join("oct16_encode.spv"), bytes).unwrap();
+        std::fs::write(modules.path().join("manifest.json"), serde_json::to_vec(&manifest).unwrap()).unwrap();
+        assert_modules_fail(&modules, &["oct16_encode", "is not a module"]);
+    }
+}

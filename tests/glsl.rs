@@ -101,7 +101,8 @@ fn evaluate(expression: &str, vectors: &[[f32; 3]]) -> Vec<[f32; 3]> {
     let input: Vec<u8> = vectors.iter().flatten().flat_map(|c| c.to_ne_bytes()).collect();
     let mut output = vec![0; input.len()];
     runner.run(&kernel, vectors.len(), &input, &mut output).unwrap();
-    assert_no_validation_messages(&device);
+    drop((kernel, runner));
+    assert_no_validation_messages(device);
     let components: Vec<f32> =
         output.chunks_exact(4).map(|bytes| f32::from_ne_bytes(bytes.try_into().unwrap())).collect();
     components.chunks_exact(3).map(|vector| vector.try_into().unwrap()).collect()

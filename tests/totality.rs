@@ -1,4 +1,4 @@
-//! Every codec takes any input, alone and in slices, and gives what the contract of [`unitvec::Codec`] says.
+//! Every codec of two coordinates takes any input, alone and in slices, and gives what the contract of [`unitvec::Codec`] says.
 
 use glam::Vec3;
 use proptest::prelude::*;

@@ -241,14 +241,24 @@ pub static CATALOGUE: &[CodecInfo] = &[
 
 /// No codec has this identifier.
 #[derive(Clone, Debug, thiserror::Error)]
-#[error("unknown codec `{id}`; `unitvec codecs` lists them: {}", known_ids())]
+#[error("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id))]
 pub struct UnknownCodec {
     /// What was asked for.
     pub id: String,
 }
 
-fn known_ids() -> String {
-    CATALOGUE.iter().map(|codec| codec.id).collect::<Vec<_>>().join(", ")
+/// Codecs whose identifier or survey name is this one but for case, or else that begin with the same letters.
+fn suggestion(id: &str) -> String {
+    let letters =
+        |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
+    let same =
+        |codec: &&CodecInfo| codec.id.eq_ignore_ascii_case(id) || codec.survey_name.eq_ignore_ascii_case(id);
+    let mut close: Vec<&str> = CATALOGUE.iter().filter(same).map(|codec| codec.id).collect();
+    if close.is_empty() {
+        close =
+            CATALOGUE.iter().map(|codec| codec.id).filter(|other| letters(other) == letters(id)).collect();
+    }
+    if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
 }
 
 /// The codec with this identifier.

@@ -92,7 +92,14 @@ impl Row {
 /// Vectors and codes that [`run_codec`] passes through each backend: for progress.
 pub fn work(codec: &CodecInfo, options: &Options) -> u64 {
     let special = (sampling::special_vectors().len() + HALFWAY) as u64;
-    options.count as u64 + options.normals.len() as u64 + special + code_count(codec, options)
+    (options.count as u64)
+        .saturating_add(options.normals.len() as u64 + special)
+        .saturating_add(code_count(codec, options))
+}
+
+/// Largest integer of a coordinate's snorm, up to where f32 still has halves.
+fn lattice_size(codec: &CodecInfo) -> u32 {
+    (1 << (codec.bits / 2 - 1).min(22)) - 1
 }
 
 fn code_count(codec: &CodecInfo, options: &Options) -> u64 {
@@ -127,7 +134,7 @@ pub fn run_codec(
 
     let mut others = options.normals.clone();
     others.extend(sampling::special_vectors());
-    others.extend(sampling::halfway_vectors((1 << (codec.bits / 2 - 1)) - 1, HALFWAY, options.seed));
+    others.extend(sampling::halfway_vectors(lattice_size(codec), HALFWAY, options.seed));
     for vectors in others.chunks(CHUNK) {
         let codes = comparison.encode(vectors)?;
         comparison.decode(&codes)?;

@@ -1,6 +1,6 @@
 use crate::{catalogue, glsl, mesh, modules, vulkan};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// A result with this crate's [`Error`].
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -23,11 +23,17 @@ pub enum Error {
     /// See [`mesh::MeshError`].
     #[error(transparent)]
     Mesh(#[from] mesh::MeshError),
+    /// The options do not go together.
+    #[error("{0}")]
+    Usage(String),
+    /// The reader of the standard output has gone away: no fault, and nothing more to do.
+    #[error("the standard output was closed")]
+    ReaderGone,
     /// A slice function was given the wrong sizes.
     #[error(transparent)]
     LengthMismatch(#[from] unitvec::slice::LengthMismatch),
     /// A file or pipe cannot be read.
-    #[error("cannot read {}: {source}", .path.display())]
+    #[error("cannot read {}: {source}; check that it exists and may be read", .path.display())]
     Read {
         /// Its path.
         path: PathBuf,
@@ -35,7 +41,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
-    #[error("cannot write {}: {source}", .path.display())]
+    #[error("cannot write {}: {source}; check that its folder exists, may be written to and has room", .path.display())]
     Write {
         /// Its path.
         path: PathBuf,
@@ -60,8 +66,21 @@ pub enum Error {
 }
 
 impl Error {
+    /// The error of writing to `path`, `-` being the standard output.
+    pub fn writing(path: &Path, source: io::Error) -> Self {
+        let is_stdout = path == Path::new("-");
+        if is_stdout && source.kind() == io::ErrorKind::BrokenPipe {
+            return Self::ReaderGone;
+        }
+        let path = if is_stdout { Path::new("the standard output") } else { path };
+        Self::Write { path: path.to_owned(), source }
+    }
+
     /// True where the command line itself is at fault, which exits with status 2 instead of 1.
     pub fn is_usage(&self) -> bool {
-        matches!(self, Self::UnknownCodec(_) | Self::Vulkan(vulkan::Error::UnknownDevice { .. }))
+        matches!(
+            self,
+            Self::Usage(_) | Self::UnknownCodec(_) | Self::Vulkan(vulkan::Error::UnknownDevice { .. })
+        )
     }
 }

@@ -11,6 +11,7 @@ use tempfile::NamedTempFile;
 /// directly.
 pub struct Output {
     path: PathBuf,
+    target: PathBuf,
     to: Destination,
 }
 
@@ -25,8 +26,11 @@ impl Output {
     /// # Errors
     /// [`Error::Write`] if its folder cannot be written to.
     pub fn create(path: &Path) -> Result<Self> {
-        let to = open(path).map_err(|source| Error::Write { path: path.to_owned(), source })?;
-        Ok(Self { path: path.to_owned(), to })
+        // A link stays one: what it points to is replaced.
+        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let to = open(if path == Path::new("-") { path } else { &target })
+            .map_err(|source| Error::writing(path, source))?;
+        Ok(Self { path: path.to_owned(), target, to })
     }
 
     /// The path it will have.
@@ -46,11 +50,11 @@ impl Output {
         };
         let renamed = match (result, self.to) {
             (Ok(()), Destination::Temporary(file)) => {
-                file.persist(&self.path).map(drop).map_err(|error| error.error)
+                file.persist(&self.target).map(drop).map_err(|error| error.error)
             }
             (result, _) => result,
         };
-        renamed.map_err(|source| Error::Write { path, source })
+        renamed.map_err(|source| Error::writing(&path, source))
     }
 }
 
@@ -85,17 +89,27 @@ fn open(path: &Path) -> io::Result<Destination> {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
     };
-    let file = tempfile::Builder::new()
-        .prefix(".unitvec-")
-        .permissions(default_permissions())
-        .tempfile_in(folder)?;
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".unitvec-");
+    match path.metadata() {
+        Ok(existing) => {
+            // Rename would replace a file that must not be written to.
+            OpenOptions::new().append(true).open(path)?;
+            builder.permissions(existing.permissions());
+        }
+        Err(_) => plain_permissions(&mut builder),
+    }
+    // The error's own text names the temporary file.
+    let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     Ok(Destination::Temporary(file))
 }
 
 /// Read and write for all, less the umask: what a plain new file gets. Temporary files are private otherwise.
-#[cfg(unix)]
-fn default_permissions() -> std::fs::Permissions {
-    std::os::unix::fs::PermissionsExt::from_mode(0o666)
+fn plain_permissions(builder: &mut tempfile::Builder<'_, '_>) {
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    #[cfg(not(unix))]
+    let _ = builder;
 }
 
 /// Writes a whole small file, as [`Output`] does.
@@ -104,7 +118,7 @@ fn default_permissions() -> std::fs::Permissions {
 /// [`Error::Write`].
 pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
     let mut output = Output::create(path)?;
-    output.write_all(content).map_err(|source| Error::Write { path: path.to_owned(), source })?;
+    output.write_all(content).map_err(|source| Error::writing(path, source))?;
     output.finish()
 }
 

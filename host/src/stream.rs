@@ -124,7 +124,7 @@ fn encode_chunk(
 }
 
 fn write(output: &mut Sink<'_>, bytes: &[u8]) -> Result<()> {
-    output.stream.write_all(bytes).map_err(|source| Error::Write { path: output.path(), source })
+    output.stream.write_all(bytes).map_err(|source| Error::writing(output.path, source))
 }
 
 /// Fills `buffer` with as many whole elements as there are; 0 at the end of the input. `before` elements were read

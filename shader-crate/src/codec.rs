@@ -15,7 +15,8 @@ pub trait Codec {
     /// Bytes that a stored code takes: the least of 1, 2, 3, 4, 6, 8 that holds [`BITS`](Self::BITS).
     const BYTES: usize = storage_bytes(Self::BITS);
 
-    /// An upper bound of the angle, in degrees, between a direction of the codec's domain and its decoded code.
+    /// An upper bound of the angle, in degrees, between a direction of the codec's domain and its decoded code; for raw
+    /// component formats, between a unit vector and its decoded code.
     const MAX_ERROR_DEG: f32;
 
     /// True where decoded vectors have unit length, to within 2 ULP. Raw component formats leave normalising to the
@@ -30,9 +31,13 @@ pub trait Codec {
 
     /// The code of the direction of `v`. The length of `v` does not matter; a vector without a usable direction
     /// (see [`direction`](crate::direction)) gets the code of +Z.
+    ///
+    /// Raw component formats ([`IS_UNIT`](Self::IS_UNIT) is false; best fit apart) store the components as they are,
+    /// clamped: normalise first. What rounds to zero there gets the code of +Z.
     fn encode(v: Vec3) -> Self::Code;
 
-    /// The direction that `code` stands for, of unit length to within 2 ULP. Any bit pattern is valid.
+    /// The direction that `code` stands for, of unit length to within 2 ULP where [`IS_UNIT`](Self::IS_UNIT). Any bit
+    /// pattern is valid.
     fn decode(code: Self::Code) -> Vec3;
 }
 

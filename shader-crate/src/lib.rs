@@ -38,7 +38,8 @@
 //!
 //! # What every codec promises
 //!
-//! * `encode` takes any vector: the length does not matter. A vector without a usable direction (zero, infinite,
+//! * `encode` takes any vector: the length does not matter, save to raw component formats, which store the components
+//!   they are given, clamped to [-1, 1]. A vector without a usable direction (zero, infinite,
 //!   NaN, or of an L1 norm outside [2^-100, 2^100)) gets the code of +Z.
 //! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above
 //!   [`Codec::BITS`] are ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller.

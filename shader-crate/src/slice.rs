@@ -4,18 +4,22 @@ use crate::codec::{Code, Codec};
 use core::fmt;
 use glam::Vec3;
 
-/// The output slice does not have the size that the input slice asks for.
+/// The slice of codes and the slice of vectors are not of the same number of elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// Elements that the output must have: bytes when encoding, vectors when decoding.
+    /// Bytes of codes that one slice asks of the other.
     pub expected: usize,
-    /// Elements that it has.
+    /// Bytes of codes that there are, or that there is room for.
     pub actual: usize,
 }
 
 impl fmt::Display for LengthMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the output slice has {} elements, but the input fills {}", self.actual, self.expected)
+        write!(
+            f,
+            "the slices do not fit each other: {} bytes of codes against {}",
+            self.expected, self.actual
+        )
     }
 }
 

@@ -25,11 +25,14 @@ pub fn lavapipe() -> Arc<Device> {
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Fails the test if the validation layer has said anything.
+/// Fails the test if the validation layer has said anything, of objects that outlive the device too.
 ///
 /// # Panics
-/// If it has.
-pub fn assert_no_validation_messages(device: &Device) {
-    let messages = device.instance().validation_messages();
+/// If it has, or if something still uses the device.
+pub fn assert_no_validation_messages(device: Arc<Device>) {
+    assert_eq!(Arc::strong_count(&device), 1, "something still uses the device");
+    let instance = device.instance().clone();
+    drop(device);
+    let messages = instance.validation_messages();
     assert!(messages.is_empty(), "validation messages:\n{}", messages.join("\n"));
 }

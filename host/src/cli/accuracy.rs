@@ -1,4 +1,4 @@
-use super::{BackendName, Vulkan, print, status_after_validation, to_json};
+use super::{BackendName, Vulkan, counts, print, to_json};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
@@ -15,8 +15,8 @@ pub struct Arguments {
     #[arg(long, value_enum, default_value = "all")]
     table: TableName,
     /// Random directions for each row.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
-    count: usize,
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = counts())]
+    count: u64,
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
@@ -71,6 +71,12 @@ struct Report {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let is_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
+    if is_stdout(&arguments.json) && is_stdout(&arguments.csv) {
+        return Err(Error::Usage(
+            "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
+        ));
+    }
     let mut open = arguments.backend.open(&arguments.vulkan)?;
     let published: Vec<_> = arguments
         .table
@@ -85,7 +91,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         bar.set_message(row.name.clone());
         match row.codec() {
             Some(codec) => {
-                let (backend, count, seed) = (open.backend.as_mut(), arguments.count, arguments.seed);
+                let (backend, count, seed) =
+                    (open.backend.as_mut(), arguments.count as usize, arguments.seed);
                 let mut measured = accuracy::measure_row(backend, table, &row, codec, count, seed)?;
                 if arguments.float64 {
                     let errors = accuracy::measure_float64(codec, table.domain(), count, seed);
@@ -100,12 +107,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     for (method, codec) in methods {
         bar.set_message(codec.id);
         let backend = open.backend.as_mut();
-        rows.push(accuracy::measure_meyer_row(backend, method, codec, arguments.count, arguments.seed)?);
+        rows.push(accuracy::measure_meyer_row(
+            backend,
+            method,
+            codec,
+            arguments.count as usize,
+            arguments.seed,
+        )?);
         bar.inc(1);
     }
     bar.finish_and_clear();
 
-    let is_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
     if !is_stdout(&arguments.json) && !is_stdout(&arguments.csv) {
         print(&table_text(&rows, &missing))?;
     }
@@ -115,7 +127,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&Report { rows }).as_bytes())?;
     }
-    Ok(status_after_validation(open.device.as_ref(), true))
+    Ok(open.close())
 }
 
 /// Meyer's methods at each width that there is a codec for.

@@ -1,4 +1,4 @@
-use super::{Vulkan, print, status_after_validation, to_json};
+use super::{Vulkan, counts, print, status_after_validation, to_json};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use unitvec_host::backend::{Gpu, KernelSource};
 use unitvec_host::catalogue::{self, CATALOGUE, CodecInfo};
 use unitvec_host::conform::{self, Options, Report, Row};
-use unitvec_host::vulkan::{Device, DeviceInfo};
+use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Result, glsl, mesh, output};
 
 #[derive(Args)]
@@ -16,8 +16,8 @@ pub struct Arguments {
     #[arg(long, value_name = "ID")]
     codec: Vec<String>,
     /// Random directions for each codec.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000)]
-    count: usize,
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = counts())]
+    count: u64,
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
@@ -36,7 +36,7 @@ const BUNNY: &[u8] = include_bytes!("../../../tests/data/bunny.obj");
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codecs = chosen_codecs(&arguments.codec)?;
     let options =
-        Options { count: arguments.count, seed: arguments.seed, normals: normals(&arguments.mesh)? };
+        Options { count: arguments.count as usize, seed: arguments.seed, normals: normals(&arguments.mesh)? };
     let device = arguments.vulkan.device()?;
     let mut spirv = Gpu::new(&device, KernelSource::Spirv(arguments.vulkan.modules()?), true)?;
     let mut glsl = Gpu::new(&device, KernelSource::Glsl(glsl::Compiler::new()?), true)?;
@@ -58,23 +58,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         rows.push(row);
     }
     bar.finish_and_clear();
-    finish(arguments, &device, to_stdout, rows)
-}
+    // What the layer says of objects that outlive their device counts as well.
+    let (info, instance) = (device.info().clone(), device.instance().clone());
+    drop((spirv, glsl, device));
+    let messages = instance.validation_messages();
 
-fn finish(
-    arguments: &Arguments,
-    device: &std::sync::Arc<Device>,
-    to_stdout: bool,
-    rows: Vec<Row>,
-) -> Result<ExitCode> {
-    let report = Report { device: device.info().clone(), agreed: rows.iter().all(Row::agrees), rows };
-    if !to_stdout {
-        print(&verdict(&report))?;
-    }
+    let report = Report { device: info, agreed: rows.iter().all(Row::agrees), rows };
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&report).as_bytes())?;
     }
-    Ok(status_after_validation(Some(device), report.agreed))
+    if !to_stdout {
+        print(&verdict(&report, messages.len()))?;
+    }
+    Ok(status_after_validation(&messages, report.agreed))
 }
 
 fn chosen_codecs(ids: &[String]) -> Result<Vec<&'static CodecInfo>> {
@@ -96,7 +92,7 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
 }
 
 fn progress_bar(length: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:<10} {wide_bar} {percent}%, {eta} left")
+    let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {percent}%, {eta} left")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(length).with_style(style)
 }
@@ -106,8 +102,8 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          vectors a codec: {} random (seed {}), {} mesh normals, special ones, and all codes of up to 24 bits decoded\n\
          mismatches are against the CPU; ns is device time a vector, SPIR-V from Rust / from GLSL\n\n\
-         {:<10} {:>4} {:>10} {:>10}  {:>11} {:>11}  {:>15} {:>15}\n\
-         {:<10} {:>4} {:>10} {:>10}  {:>11} {:>11}  {:>15} {:>15}\n",
+         {:<20} {:>4} {:>10} {:>10}  {:>11} {:>11}  {:>15} {:>15}\n\
+         {:<20} {:>4} {:>10} {:>10}  {:>11} {:>11}  {:>15} {:>15}\n",
         device.name,
         device.kind,
         device.driver,
@@ -142,7 +138,7 @@ fn line(row: &Row) -> String {
     };
     let (encode, decode, ns) = (&row.encode_mismatches, &row.decode_mismatches, &row.device_ns);
     let mut text = format!(
-        "{:<10} {:>4} {:>10.6} {:>10.6}  {:>11} {:>11}  {:>15} {:>15}\n",
+        "{:<20} {:>4} {:>10.6} {:>10.6}  {:>11} {:>11}  {:>15} {:>15}\n",
         row.id,
         row.bits,
         row.mean_deg,
@@ -159,7 +155,10 @@ fn line(row: &Row) -> String {
     text
 }
 
-fn verdict(report: &Report) -> String {
+fn verdict(report: &Report, validation_messages: usize) -> String {
+    if validation_messages > 0 {
+        return format!("\nconform: FAIL: {validation_messages} messages of the validation layer\n");
+    }
     let (vectors, codes) =
         report.rows.iter().fold((0, 0), |(vectors, codes), row| (vectors + row.vectors, codes + row.codes));
     if report.agreed {

@@ -1,4 +1,4 @@
-use super::{BackendName, Vulkan, status_after_validation};
+use super::{BackendName, Vulkan};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::Read;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::output::{Output, open_input};
 use unitvec_host::stream::{self, Input, Named, Sink};
-use unitvec_host::{Result, catalogue, mesh};
+use unitvec_host::{Error, Result, catalogue, mesh};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -18,7 +18,8 @@ pub struct Arguments {
     backend: BackendName,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// Input file, - for the standard input. A mesh is known by its ending: obj, ply, gltf, glb.
+    /// Input file, - for the standard input. To encode: raw f32 triples, or a mesh, known by its ending (obj, ply, gltf,
+    /// glb). To decode: codes.
     r#in: PathBuf,
     /// Output file, - for the standard output. A file is replaced only once the new one is complete.
     out: PathBuf,
@@ -45,10 +46,14 @@ pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
         output.finish()?;
     }
     bar.finish_and_clear();
-    Ok(status_after_validation(open.device.as_ref(), true))
+    Ok(open.close())
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
+    if mesh::is_mesh(&arguments.r#in) {
+        let path = arguments.r#in.display();
+        return Err(Error::Usage(format!("{path} is a mesh, not codes; `unitvec encode` makes codes of it")));
+    }
     let codec = catalogue::find(&arguments.codec)?;
     let mut open = arguments.backend.open(&arguments.vulkan)?;
     let path = arguments.r#in.as_path();
@@ -59,7 +64,7 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
     stream::decode(open.backend.as_mut(), codec, from, to, &mut |done| bar.set_position(done))?;
     output.finish()?;
     bar.finish_and_clear();
-    Ok(status_after_validation(open.device.as_ref(), true))
+    Ok(open.close())
 }
 
 fn reader<'a>(path: &'a Path, input: &'a mut Box<dyn Read>) -> Input<'a> {

@@ -64,20 +64,18 @@ pub struct Vulkan {
     /// before software.
     #[arg(long, value_name = "NAME|INDEX", env = "UNITVEC_DEVICE")]
     device: Option<String>,
-    /// Vulkan loader library, if not the system's.
-    #[arg(long, value_name = "LIBRARY", env = "UNITVEC_VULKAN_LOADER", hide = true)]
-    loader: Option<String>,
     /// Run with the Vulkan validation layer; any message of it is a failure.
     #[arg(long)]
     validate: bool,
-    /// Folder of SPIR-V modules with a manifest, instead of those inside the program.
-    #[arg(long, value_name = "FOLDER", env = "UNITVEC_SPIRV")]
+    /// Folder of SPIR-V modules with a manifest, instead of those inside the program; or the variable UNITVEC_SPIRV.
+    /// The modules are trusted, as a program is.
+    #[arg(long, value_name = "FOLDER")]
     spirv: Option<PathBuf>,
 }
 
 impl Vulkan {
     fn instance(&self) -> Result<Arc<Instance>> {
-        Ok(Arc::new(Instance::new(self.loader.as_deref(), self.validate)?))
+        Ok(Arc::new(Instance::new(variable("UNITVEC_VULKAN_LOADER").as_deref(), self.validate)?))
     }
 
     fn choice(&self) -> DeviceChoice {
@@ -89,8 +87,26 @@ impl Vulkan {
     }
 
     fn modules(&self) -> Result<Modules> {
-        Ok(Modules::open(self.spirv.as_deref())?)
+        let folder = self.spirv.clone().or_else(|| variable("UNITVEC_SPIRV").map(PathBuf::from));
+        Ok(Modules::open(folder.as_deref())?)
     }
+
+    /// Fails where the command line, not the environment, asks for what the CPU backend does not have.
+    fn refuse_for_cpu(&self) -> Result<()> {
+        let named = self.device.is_some()
+            && self.device.as_deref() != std::env::var("UNITVEC_DEVICE").ok().as_deref();
+        if named || self.validate || self.spirv.is_some() {
+            let options =
+                "--device, --validate and --spirv need a Vulkan backend; add --backend spirv or glsl";
+            return Err(Error::Usage(options.to_owned()));
+        }
+        Ok(())
+    }
+}
+
+/// An environment variable; `None` where it is unset or empty.
+fn variable(name: &str) -> Option<String> {
+    std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
 /// What runs a codec.
@@ -107,7 +123,10 @@ pub enum BackendName {
 impl BackendName {
     fn open(self, vulkan: &Vulkan) -> Result<OpenBackend> {
         let source = match self {
-            Self::Cpu => return Ok(OpenBackend { backend: Box::new(Cpu), device: None }),
+            Self::Cpu => {
+                vulkan.refuse_for_cpu()?;
+                return Ok(OpenBackend { backend: Box::new(Cpu), device: None });
+            }
             Self::Spirv => KernelSource::Spirv(vulkan.modules()?),
             Self::Glsl => KernelSource::Glsl(glsl::Compiler::new()?),
         };
@@ -122,23 +141,37 @@ struct OpenBackend {
     device: Option<Arc<Device>>,
 }
 
-/// Prints to the standard output; a reader that has gone away ends the program quietly with success.
-fn print(text: &str) -> Result<ExitCode> {
-    match io::stdout().lock().write_all(text.as_bytes()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
-            Err(Error::Write { path: Path::new("-").to_owned(), source: error })
-        }
-        _ => Ok(ExitCode::SUCCESS),
+impl OpenBackend {
+    /// Closes both; the exit status tells of validation messages, those of closing too.
+    fn close(self) -> ExitCode {
+        let instance = self.device.as_ref().map(|device| device.instance().clone());
+        drop(self);
+        status_after_validation(
+            &instance.map_or_else(Vec::new, |instance| instance.validation_messages()),
+            true,
+        )
     }
 }
 
-/// The exit status after a run that may have had validation messages, which go to the standard error.
-fn status_after_validation(device: Option<&Arc<Device>>, success: bool) -> ExitCode {
-    let messages = device.map_or_else(Vec::new, |device| device.instance().validation_messages());
-    for message in &messages {
-        eprintln!("unitvec: validation: {message}");
+/// Prints to the standard output.
+fn print(text: &str) -> Result<ExitCode> {
+    let written = io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|source| Error::writing(Path::new("-"), source))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The exit status after a run with these validation messages, which go to the standard error.
+fn status_after_validation(messages: &[String], success: bool) -> ExitCode {
+    for message in messages {
+        // Where the standard error is closed, the exit status has to do.
+        let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
     }
     if success && messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// Counts of random directions: at least one, and what a day's run could use.
+fn counts() -> clap::builder::RangedU64ValueParser<u64> {
+    clap::value_parser!(u64).range(1..=1 << 40)
 }
 
 /// JSON with a final newline.

@@ -1,6 +1,7 @@
 //! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0.
 //!
-//! A file's own vertex normals are passed on as they are, NaN included. Where a file has none, they
+//! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
+//! ASCII files). Where a file has none, they
 //! are computed from its faces; the faces of a file that has normals are not looked at.
 
 mod gltf;

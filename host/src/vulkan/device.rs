@@ -1,7 +1,7 @@
 use super::{Error, Instance, Named};
 use ash::vk;
 use serde::Serialize;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 /// What a device is.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -81,13 +81,34 @@ fn by_index_or_name<'a>(wanted: &str, devices: &'a [DeviceInfo]) -> Option<&'a D
 /// A logical device with one queue for compute and transfer.
 pub struct Device {
     pub(super) raw: ash::Device,
-    pub(super) queue: vk::Queue,
+    /// Locked around each use, as Vulkan asks.
+    pub(super) queue: Mutex<vk::Queue>,
     pub(super) queue_family: u32,
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
-    /// Nanoseconds a timestamp tick; `None` if the queue has no timestamps.
-    pub(super) timestamp_period: Option<f32>,
+    /// What a timestamp means; `None` if the queue has none.
+    pub(super) timestamps: Option<Timestamps>,
+    /// The most vectors of one dispatch: by workgroups of 64 invocations with 4 vectors each, and by buffer size.
+    pub(super) max_vectors: usize,
     info: DeviceInfo,
     instance: Arc<Instance>,
+}
+
+/// How to read a queue's timestamps.
+pub(super) struct Timestamps {
+    valid: u64,
+    /// Nanoseconds a tick.
+    period: f64,
+}
+
+impl Timestamps {
+    fn new(bits: u32, period: f32) -> Self {
+        Self { valid: u64::MAX >> (64 - bits.min(64)), period: f64::from(period) }
+    }
+
+    /// Nanoseconds from one timestamp to a later one, which may have wrapped around once.
+    pub(super) fn elapsed(&self, from: u64, to: u64) -> f64 {
+        (to.wrapping_sub(from) & self.valid) as f64 * self.period
+    }
 }
 
 impl Device {
@@ -99,7 +120,7 @@ impl Device {
         let info = choice.choose(&Self::list(instance)?)?.clone();
         let physical = physical_devices(instance)?[info.index];
         require_memory_model(instance, physical, &info)?;
-        let (queue_family, timestamps) = compute_queue(instance, physical, &info)?;
+        let (queue_family, timestamp_bits) = compute_queue(instance, physical, &info)?;
 
         let priorities = [1.0];
         let queues = [vk::DeviceQueueCreateInfo::default()
@@ -118,13 +139,19 @@ impl Device {
                 instance.raw.get_physical_device_properties(physical).limits,
             )
         };
-        let timestamp_period = timestamps.then_some(limits.timestamp_period);
+        let timestamps =
+            (timestamp_bits > 0).then(|| Timestamps::new(timestamp_bits, limits.timestamp_period));
+        let max_vectors = (limits.max_compute_work_group_count[0] as usize)
+            .saturating_mul(256)
+            .min(limits.max_storage_buffer_range as usize / 12);
+        let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
             raw,
             queue,
             queue_family,
             memory,
-            timestamp_period,
+            timestamps,
+            max_vectors,
             info,
             instance: instance.clone(),
         }))
@@ -145,7 +172,7 @@ impl Device {
     }
 
     /// The instance it belongs to.
-    pub fn instance(&self) -> &Instance {
+    pub fn instance(&self) -> &Arc<Instance> {
         &self.instance
     }
 }
@@ -217,19 +244,19 @@ fn require_memory_model(
     Err(Error::MissingFeature { device: info.name.clone(), feature: "vulkanMemoryModel" })
 }
 
-/// The first queue family with compute, and whether it has timestamps.
+/// The first queue family with compute, and the valid bits of its timestamps.
 fn compute_queue(
     instance: &Instance,
     device: vk::PhysicalDevice,
     info: &DeviceInfo,
-) -> Result<(u32, bool), Error> {
+) -> Result<(u32, u32), Error> {
     // SAFETY: a query of a physical device of the instance.
     let families = unsafe { instance.raw.get_physical_device_queue_family_properties(device) };
     families
         .iter()
         .zip(0..)
         .find(|(family, _)| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
-        .map(|(family, index)| (index, family.timestamp_valid_bits > 0))
+        .map(|(family, index)| (index, family.timestamp_valid_bits))
         .ok_or_else(|| Error::MissingFeature { device: info.name.clone(), feature: "a compute queue" })
 }
 

@@ -43,7 +43,9 @@ pub enum Error {
     )]
     NoValidationLayer,
     /// A SPIR-V module is not made of whole words.
-    #[error("the SPIR-V of `{entry_point}` is not a module: {reason}")]
+    #[error(
+        "the SPIR-V of `{entry_point}` is not a module: {reason}; `cargo xtask spirv` rebuilds the modules"
+    )]
     NotSpirv {
         /// Entry point sought.
         entry_point: String,
@@ -58,6 +60,9 @@ pub enum Error {
         /// The most a dispatch takes.
         limit: usize,
     },
+    /// A kernel was made by another runner.
+    #[error("a kernel runs only on the runner that made it; make it again with this one")]
+    ForeignKernel,
     /// A Vulkan call failed.
     #[error("Vulkan call {call} failed: {result}")]
     Call {

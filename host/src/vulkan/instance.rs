@@ -115,10 +115,10 @@ unsafe extern "system" fn collect(
 }
 
 fn load(loader: Option<&str>) -> Result<Entry, Error> {
-    let library = loader.unwrap_or("libvulkan.so.1");
+    let library = loader.unwrap_or("of the system");
     // SAFETY: loading a Vulkan loader runs its initialisers, which have no preconditions; the library is the system's
     // own or the one the user named.
-    unsafe { Entry::load_from(library) }
+    unsafe { loader.map_or_else(|| Entry::load(), |library| Entry::load_from(library)) }
         .map_err(|error| Error::NoLoader { library: library.to_owned(), reason: error.to_string() })
 }
 

@@ -2,7 +2,7 @@ use super::buffer::{Buffer, Place};
 use super::{Device, Error, Named};
 use ash::vk;
 use std::ffi::CString;
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 /// Bytes of the largest element a buffer holds: a vector of three f32.
 const MAX_ELEMENT: usize = 12;
@@ -78,8 +78,11 @@ impl Runner {
     /// run, so that what a kernel fails to write cannot pass for its result.
     ///
     /// # Errors
-    /// A failed call, or [`Error::MissingFeature`].
+    /// [`Error::BadCount`] for a capacity of 0 or beyond the device's limits, [`Error::MissingFeature`], or a failed call.
     pub fn new(device: &Arc<Device>, capacity: usize, fill_output: bool) -> Result<Self, Error> {
+        if capacity == 0 || capacity > device.max_vectors {
+            return Err(Error::BadCount { vectors: capacity, limit: device.max_vectors });
+        }
         let size = buffer_size(capacity);
         let layout = Arc::new(Layout::new(device)?);
         let mut runner = Self {
@@ -113,6 +116,8 @@ impl Runner {
 
     /// Makes a kernel of a SPIR-V module.
     ///
+    /// The module is trusted to be valid: drivers do not check. Its framing and the entry point are checked here.
+    ///
     /// # Errors
     /// [`Error::NotSpirv`] or a failed call.
     pub fn kernel(&self, spirv: &[u8], entry_point: &str) -> Result<Kernel, Error> {
@@ -123,7 +128,7 @@ impl Runner {
     /// kernel alone, where it has timestamps.
     ///
     /// # Errors
-    /// [`Error::BadCount`] or a failed call.
+    /// [`Error::BadCount`], [`Error::ForeignKernel`] for a kernel of another runner, or a failed call.
     pub fn run(
         &mut self,
         kernel: &Kernel,
@@ -131,6 +136,9 @@ impl Runner {
         input: &[u8],
         output: &mut [u8],
     ) -> Result<Option<f64>, Error> {
+        if !Arc::ptr_eq(&kernel.layout, &self.layout) {
+            return Err(Error::ForeignKernel);
+        }
         if vectors == 0 || vectors > self.capacity {
             return Err(Error::BadCount { vectors, limit: self.capacity });
         }
@@ -156,7 +164,7 @@ impl Runner {
                 vk::CommandBufferAllocateInfo::default().command_pool(self.pool).command_buffer_count(1);
             self.commands = device.allocate_command_buffers(&allocate).named("vkAllocateCommandBuffers")?[0];
             self.fence = device.create_fence(&vk::FenceCreateInfo::default(), None).named("vkCreateFence")?;
-            if self.device.timestamp_period.is_some() {
+            if self.device.timestamps.is_some() {
                 self.queries = device.create_query_pool(&queries, None).named("vkCreateQueryPool")?;
             }
         }
@@ -256,22 +264,23 @@ impl Runner {
         let device = &self.device.raw;
         let commands = [self.commands];
         let submit = [vk::SubmitInfo::default().command_buffers(&commands)];
+        let queue = self.device.queue.lock().unwrap_or_else(PoisonError::into_inner);
         // SAFETY: the command buffer is recorded, the fence unsignalled and both unused by any other submission.
         unsafe {
-            device.queue_submit(self.device.queue, &submit, self.fence).named("vkQueueSubmit")?;
+            device.queue_submit(*queue, &submit, self.fence).named("vkQueueSubmit")?;
             device.wait_for_fences(&[self.fence], true, u64::MAX).named("vkWaitForFences")?;
             device.reset_fences(&[self.fence]).named("vkResetFences")
         }
     }
 
     fn elapsed(&self) -> Result<Option<f64>, Error> {
-        let Some(period) = self.device.timestamp_period else { return Ok(None) };
+        let Some(timestamps) = &self.device.timestamps else { return Ok(None) };
         let mut ticks = [0u64; 2];
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
         // SAFETY: both queries were written by the submission that has ended.
         unsafe { self.device.raw.get_query_pool_results(self.queries, 0, &mut ticks, flags) }
             .named("vkGetQueryPoolResults")?;
-        Ok(Some(ticks[1].wrapping_sub(ticks[0]) as f64 * f64::from(period)))
+        Ok(Some(timestamps.elapsed(ticks[0], ticks[1])))
     }
 }
 
@@ -281,7 +290,10 @@ impl Drop for Runner {
         // SAFETY: all handles are this runner's own (or null, which is ignored). A submission that failed to be waited
         // for may still run: the device is idled first, and if even that fails it is lost and runs nothing.
         unsafe {
-            let _ = device.device_wait_idle();
+            {
+                let _queue = self.device.queue.lock().unwrap_or_else(PoisonError::into_inner);
+                let _ = device.device_wait_idle();
+            }
             device.destroy_query_pool(self.queries, None);
             device.destroy_fence(self.fence, None);
             device.destroy_descriptor_pool(self.descriptors, None);
@@ -330,6 +342,9 @@ impl Kernel {
             |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
         let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
             .map_err(|error| not_spirv(&error.to_string()))?;
+        if !has_entry_point(&words, entry_point) {
+            return Err(not_spirv("it is cut short or has no such entry point"));
+        }
         let name =
             CString::new(entry_point).map_err(|_| not_spirv("the entry point's name contains a NUL"))?;
         let device = &layout.device.raw;
@@ -353,6 +368,25 @@ impl Kernel {
             result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
         Ok(Self { pipeline: pipelines[0], layout: layout.clone() })
     }
+}
+
+/// True if the words are framed as instructions to the last, and one of them is OpEntryPoint with this name.
+fn has_entry_point(words: &[u32], name: &str) -> bool {
+    const HEADER: usize = 5;
+    const OP_ENTRY_POINT: u32 = 15;
+    let mut found = false;
+    let mut rest = words.get(HEADER..).unwrap_or_default();
+    while let [first, ..] = rest {
+        let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
+        if length == 0 || length > rest.len() {
+            return false;
+        }
+        let text: Vec<u8> = rest[..length].iter().skip(3).flat_map(|word| word.to_le_bytes()).collect();
+        let is_named = text.strip_prefix(name.as_bytes()).is_some_and(|end| end.first() == Some(&0));
+        found |= opcode == OP_ENTRY_POINT && is_named;
+        rest = &rest[length..];
+    }
+    found
 }
 
 impl Drop for Kernel {
