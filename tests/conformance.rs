@@ -8,7 +8,7 @@ use unitvec_host::manifest::sha256_hex;
 use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Error, Runner};
 use unitvec_host::{glsl, mesh, sampling};
-use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
+use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, repository};
 
 fn embedded() -> KernelSource {
     KernelSource::Spirv(Modules::open(None).unwrap())
@@ -79,9 +79,9 @@ fn output_that_a_kernel_does_not_write_is_noticed() {
 
     let mut runner = Runner::new(&device, 8, true).unwrap();
     let (mut first, mut second) = ([0; 24], [0; 24]);
-    let kernel = runner.kernel(&working, glsl::ENTRY_POINT).unwrap();
+    let kernel = runner.kernel(&working, glsl::ENTRY_POINT, None).unwrap();
     runner.run(&kernel, 2, &[1, 2, 3, 4], &mut first).unwrap();
-    let kernel = runner.kernel(&idle, glsl::ENTRY_POINT).unwrap();
+    let kernel = runner.kernel(&idle, glsl::ENTRY_POINT, None).unwrap();
     runner.run(&kernel, 2, &[1, 2, 3, 4], &mut second).unwrap();
     assert_ne!(first, second);
     assert!(f32::from_le_bytes([second[0], second[1], second[2], second[3]]).is_nan());
@@ -95,11 +95,11 @@ fn runners_refuse_what_they_cannot_run() {
     assert!(matches!(Runner::new(&device, usize::MAX, false), Err(Error::BadCount { .. })));
     let (mut one, other) = (Runner::new(&device, 8, false).unwrap(), Runner::new(&device, 8, false).unwrap());
     let module = glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap(), Direction::Decode).unwrap();
-    let foreign = other.kernel(&module, glsl::ENTRY_POINT).unwrap();
+    let foreign = other.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     assert!(matches!(one.run(&foreign, 1, &[0; 2], &mut [0; 12]), Err(Error::ForeignKernel)));
-    let kernel = one.kernel(&module, glsl::ENTRY_POINT).unwrap();
+    let kernel = one.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     assert!(matches!(one.run(&kernel, 9, &[0; 18], &mut [0; 108]), Err(Error::BadCount { .. })));
-    assert!(matches!(one.kernel(&module, "absent"), Err(Error::NotSpirv { .. })));
+    assert!(matches!(one.kernel(&module, "absent", None), Err(Error::NotSpirv { .. })));
     drop((foreign, kernel, one, other));
     assert_no_validation_messages(device);
 }
@@ -125,10 +125,7 @@ fn a_kernel_that_computes_something_else_is_noticed() {
 /// Copies the modules to `folder`, with oct16p_encode's code under the name of oct16_encode.
 fn swap_encoder(folder: &Path) {
     let spirv = repository().join("spirv");
-    for entry in std::fs::read_dir(&spirv).unwrap() {
-        let path = entry.unwrap().path();
-        std::fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
-    }
+    copy_modules(folder);
     let mut manifest = Modules::open(None).unwrap().manifest().clone();
     let precise = std::fs::read(spirv.join("oct16p_encode.spv")).unwrap();
     // The entry point's name is the kernel's, so it has to change too: pad it with the NUL that ends SPIR-V strings.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use tempfile::TempDir;
 use unitvec_tests::program::{command, stderr};
-use unitvec_tests::repository;
+use unitvec_tests::{copy_modules, repository};
 
 /// Runs to the end and checks that the failure is one line that contains `words`, with this status.
 fn assert_fails(command: &mut Command, status: i32, words: &[&str]) -> Output {
@@ -173,10 +173,7 @@ fn a_full_disk() {
 
 fn copy_of_the_modules() -> TempDir {
     let copy = folder();
-    for entry in std::fs::read_dir(repository().join("spirv")).unwrap() {
-        let path = entry.unwrap().path();
-        std::fs::copy(&path, copy.path().join(path.file_name().unwrap())).unwrap();
-    }
+    copy_modules(copy.path());
     copy
 }
 

@@ -97,7 +97,7 @@ fn evaluate(expression: &str, vectors: &[[f32; 3]]) -> Vec<[f32; 3]> {
     let module = Compiler::new().unwrap().compile("user.comp", &shader, &[]).unwrap();
     let device = lavapipe();
     let mut runner = Runner::new(&device, vectors.len(), true).unwrap();
-    let kernel = runner.kernel(&module, glsl::ENTRY_POINT).unwrap();
+    let kernel = runner.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     let input: Vec<u8> = vectors.iter().flatten().flat_map(|c| c.to_ne_bytes()).collect();
     let mut output = vec![0; input.len()];
     runner.run(&kernel, vectors.len(), &input, &mut output).unwrap();

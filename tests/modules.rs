@@ -2,57 +2,99 @@
 
 use std::collections::{BTreeSet, HashSet};
 use std::process::Command;
+use unitvec::best_fit;
 use unitvec_host::catalogue::{CATALOGUE, Direction};
-use unitvec_host::manifest::{Manifest, sha256_hex, sources_sha256};
+use unitvec_host::manifest::{BEST_FIT_TABLE, DECODE_BY_TABLE, Manifest, sha256_hex, sources_sha256};
 use unitvec_tests::repository;
 
-fn manifest() -> Manifest {
-    let text = std::fs::read(repository().join("spirv/manifest.json")).unwrap();
+/// The modules' folders: that of the manifest's kernels, and that of the kernels that measure.
+const FOLDERS: [&str; 2] = ["spirv", "spirv/cost"];
+
+fn manifest(folder: &str) -> Manifest {
+    let text = std::fs::read(repository().join(folder).join("manifest.json")).unwrap();
     serde_json::from_slice(&text).unwrap()
 }
 
 /// A stale module is found without the compiler: `cargo xtask spirv` rebuilds it.
 #[test]
 fn modules_are_built_from_the_sources_as_they_are() {
-    assert_eq!(manifest().sources_sha256, sources_sha256(&repository()).unwrap(), "run `cargo xtask spirv`");
+    for folder in FOLDERS {
+        let sources = sources_sha256(&repository()).unwrap();
+        assert_eq!(manifest(folder).sources_sha256, sources, "run `cargo xtask spirv`");
+    }
 }
 
 #[test]
-fn the_folder_holds_two_modules_a_codec_as_the_manifest_describes_them() {
-    let manifest = manifest();
-    let mut expected: BTreeSet<String> = BTreeSet::from(["manifest.json".to_owned()]);
+fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
+    let manifest = manifest("spirv");
     for codec in CATALOGUE {
         for direction in [Direction::Encode, Direction::Decode] {
             let name = codec.function(direction);
             let module = manifest.modules.iter().find(|module| module.entry_point == name).unwrap();
-            assert_eq!((module.codec.as_str(), module.direction), (codec.id, direction));
-            let sizes = module.bindings.iter().map(|binding| binding.bytes_per_vector as usize);
-            let expected_sizes =
-                if direction == Direction::Encode { [12, codec.bytes] } else { [codec.bytes, 12] };
-            assert!(sizes.eq(expected_sizes), "{name}");
-            let bytes = std::fs::read(repository().join("spirv").join(&module.file)).unwrap();
-            assert_eq!(module.sha256, sha256_hex(&bytes), "{name}");
-            expected.insert(module.file.clone());
+            assert_eq!(module.codec.as_deref(), Some(codec.id), "{name}");
+            assert_eq!(module.direction, direction, "{name}");
+            let sizes: Vec<Option<u32>> =
+                module.bindings.iter().map(|binding| binding.bytes_per_vector).collect();
+            let (vector, code) = (Some(12), Some(codec.bytes as u32));
+            let in_and_out = if direction == Direction::Encode { [vector, code] } else { [code, vector] };
+            assert_eq!(sizes[..2], in_and_out, "{name}");
+            let tables: Vec<_> =
+                module.bindings[2..].iter().map(|binding| binding.table.as_deref()).collect();
+            let by_table = direction == Direction::Encode && codec.encodes_by_table;
+            assert_eq!(tables, if by_table { vec![Some(BEST_FIT_TABLE)] } else { vec![] }, "{name}");
         }
     }
-    assert_eq!(manifest.modules.len(), 2 * CATALOGUE.len());
-    let actual: BTreeSet<String> = std::fs::read_dir(repository().join("spirv"))
+    assert_eq!(manifest.modules.len(), 2 * CATALOGUE.len() + 1);
+    assert!(manifest.modules.iter().any(|module| module.entry_point == DECODE_BY_TABLE));
+    assert_listed("spirv", &manifest, &["manifest.json", "cost"]);
+}
+
+/// Two kernels a codec and the two baselines.
+#[test]
+fn the_cost_folder_holds_the_modules_as_its_manifest_describes_them() {
+    let manifest = manifest("spirv/cost");
+    assert_eq!(manifest.modules.len(), 2 * CATALOGUE.len() + 2);
+    assert_listed("spirv/cost", &manifest, &["manifest.json"]);
+}
+
+/// The folder has the files that the manifest lists, with the SHA-256 that it says, these others, and nothing else.
+fn assert_listed(folder: &str, manifest: &Manifest, others: &[&str]) {
+    let modules = manifest.modules.iter().map(|module| (&module.file, &module.sha256));
+    let tables = manifest.tables.iter().map(|table| (&table.file, &table.sha256));
+    let mut expected: BTreeSet<String> = others.iter().map(|name| (*name).to_owned()).collect();
+    for (file, sha256) in modules.chain(tables) {
+        let bytes = std::fs::read(repository().join(folder).join(file)).unwrap();
+        assert_eq!(*sha256, sha256_hex(&bytes), "{file}");
+        expected.insert(file.clone());
+    }
+    let actual: BTreeSet<String> = std::fs::read_dir(repository().join(folder))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .collect();
     assert_eq!(actual, expected);
 }
 
+/// The shipped table is the one that the crate computes, little-endian.
+#[test]
+fn the_table_file_is_the_table_that_the_crate_fills() {
+    let mut table = vec![0; best_fit::TABLE_WORDS];
+    best_fit::fill_table(&mut table);
+    let bytes = std::fs::read(repository().join("spirv").join(BEST_FIT_TABLE)).unwrap();
+    assert_eq!(bytes, table.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>());
+}
+
 #[test]
 fn spirv_val_accepts_every_module() {
-    for module in manifest().modules {
-        let path = repository().join("spirv").join(&module.file);
-        let output = Command::new("spirv-val")
-            .args(["--target-env", "vulkan1.2"])
-            .arg(&path)
-            .output()
-            .expect("spirv-val is missing: `cargo xtask setup` installs it");
-        assert!(output.status.success(), "{}: {}", module.file, String::from_utf8_lossy(&output.stderr));
+    for folder in FOLDERS {
+        for module in manifest(folder).modules {
+            let path = repository().join(folder).join(&module.file);
+            let output = Command::new("spirv-val")
+                .args(["--target-env", "vulkan1.2"])
+                .arg(&path)
+                .output()
+                .expect("spirv-val is missing: `cargo xtask setup` installs it");
+            assert!(output.status.success(), "{}: {}", module.file, String::from_utf8_lossy(&output.stderr));
+        }
     }
 }
 
@@ -71,8 +113,9 @@ fn every_float_result_is_marked_no_contraction() {
             .filter(|instruction| FLOAT_ARITHMETIC.contains(&instruction.opcode))
             .map(|instruction| instruction.operands[1])
             .collect();
-        // Half floats are converted with integers alone.
-        assert!(arithmetic.len() > 5 || name.starts_with("float16x3"), "{name} has no arithmetic");
+        // Half floats are converted with integers alone, and tables need no arithmetic.
+        let whole = name.starts_with("float16x3") || name.starts_with(DECODE_BY_TABLE);
+        assert!(arithmetic.len() > 5 || whole, "{name} has no arithmetic");
         assert!(arithmetic.iter().all(|id| decorated.contains(id)), "{name}");
     }
 }
@@ -121,7 +164,7 @@ const FLOAT_ARITHMETIC: [u32; 14] = [127, 129, 131, 133, 136, 140, 141, 142, 143
 const DEBUG_TEXT: [u32; 8] = [2, 3, 4, 5, 6, 7, 8, 330];
 
 fn all_modules() -> Vec<(String, Vec<Instruction>)> {
-    let modules = manifest().modules.into_iter();
+    let modules = manifest("spirv").modules.into_iter();
     modules
         .map(|module| {
             let bytes = std::fs::read(repository().join("spirv").join(&module.file)).unwrap();

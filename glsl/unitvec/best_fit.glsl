@@ -2,15 +2,16 @@
 //
 // Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light"; Cigolle et al. 2014, section 2.2.
 //
-//   snorm8x3p_encode(v), snorm8x3p_decode(code)         24 bits: no whole vector points nearer
-//   crytek_bfn24_encode(v), crytek_bfn24_decode(code)   24 bits: one length for the directions of a texel
-//   snorm16x3p_encode(v), snorm16x3p_decode(code)       48 bits, uvec2, low word first: the best of 65 lengths
-//   best_fit_table_word(index)                          word of the table of lengths
-//   snorm8x3p_encode_by_table(v)                        the best of the four closest texels of the table, and of 127
-//   crytek_bfn24_encode_by_table(v)                     as crytek_bfn24_encode, the texel looked up
+//   snorm8x3p_encode(v), snorm8x3p_decode(code)                 24 bits: the best of the four closest texels, and of 127
+//   snorm8x3_nearest_encode(v), snorm8x3_nearest_decode(code)   24 bits: no whole vector points nearer
+//   crytek_bfn24_encode(v), crytek_bfn24_decode(code)           24 bits: one length for the directions of a texel
+//   snorm16x3p_encode(v), snorm16x3p_decode(code)               48 bits, uvec2, low word first: the best of 65 lengths
+//   best_fit_table_word(index)                                  word of the table of lengths
 //
-// The encoders by table are there if UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included, as an
-// expression that gives word i of the table, i below 262144: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
+// snorm8x3p_encode and crytek_bfn24_encode look the lengths of texels up if UNITVEC_BEST_FIT_TABLE(i) is defined before
+// this file is included, as an expression that gives word i of the table, i below 262144:
+// `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`. Else they work them out, at 20 to 30 times the cost and with the
+// same result.
 //
 // The code functions take any v: length does not matter, and +Z stands in for what has no direction. Decoding gives
 // the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -161,38 +162,35 @@ uint best_fit_table_word(uint index) {
     return word;
 }
 
+// The length of a texel of the table, or of the nearest one; 127 where a table of other making has none.
+float best_fit_length_at(float column, float row) {
+    column = best_fit_in_table(column);
+    row = best_fit_in_table(row);
 #ifdef UNITVEC_BEST_FIT_TABLE
-// The length that the table has for a texel; 127 where that is none.
-float best_fit_length_in_table(float column, float row) {
-    uint index = uint(best_fit_in_table(row)) * 1024u + uint(best_fit_in_table(column));
+    uint index = uint(row) * 1024u + uint(column);
     uint texels = UNITVEC_BEST_FIT_TABLE(index / 4u);
     uint texel = (texels >> (8u * (index % 4u))) & 255u;
     return texel - 64u < 64u ? float(texel) : 127.0;
+#else
+    return best_fit_texel_length(column, row);
+#endif
 }
 
-uint snorm8x3p_encode_by_table(vec3 v) {
+uint snorm8x3p_encode(vec3 v) {
     v = unitvec_or_z(v);
     vec3 u = best_fit_on_cube(v);
     vec2 parts = best_fit_by_size(u);
     UNITVEC_PRECISE vec2 corner = best_fit_table_position(parts) - 0.5;
     vec2 t = floor(corner);
     vec3 best = best_fit_of_length(parts, 127.0);
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_in_table(t.x, t.y)));
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_in_table(t.x + 1.0, t.y)));
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_in_table(t.x, t.y + 1.0)));
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_in_table(t.x + 1.0, t.y + 1.0)));
+    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x, t.y)));
+    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x + 1.0, t.y)));
+    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x, t.y + 1.0)));
+    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x + 1.0, t.y + 1.0)));
     return best_fit_pack8(best_fit_at_scale(v, u, best.x));
 }
 
-uint crytek_bfn24_encode_by_table(vec3 v) {
-    v = unitvec_or_z(v);
-    vec3 u = best_fit_on_cube(v);
-    vec2 t = floor(best_fit_table_position(best_fit_by_size(u)));
-    return best_fit_pack8(best_fit_at_scale(v, u, best_fit_length_in_table(t.x, t.y)));
-}
-#endif
-
-uint snorm8x3p_encode(vec3 v) {
+uint snorm8x3_nearest_encode(vec3 v) {
     v = unitvec_or_z(v);
     vec3 u = best_fit_on_cube(v);
     return best_fit_pack8(best_fit_at_scale(v, u, best_fit_best_scale(best_fit_by_size(u))));
@@ -202,8 +200,7 @@ uint crytek_bfn24_encode(vec3 v) {
     v = unitvec_or_z(v);
     vec3 u = best_fit_on_cube(v);
     vec2 t = floor(best_fit_table_position(best_fit_by_size(u)));
-    float k = best_fit_texel_length(best_fit_in_table(t.x), best_fit_in_table(t.y));
-    return best_fit_pack8(best_fit_at_scale(v, u, k));
+    return best_fit_pack8(best_fit_at_scale(v, u, best_fit_length_at(t.x, t.y)));
 }
 
 uvec2 snorm16x3p_encode(vec3 v) {
@@ -219,6 +216,10 @@ uvec2 snorm16x3p_encode(vec3 v) {
 
 vec3 snorm8x3p_decode(uint code) {
     return vec3(snorm_decode(code, 8u), snorm_decode(code >> 8u, 8u), snorm_decode(code >> 16u, 8u));
+}
+
+vec3 snorm8x3_nearest_decode(uint code) {
+    return snorm8x3p_decode(code);
 }
 
 vec3 crytek_bfn24_decode(uint code) {

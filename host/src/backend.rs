@@ -1,12 +1,14 @@
 //! Three ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust or from GLSL.
 
 use crate::Result;
-use crate::catalogue::{CodecInfo, Direction};
-use crate::glsl;
+use crate::catalogue::{CodecInfo, Direction, best_fit_table};
 use crate::modules::Modules;
-use crate::vulkan::{Device, Kernel, Runner};
+use crate::vulkan::{Device, Kernel, Runner, Table};
+use crate::{glsl, manifest};
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::Arc;
+use unitvec::slice::expect_length;
 
 /// Vectors that are processed at a time: 12 MiB of them, so that any amount of data streams through.
 pub const CHUNK: usize = 1 << 20;
@@ -70,12 +72,41 @@ pub enum KernelSource {
 }
 
 impl KernelSource {
-    fn kernel(&self, runner: &Runner, codec: &CodecInfo, direction: Direction) -> Result<Kernel> {
+    fn kernel(
+        &self,
+        runner: &Runner,
+        codec: &CodecInfo,
+        direction: Direction,
+        table: Option<&Table>,
+    ) -> Result<Kernel> {
         Ok(match self {
             Self::Spirv(modules) => {
-                runner.kernel(&modules.load(codec, direction)?, &codec.function(direction))?
+                let (module, entry_point) = modules.load(codec, direction)?;
+                runner.kernel(&module, entry_point, table)?
             }
-            Self::Glsl(compiler) => runner.kernel(&compiler.kernel(codec, direction)?, glsl::ENTRY_POINT)?,
+            Self::Glsl(compiler) => {
+                runner.kernel(&compiler.kernel(codec, direction)?, glsl::ENTRY_POINT, table)?
+            }
+        })
+    }
+
+    fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
+        Ok(match self {
+            Self::Spirv(modules) => {
+                let (module, entry_point) = modules.load_file(manifest::DECODE_BY_TABLE)?;
+                runner.kernel(&module, entry_point, Some(table))?
+            }
+            Self::Glsl(compiler) => {
+                runner.kernel(&compiler.decode_by_table()?, glsl::ENTRY_POINT, Some(table))?
+            }
+        })
+    }
+
+    /// The bytes of the table of [`unitvec::best_fit`]: those shipped beside the modules, or computed.
+    fn best_fit_table(&self) -> Result<Cow<'static, [u8]>> {
+        Ok(match self {
+            Self::Spirv(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
+            Self::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
         })
     }
 }
@@ -85,6 +116,8 @@ pub struct Gpu {
     runner: Runner,
     source: KernelSource,
     kernels: HashMap<(&'static str, Direction), Kernel>,
+    decoders_by_table: HashMap<&'static str, Kernel>,
+    best_fit_table: Option<Table>,
 }
 
 impl Gpu {
@@ -93,7 +126,13 @@ impl Gpu {
     /// # Errors
     /// A failed Vulkan call.
     pub fn new(device: &Arc<Device>, source: KernelSource, fill_output: bool) -> Result<Self> {
-        Ok(Self { runner: Runner::new(device, CHUNK, fill_output)?, source, kernels: HashMap::new() })
+        Ok(Self {
+            runner: Runner::new(device, CHUNK, fill_output)?,
+            source,
+            kernels: HashMap::new(),
+            decoders_by_table: HashMap::new(),
+            best_fit_table: None,
+        })
     }
 
     /// Compiles a kernel and runs it once, so that the next run's time is the kernel's alone.
@@ -120,9 +159,46 @@ impl Gpu {
         }
         let key = (codec.id, direction);
         if !self.kernels.contains_key(&key) {
-            self.kernels.insert(key, self.source.kernel(&self.runner, codec, direction)?);
+            let table = if direction == Direction::Encode && codec.encodes_by_table {
+                Some(self.best_fit_table()?)
+            } else {
+                None
+            };
+            let kernel = self.source.kernel(&self.runner, codec, direction, table.as_ref())?;
+            self.kernels.insert(key, kernel);
         }
         Ok(self.runner.run(&self.kernels[&key], vectors, input, output)?)
+    }
+
+    fn best_fit_table(&mut self) -> Result<Table> {
+        if let Some(table) = &self.best_fit_table {
+            return Ok(table.clone());
+        }
+        let table = self.runner.table(&self.source.best_fit_table()?)?;
+        Ok(self.best_fit_table.insert(table).clone())
+    }
+
+    /// Decodes by looking up the vectors of all codes, which the CPU decodes once. For codecs of two-byte codes.
+    ///
+    /// # Errors
+    /// As [`Backend::decode`]; [`LengthMismatch`](unitvec::slice::LengthMismatch) for codecs of more bytes.
+    pub fn decode_by_table(
+        &mut self,
+        codec: &'static CodecInfo,
+        codes: &[u8],
+        vectors: &mut [[f32; 3]],
+    ) -> Result<Option<f64>> {
+        expect_length(vectors.len() * 2, codes.len())?;
+        if vectors.is_empty() {
+            return Ok(None);
+        }
+        if !self.decoders_by_table.contains_key(codec.id) {
+            let table = self.runner.table(bytemuck::cast_slice(&decode_table(codec)?))?;
+            let kernel = self.source.decode_by_table(&self.runner, &table)?;
+            self.decoders_by_table.insert(codec.id, kernel);
+        }
+        let kernel = &self.decoders_by_table[codec.id];
+        Ok(self.runner.run(kernel, vectors.len(), codes, bytemuck::cast_slice_mut(vectors))?)
     }
 }
 
@@ -148,6 +224,10 @@ impl Backend for Gpu {
     }
 }
 
-fn expect_length(expected: usize, actual: usize) -> Result<(), unitvec::slice::LengthMismatch> {
-    if expected == actual { Ok(()) } else { Err(unitvec::slice::LengthMismatch { expected, actual }) }
+/// The vectors of all codes of two bytes.
+fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
+    let codes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
+    let mut vectors = vec![[0.0; 3]; codes.len() / 2];
+    codec.decode_cpu(&codes, &mut vectors)?;
+    Ok(vectors)
 }

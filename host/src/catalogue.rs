@@ -1,7 +1,9 @@
 //! The one list of codecs: everything that names, lists or runs codecs reads it.
 
 use serde::Serialize;
-use unitvec::slice::{LengthMismatch, decode_slice, encode_slice};
+use std::sync::OnceLock;
+use unitvec::best_fit::{TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table};
+use unitvec::slice::{LengthMismatch, decode_slice, encode_slice, encode_slice_with};
 use unitvec::{
     Codec, CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, Eqarea16,
     Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20, EqareaConcentric22,
@@ -12,11 +14,11 @@ use unitvec::{
     HemiOct32, LatLong16, LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22,
     Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48,
     OctPrecise52, Pp16, Pp24, Pp32, Pp48, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3,
-    SnormBest8, SnormBest16, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Spp16, Spp24,
-    Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20,
-    StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20,
-    StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24, WarpedCube32,
-    XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
+    SnormBest8, SnormBest16, SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
+    Spp16, Spp24, Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16,
+    StereoConcentric20, StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16,
+    StereoEllipse20, StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24,
+    WarpedCube32, XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
 };
 
 /// The directions that a codec is made for.
@@ -55,6 +57,8 @@ pub struct CodecInfo {
     pub max_error_deg: f32,
     /// The GLSL include file with its functions.
     pub glsl_file: &'static str,
+    /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
+    pub encodes_by_table: bool,
     #[serde(skip)]
     encode: EncodeSlice,
     #[serde(skip)]
@@ -79,9 +83,15 @@ impl CodecInfo {
             exact_axes: C::EXACT_AXES,
             max_error_deg: C::MAX_ERROR_DEG,
             glsl_file,
+            encodes_by_table: false,
             encode: encode_slice::<C>,
             decode: decode_slice::<C>,
         }
+    }
+
+    /// The codec, encoding by the table of [`unitvec::best_fit`].
+    const fn by_table(self, encode: EncodeSlice) -> Self {
+        Self { encodes_by_table: true, encode, ..self }
     }
 
     /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
@@ -125,6 +135,26 @@ impl std::fmt::Display for Direction {
     }
 }
 
+/// The table of [`unitvec::best_fit`], computed once.
+pub fn best_fit_table() -> &'static [u32] {
+    static TABLE: OnceLock<Vec<u32>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let mut table = vec![0; TABLE_WORDS];
+        fill_table(&mut table);
+        table
+    })
+}
+
+fn snorm8x3p_encode_slice(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    let table = best_fit_table();
+    encode_slice_with::<SnormBest8>(vectors, codes, |v| snorm8x3p_encode_by_table(v, table))
+}
+
+fn crytek_bfn24_encode_slice(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    let table = best_fit_table();
+    encode_slice_with::<CrytekBfn24>(vectors, codes, |v| crytek_bfn24_encode_by_table(v, table))
+}
+
 use Domain::{Hemisphere, Sphere};
 
 /// Every codec, by family and width.
@@ -164,9 +194,17 @@ pub static CATALOGUE: &[CodecInfo] = &[
     CodecInfo::of::<LatLongD16>("latlong16D", "latlong.glsl", Sphere, None),
     CodecInfo::of::<LatLongD24>("latlong24D", "latlong.glsl", Sphere, None),
     CodecInfo::of::<LatLongD32>("latlong32D", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<SnormBest8>("snorm8x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM")),
+    CodecInfo::of::<SnormBest8>("snorm8x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
+        .by_table(snorm8x3p_encode_slice),
+    CodecInfo::of::<SnormNearest8>(
+        "snorm8x3Nearest",
+        "best_fit.glsl",
+        Sphere,
+        Some("VK_FORMAT_R8G8B8_SNORM"),
+    ),
     CodecInfo::of::<SnormBest16>("snorm16x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R16G16B16_SNORM")),
-    CodecInfo::of::<CrytekBfn24>("CrytekBFN24", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM")),
+    CodecInfo::of::<CrytekBfn24>("CrytekBFN24", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
+        .by_table(crytek_bfn24_encode_slice),
     CodecInfo::of::<Stereo16>("stereo16", "azimuthal.glsl", Sphere, None),
     CodecInfo::of::<Stereo20>("stereo20", "azimuthal.glsl", Sphere, None),
     CodecInfo::of::<Stereo22>("stereo22", "azimuthal.glsl", Sphere, None),

@@ -1,6 +1,7 @@
 //! The GLSL kernels, compiled at run time by glslang through shaderc.
 
 use crate::catalogue::{CodecInfo, Direction};
+use crate::manifest;
 use include_dir::{Dir, include_dir};
 use shaderc::{
     CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
@@ -54,13 +55,51 @@ impl Compiler {
     /// # Errors
     /// [`Error::NoSource`] or [`Error::Rejected`].
     pub fn kernel(&self, codec: &CodecInfo, direction: Direction) -> Result<Vec<u8>, Error> {
-        let file = format!("kernels/{direction}.comp");
-        let kernel = codec.function(direction);
-        let macros = [
-            (direction.to_string().to_uppercase(), kernel.clone()),
-            ("BYTES".into(), codec.bytes.to_string()),
-        ];
-        self.compile(&file, source(&file)?, &macros).map_err(|error| Error::Rejected { file, kernel, error })
+        let function = codec.function(direction);
+        self.kernel_file(&format!("{direction}.comp"), &function, &macros(codec, direction))
+    }
+
+    /// The SPIR-V of the kernel that measures a codec's arithmetic.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn cost_kernel(&self, codec: &CodecInfo, direction: Direction) -> Result<Vec<u8>, Error> {
+        let function = codec.function(direction);
+        self.kernel_file(&format!("{direction}_cost.comp"), &function, &macros(codec, direction))
+    }
+
+    /// The SPIR-V of the kernel that measures what the others do besides encoding or decoding.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn baseline_kernel(&self, direction: Direction) -> Result<Vec<u8>, Error> {
+        self.kernel_file(&format!("{direction}_cost.comp"), "baseline", &[])
+    }
+
+    /// The SPIR-V of a kernel that reads and writes as many bytes as a codec's, and does nothing else.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn copy_kernel(&self, codec: &CodecInfo, direction: Direction) -> Result<Vec<u8>, Error> {
+        self.kernel_file("copy.comp", "copy", &macros(codec, direction))
+    }
+
+    /// The SPIR-V of the kernel that decodes two-byte codes by a table.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn decode_by_table(&self) -> Result<Vec<u8>, Error> {
+        let macros = [("BYTES".into(), "2".into())];
+        self.kernel_file("decode_by_table.comp", manifest::DECODE_BY_TABLE, &macros)
+    }
+
+    fn kernel_file(&self, file: &str, kernel: &str, macros: &[(String, String)]) -> Result<Vec<u8>, Error> {
+        let file = format!("kernels/{file}");
+        self.compile(&file, source(&file)?, macros).map_err(|error| Error::Rejected {
+            file,
+            kernel: kernel.to_owned(),
+            error,
+        })
     }
 
     /// Compiles a compute shader that may include files of `glsl/`, as if it lay there itself under the name `file`.
@@ -84,6 +123,18 @@ impl Compiler {
             self.compiler.compile_into_spirv(text, ShaderKind::Compute, file, ENTRY_POINT, Some(&options))?;
         Ok(artifact.as_binary_u8().to_vec())
     }
+}
+
+/// The macros that the kernel files are compiled with.
+fn macros(codec: &CodecInfo, direction: Direction) -> Vec<(String, String)> {
+    let mut macros = vec![
+        (direction.to_string().to_uppercase(), codec.function(direction)),
+        ("BYTES".into(), codec.bytes.to_string()),
+    ];
+    if direction == Direction::Encode && codec.encodes_by_table {
+        macros.push(("TABLE".into(), "1".into()));
+    }
+    macros
 }
 
 /// Text of a file of `glsl/`.

@@ -9,6 +9,15 @@ use std::{fs, io};
 /// Name of the manifest file in the modules' folder.
 pub const FILE_NAME: &str = "manifest.json";
 
+/// Folder, in the modules' folder, of the kernels that measure arithmetic. It has a manifest of its own.
+pub const COST_FOLDER: &str = "cost";
+
+/// File of the table of lengths of [`unitvec::best_fit`].
+pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
+
+/// The kernel that decodes two-byte codes of any codec by a table.
+pub const DECODE_BY_TABLE: &str = "decode_by_table";
+
 /// The manifest of a folder of SPIR-V modules.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Manifest {
@@ -20,6 +29,8 @@ pub struct Manifest {
     pub sources_sha256: String,
     /// The modules, by file name.
     pub modules: Vec<Module>,
+    /// Tables that modules bind.
+    pub tables: Vec<Table>,
 }
 
 /// One SPIR-V module.
@@ -27,8 +38,8 @@ pub struct Manifest {
 pub struct Module {
     /// File name in the manifest's folder.
     pub file: String,
-    /// Codec identifier.
-    pub codec: String,
+    /// Codec identifier; none for kernels that serve several.
+    pub codec: Option<String>,
     /// Half of the codec.
     pub direction: Direction,
     /// Name of the entry point, a compute shader.
@@ -54,8 +65,21 @@ pub struct Binding {
     pub access: String,
     /// What it holds.
     pub content: String,
-    /// Bytes a vector takes in it.
-    pub bytes_per_vector: u32,
+    /// Bytes a vector takes in it; none for a table.
+    pub bytes_per_vector: Option<u32>,
+    /// The table to bind, where it is one of the manifest's: its file.
+    pub table: Option<String>,
+}
+
+/// A file of constant data.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Table {
+    /// File name in the manifest's folder.
+    pub file: String,
+    /// Its layout.
+    pub layout: String,
+    /// SHA-256 of the file.
+    pub sha256: String,
 }
 
 /// A push constant.

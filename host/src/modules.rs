@@ -11,7 +11,7 @@ static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../spirv");
 
 /// A folder of modules with its manifest.
 pub struct Modules {
-    folder: Option<PathBuf>,
+    folder: Folder,
     manifest: Manifest,
 }
 
@@ -43,12 +43,12 @@ pub enum Error {
         /// Its path.
         path: PathBuf,
     },
-    /// The manifest has no module for this kernel.
-    #[error("the manifest in {} lists no module for {kernel}; `cargo xtask spirv` rebuilds it", .folder.display())]
+    /// The manifest has no module for this kernel, or no such table.
+    #[error("the manifest in {} does not list {kernel}; `cargo xtask spirv` rebuilds it", .folder.display())]
     NotListed {
         /// The manifest's folder.
         folder: PathBuf,
-        /// Kernel sought: `oct16_encode`.
+        /// Kernel sought, `oct16_encode`, or a table's file.
         kernel: String,
     },
 }
@@ -59,11 +59,24 @@ impl Modules {
     /// # Errors
     /// [`Error::Missing`] or [`Error::BadManifest`].
     pub fn open(folder: Option<&Path>) -> Result<Self, Error> {
-        let folder = folder.map(Path::to_owned);
-        let path = shown(folder.as_deref(), manifest::FILE_NAME);
-        let text = read(folder.as_deref(), manifest::FILE_NAME)?;
-        let manifest = serde_json::from_slice(&text)
-            .map_err(|error| Error::BadManifest { path, reason: error.to_string() })?;
+        Self::open_part(folder, "")
+    }
+
+    /// The kernels that measure arithmetic, of the modules in `folder` or of those inside the program.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_cost(folder: Option<&Path>) -> Result<Self, Error> {
+        Self::open_part(folder, manifest::COST_FOLDER)
+    }
+
+    fn open_part(folder: Option<&Path>, part: &'static str) -> Result<Self, Error> {
+        let folder = Folder { root: folder.map(Path::to_owned), part };
+        let text = folder.read(manifest::FILE_NAME)?;
+        let manifest = serde_json::from_slice(&text).map_err(|error| Error::BadManifest {
+            path: folder.shown(manifest::FILE_NAME),
+            reason: error.to_string(),
+        })?;
         Ok(Self { folder, manifest })
     }
 
@@ -72,40 +85,71 @@ impl Modules {
         &self.manifest
     }
 
-    /// The module of a kernel, once its SHA-256 is found to be the manifest's.
+    /// The module of a codec's kernel, once its SHA-256 is found to be the manifest's, and its entry point.
     ///
     /// # Errors
     /// [`Error::NotListed`], [`Error::Missing`] or [`Error::Corrupted`].
-    pub fn load(&self, codec: &CodecInfo, direction: Direction) -> Result<Cow<'static, [u8]>, Error> {
-        let module = self
-            .manifest
-            .modules
-            .iter()
-            .find(|module| module.codec == codec.id && module.direction == direction)
-            .ok_or_else(|| Error::NotListed {
-                folder: shown(self.folder.as_deref(), ""),
-                kernel: codec.function(direction),
+    pub fn load(&self, codec: &CodecInfo, direction: Direction) -> Result<(Cow<'static, [u8]>, &str), Error> {
+        self.load_file(&codec.function(direction))
+    }
+
+    /// As [`load`](Self::load), of the kernel whose file has this name, but for its extension.
+    ///
+    /// # Errors
+    /// As [`load`](Self::load).
+    pub fn load_file(&self, kernel: &str) -> Result<(Cow<'static, [u8]>, &str), Error> {
+        let file = format!("{kernel}.spv");
+        let module =
+            self.manifest.modules.iter().find(|module| module.file == file).ok_or_else(|| {
+                Error::NotListed { folder: self.folder.shown(""), kernel: kernel.to_owned() }
             })?;
-        let bytes = read(self.folder.as_deref(), &module.file)?;
-        if manifest::sha256_hex(&bytes) != module.sha256 {
-            return Err(Error::Corrupted { path: shown(self.folder.as_deref(), &module.file) });
-        }
-        Ok(bytes)
+        Ok((self.folder.read_checked(&file, &module.sha256)?, &module.entry_point))
+    }
+
+    /// A table, once its SHA-256 is found to be the manifest's.
+    ///
+    /// # Errors
+    /// As [`load`](Self::load).
+    pub fn table(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
+        let table = self
+            .manifest
+            .tables
+            .iter()
+            .find(|table| table.file == file)
+            .ok_or_else(|| Error::NotListed { folder: self.folder.shown(""), kernel: file.to_owned() })?;
+        self.folder.read_checked(file, &table.sha256)
     }
 }
 
-fn read(folder: Option<&Path>, file: &str) -> Result<Cow<'static, [u8]>, Error> {
-    let content = match folder {
-        Some(folder) => fs::read(folder.join(file)).map(Cow::Owned),
-        None => EMBEDDED
-            .get_file(file)
-            .map(|file| Cow::Borrowed(file.contents()))
-            .ok_or_else(|| io::ErrorKind::NotFound.into()),
-    };
-    content.map_err(|source| Error::Missing { path: shown(folder, file), source })
+/// A part of a folder of modules; without a root, of the one inside the program.
+struct Folder {
+    root: Option<PathBuf>,
+    part: &'static str,
 }
 
-/// The path that messages give for a file of this folder; `spirv` for the one inside the program.
-fn shown(folder: Option<&Path>, file: &str) -> PathBuf {
-    folder.unwrap_or(Path::new("spirv")).join(file)
+impl Folder {
+    fn read(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
+        let content = match &self.root {
+            Some(root) => fs::read(root.join(self.part).join(file)).map(Cow::Owned),
+            None => EMBEDDED
+                .get_file(Path::new(self.part).join(file))
+                .map(|file| Cow::Borrowed(file.contents()))
+                .ok_or_else(|| io::ErrorKind::NotFound.into()),
+        };
+        content.map_err(|source| Error::Missing { path: self.shown(file), source })
+    }
+
+    fn read_checked(&self, file: &str, sha256: &str) -> Result<Cow<'static, [u8]>, Error> {
+        let bytes = self.read(file)?;
+        if manifest::sha256_hex(&bytes) == sha256 {
+            Ok(bytes)
+        } else {
+            Err(Error::Corrupted { path: self.shown(file) })
+        }
+    }
+
+    /// The path that messages give for a file; `spirv` for the folder inside the program.
+    fn shown(&self, file: &str) -> PathBuf {
+        self.root.as_deref().unwrap_or(Path::new("spirv")).join(self.part).join(file)
+    }
 }

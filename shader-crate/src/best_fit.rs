@@ -8,11 +8,12 @@
 //! number `k`: with `u = |v| / max`, the candidates are the `round(k u)`. A vector and its double point alike, so the
 //! `k` above `m / 2` are all there is to try: 64 for `m` = 127.
 //!
-//! * [`SnormBest8`] (snorm8x3P) tries the 64, and a few scales in between: no whole vector points nearer.
-//!   [`snorm8x3p_encode_by_table`] does what the survey describes: it tries the four lengths in the closest texels of
-//!   a table, and the longest, 127.
-//! * [`CrytekBfn24`] is the original method: the one length in the closest texel. The codec works that length out,
-//!   [`crytek_bfn24_encode_by_table`] looks it up; their codes are the same.
+//! * [`CrytekBfn24`] is the original method: the one length in the closest texel of a table.
+//! * [`SnormBest8`] (snorm8x3P) is the survey's: the best of the lengths in the four closest texels, and the longest,
+//!   127. One direction in fourteen has a better length.
+//! * [`SnormNearest8`] tries the 64, and a few scales in between: no whole vector points nearer.
+//! * The first two work the lengths of texels out; [`crytek_bfn24_encode_by_table`] and [`snorm8x3p_encode_by_table`]
+//!   look them up. Their codes are the same. The compute kernels and the `unitvec` program take the table.
 //! * [`SnormBest16`] (snorm16x3P) tries the 64 longest of the 16384 lengths, and the unit vector.
 //!
 //! The table ([`fill_table`], 1 MiB) has 1024 x 1024 texels. A direction's column and row are `mid / max` and
@@ -26,7 +27,7 @@
 //! * Decoding gives the components as stored, **not normalised**: the longest is at least 0.5. The format is that of
 //!   plain snorm components, so that best fit and plain codes can be mixed.
 //! * Error in degrees, mean and largest over uniform directions, with the survey's in brackets:
-//!   snorm8x3P 0.0305, 0.319 (by table 0.0308, 0.319; 0.03164, 0.33443); CrytekBFN24 0.0336, 0.31 seen (0.04027,
+//!   snorm8x3P 0.0308, 0.319 (0.03164, 0.33443), nearest of all 0.0305, 0.319; CrytekBFN24 0.0336, 0.31 seen (0.04027,
 //!   4.78260); snorm16x3P 0.000088, 0.00124 (0.00060, 0.00149).
 //! * Why less than the survey's: its table must be coarser. Tables as here, but of 512, 544, 576 and 768 texels a side
 //!   give CrytekBFN24 a mean of 0.0414, 0.0403, 0.0394 and 0.0357, and snorm8x3P one of 0.0357, 0.0348, 0.0341 and
@@ -35,9 +36,9 @@
 //!   mean falls with the square root of their number.
 //! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error
 //!   is that of plain components, ten times the mean.
-//! * Cost: the scans take some 1900 operations (snorm8x3P 2200), 40 times those of an octahedral encoder (oct24: 48).
-//!   By table snorm8x3P takes 258 (5.4 times as many) and four reads, CrytekBFN24 87 and one. Decoding is next to
-//!   free.
+//! * Cost: the scan of 64 lengths takes some 1900 operations, 40 times those of an octahedral encoder (oct24: 48), and
+//!   SnormNearest8 2200. By table snorm8x3P takes 258 (5.4 times as many) and four reads, CrytekBFN24 87 and one.
+//!   Decoding is next to free.
 //! * Axes and diagonals (components of 0 and one magnitude) round-trip exactly, but for length; the axes have length 1
 //!   with snorm8x3P and snorm16x3P. Mirrored or permuted, a vector gets the mirrored or permuted code.
 
@@ -244,21 +245,41 @@ pub fn fill_table(table: &mut [u32]) {
     }
 }
 
-/// The snorm8x3P code of the direction of `v` as the survey finds it: the best of the lengths in the four closest
-/// texels and of 127. One direction in fourteen has a better length, which [`SnormBest8`] finds.
+/// The lengths of four texels: left and right above, left and right below.
+type FourLengths = [f32; 4];
+
+/// The column and row of the upper left one of the four texels whose middles are closest to a direction.
+#[inline(always)]
+fn closest_four(u: Parts) -> (f32, f32) {
+    let (x, y) = table_position(u);
+    (floor(x - 0.5), floor(y - 0.5))
+}
+
+/// The length of the four and of 127 that fits best.
+#[inline(always)]
+fn best_of_four(u: Parts, [a, b, c, d]: FourLengths) -> f32 {
+    let best = Fit::of_length(u, 127.0)
+        .or_nearer(Fit::of_length(u, a))
+        .or_nearer(Fit::of_length(u, b))
+        .or_nearer(Fit::of_length(u, c))
+        .or_nearer(Fit::of_length(u, d));
+    best.scale
+}
+
+/// The snorm8x3P code of the direction of `v`, the lengths taken from the table: the code of [`SnormBest8`].
 #[inline(always)]
 pub fn snorm8x3p_encode_by_table(v: Vec3, table: &[u32]) -> u32 {
     let (v, _) = or_z(v);
     let u = on_cube(v);
     let parts = by_size(u);
-    let (x, y) = table_position(parts);
-    let (column, row) = (floor(x - 0.5), floor(y - 0.5));
-    let best = Fit::of_length(parts, 127.0)
-        .or_nearer(Fit::of_length(parts, length_in_table(table, column, row)))
-        .or_nearer(Fit::of_length(parts, length_in_table(table, column + 1.0, row)))
-        .or_nearer(Fit::of_length(parts, length_in_table(table, column, row + 1.0)))
-        .or_nearer(Fit::of_length(parts, length_in_table(table, column + 1.0, row + 1.0)));
-    pack8(at_scale(v, u, best.scale))
+    let (column, row) = closest_four(parts);
+    let lengths = [
+        length_in_table(table, column, row),
+        length_in_table(table, column + 1.0, row),
+        length_in_table(table, column, row + 1.0),
+        length_in_table(table, column + 1.0, row + 1.0),
+    ];
+    pack8(at_scale(v, u, best_of_four(parts, lengths)))
 }
 
 /// The CrytekBFN24 code of the direction of `v`, its length taken from the table: the code of [`CrytekBfn24`].
@@ -277,10 +298,10 @@ const fn error_bound(length: f32, rounding: f32) -> f32 {
     ((core::f32::consts::FRAC_1_SQRT_2 + rounding) / length).to_degrees()
 }
 
-/// snorm8x3P, 24 bits: of all whole vectors the one that points nearest. A VK_FORMAT_R8G8B8_SNORM.
+/// snorm8x3P, 24 bits: the best of the lengths of the four closest texels, and of 127. A VK_FORMAT_R8G8B8_SNORM.
 ///
-/// With a table at hand, [`snorm8x3p_encode_by_table`] is faster and hardly worse. Keeps the direction of any code.
-/// Decodes to a vector that is not normalised.
+/// This works the texels' lengths out, 256 trials: with more than a few vectors to encode, take
+/// [`snorm8x3p_encode_by_table`]. Keeps the axes. Decodes to a vector that is not normalised.
 pub struct SnormBest8;
 
 impl Codec for SnormBest8 {
@@ -295,12 +316,48 @@ impl Codec for SnormBest8 {
     fn encode(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
         let u = on_cube(v);
-        pack8(at_scale(v, u, best_scale(by_size(u))))
+        let parts = by_size(u);
+        let (column, row) = closest_four(parts);
+        let (left, right) = (in_table(column), in_table(column + 1.0));
+        let (above, below) = (in_table(row), in_table(row + 1.0));
+        let lengths = [
+            texel_length(left, above),
+            texel_length(right, above),
+            texel_length(left, below),
+            texel_length(right, below),
+        ];
+        pack8(at_scale(v, u, best_of_four(parts, lengths)))
     }
 
     #[inline(always)]
     fn decode(code: u32) -> Vec3 {
         Vec3::new(snorm_decode(code, 8), snorm_decode(code >> 8, 8), snorm_decode(code >> 16, 8))
+    }
+}
+
+/// The format of [`SnormBest8`], 24 bits, with an encoder that misses nothing: of all whole vectors the one that points
+/// nearest.
+///
+/// Keeps the direction of any code. Decodes to a vector that is not normalised.
+pub struct SnormNearest8;
+
+impl Codec for SnormNearest8 {
+    const NAME: &'static str = "snorm8x3_nearest";
+    const BITS: u32 = 24;
+    const IS_UNIT: bool = false;
+    const MAX_ERROR_DEG: f32 = SnormBest8::MAX_ERROR_DEG;
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let (v, _) = or_z(v);
+        let u = on_cube(v);
+        pack8(at_scale(v, u, best_scale(by_size(u))))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        SnormBest8::decode(code)
     }
 }
 

@@ -90,7 +90,7 @@ pub use azimuthal::{
     StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
     StereoEllipse24, StereoEllipse32,
 };
-pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16};
+pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16, SnormNearest8};
 pub use codec::Codec;
 pub use cube::{Cube, Cube16, Cube24, Cube32, WarpedCube, WarpedCube16, WarpedCube24, WarpedCube32};
 pub use cylindrical::{Cylindrical, Cylindrical16, Cylindrical24, Cylindrical32};

@@ -30,9 +30,21 @@ impl core::error::Error for LengthMismatch {}
 /// # Errors
 /// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
 pub fn encode_slice<C: Codec>(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    encode_slice_with::<C>(vectors, codes, C::encode)
+}
+
+/// As [`encode_slice`], with another encoder of the same format, such as one by table.
+///
+/// # Errors
+/// As [`encode_slice`].
+pub fn encode_slice_with<C: Codec>(
+    vectors: &[[f32; 3]],
+    codes: &mut [u8],
+    encode: impl Fn(Vec3) -> C::Code,
+) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
     for (vector, stored) in vectors.iter().zip(codes.chunks_exact_mut(C::BYTES)) {
-        let [low, high] = C::encode(Vec3::from_array(*vector)).to_words();
+        let [low, high] = encode(Vec3::from_array(*vector)).to_words();
         let bytes = (u64::from(high) << 32 | u64::from(low)).to_le_bytes();
         stored.copy_from_slice(&bytes[..C::BYTES]);
     }
@@ -54,6 +66,10 @@ pub fn decode_slice<C: Codec>(codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<
     Ok(())
 }
 
-fn expect_length(expected: usize, actual: usize) -> Result<(), LengthMismatch> {
+/// Fails unless the two sizes are the same.
+///
+/// # Errors
+/// [`LengthMismatch`] of the two.
+pub fn expect_length(expected: usize, actual: usize) -> Result<(), LengthMismatch> {
     if expected == actual { Ok(()) } else { Err(LengthMismatch { expected, actual }) }
 }

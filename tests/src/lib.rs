@@ -36,3 +36,16 @@ pub fn assert_no_validation_messages(device: Arc<Device>) {
     let messages = instance.validation_messages();
     assert!(messages.is_empty(), "validation messages:\n{}", messages.join("\n"));
 }
+
+/// Copies the committed SPIR-V modules to `folder`, all but those that measure.
+///
+/// # Panics
+/// If a file cannot be copied.
+pub fn copy_modules(folder: &Path) {
+    for entry in std::fs::read_dir(repository().join("spirv")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_file() {
+            std::fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
+        }
+    }
+}

@@ -60,8 +60,8 @@ pub enum Error {
         /// The most a dispatch takes.
         limit: usize,
     },
-    /// A kernel was made by another runner.
-    #[error("a kernel runs only on the runner that made it; make it again with this one")]
+    /// A kernel or a table was made by another runner.
+    #[error("a kernel and its table work only with the runner that made them; make them again with this one")]
     ForeignKernel,
     /// A Vulkan call failed.
     #[error("Vulkan call {call} failed: {result}")]

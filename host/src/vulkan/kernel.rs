@@ -2,6 +2,7 @@ use super::buffer::{Buffer, Place};
 use super::{Device, Error, Named};
 use ash::vk;
 use std::ffi::CString;
+use std::rc::Rc;
 use std::sync::{Arc, PoisonError};
 
 /// Bytes of the largest element a buffer holds: a vector of three f32.
@@ -17,11 +18,26 @@ const WORKGROUP: usize = 64;
 /// a component, and a code that none of the tests' inputs gives throughout.
 const SENTINEL: u32 = 0x7fc0_dead;
 
-/// A compute kernel with the interface of `spirv/manifest.json`: binding 0 in, binding 1 out, the number of vectors
-/// as push constant.
+/// A compute kernel with the interface of `spirv/manifest.json`: binding 0 in, binding 1 out, binding 2 a table, the
+/// number of vectors as push constant.
 pub struct Kernel {
     pipeline: vk::Pipeline,
     layout: Arc<Layout>,
+    table: Option<Table>,
+}
+
+/// Constant data on a device, for kernels to look things up in.
+#[derive(Clone)]
+pub struct Table {
+    data: Rc<Staged>,
+    layout: Arc<Layout>,
+}
+
+/// What a dispatch does.
+struct Dispatch<'a> {
+    kernel: &'a Kernel,
+    workgroups: u32,
+    constants: [u32; 2],
 }
 
 /// The interface that all kernels share.
@@ -114,14 +130,47 @@ impl Runner {
         &self.device
     }
 
-    /// Makes a kernel of a SPIR-V module.
+    /// Makes a kernel of a SPIR-V module. One that reads binding 2 needs a table.
     ///
     /// The module is trusted to be valid: drivers do not check. Its framing and the entry point are checked here.
     ///
     /// # Errors
-    /// [`Error::NotSpirv`] or a failed call.
-    pub fn kernel(&self, spirv: &[u8], entry_point: &str) -> Result<Kernel, Error> {
-        Kernel::new(&self.layout, spirv, entry_point)
+    /// [`Error::NotSpirv`], [`Error::ForeignKernel`] for a table of another runner, or a failed call.
+    pub fn kernel(&self, spirv: &[u8], entry_point: &str, table: Option<&Table>) -> Result<Kernel, Error> {
+        if table.is_some_and(|table| !Arc::ptr_eq(&table.layout, &self.layout)) {
+            return Err(Error::ForeignKernel);
+        }
+        Kernel::new(&self.layout, spirv, entry_point, table.cloned())
+    }
+
+    /// Puts a table on the device.
+    ///
+    /// # Errors
+    /// A failed call; [`Error::BadCount`] for one that is empty or exceeds the device's limits.
+    pub fn table(&mut self, bytes: &[u8]) -> Result<Table, Error> {
+        let limit = self.device.max_vectors * MAX_ELEMENT;
+        if bytes.is_empty() || bytes.len() > limit {
+            return Err(Error::BadCount {
+                vectors: bytes.len() / MAX_ELEMENT,
+                limit: self.device.max_vectors,
+            });
+        }
+        let mut data = Staged::new(&self.device, bytes.len())?;
+        data.host_mut().write(bytes);
+        if let Some(staging) = &data.staging {
+            let device = &self.device.raw;
+            // SAFETY: the command buffer is not in use, since each submission is waited for; both buffers have the
+            // table's size; the barrier orders the copy before the dispatches of later submissions.
+            unsafe {
+                begin(device, self.commands)?;
+                copy(device, self.commands, staging, &data.device, bytes.len());
+                barrier(device, self.commands, Step::Transfer, Step::Compute);
+                device.end_command_buffer(self.commands).named("vkEndCommandBuffer")?;
+            }
+            self.submit_and_wait()?;
+        }
+        data.staging = None;
+        Ok(Table { data: Rc::new(data), layout: self.layout.clone() })
     }
 
     /// Runs `kernel` on `vectors` vectors and waits for it. Returns the nanoseconds that the device took for the
@@ -136,16 +185,59 @@ impl Runner {
         input: &[u8],
         output: &mut [u8],
     ) -> Result<Option<f64>, Error> {
+        self.check(kernel, vectors)?;
+        let workgroups = vectors.div_ceil(GROUP * WORKGROUP) as u32;
+        self.dispatch(&Dispatch { kernel, workgroups, constants: [vectors as u32, 0] }, input, output)
+    }
+
+    /// Runs a cost kernel, of one vector an invocation, `repetitions` times each, as [`run`](Self::run).
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_cost(
+        &mut self,
+        kernel: &Kernel,
+        vectors: usize,
+        repetitions: u32,
+        input: &[u8],
+        output: &mut [u8],
+    ) -> Result<Option<f64>, Error> {
+        self.check(kernel, vectors)?;
+        let limit = self.device.max_vectors / GROUP;
+        if vectors > limit {
+            return Err(Error::BadCount { vectors, limit });
+        }
+        let workgroups = vectors.div_ceil(WORKGROUP) as u32;
+        self.dispatch(
+            &Dispatch { kernel, workgroups, constants: [vectors as u32, repetitions] },
+            input,
+            output,
+        )
+    }
+
+    fn check(&self, kernel: &Kernel, vectors: usize) -> Result<(), Error> {
         if !Arc::ptr_eq(&kernel.layout, &self.layout) {
             return Err(Error::ForeignKernel);
         }
         if vectors == 0 || vectors > self.capacity {
             return Err(Error::BadCount { vectors, limit: self.capacity });
         }
+        Ok(())
+    }
+
+    fn dispatch(
+        &mut self,
+        dispatch: &Dispatch<'_>,
+        input: &[u8],
+        output: &mut [u8],
+    ) -> Result<Option<f64>, Error> {
         let size = buffer_size(self.capacity);
         let input = &input[..input.len().min(size)];
         self.input.host_mut().write(input);
-        self.record(kernel, vectors, input.len(), output.len().min(size))?;
+        if let Some(table) = &dispatch.kernel.table {
+            self.bind_table(table);
+        }
+        self.record(dispatch, input.len(), output.len().min(size))?;
         self.submit_and_wait()?;
         self.output.host().read(output);
         self.elapsed()
@@ -174,7 +266,7 @@ impl Runner {
     fn create_descriptors(&mut self) -> Result<(), Error> {
         let device = &self.device.raw;
         let sizes =
-            [vk::DescriptorPoolSize::default().ty(vk::DescriptorType::STORAGE_BUFFER).descriptor_count(2)];
+            [vk::DescriptorPoolSize::default().ty(vk::DescriptorType::STORAGE_BUFFER).descriptor_count(3)];
         let pool = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
         let layouts = [self.layout.set];
         let whole = |buffer: &Staged| {
@@ -198,23 +290,29 @@ impl Runner {
         Ok(())
     }
 
-    fn record(
-        &self,
-        kernel: &Kernel,
-        vectors: usize,
-        input_bytes: usize,
-        output_bytes: usize,
-    ) -> Result<(), Error> {
+    fn bind_table(&self, table: &Table) {
+        let buffer =
+            [vk::DescriptorBufferInfo::default().buffer(table.data.device.raw).range(vk::WHOLE_SIZE)];
+        let write = vk::WriteDescriptorSet::default()
+            .dst_set(self.set)
+            .dst_binding(2)
+            .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
+            .buffer_info(&buffer);
+        // SAFETY: the set is not in use, since each submission is waited for; kernels keep their tables alive, and a
+        // set with a table that is gone is bound only for kernels that do not read binding 2.
+        unsafe { self.device.raw.update_descriptor_sets(&[write], &[]) };
+    }
+
+    fn record(&self, dispatch: &Dispatch<'_>, input_bytes: usize, output_bytes: usize) -> Result<(), Error> {
         let device = &self.device.raw;
         let commands = self.commands;
-        let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
-        let workgroups = vectors.div_ceil(GROUP * WORKGROUP) as u32;
+        let &Dispatch { kernel, workgroups, constants } = dispatch;
         let timed = self.queries != vk::QueryPool::null();
         // SAFETY: the command buffer is not in use, since each submission is waited for; all handles are the runner's
         // or the kernel's, of the same device; copies and the dispatch stay within the buffers, whose size is that of
         // `capacity` vectors of the largest element; barriers order each step's memory accesses before the next's.
         unsafe {
-            device.begin_command_buffer(commands, &begin).named("vkBeginCommandBuffer")?;
+            begin(device, commands)?;
             if timed {
                 device.cmd_reset_query_pool(commands, self.queries, 0, 2);
             }
@@ -239,7 +337,7 @@ impl Runner {
                 self.layout.pipeline,
                 vk::ShaderStageFlags::COMPUTE,
                 0,
-                &(vectors as u32).to_ne_bytes(),
+                bytemuck::bytes_of(&constants),
             );
             if timed {
                 let stage = vk::PipelineStageFlags::COMPUTE_SHADER;
@@ -308,7 +406,7 @@ impl Layout {
             .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
             .descriptor_count(1)
             .stage_flags(vk::ShaderStageFlags::COMPUTE);
-        let bindings = [binding.binding(0), binding.binding(1)];
+        let bindings = [binding.binding(0), binding.binding(1), binding.binding(2)];
         let create = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
         // SAFETY: a valid create info; destroyed in `drop`.
         let set = unsafe { device.raw.create_descriptor_set_layout(&create, None) }
@@ -316,7 +414,7 @@ impl Layout {
         let mut layout = Self { set, pipeline: vk::PipelineLayout::null(), device: device.clone() };
 
         let sets = [set];
-        let constants = [vk::PushConstantRange::default().stage_flags(vk::ShaderStageFlags::COMPUTE).size(4)];
+        let constants = [vk::PushConstantRange::default().stage_flags(vk::ShaderStageFlags::COMPUTE).size(8)];
         let create =
             vk::PipelineLayoutCreateInfo::default().set_layouts(&sets).push_constant_ranges(&constants);
         // SAFETY: as above.
@@ -337,7 +435,12 @@ impl Drop for Layout {
 }
 
 impl Kernel {
-    fn new(layout: &Arc<Layout>, spirv: &[u8], entry_point: &str) -> Result<Self, Error> {
+    fn new(
+        layout: &Arc<Layout>,
+        spirv: &[u8],
+        entry_point: &str,
+        table: Option<Table>,
+    ) -> Result<Self, Error> {
         let not_spirv =
             |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
         let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
@@ -366,7 +469,7 @@ impl Kernel {
         };
         let pipelines =
             result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
-        Ok(Self { pipeline: pipelines[0], layout: layout.clone() })
+        Ok(Self { pipeline: pipelines[0], layout: layout.clone(), table })
     }
 }
 
@@ -418,6 +521,16 @@ impl Step {
             Self::Host => (vk::PipelineStageFlags::HOST, vk::AccessFlags::HOST_READ),
         }
     }
+}
+
+/// Begins a command buffer that is submitted once.
+///
+/// # Safety
+/// `commands` is not in use.
+unsafe fn begin(device: &ash::Device, commands: vk::CommandBuffer) -> Result<(), Error> {
+    let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
+    // SAFETY: as the caller promises.
+    unsafe { device.begin_command_buffer(commands, &begin) }.named("vkBeginCommandBuffer")
 }
 
 /// Records that all memory accesses of `before` come before those of `after`.

@@ -15,7 +15,7 @@ mod kernel;
 pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;
 pub use instance::Instance;
-pub use kernel::{Kernel, Runner};
+pub use kernel::{Kernel, Runner, Table};
 
 use ash::vk;
 

@@ -25,6 +25,7 @@ pub fn round_trip(id: &str) -> Option<RoundTrip> {
         "snorm11_11_10" => Some(snorm3::<11, 11, 10>),
         "snorm16x3" => Some(snorm3::<16, 16, 16>),
         "snorm8x3p" => Some(snorm8x3p),
+        "snorm8x3_nearest" => Some(snorm8x3_nearest),
         "snorm16x3p" => Some(snorm16x3p),
         "crytek_bfn24" => Some(crytek_bfn24),
         "float16x3" => Some(float16x3),
@@ -215,7 +216,7 @@ fn components(v: [f64; 3], whole: [f64; 3], b: u32) -> [f64; 3] {
 
 /// Of all whole vectors the one that points nearest: tries the four points around the ray in each of the planes where
 /// the largest component is 64 to 127; shorter vectors have multiples there.
-fn snorm8x3p(v: [f64; 3]) -> [f64; 3] {
+fn snorm8x3_nearest(v: [f64; 3]) -> [f64; 3] {
     let u = on_cube(v);
     let axis = (0..3).find(|&i| u[i] == 1.0).unwrap_or(0);
     let turned: [f64; 3] = std::array::from_fn(|i| u[(axis + i) % 3]);
@@ -236,17 +237,36 @@ fn snorm16x3p(v: [f64; 3]) -> [f64; 3] {
     components(v, plain.or_nearer(scan(on_cube(v), 32767)).whole, 16)
 }
 
-/// Kaplanyan's table of 1024 x 1024 texels: rounded at the length that fits the middle of the direction's texel best.
-fn crytek_bfn24(v: [f64; 3]) -> [f64; 3] {
-    const SIDE: u32 = 1024;
-    let u = on_cube(v);
+/// Texels along a side of Kaplanyan's table.
+const TABLE_SIDE: u32 = 1024;
+
+/// Where a direction of these magnitudes lies in the table, in texels: `mid / max` and `min / mid`.
+fn table_position(u: [f64; 3]) -> [f64; 2] {
     let mut sorted = u;
     sorted.sort_by(|a, b| b.total_cmp(a));
     let [_, mid, min] = sorted;
-    let texel = |t: f64| ((t * f64::from(SIDE)) as u32).min(SIDE - 1);
-    let (column, row) = (texel(mid), if mid > 0.0 { texel(min / mid) } else { 0 });
-    let middle = crate::best_fit::texel_direction(column, row, SIDE);
-    let length = scan(middle, 127).whole[0];
+    [mid, if mid > 0.0 { min / mid } else { 0.0 }].map(|t| t * f64::from(TABLE_SIDE))
+}
+
+/// The length that fits the middle of a texel best; of the nearest one outside of the table.
+fn texel_length([column, row]: [f64; 2]) -> f64 {
+    let [column, row] = [column, row].map(|t| t.clamp(0.0, f64::from(TABLE_SIDE - 1)) as u32);
+    scan(crate::best_fit::texel_direction(column, row, TABLE_SIDE), 127).whole[0]
+}
+
+/// Rounded at the best of the lengths in the four texels whose middles are closest, and of 127.
+fn snorm8x3p(v: [f64; 3]) -> [f64; 3] {
+    let u = on_cube(v);
+    let [x, y] = table_position(u).map(|t| (t - 0.5).floor());
+    let lengths = [[x, y], [x + 1.0, y], [x, y + 1.0], [x + 1.0, y + 1.0]].map(texel_length);
+    let fits = lengths.into_iter().map(|length| at_length(u, length as u32));
+    components(v, fits.fold(at_length(u, 127), Fit::or_nearer).whole, 8)
+}
+
+/// Kaplanyan's method: rounded at the length in the direction's texel.
+fn crytek_bfn24(v: [f64; 3]) -> [f64; 3] {
+    let u = on_cube(v);
+    let length = texel_length(table_position(u).map(f64::floor));
     components(v, u.map(|t| (t * length).round()), 8)
 }
 
@@ -368,13 +388,19 @@ mod tests {
         }
     }
 
-    /// The search of snorm8x3p misses nothing that the fuller one finds.
+    /// The search of snorm8x3_nearest misses nothing that the fuller one finds; by table one direction in fourteen is
+    /// off by more, none by less.
     #[test]
-    fn snorm8x3p_is_the_nearest() {
+    fn snorm8x3_nearest_misses_nothing() {
+        let mut worse = 0;
         for v in directions(-1.0, 5_000) {
-            let (ours, least) = (angle_deg(v, snorm8x3p(v)), best_fit::least_error(v, 127));
+            let (ours, least) = (angle_deg(v, snorm8x3_nearest(v)), best_fit::least_error(v, 127));
             assert!(ours <= least + 1e-9, "{v:?}: {ours} and {least}");
+            let by_table = angle_deg(v, snorm8x3p(v));
+            assert!(by_table >= least - 1e-9, "{v:?}: {by_table} and {least}");
+            worse += u32::from(by_table > least + 1e-9);
         }
+        assert!((250..500).contains(&worse), "{worse} of 5000");
     }
 
     /// Halves: all of those from 0 to 1 come back, and what lies a bit off them too.

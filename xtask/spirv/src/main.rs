@@ -15,8 +15,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Direction};
-use unitvec_host::manifest::{self, Binding, Manifest, Module, PushConstant};
+use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Direction, best_fit_table};
+use unitvec_host::manifest::{self, Binding, Manifest, Module, PushConstant, Table};
 use unitvec_host::output;
 
 const TARGET: &str = "spirv-unknown-vulkan1.2";
@@ -50,28 +50,48 @@ fn repository() -> Result<PathBuf> {
     Ok(root.to_owned())
 }
 
-/// File names and contents of `spirv/`, manifest included.
+/// Paths in `spirv/` and contents of its files, manifests included.
 fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
-    let mut files = BTreeMap::new();
-    let mut modules = Vec::new();
+    let table: Vec<u8> = best_fit_table().iter().flat_map(|word| word.to_le_bytes()).collect();
+    let tables = vec![Table {
+        file: manifest::BEST_FIT_TABLE.to_owned(),
+        layout: "1024 x 1024 lengths of one byte, row by row; column and row are 1024 mid / max and 1024 min / mid of a \
+                 direction's magnitudes; to be bound as u32 words, little endian"
+            .to_owned(),
+        sha256: manifest::sha256_hex(&table),
+    }];
+    let mut files = BTreeMap::from([(manifest::BEST_FIT_TABLE.to_owned(), table)]);
+    let (mut modules, mut cost_modules) = (Vec::new(), Vec::new());
     for (entry_point, path) in compile(repository)? {
         let words = finish(&read_words(&path)?).with_context(|| format!("entry point {entry_point}"))?;
         let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-        let file = format!("{entry_point}.spv");
-        modules.push(describe(&file, &entry_point, &bytes)?);
-        files.insert(file, bytes);
+        if let Some(kernel) = cost_kernel(&entry_point) {
+            let module = describe_cost(&kernel, &entry_point, &bytes)?;
+            files.insert(format!("{}/{}", manifest::COST_FOLDER, module.file), bytes);
+            cost_modules.push(module);
+        } else {
+            let module = describe(&entry_point, &bytes)?;
+            files.insert(module.file.clone(), bytes);
+            modules.push(module);
+        }
     }
-    ensure!(modules.len() == 2 * CATALOGUE.len(), "{} modules for {} codecs", modules.len(), CATALOGUE.len());
-    let manifest = Manifest {
-        rust_gpu: RUST_GPU.to_owned(),
-        target: TARGET.to_owned(),
-        sources_sha256: manifest::sources_sha256(repository)?,
-        modules,
-    };
-    files.insert(
-        manifest::FILE_NAME.to_owned(),
-        (serde_json::to_string_pretty(&manifest)? + "\n").into_bytes(),
-    );
+    let kernels = 2 * CATALOGUE.len();
+    ensure!(modules.len() == kernels + 1, "{} modules for {} codecs", modules.len(), CATALOGUE.len());
+    ensure!(cost_modules.len() == kernels + 2, "{} cost modules", cost_modules.len());
+    let sources_sha256 = manifest::sources_sha256(repository)?;
+    let cost_manifest = format!("{}/{}", manifest::COST_FOLDER, manifest::FILE_NAME);
+    for (name, modules, tables) in
+        [(manifest::FILE_NAME.to_owned(), modules, tables), (cost_manifest, cost_modules, Vec::new())]
+    {
+        let manifest = Manifest {
+            rust_gpu: RUST_GPU.to_owned(),
+            target: TARGET.to_owned(),
+            sources_sha256: sources_sha256.clone(),
+            modules,
+            tables,
+        };
+        files.insert(name, (serde_json::to_string_pretty(&manifest)? + "\n").into_bytes());
+    }
     Ok(files)
 }
 
@@ -126,49 +146,108 @@ fn finish(words: &[u32]) -> Result<Vec<u32>> {
     Ok(words)
 }
 
-fn describe(file: &str, entry_point: &str, bytes: &[u8]) -> Result<Module> {
-    let (codec, direction) = CATALOGUE
+/// `oct16_encode` of `kernels::oct16::encode_cost`, the entry point that measures it; `None` of others.
+fn cost_kernel(entry_point: &str) -> Option<String> {
+    let path = entry_point.strip_prefix("kernels::")?.strip_suffix("_cost")?;
+    Some(path.replace("::", "_"))
+}
+
+fn find_kernel(kernel: &str) -> Option<(&'static CodecInfo, Direction)> {
+    CATALOGUE
         .iter()
         .flat_map(|codec| [(codec, Direction::Encode), (codec, Direction::Decode)])
-        .find(|(codec, direction)| codec.function(*direction) == entry_point)
-        .with_context(|| format!("entry point {entry_point} belongs to no codec of the catalogue"))?;
+        .find(|(codec, direction)| codec.function(*direction) == kernel)
+}
+
+fn describe(entry_point: &str, bytes: &[u8]) -> Result<Module> {
+    let (codec, direction, bindings) = if entry_point == manifest::DECODE_BY_TABLE {
+        let mut bindings = bindings(2, Direction::Decode);
+        let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
+        bindings.push(Binding { content: content.to_owned(), ..table_binding() });
+        (None, Direction::Decode, bindings)
+    } else {
+        let (codec, direction) = find_kernel(entry_point)
+            .with_context(|| format!("entry point {entry_point} belongs to no codec of the catalogue"))?;
+        let mut bindings = bindings(codec.bytes, direction);
+        if codec.encodes_by_table && direction == Direction::Encode {
+            bindings.push(Binding { table: Some(manifest::BEST_FIT_TABLE.to_owned()), ..table_binding() });
+        }
+        (Some(codec.id.to_owned()), direction, bindings)
+    };
     Ok(Module {
-        file: file.to_owned(),
-        codec: codec.id.to_owned(),
+        file: format!("{entry_point}.spv"),
+        codec,
         direction,
         entry_point: entry_point.to_owned(),
         workgroup_size: [64, 1, 1],
         vectors_per_invocation: 4,
-        bindings: bindings(codec, direction),
-        push_constants: vec![PushConstant {
-            offset: 0,
-            r#type: "u32".to_owned(),
-            content: "number of vectors".to_owned(),
-        }],
+        bindings,
+        push_constants: vec![constant(0, "number of vectors")],
         sha256: manifest::sha256_hex(bytes),
     })
 }
 
-fn bindings(codec: &CodecInfo, direction: Direction) -> Vec<Binding> {
-    let vectors = ("three f32 a vector, packed".to_owned(), 12);
-    let codes = ("codes, little endian, packed".to_owned(), codec.bytes as u32);
-    let (input, output) = match direction {
+fn describe_cost(kernel: &str, entry_point: &str, bytes: &[u8]) -> Result<Module> {
+    let is_baseline = kernel.starts_with("baseline_");
+    let codec = find_kernel(kernel).map(|(codec, _)| codec);
+    ensure!(is_baseline || codec.is_some(), "cost kernel {kernel} belongs to no codec of the catalogue");
+    let direction = if kernel.ends_with("_encode") { Direction::Encode } else { Direction::Decode };
+    let input = match direction {
+        Direction::Encode => "three f32 a vector, packed",
+        Direction::Decode => "codes of three words, of which the first two count",
+    };
+    let mut bindings =
+        vec![binding(0, "read", input, Some(12)), binding(1, "write", "sum of the results", Some(4))];
+    if direction == Direction::Encode && codec.is_some_and(|codec| codec.encodes_by_table) {
+        bindings.push(Binding { table: Some(manifest::BEST_FIT_TABLE.to_owned()), ..table_binding() });
+    }
+    Ok(Module {
+        file: format!("{kernel}.spv"),
+        codec: codec.map(|codec| codec.id.to_owned()),
+        direction,
+        entry_point: entry_point.to_owned(),
+        workgroup_size: [64, 1, 1],
+        vectors_per_invocation: 1,
+        bindings,
+        push_constants: vec![constant(0, "number of vectors"), constant(4, "repetitions of each")],
+        sha256: manifest::sha256_hex(bytes),
+    })
+}
+
+fn constant(offset: u32, content: &str) -> PushConstant {
+    PushConstant { offset, r#type: "u32".to_owned(), content: content.to_owned() }
+}
+
+fn bindings(code_bytes: usize, direction: Direction) -> Vec<Binding> {
+    let vectors = ("three f32 a vector, packed", 12);
+    let codes = ("codes, little endian, packed", code_bytes as u32);
+    let ((read, read_bytes), (written, written_bytes)) = match direction {
         Direction::Encode => (vectors, codes),
         Direction::Decode => (codes, vectors),
     };
-    let binding = |binding, access: &str, (content, bytes_per_vector)| Binding {
-        binding,
-        access: access.to_owned(),
-        content,
-        bytes_per_vector,
-    };
-    vec![binding(0, "read", input), binding(1, "write", output)]
+    vec![binding(0, "read", read, Some(read_bytes)), binding(1, "write", written, Some(written_bytes))]
 }
 
+fn table_binding() -> Binding {
+    binding(2, "read", "table", None)
+}
+
+fn binding(binding: u32, access: &str, content: &str, bytes_per_vector: Option<u32>) -> Binding {
+    Binding { binding, access: access.to_owned(), content: content.to_owned(), bytes_per_vector, table: None }
+}
+
+/// Paths, in the folder, of the files in it and in the folder of cost kernels.
 fn spirv_files(folder: &Path) -> Result<Vec<String>> {
     let mut names = Vec::new();
-    for entry in fs::read_dir(folder).with_context(|| format!("reading {}", folder.display()))? {
-        names.push(entry?.file_name().to_string_lossy().into_owned());
+    for part in ["", manifest::COST_FOLDER] {
+        let folder = folder.join(part);
+        for entry in fs::read_dir(&folder).with_context(|| format!("reading {}", folder.display()))? {
+            let entry = entry?;
+            if entry.file_type()?.is_file() {
+                let path = Path::new(part).join(entry.file_name());
+                names.push(path.to_string_lossy().into_owned());
+            }
+        }
     }
     Ok(names)
 }
@@ -193,7 +272,7 @@ fn compare(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
 
 /// Writes the files, then removes modules that are no longer built.
 fn replace(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
-    fs::create_dir_all(folder)?;
+    fs::create_dir_all(folder.join(manifest::COST_FOLDER))?;
     for (name, content) in files {
         output::write_file(&folder.join(name), content)?;
     }

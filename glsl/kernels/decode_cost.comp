@@ -1,0 +1,40 @@
+// As encode_cost.comp, of a decoder: an invocation decodes a code and its successors and sums the components. The
+// compiler is given what decode.comp is; without DECODE this is the baseline, which sums numbers from 1 to 2 made of the
+// code's bits. As bare bits they might be denormals, which some processors add slowly.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+layout(local_size_x = 64) in;
+#include "../unitvec/unitvec.glsl"
+
+struct Words { uint w[3]; };
+
+layout(push_constant) uniform Work { uint vectors; uint repetitions; };
+layout(set = 0, binding = 0) readonly buffer Input { Words input_codes[]; };
+layout(set = 0, binding = 1) writeonly buffer Output { uint sums[]; };
+
+// Odd, so that all bits change; the fraction of the golden ratio, so that codes spread evenly.
+const uint STEP = 0x9e3779b9u;
+
+vec3 decoded(uvec2 code) {
+#ifndef DECODE
+    return vec3(uintBitsToFloat((code.x >> 9u) | 0x3f800000u));
+#elif BYTES > 4
+    return DECODE(code);
+#else
+    return DECODE(code.x);
+#endif
+}
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= vectors) return;
+    uvec2 code = uvec2(input_codes[i].w[0], input_codes[i].w[1]);
+    UNITVEC_PRECISE float sum = 0.0;
+    for (uint repetition = 0u; repetition < repetitions; ++repetition) {
+        vec3 v = decoded(code);
+        sum += (v.x + v.y) + v.z;
+        code += STEP;
+    }
+    sums[i] = floatBitsToUint(sum);
+}

@@ -1,0 +1,41 @@
+// The survey's measure of an encoder's arithmetic (section 4.2): an invocation encodes one vector `repetitions` times,
+// each time a little changed so that nothing can be moved out of the loop, and sums the codes. The compiler is given
+// what encode.comp is; without ENCODE this is the baseline to subtract, which sums the components' bits.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+layout(local_size_x = 64) in;
+#include "table.glsl"
+#include "../unitvec/unitvec.glsl"
+
+struct Vector { float f[3]; };
+
+layout(push_constant) uniform Work { uint vectors; uint repetitions; };
+layout(set = 0, binding = 0) readonly buffer Input { Vector input_vectors[]; };
+layout(set = 0, binding = 1) writeonly buffer Output { uint sums[]; };
+
+// 2^-12 and two other small steps: the sizes and signs of components change now and then, as from pixel to pixel.
+const vec3 NUDGE = vec3(1.0 / 4096.0, -1.0 / 8192.0, 1.0 / 6144.0);
+
+uint encoded(vec3 v) {
+#ifndef ENCODE
+    return floatBitsToUint(v.x) + floatBitsToUint(v.y) + floatBitsToUint(v.z);
+#elif BYTES > 4
+    uvec2 code = ENCODE(v);
+    return code.x + code.y;
+#else
+    return ENCODE(v);
+#endif
+}
+
+void main() {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= vectors) return;
+    UNITVEC_PRECISE vec3 v = vec3(input_vectors[i].f[0], input_vectors[i].f[1], input_vectors[i].f[2]);
+    uint sum = 0u;
+    for (uint repetition = 0u; repetition < repetitions; ++repetition) {
+        sum += encoded(v);
+        v += NUDGE;
+    }
+    sums[i] = sum;
+}
