@@ -1,7 +1,7 @@
 //! The catalogue is whole and says what is so.
 
 use std::collections::BTreeSet;
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Domain};
+use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Coding, Domain};
 use unitvec_host::measure::angle_deg;
 use unitvec_tests::repository;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use unitvec_host::backend::{Backend, Cpu, Gpu, KernelSource};
-use unitvec_host::catalogue::{CATALOGUE, Direction, Domain, find};
+use unitvec_host::catalogue::{CATALOGUE, Coding, Direction, Domain, FRAMES, find};
 use unitvec_host::conform::{self, Options};
 use unitvec_host::manifest::sha256_hex;
 use unitvec_host::modules::Modules;
@@ -36,6 +36,13 @@ fn the_three_agree_to_the_bit() {
         assert!(row.agrees(), "{row:#?}");
         assert!(row.codes >= if codec.bits <= 24 { 1 << codec.bits } else { 1_000_000 });
         assert!(row.max_deg <= f64::from(codec.max_error_deg), "{row:#?}");
+    }
+    for codec in FRAMES {
+        let row = conform::run_frame(codec, &options, &mut spirv, &mut glsl, &mut |_| ()).unwrap();
+        assert!(row.agrees(), "{row:#?}");
+        assert!(row.codes >= 1_000_000);
+        assert!(row.max_deg <= f64::from(codec.max_normal_error_deg), "{row:#?}");
+        assert!(row.tangent_max_deg.unwrap() <= f64::from(codec.max_tangent_error_deg), "{row:#?}");
     }
     drop((spirv, glsl));
     assert_no_validation_messages(device);
@@ -75,7 +82,7 @@ fn output_that_a_kernel_does_not_write_is_noticed() {
     let idle = "#version 450\nlayout(local_size_x = 64) in;\nvoid main() {}\n";
     let idle = compiler.compile("idle.comp", idle, &[]).unwrap();
     let codec = find("oct16").unwrap();
-    let working = compiler.kernel(codec, Direction::Decode).unwrap();
+    let working = compiler.kernel(codec.format(), Direction::Decode).unwrap();
 
     let mut runner = Runner::new(&device, 8, true).unwrap();
     let (mut first, mut second) = ([0; 24], [0; 24]);
@@ -94,7 +101,7 @@ fn runners_refuse_what_they_cannot_run() {
     assert!(matches!(Runner::new(&device, 0, false), Err(Error::BadCount { .. })));
     assert!(matches!(Runner::new(&device, usize::MAX, false), Err(Error::BadCount { .. })));
     let (mut one, other) = (Runner::new(&device, 8, false).unwrap(), Runner::new(&device, 8, false).unwrap());
-    let module = glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap(), Direction::Decode).unwrap();
+    let module = glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap().format(), Direction::Decode).unwrap();
     let foreign = other.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     assert!(matches!(one.run(&foreign, 1, &[0; 2], &mut [0; 12]), Err(Error::ForeignKernel)));
     let kernel = one.kernel(&module, glsl::ENTRY_POINT, None).unwrap();

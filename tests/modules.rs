@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 use std::process::Command;
 use unitvec::best_fit;
-use unitvec_host::catalogue::{CATALOGUE, Direction};
+use unitvec_host::catalogue::{Direction, formats};
 use unitvec_host::manifest::{BEST_FIT_TABLE, DECODE_BY_TABLE, Manifest, sha256_hex, sources_sha256};
 use unitvec_tests::repository;
 
@@ -27,7 +27,7 @@ fn modules_are_built_from_the_sources_as_they_are() {
 #[test]
 fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
     let manifest = manifest("spirv");
-    for codec in CATALOGUE {
+    for codec in formats() {
         for direction in [Direction::Encode, Direction::Decode] {
             let name = codec.function(direction);
             let module = manifest.modules.iter().find(|module| module.entry_point == name).unwrap();
@@ -35,8 +35,8 @@ fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
             assert_eq!(module.direction, direction, "{name}");
             let sizes: Vec<Option<u32>> =
                 module.bindings.iter().map(|binding| binding.bytes_per_vector).collect();
-            let (vector, code) = (Some(12), Some(codec.bytes as u32));
-            let in_and_out = if direction == Direction::Encode { [vector, code] } else { [code, vector] };
+            let (element, code) = (Some(codec.element.bytes() as u32), Some(codec.bytes as u32));
+            let in_and_out = if direction == Direction::Encode { [element, code] } else { [code, element] };
             assert_eq!(sizes[..2], in_and_out, "{name}");
             let tables: Vec<_> =
                 module.bindings[2..].iter().map(|binding| binding.table.as_deref()).collect();
@@ -44,7 +44,7 @@ fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
             assert_eq!(tables, if by_table { vec![Some(BEST_FIT_TABLE)] } else { vec![] }, "{name}");
         }
     }
-    assert_eq!(manifest.modules.len(), 2 * CATALOGUE.len() + 1);
+    assert_eq!(manifest.modules.len(), 2 * formats().count() + 1);
     assert!(manifest.modules.iter().any(|module| module.entry_point == DECODE_BY_TABLE));
     assert_listed("spirv", &manifest, &["manifest.json", "cost"]);
 }
@@ -53,7 +53,7 @@ fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
 #[test]
 fn the_cost_folder_holds_the_modules_as_its_manifest_describes_them() {
     let manifest = manifest("spirv/cost");
-    assert_eq!(manifest.modules.len(), 2 * CATALOGUE.len() + 2);
+    assert_eq!(manifest.modules.len(), 2 * formats().count() + 2);
     assert_listed("spirv/cost", &manifest, &["manifest.json"]);
 }
 

@@ -8,7 +8,7 @@ use unitvec::azimuthal;
 use unitvec::slice::{decode_slice, encode_slice};
 use unitvec_tests::oracle::azimuthal as papers;
 use unitvec_tests::oracle::{
-    self, Cylindrical, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length, widen,
+    self, Cylindrical, Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length, widen,
 };
 use unitvec_tests::sampling::{self, END_OF_NORMS, LEAST_NORM, special_inputs, sphere, usable};
 
@@ -31,6 +31,14 @@ impl<const BITS: u32> Checked for unitvec::HemiOct<BITS> {
 
 impl<const BITS: u32> Checked for unitvec::Cylindrical<BITS> {
     type Oracle = Cylindrical;
+}
+
+impl<const BITS: u32> Checked for unitvec::Fib<BITS> {
+    type Oracle = Fib;
+}
+
+impl<const BITS: u32> Checked for unitvec::Ico<BITS> {
+    type Oracle = oracle::Ico;
 }
 
 impl<const BITS: u32> Checked for unitvec::LatLong<BITS> {
@@ -72,7 +80,7 @@ macro_rules! for_every_codec {
         for_every_codec!($check($($argument),*): Oct16 Oct20 Oct22 Oct24 Oct32
             OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32
             Spherical16 Spherical20 Spherical22 Spherical24 Spherical32 Cylindrical16 Cylindrical24 Cylindrical32
-            LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32
+            Fib16 Fib24 Fib32 Ico16 Ico24 Ico32 LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32
             Stereo16 Stereo20 Stereo22 Stereo24 Stereo32
             StereoConcentric16 StereoConcentric20 StereoConcentric22 StereoConcentric24 StereoConcentric32
             StereoEllipse16 StereoEllipse20 StereoEllipse22 StereoEllipse24 StereoEllipse32

@@ -1,13 +1,18 @@
 // Reads and writes as many bytes as a codec's kernel, and does no more with them than it takes to read them all: what
-// the memory allows. The compiler is given BYTES, and ENCODE or DECODE.
+// the memory allows. The compiler is given BYTES, ENCODE or DECODE, and FRAME where it is frames that are encoded.
 #version 450
 
+#ifdef FRAME
+#define ELEMENT 28
+#else
+#define ELEMENT 12
+#endif
 #ifdef ENCODE
-#define READ 12
+#define READ ELEMENT
 #define WRITTEN BYTES
 #else
 #define READ BYTES
-#define WRITTEN 12
+#define WRITTEN ELEMENT
 #endif
 
 struct Read { uint w[READ]; };

@@ -16,13 +16,22 @@ layout(set = 0, binding = 1) writeonly buffer Output { uint sums[]; };
 // Odd, so that all bits change; the fraction of the golden ratio, so that codes spread evenly.
 const uint STEP = 0x9e3779b9u;
 
+#if BYTES > 4
+#define CODE(words) words
+#else
+#define CODE(words) words.x
+#endif
+
 vec3 decoded(uvec2 code) {
 #ifndef DECODE
     return vec3(uintBitsToFloat((code.x >> 9u) | 0x3f800000u));
-#elif BYTES > 4
-    return DECODE(code);
+#elif defined(FRAME)
+    vec3 normal;
+    vec4 tangent;
+    DECODE(CODE(code), normal, tangent);
+    return normal + tangent.xyz * tangent.w;
 #else
-    return DECODE(code.x);
+    return DECODE(CODE(code));
 #endif
 }
 

@@ -17,14 +17,21 @@ layout(set = 0, binding = 1) writeonly buffer Output { uint sums[]; };
 // 2^-12 and two other small steps: the sizes and signs of components change now and then, as from pixel to pixel.
 const vec3 NUDGE = vec3(1.0 / 4096.0, -1.0 / 8192.0, 1.0 / 6144.0);
 
+// A vector stands for the frame of which it is the normal and its turn about (1, 1, 1) the tangent.
+#ifdef FRAME
+#define CODE_OF(v) ENCODE(v, v.yzxx)
+#else
+#define CODE_OF(v) ENCODE(v)
+#endif
+
 uint encoded(vec3 v) {
 #ifndef ENCODE
     return floatBitsToUint(v.x) + floatBitsToUint(v.y) + floatBitsToUint(v.z);
 #elif BYTES > 4
-    uvec2 code = ENCODE(v);
+    uvec2 code = CODE_OF(v);
     return code.x + code.y;
 #else
-    return ENCODE(v);
+    return CODE_OF(v);
 #endif
 }
 

@@ -1,7 +1,7 @@
 //! Three ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust or from GLSL.
 
 use crate::Result;
-use crate::catalogue::{CodecInfo, Direction, best_fit_table};
+use crate::catalogue::{CodecInfo, Coding, Direction, Format, best_fit_table};
 use crate::modules::Modules;
 use crate::vulkan::{Device, Kernel, Runner, Table};
 use crate::{glsl, manifest};
@@ -75,17 +75,17 @@ impl KernelSource {
     fn kernel(
         &self,
         runner: &Runner,
-        codec: &CodecInfo,
+        format: Format,
         direction: Direction,
         table: Option<&Table>,
     ) -> Result<Kernel> {
         Ok(match self {
             Self::Spirv(modules) => {
-                let (module, entry_point) = modules.load(codec, direction)?;
+                let (module, entry_point) = modules.load(&format.function(direction))?;
                 runner.kernel(&module, entry_point, table)?
             }
             Self::Glsl(compiler) => {
-                runner.kernel(&compiler.kernel(codec, direction)?, glsl::ENTRY_POINT, table)?
+                runner.kernel(&compiler.kernel(format, direction)?, glsl::ENTRY_POINT, table)?
             }
         })
     }
@@ -93,7 +93,7 @@ impl KernelSource {
     fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
         Ok(match self {
             Self::Spirv(modules) => {
-                let (module, entry_point) = modules.load_file(manifest::DECODE_BY_TABLE)?;
+                let (module, entry_point) = modules.load(manifest::DECODE_BY_TABLE)?;
                 runner.kernel(&module, entry_point, Some(table))?
             }
             Self::Glsl(compiler) => {
@@ -135,39 +135,81 @@ impl Gpu {
         })
     }
 
-    /// Compiles a kernel and runs it once, so that the next run's time is the kernel's alone.
+    /// Compiles a codec's kernels and runs them once, so that the next run's time is the kernel's alone.
     ///
     /// # Errors
     /// As [`Backend::encode`].
-    pub fn warm_up(&mut self, codec: &'static CodecInfo) -> Result<()> {
-        let mut codes = vec![0; 4 * codec.bytes];
-        self.encode(codec, &[[0.0, 0.0, 1.0]; 4], &mut codes)?;
-        self.decode(codec, &codes, &mut [[0.0; 3]; 4])?;
+    pub fn warm_up<const N: usize>(&mut self, codec: &impl Coding<N>) -> Result<()> {
+        let mut codes = vec![0; 4 * codec.format().bytes];
+        self.encode_elements(codec, &[[1.0; N]; 4], &mut codes)?;
+        self.decode_elements(codec, &codes, &mut [[0.0; N]; 4])?;
         Ok(())
+    }
+
+    /// As [`Backend::encode`], of vectors or frames.
+    ///
+    /// # Errors
+    /// As [`Backend::encode`].
+    pub fn encode_elements<const N: usize>(
+        &mut self,
+        codec: &impl Coding<N>,
+        elements: &[[f32; N]],
+        codes: &mut [u8],
+    ) -> Result<Option<f64>> {
+        let format = codec.format();
+        expect_length(elements.len() * format.bytes, codes.len())?;
+        self.run(
+            format,
+            Direction::Encode,
+            elements.len(),
+            bytemuck::cast_slice(elements.as_flattened()),
+            codes,
+        )
+    }
+
+    /// As [`Backend::decode`], of vectors or frames.
+    ///
+    /// # Errors
+    /// As [`Backend::encode`].
+    pub fn decode_elements<const N: usize>(
+        &mut self,
+        codec: &impl Coding<N>,
+        codes: &[u8],
+        elements: &mut [[f32; N]],
+    ) -> Result<Option<f64>> {
+        let format = codec.format();
+        expect_length(codes.len(), elements.len() * format.bytes)?;
+        self.run(
+            format,
+            Direction::Decode,
+            elements.len(),
+            codes,
+            bytemuck::cast_slice_mut(elements.as_flattened_mut()),
+        )
     }
 
     fn run(
         &mut self,
-        codec: &'static CodecInfo,
+        format: Format,
         direction: Direction,
-        vectors: usize,
+        elements: usize,
         input: &[u8],
         output: &mut [u8],
     ) -> Result<Option<f64>> {
-        if vectors == 0 {
+        if elements == 0 {
             return Ok(None);
         }
-        let key = (codec.id, direction);
+        let key = (format.id, direction);
         if !self.kernels.contains_key(&key) {
-            let table = if direction == Direction::Encode && codec.encodes_by_table {
+            let table = if direction == Direction::Encode && format.encodes_by_table {
                 Some(self.best_fit_table()?)
             } else {
                 None
             };
-            let kernel = self.source.kernel(&self.runner, codec, direction, table.as_ref())?;
+            let kernel = self.source.kernel(&self.runner, format, direction, table.as_ref())?;
             self.kernels.insert(key, kernel);
         }
-        Ok(self.runner.run(&self.kernels[&key], vectors, input, output)?)
+        Ok(self.runner.run(&self.kernels[&key], elements, input, output)?)
     }
 
     fn best_fit_table(&mut self) -> Result<Table> {
@@ -209,8 +251,7 @@ impl Backend for Gpu {
         vectors: &[[f32; 3]],
         codes: &mut [u8],
     ) -> Result<Option<f64>> {
-        expect_length(vectors.len() * codec.bytes, codes.len())?;
-        self.run(codec, Direction::Encode, vectors.len(), bytemuck::cast_slice(vectors), codes)
+        self.encode_elements(codec, vectors, codes)
     }
 
     fn decode(
@@ -219,8 +260,7 @@ impl Backend for Gpu {
         codes: &[u8],
         vectors: &mut [[f32; 3]],
     ) -> Result<Option<f64>> {
-        expect_length(codes.len(), vectors.len() * codec.bytes)?;
-        self.run(codec, Direction::Decode, vectors.len(), codes, bytemuck::cast_slice_mut(vectors))
+        self.decode_elements(codec, codes, vectors)
     }
 }
 

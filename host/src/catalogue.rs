@@ -3,6 +3,7 @@
 use serde::Serialize;
 use std::sync::OnceLock;
 use unitvec::best_fit::{TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table};
+use unitvec::frame::{decode_frames, encode_frames};
 use unitvec::slice::{LengthMismatch, decode_slice, encode_slice, encode_slice_with};
 use unitvec::{
     Codec, CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, Eqarea16,
@@ -10,15 +11,16 @@ use unitvec::{
     EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20, EqareaEllipse22,
     EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32, EqdistConcentric16,
     EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32, EqdistEllipse16,
-    EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Float16x3, HemiOct16, HemiOct24,
-    HemiOct32, LatLong16, LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22,
-    Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48,
-    OctPrecise52, Pp16, Pp24, Pp32, Pp48, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3,
-    SnormBest8, SnormBest16, SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
-    Spp16, Spp24, Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16,
-    StereoConcentric20, StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16,
-    StereoEllipse20, StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24,
-    WarpedCube32, XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
+    EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Fib16, Fib24, Fib32, Float16x3,
+    Frame32, Frame64, FrameCodec, HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16, LatLong24,
+    LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
+    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16, Pp24, Pp32,
+    Pp48, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, SnormBest8, SnormBest16, SnormNearest8,
+    Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Spp16, Spp24, Spp32, Spp48, Stereo16,
+    Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
+    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
+    StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24, WarpedCube32, XyOnly16, XyOnly24,
+    XyOnly32, XyOnly32F,
 };
 
 /// The directions that a codec is made for.
@@ -31,15 +33,15 @@ pub enum Domain {
     Hemisphere,
 }
 
-type EncodeSlice = fn(&[[f32; 3]], &mut [u8]) -> Result<(), LengthMismatch>;
-type DecodeSlice = fn(&[u8], &mut [[f32; 3]]) -> Result<(), LengthMismatch>;
+type EncodeSlice<const N: usize> = fn(&[[f32; N]], &mut [u8]) -> Result<(), LengthMismatch>;
+type DecodeSlice<const N: usize> = fn(&[u8], &mut [[f32; N]]) -> Result<(), LengthMismatch>;
 
 /// A codec: what is known of it, and its CPU functions.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct CodecInfo {
     /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
     pub id: &'static str,
-    /// The survey's name: `oct16P`.
+    /// The survey's name, `oct16P`; of codecs that it does not have, one like them.
     pub survey_name: &'static str,
     /// Significant bits of a code.
     pub bits: u32,
@@ -60,9 +62,9 @@ pub struct CodecInfo {
     /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
     pub encodes_by_table: bool,
     #[serde(skip)]
-    encode: EncodeSlice,
+    encode: EncodeSlice<3>,
     #[serde(skip)]
-    decode: DecodeSlice,
+    decode: DecodeSlice<3>,
 }
 
 impl CodecInfo {
@@ -90,29 +92,146 @@ impl CodecInfo {
     }
 
     /// The codec, encoding by the table of [`unitvec::best_fit`].
-    const fn by_table(self, encode: EncodeSlice) -> Self {
+    const fn by_table(self, encode: EncodeSlice<3>) -> Self {
         Self { encodes_by_table: true, encode, ..self }
     }
 
     /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
     pub fn function(&self, direction: Direction) -> String {
+        self.format().function(direction)
+    }
+}
+
+/// A codec of tangent frames: seven floats, which are normal, tangent and handedness.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct FrameInfo {
+    /// Identifier: `frame32`.
+    pub id: &'static str,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: usize,
+    /// The Vulkan format that holds a code.
+    pub vk_format: &'static str,
+    /// Upper bound of the normal's error, in degrees.
+    pub max_normal_error_deg: f32,
+    /// Upper bound of the tangent's error, in degrees.
+    pub max_tangent_error_deg: f32,
+    /// The GLSL include file with its functions.
+    pub glsl_file: &'static str,
+    #[serde(skip)]
+    encode: EncodeSlice<7>,
+    #[serde(skip)]
+    decode: DecodeSlice<7>,
+}
+
+impl FrameInfo {
+    const fn of<F: FrameCodec>(vk_format: &'static str) -> Self {
+        Self {
+            id: F::NAME,
+            bits: F::BITS,
+            bytes: F::BYTES,
+            vk_format,
+            max_normal_error_deg: F::MAX_NORMAL_ERROR_DEG,
+            max_tangent_error_deg: F::MAX_TANGENT_ERROR_DEG,
+            glsl_file: "frame.glsl",
+            encode: encode_frames::<F>,
+            decode: decode_frames::<F>,
+        }
+    }
+}
+
+/// What kernels need to know of a codec.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    /// Identifier.
+    pub id: &'static str,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: usize,
+    /// What it encodes.
+    pub element: Element,
+    /// As in [`CodecInfo`].
+    pub encodes_by_table: bool,
+}
+
+/// What is encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// Vectors of three floats.
+    Vector,
+    /// Tangent frames of seven.
+    Frame,
+}
+
+impl Element {
+    /// Its size as packed f32.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Vector => 12,
+            Self::Frame => 28,
+        }
+    }
+}
+
+impl Format {
+    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
+    pub fn function(&self, direction: Direction) -> String {
         format!("{}_{direction}", self.id)
     }
+}
 
-    /// Encodes on the CPU: `bytes` bytes a vector, little endian, without gaps.
+/// The formats of all codecs, of vectors and then of frames.
+pub fn formats() -> impl Iterator<Item = Format> {
+    CATALOGUE.iter().map(Coding::format).chain(FRAMES.iter().map(Coding::format))
+}
+
+/// A codec of elements of `N` floats.
+pub trait Coding<const N: usize> {
+    /// What kernels need to know of it.
+    fn format(&self) -> Format;
+
+    /// Encodes on the CPU: little endian, without gaps.
     ///
     /// # Errors
     /// [`LengthMismatch`] where `codes` is not of that size.
-    pub fn encode_cpu(&self, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    fn encode_cpu(&self, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch>;
+
+    /// Decodes on the CPU.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where `codes` is not as [`encode_cpu`](Self::encode_cpu) makes it.
+    fn decode_cpu(&self, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch>;
+}
+
+impl Coding<3> for CodecInfo {
+    fn format(&self) -> Format {
+        let Self { id, bits, bytes, encodes_by_table, .. } = *self;
+        Format { id, bits, bytes, element: Element::Vector, encodes_by_table }
+    }
+
+    fn encode_cpu(&self, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
         (self.encode)(vectors, codes)
     }
 
-    /// Decodes on the CPU what [`encode_cpu`](Self::encode_cpu) wrote.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where `codes` is not `bytes` bytes a vector.
-    pub fn decode_cpu(&self, codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
+    fn decode_cpu(&self, codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
         (self.decode)(codes, vectors)
+    }
+}
+
+impl Coding<7> for FrameInfo {
+    fn format(&self) -> Format {
+        let Self { id, bits, bytes, .. } = *self;
+        Format { id, bits, bytes, element: Element::Frame, encodes_by_table: false }
+    }
+
+    fn encode_cpu(&self, frames: &[[f32; 7]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        (self.encode)(frames, codes)
+    }
+
+    fn decode_cpu(&self, codes: &[u8], frames: &mut [[f32; 7]]) -> Result<(), LengthMismatch> {
+        (self.decode)(codes, frames)
     }
 }
 
@@ -194,6 +313,12 @@ pub static CATALOGUE: &[CodecInfo] = &[
     CodecInfo::of::<LatLongD16>("latlong16D", "latlong.glsl", Sphere, None),
     CodecInfo::of::<LatLongD24>("latlong24D", "latlong.glsl", Sphere, None),
     CodecInfo::of::<LatLongD32>("latlong32D", "latlong.glsl", Sphere, None),
+    CodecInfo::of::<Fib16>("fib16", "fib.glsl", Sphere, None),
+    CodecInfo::of::<Fib24>("fib24", "fib.glsl", Sphere, None),
+    CodecInfo::of::<Fib32>("fib32", "fib.glsl", Sphere, None),
+    CodecInfo::of::<Ico16>("ico16", "ico.glsl", Sphere, None),
+    CodecInfo::of::<Ico24>("ico24", "ico.glsl", Sphere, None),
+    CodecInfo::of::<Ico32>("ico32", "ico.glsl", Sphere, None),
     CodecInfo::of::<SnormBest8>("snorm8x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
         .by_table(snorm8x3p_encode_slice),
     CodecInfo::of::<SnormNearest8>(
@@ -276,6 +401,15 @@ pub static CATALOGUE: &[CodecInfo] = &[
     CodecInfo::of::<Spp32>("SPP32", "projection.glsl", Sphere, None),
     CodecInfo::of::<Spp48>("SPP48", "projection.glsl", Sphere, None),
 ];
+
+/// The codecs of tangent frames.
+pub static FRAMES: &[FrameInfo] =
+    &[FrameInfo::of::<Frame32>("VK_FORMAT_R32_UINT"), FrameInfo::of::<Frame64>("VK_FORMAT_R32G32_UINT")];
+
+/// The codec of frames with this identifier.
+pub fn find_frame(id: &str) -> Option<&'static FrameInfo> {
+    FRAMES.iter().find(|codec| codec.id == id)
+}
 
 /// No codec has this identifier.
 #[derive(Clone, Debug, thiserror::Error)]

@@ -1,7 +1,7 @@
 //! Shows that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit, and how large the error is.
 
-use crate::backend::{Backend, CHUNK, Cpu, Gpu};
-use crate::catalogue::{CodecInfo, Direction};
+use crate::backend::{CHUNK, Gpu};
+use crate::catalogue::{CodecInfo, Coding, Direction, Format, FrameInfo};
 use crate::measure::ErrorStats;
 use crate::sampling;
 use crate::vulkan::DeviceInfo;
@@ -46,10 +46,16 @@ pub struct Row {
     pub vectors: u64,
     /// Codes decoded three ways.
     pub codes: u64,
-    /// Mean error over the random directions, degrees.
+    /// Mean error over the random directions, degrees; of a frame's normals.
     pub mean_deg: f64,
-    /// Largest error over the random directions, degrees.
+    /// Largest error over the random directions, degrees; of a frame's normals.
     pub max_deg: f64,
+    /// Mean error of a frame's tangents, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tangent_mean_deg: Option<f64>,
+    /// Largest error of a frame's tangents, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tangent_max_deg: Option<f64>,
     /// Codes that differ from the CPU's.
     pub encode_mismatches: Mismatches,
     /// Vectors that differ from the CPU's in any bit.
@@ -95,6 +101,12 @@ pub fn work(codec: &CodecInfo, options: &Options) -> u64 {
     (options.count as u64)
         .saturating_add(options.normals.len() as u64 + special)
         .saturating_add(code_count(codec, options))
+}
+
+/// Frames and codes that [`run_frame`] passes through each backend: for progress.
+pub fn frame_work(options: &Options) -> u64 {
+    let special = 2 * sampling::special_vectors().len() as u64;
+    (options.count as u64).saturating_mul(2).saturating_add(special)
 }
 
 /// Largest integer of a coordinate's snorm, up to where f32 still has halves.
@@ -148,12 +160,56 @@ pub fn run_codec(
     } else {
         sampling::in_chunks(sampling::random_codes(options.seed), count, CHUNK, each)?;
     }
-    Ok(comparison.into_row(errors))
+    Ok(comparison.into_row(&errors))
+}
+
+/// Runs a codec of frames, as [`run_codec`]: random frames, special vectors as normals and as tangents, random codes.
+///
+/// # Errors
+/// As [`run_codec`].
+pub fn run_frame(
+    codec: &'static FrameInfo,
+    options: &Options,
+    spirv: &mut Gpu,
+    glsl: &mut Gpu,
+    progress: &mut dyn FnMut(u64),
+) -> Result<Row> {
+    spirv.warm_up(codec)?;
+    glsl.warm_up(codec)?;
+    let mut comparison = Comparison::new(codec, spirv, glsl);
+
+    let (mut normals, mut tangents) = (ErrorStats::default(), ErrorStats::default());
+    let random = sampling::random_frames(options.seed);
+    sampling::in_chunks(random, options.count, CHUNK, |frames| {
+        let codes = comparison.encode(frames)?;
+        for (original, decoded) in frames.iter().zip(comparison.decode(&codes)?) {
+            let vectors = |[a, b, c, d, e, f, _]: [f32; 7]| ([a, b, c], [d, e, f]);
+            let ((normal, tangent), (decoded_normal, decoded_tangent)) =
+                (vectors(*original), vectors(decoded));
+            normals.add(normal, decoded_normal);
+            tangents.add(tangent, decoded_tangent);
+        }
+        progress(frames.len() as u64);
+        Ok::<(), Error>(())
+    })?;
+
+    let special = sampling::special_frames();
+    let codes = comparison.encode(&special)?;
+    comparison.decode(&codes)?;
+    progress(special.len() as u64);
+
+    let codes = sampling::random_codes(options.seed);
+    sampling::in_chunks(codes, options.count, CHUNK, |codes| comparison.round_trip(codes, progress))?;
+    let mut row = comparison.into_row(&normals);
+    row.tangent_mean_deg = Some(tangents.mean_deg());
+    row.tangent_max_deg = Some(tangents.max_deg());
+    Ok(row)
 }
 
 /// Runs a codec three ways and counts what differs.
-struct Comparison<'a> {
-    codec: &'static CodecInfo,
+struct Comparison<'a, C: 'static, const N: usize> {
+    codec: &'static C,
+    format: Format,
     spirv: &'a mut Gpu,
     glsl: &'a mut Gpu,
     encoded: Tally,
@@ -170,13 +226,14 @@ struct Tally {
     glsl_ns: Option<f64>,
 }
 
-impl<'a> Comparison<'a> {
+impl<'a, C: Coding<N>, const N: usize> Comparison<'a, C, N> {
     /// Mismatches that are told in words.
     const MAX_EXAMPLES: usize = 3;
 
-    fn new(codec: &'static CodecInfo, spirv: &'a mut Gpu, glsl: &'a mut Gpu) -> Self {
+    fn new(codec: &'static C, spirv: &'a mut Gpu, glsl: &'a mut Gpu) -> Self {
         Self {
             codec,
+            format: codec.format(),
             spirv,
             glsl,
             encoded: Tally::default(),
@@ -186,15 +243,15 @@ impl<'a> Comparison<'a> {
     }
 
     /// The CPU's codes, after comparing the others with them.
-    fn encode(&mut self, vectors: &[[f32; 3]]) -> Result<Vec<u8>> {
-        let size = vectors.len() * self.codec.bytes;
+    fn encode(&mut self, vectors: &[[f32; N]]) -> Result<Vec<u8>> {
+        let size = vectors.len() * self.format.bytes;
         let (mut cpu, mut spirv, mut glsl) = (vec![0; size], vec![0; size], vec![0; size]);
-        Cpu.encode(self.codec, vectors, &mut cpu)?;
-        let spirv_ns = self.spirv.encode(self.codec, vectors, &mut spirv)?;
-        let glsl_ns = self.glsl.encode(self.codec, vectors, &mut glsl)?;
+        self.codec.encode_cpu(vectors, &mut cpu)?;
+        let spirv_ns = self.spirv.encode_elements(self.codec, vectors, &mut spirv)?;
+        let glsl_ns = self.glsl.encode_elements(self.codec, vectors, &mut glsl)?;
         self.encoded.add(vectors.len(), spirv_ns, glsl_ns);
 
-        let bytes = self.codec.bytes;
+        let bytes = self.format.bytes;
         let differs = |other: &[u8], n: usize| cpu[n * bytes..][..bytes] != other[n * bytes..][..bytes];
         for (n, vector) in vectors.iter().enumerate() {
             for (name, other) in [("spirv", &spirv), ("glsl", &glsl)] {
@@ -215,20 +272,20 @@ impl<'a> Comparison<'a> {
     }
 
     /// The CPU's vectors, after comparing the others with them.
-    fn decode(&mut self, codes: &[u8]) -> Result<Vec<[f32; 3]>> {
-        let count = codes.len() / self.codec.bytes;
+    fn decode(&mut self, codes: &[u8]) -> Result<Vec<[f32; N]>> {
+        let count = codes.len() / self.format.bytes;
         let (mut cpu, mut spirv, mut glsl) =
-            (vec![[0.0; 3]; count], vec![[0.0; 3]; count], vec![[0.0; 3]; count]);
-        Cpu.decode(self.codec, codes, &mut cpu)?;
-        let spirv_ns = self.spirv.decode(self.codec, codes, &mut spirv)?;
-        let glsl_ns = self.glsl.decode(self.codec, codes, &mut glsl)?;
+            (vec![[0.0; N]; count], vec![[0.0; N]; count], vec![[0.0; N]; count]);
+        self.codec.decode_cpu(codes, &mut cpu)?;
+        let spirv_ns = self.spirv.decode_elements(self.codec, codes, &mut spirv)?;
+        let glsl_ns = self.glsl.decode_elements(self.codec, codes, &mut glsl)?;
         self.decoded.add(count, spirv_ns, glsl_ns);
 
         for n in 0..count {
             for (name, other) in [("spirv", &spirv), ("glsl", &glsl)] {
                 if cpu[n].map(f32::to_bits) != other[n].map(f32::to_bits) {
                     *self.decoded.mismatches.of(name) += 1;
-                    let code = &codes[n * self.codec.bytes..][..self.codec.bytes];
+                    let code = &codes[n * self.format.bytes..][..self.format.bytes];
                     self.example(Direction::Decode, name, format!("{code:02x?}"), (cpu[n], other[n]));
                 }
             }
@@ -239,7 +296,7 @@ impl<'a> Comparison<'a> {
     /// Decodes codes and encodes what they stand for: every lattice point is an encoder's input as well.
     fn round_trip(&mut self, codes: &[u64], progress: &mut dyn FnMut(u64)) -> Result<()> {
         let bytes: Vec<u8> =
-            codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(self.codec.bytes)).collect();
+            codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(self.format.bytes)).collect();
         let vectors = self.decode(&bytes)?;
         self.encode(&vectors)?;
         progress(vectors.len() as u64);
@@ -257,20 +314,22 @@ impl<'a> Comparison<'a> {
             let (cpu, other) = values;
             self.examples.push(format!(
                 "{} of {input}: cpu {cpu:02x?}, {source} {other:02x?}",
-                self.codec.function(direction)
+                self.format.function(direction)
             ));
         }
     }
 
-    fn into_row(self, errors: ErrorStats) -> Row {
+    fn into_row(self, errors: &ErrorStats) -> Row {
         let (encoded, decoded) = (self.encoded, self.decoded);
         Row {
-            id: self.codec.id,
-            bits: self.codec.bits,
+            id: self.format.id,
+            bits: self.format.bits,
             vectors: encoded.elements,
             codes: decoded.elements,
             mean_deg: errors.mean_deg(),
             max_deg: errors.max_deg(),
+            tangent_mean_deg: None,
+            tangent_max_deg: None,
             encode_mismatches: encoded.mismatches,
             decode_mismatches: decoded.mismatches,
             device_ns: DeviceTime {

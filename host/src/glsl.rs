@@ -1,6 +1,6 @@
 //! The GLSL kernels, compiled at run time by glslang through shaderc.
 
-use crate::catalogue::{CodecInfo, Direction};
+use crate::catalogue::{Direction, Element, Format};
 use crate::manifest;
 use include_dir::{Dir, include_dir};
 use shaderc::{
@@ -54,18 +54,22 @@ impl Compiler {
     ///
     /// # Errors
     /// [`Error::NoSource`] or [`Error::Rejected`].
-    pub fn kernel(&self, codec: &CodecInfo, direction: Direction) -> Result<Vec<u8>, Error> {
-        let function = codec.function(direction);
-        self.kernel_file(&format!("{direction}.comp"), &function, &macros(codec, direction))
+    pub fn kernel(&self, format: Format, direction: Direction) -> Result<Vec<u8>, Error> {
+        let function = format.function(direction);
+        let file = match format.element {
+            Element::Vector => format!("{direction}.comp"),
+            Element::Frame => format!("frame_{direction}.comp"),
+        };
+        self.kernel_file(&file, &function, &macros(format, direction))
     }
 
     /// The SPIR-V of the kernel that measures a codec's arithmetic.
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn cost_kernel(&self, codec: &CodecInfo, direction: Direction) -> Result<Vec<u8>, Error> {
-        let function = codec.function(direction);
-        self.kernel_file(&format!("{direction}_cost.comp"), &function, &macros(codec, direction))
+    pub fn cost_kernel(&self, format: Format, direction: Direction) -> Result<Vec<u8>, Error> {
+        let function = format.function(direction);
+        self.kernel_file(&format!("{direction}_cost.comp"), &function, &macros(format, direction))
     }
 
     /// The SPIR-V of the kernel that measures what the others do besides encoding or decoding.
@@ -80,8 +84,8 @@ impl Compiler {
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn copy_kernel(&self, codec: &CodecInfo, direction: Direction) -> Result<Vec<u8>, Error> {
-        self.kernel_file("copy.comp", "copy", &macros(codec, direction))
+    pub fn copy_kernel(&self, format: Format, direction: Direction) -> Result<Vec<u8>, Error> {
+        self.kernel_file("copy.comp", "copy", &macros(format, direction))
     }
 
     /// The SPIR-V of the kernel that decodes two-byte codes by a table.
@@ -126,12 +130,15 @@ impl Compiler {
 }
 
 /// The macros that the kernel files are compiled with.
-fn macros(codec: &CodecInfo, direction: Direction) -> Vec<(String, String)> {
+fn macros(format: Format, direction: Direction) -> Vec<(String, String)> {
     let mut macros = vec![
-        (direction.to_string().to_uppercase(), codec.function(direction)),
-        ("BYTES".into(), codec.bytes.to_string()),
+        (direction.to_string().to_uppercase(), format.function(direction)),
+        ("BYTES".into(), format.bytes.to_string()),
     ];
-    if direction == Direction::Encode && codec.encodes_by_table {
+    if format.element == Element::Frame {
+        macros.push(("FRAME".into(), "1".into()));
+    }
+    if direction == Direction::Encode && format.encodes_by_table {
         macros.push(("TABLE".into(), "1".into()));
     }
     macros

@@ -1,6 +1,5 @@
 //! The SPIR-V modules that the kernels run from: those inside the program, or a folder of them.
 
-use crate::catalogue::{CodecInfo, Direction};
 use crate::manifest::{self, Manifest};
 use include_dir::{Dir, include_dir};
 use std::borrow::Cow;
@@ -85,19 +84,11 @@ impl Modules {
         &self.manifest
     }
 
-    /// The module of a codec's kernel, once its SHA-256 is found to be the manifest's, and its entry point.
+    /// The module of a kernel, `oct16_encode`, once its SHA-256 is found to be the manifest's, and its entry point.
     ///
     /// # Errors
     /// [`Error::NotListed`], [`Error::Missing`] or [`Error::Corrupted`].
-    pub fn load(&self, codec: &CodecInfo, direction: Direction) -> Result<(Cow<'static, [u8]>, &str), Error> {
-        self.load_file(&codec.function(direction))
-    }
-
-    /// As [`load`](Self::load), of the kernel whose file has this name, but for its extension.
-    ///
-    /// # Errors
-    /// As [`load`](Self::load).
-    pub fn load_file(&self, kernel: &str) -> Result<(Cow<'static, [u8]>, &str), Error> {
+    pub fn load(&self, kernel: &str) -> Result<(Cow<'static, [u8]>, &str), Error> {
         let file = format!("{kernel}.spv");
         let module =
             self.manifest.modules.iter().find(|module| module.file == file).ok_or_else(|| {

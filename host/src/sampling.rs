@@ -21,6 +21,38 @@ fn direction(random: &mut impl Rng, domain: Domain) -> [f32; 3] {
     [radius * angle.cos(), radius * angle.sin(), z].map(|c| c as f32)
 }
 
+/// Tangent frames without end (normal, tangent, handedness): the normals are [`random_directions`], the tangents
+/// uniform about them, both rounded to f32.
+pub fn random_frames(seed: u64) -> impl Iterator<Item = [f32; 7]> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed ^ 1);
+    random_directions(Domain::Sphere, seed).map(move |n| {
+        let [nx, ny, nz] = n.map(f64::from);
+        // Any vector that is not along the normal gives a first tangent, and the cross product a second.
+        let first = normalize(if nx.abs() < 0.5 { [0.0, nz, -ny] } else { [nz, 0.0, -nx] });
+        let second = cross([nx, ny, nz], first);
+        let (sin, cos) = random.random_range(0.0..std::f64::consts::TAU).sin_cos();
+        let tangent = normalize([0, 1, 2].map(|i| cos * first[i] + sin * second[i]));
+        let [tx, ty, tz] = tangent.map(|c| c as f32);
+        [n[0], n[1], n[2], tx, ty, tz, if random.random() { 1.0 } else { -1.0 }]
+    })
+}
+
+fn cross([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 3] {
+    [b * f - c * e, c * d - a * f, a * e - b * d]
+}
+
+fn normalize(v: [f64; 3]) -> [f64; 3] {
+    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    v.map(|c| c / length)
+}
+
+/// Frames of [`special_vectors`]: as normals, with their own components in another order as tangents and one of them
+/// as handedness, and as tangents of an oblique normal.
+pub fn special_frames() -> Vec<[f32; 7]> {
+    let vectors = special_vectors().into_iter();
+    vectors.flat_map(|[x, y, z]| [[x, y, z, y, z, x, z], [0.25, -0.5, 1.0, x, y, z, x]]).collect()
+}
+
 /// Random 64-bit codes without end; narrower ones take their low bits.
 pub fn random_codes(seed: u64) -> impl Iterator<Item = u64> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);

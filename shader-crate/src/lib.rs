@@ -32,6 +32,8 @@
 //!
 //! Means are measured over uniform directions; maxima are [`Codec::MAX_ERROR_DEG`], rounded up.
 //!
+//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`].
+//!
 //! The other families are there to compare with and to read what others wrote: [`spherical`], [`cylindrical`],
 //! [`latlong`], [`azimuthal`] (stereographic, equal-area and equidistant), [`cube`], [`projection`], and the raw
 //! components of [`snorm`], [`unorm`], [`float`](mod@float) and [`best_fit`]. Each module says what its family is good for.
@@ -50,10 +52,10 @@
 //! # Features
 //!
 //! `std` (default) takes square root and floor from the standard library; without it, turn on `libm`. `kernels` is
-//! for the SPIR-V build alone.
+//! for the SPIR-V build alone. `rayon` adds slice functions that use all cores.
 
 #![cfg_attr(not(feature = "std"), no_std)]
-#![forbid(unsafe_code)]
+#![deny(unsafe_code)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
@@ -64,8 +66,11 @@ pub mod codec;
 pub mod cube;
 pub mod cylindrical;
 pub mod direction;
+pub mod fib;
 pub mod float;
+pub mod frame;
 pub mod hemioct;
+pub mod ico;
 #[cfg(feature = "kernels")]
 pub mod kernels;
 pub mod latlong;
@@ -78,6 +83,8 @@ pub mod scalar;
 pub mod slice;
 pub mod snorm;
 pub mod spherical;
+#[cfg(not(target_arch = "spirv"))]
+pub mod table;
 pub mod unorm;
 
 pub use azimuthal::{
@@ -94,8 +101,11 @@ pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16, SnormNearest8};
 pub use codec::Codec;
 pub use cube::{Cube, Cube16, Cube24, Cube32, WarpedCube, WarpedCube16, WarpedCube24, WarpedCube32};
 pub use cylindrical::{Cylindrical, Cylindrical16, Cylindrical24, Cylindrical32};
+pub use fib::{Fib, Fib16, Fib24, Fib32};
 pub use float::Float16x3;
+pub use frame::{Frame, Frame32, Frame64, FrameCodec};
 pub use hemioct::{HemiOct, HemiOct16, HemiOct24, HemiOct32};
+pub use ico::{Ico, Ico16, Ico24, Ico32};
 pub use latlong::{LatLong, LatLong16, LatLong24, LatLong32, LatLongD, LatLongD16, LatLongD24, LatLongD32};
 pub use oct::{
     Oct, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise, OctPrecise16, OctPrecise20, OctPrecise22,

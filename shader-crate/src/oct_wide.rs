@@ -87,7 +87,7 @@ const fn snorm_max(bits: u32) -> i32 {
 
 /// 2 to the power `exponent`, -126 to 127.
 #[inline(always)]
-const fn exp2(exponent: i32) -> f32 {
+pub(crate) const fn exp2(exponent: i32) -> f32 {
     f32::from_bits(((127 + exponent) as u32) << 23)
 }
 
@@ -121,14 +121,14 @@ const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
 /// The largest integer not above `x`, as a float, for `x` from -2^21 to 2^21. Three times as fast as `floor` where a
 /// CPU's base instruction set lacks that.
 #[inline(always)]
-fn small_floor(x: f32) -> f32 {
+pub(crate) fn small_floor(x: f32) -> f32 {
     let near = (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23;
     if near > x { near - 1.0 } else { near }
 }
 
 /// A whole number from -2^22 to 2^22 - 1 as an integer: the bits of the sum count up with it.
 #[inline(always)]
-fn whole_to_i32(whole: f32) -> i32 {
+pub(crate) fn whole_to_i32(whole: f32) -> i32 {
     (whole + ONE_AND_A_HALF_2_23).to_bits().wrapping_sub(ONE_AND_A_HALF_2_23.to_bits()) as i32
 }
 

@@ -65,7 +65,7 @@ pub fn signed_integer(code: u32, bits: u32) -> f32 {
 }
 
 #[inline(always)]
-fn without_denormal(x: f32) -> f32 {
+pub(crate) fn without_denormal(x: f32) -> f32 {
     if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
 }
 

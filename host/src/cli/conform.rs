@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Gpu, KernelSource};
-use unitvec_host::catalogue::{self, CATALOGUE, CodecInfo};
+use unitvec_host::catalogue::{self, CATALOGUE, CodecInfo, FRAMES, FrameInfo};
 use unitvec_host::conform::{self, Options, Report, Row};
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Result, glsl, mesh, output};
@@ -34,7 +34,7 @@ pub struct Arguments {
 const BUNNY: &[u8] = include_bytes!("../../../tests/data/bunny.obj");
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let codecs = chosen_codecs(&arguments.codec)?;
+    let (codecs, frames) = chosen_codecs(&arguments.codec)?;
     let options =
         Options { count: arguments.count as usize, seed: arguments.seed, normals: normals(&arguments.mesh)? };
     let device = arguments.vulkan.device()?;
@@ -45,17 +45,25 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if !to_stdout {
         print(&heading(device.info(), &options))?;
     }
-    let bar = progress_bar(codecs.iter().map(|codec| conform::work(codec, &options)).sum());
+    let work: u64 = codecs.iter().map(|codec| conform::work(codec, &options)).sum();
+    let bar = progress_bar(work + frames.len() as u64 * conform::frame_work(&options));
     let mut rows = Vec::new();
-    for codec in codecs {
-        bar.set_message(codec.id);
-        let row = conform::run_codec(codec, &options, &mut spirv, &mut glsl, &mut |done| bar.inc(done))?;
+    let mut finish = |row: Row| -> Result<()> {
         if !to_stdout {
             let mut printed = Ok(ExitCode::SUCCESS);
             bar.suspend(|| printed = print(&line(&row)));
             printed?;
         }
         rows.push(row);
+        Ok(())
+    };
+    for codec in codecs {
+        bar.set_message(codec.id);
+        finish(conform::run_codec(codec, &options, &mut spirv, &mut glsl, &mut |done| bar.inc(done))?)?;
+    }
+    for codec in frames {
+        bar.set_message(codec.id);
+        finish(conform::run_frame(codec, &options, &mut spirv, &mut glsl, &mut |done| bar.inc(done))?)?;
     }
     bar.finish_and_clear();
     // What the layer says of objects that outlive their device counts as well.
@@ -73,11 +81,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     Ok(status_after_validation(&messages, report.agreed))
 }
 
-fn chosen_codecs(ids: &[String]) -> Result<Vec<&'static CodecInfo>> {
+/// The codecs of vectors and of frames that these are; all if there are none.
+fn chosen_codecs(ids: &[String]) -> Result<(Vec<&'static CodecInfo>, Vec<&'static FrameInfo>)> {
     if ids.is_empty() {
-        return Ok(CATALOGUE.iter().collect());
+        return Ok((CATALOGUE.iter().collect(), FRAMES.iter().collect()));
     }
-    ids.iter().map(|id| Ok(catalogue::find(id)?)).collect()
+    let (mut codecs, mut frames) = (Vec::new(), Vec::new());
+    for id in ids {
+        match catalogue::find_frame(id) {
+            Some(frame) => frames.push(frame),
+            None => codecs.push(catalogue::find(id)?),
+        }
+    }
+    Ok((codecs, frames))
 }
 
 fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
@@ -148,8 +164,11 @@ fn line(row: &Row) -> String {
         time(ns.encode_spirv, ns.encode_glsl),
         time(ns.decode_spirv, ns.decode_glsl),
     );
+    // Writing to a String cannot fail.
+    if let (Some(mean), Some(max)) = (row.tangent_mean_deg, row.tangent_max_deg) {
+        let _ = writeln!(text, "{:<25} {mean:>10.6} {max:>10.6}", "  its tangents");
+    }
     for example in &row.examples {
-        // Writing to a String cannot fail.
         let _ = writeln!(text, "    {example}");
     }
     text

@@ -1,3 +1,4 @@
+use super::kernel::MAX_ELEMENT;
 use super::{Error, Instance, Named};
 use ash::vk;
 use serde::Serialize;
@@ -143,7 +144,7 @@ impl Device {
             (timestamp_bits > 0).then(|| Timestamps::new(timestamp_bits, limits.timestamp_period));
         let max_vectors = (limits.max_compute_work_group_count[0] as usize)
             .saturating_mul(256)
-            .min(limits.max_storage_buffer_range as usize / 12);
+            .min(limits.max_storage_buffer_range as usize / MAX_ELEMENT);
         let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
             raw,

@@ -5,8 +5,8 @@ use std::ffi::CString;
 use std::rc::Rc;
 use std::sync::{Arc, PoisonError};
 
-/// Bytes of the largest element a buffer holds: a vector of three f32.
-const MAX_ELEMENT: usize = 12;
+/// Bytes of the largest element a buffer holds: a tangent frame of seven f32.
+pub(super) const MAX_ELEMENT: usize = 28;
 
 /// Vectors of one invocation: buffers are padded to a multiple of this.
 const GROUP: usize = 4;

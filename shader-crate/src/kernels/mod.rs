@@ -11,9 +11,11 @@
 //! Beside them, `encode_cost` and `decode_cost` of each codec measure arithmetic: see [`cost`].
 
 mod cost;
+mod frames;
 mod words;
 
 pub use cost::Work;
+pub use frames::{Frames, frame32, frame64};
 pub use words::Vectors;
 
 use crate::best_fit::{crytek_bfn24_encode_by_table, snorm8x3p_encode_by_table};
@@ -24,15 +26,16 @@ use crate::{
     EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20, EqareaEllipse22,
     EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32, EqdistConcentric16,
     EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32, EqdistEllipse16,
-    EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Float16x3, HemiOct16, HemiOct24,
-    HemiOct32, LatLong16, LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22,
-    Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48,
-    OctPrecise52, Pp16, Pp24, Pp32, Pp48, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3,
-    SnormBest8, SnormBest16, SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
-    Spp16, Spp24, Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16,
-    StereoConcentric20, StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16,
-    StereoEllipse20, StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24,
-    WarpedCube32, XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
+    EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Fib16, Fib24, Fib32, Float16x3,
+    HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16, LatLong24, LatLong32, LatLongD16,
+    LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20,
+    OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16, Pp24, Pp32, Pp48, Snorm5x3,
+    Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, SnormBest8, SnormBest16, SnormNearest8, Spherical16,
+    Spherical20, Spherical22, Spherical24, Spherical32, Spp16, Spp24, Spp32, Spp48, Stereo16, Stereo20,
+    Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
+    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
+    StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24, WarpedCube32, XyOnly16, XyOnly24,
+    XyOnly32, XyOnly32F,
 };
 use glam::Vec3;
 use spirv_std::spirv;
@@ -264,6 +267,12 @@ kernels! {
     latlong16d LatLongD16, 2 bytes, "latlong16d_encode", "latlong16d_decode";
     latlong24d LatLongD24, 3 bytes, "latlong24d_encode", "latlong24d_decode";
     latlong32d LatLongD32, 4 bytes, "latlong32d_encode", "latlong32d_decode";
+    fib16 Fib16, 2 bytes, "fib16_encode", "fib16_decode";
+    fib24 Fib24, 3 bytes, "fib24_encode", "fib24_decode";
+    fib32 Fib32, 4 bytes, "fib32_encode", "fib32_decode";
+    ico16 Ico16, 2 bytes, "ico16_encode", "ico16_decode";
+    ico24 Ico24, 3 bytes, "ico24_encode", "ico24_decode";
+    ico32 Ico32, 4 bytes, "ico32_encode", "ico32_decode";
     snorm8x3_nearest SnormNearest8, 3 bytes, "snorm8x3_nearest_encode", "snorm8x3_nearest_decode";
     snorm16x3p SnormBest16, 6 bytes, "snorm16x3p_encode", "snorm16x3p_decode";
     stereo16 Stereo16, 2 bytes, "stereo16_encode", "stereo16_decode";

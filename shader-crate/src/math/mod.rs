@@ -1,6 +1,8 @@
 //! The functions that `core` lacks, with the same result on every target: square root and floor, and trigonometry made
 //! of plain arithmetic.
 
+#[cfg(all(any(not(feature = "std"), test), not(target_arch = "spirv")))]
+mod bare;
 mod trig;
 
 pub use trig::*;
@@ -12,7 +14,9 @@ use glam::Vec3;
 pub fn sqrt(x: f32) -> f32 {
     #[cfg(feature = "std")]
     return x.sqrt();
-    #[cfg(not(feature = "std"))]
+    #[cfg(all(not(feature = "std"), not(target_arch = "spirv")))]
+    return bare::sqrt(x);
+    #[cfg(all(not(feature = "std"), target_arch = "spirv"))]
     return libm::sqrtf(x);
 }
 
@@ -21,7 +25,9 @@ pub fn sqrt(x: f32) -> f32 {
 pub fn floor(x: f32) -> f32 {
     #[cfg(feature = "std")]
     return x.floor();
-    #[cfg(not(feature = "std"))]
+    #[cfg(all(not(feature = "std"), not(target_arch = "spirv")))]
+    return bare::floor(x);
+    #[cfg(all(not(feature = "std"), target_arch = "spirv"))]
     return libm::floorf(x);
 }
 

@@ -221,16 +221,16 @@ pub fn acos_half_turns(x: f32) -> f32 {
     base + negate_if(outer == negative, if outer { doubled } else { part })
 }
 
-/// `sin(pi r)` for r in \[0, 1/4\].
+/// `sin(pi r)` for r in \[-1/4, 1/4\].
 #[inline(always)]
-fn sin_eighth(r: f32) -> f32 {
+pub(crate) fn sin_eighth(r: f32) -> f32 {
     let u = r * r;
     r * (PI + (SIN_0 + u * (SIN_1 + u * (SIN_2 + u * SIN_3))))
 }
 
-/// `cos(pi r)` for r in \[0, 1/4\].
+/// `cos(pi r)` for r in \[-1/4, 1/4\].
 #[inline(always)]
-fn cos_eighth(r: f32) -> f32 {
+pub(crate) fn cos_eighth(r: f32) -> f32 {
     let u = r * r;
     1.0 + u * (COS_0 + u * (COS_1 + u * (COS_2 + u * COS_3)))
 }

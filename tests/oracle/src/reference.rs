@@ -9,7 +9,8 @@ use crate::azimuthal::{
 use crate::latlong::rings;
 use crate::spherical::{azimuth, colatitude, steps};
 use crate::{
-    HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, cross, dot, join_halves, largest, normalize, oct, raw,
+    Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, cross, dot, fib, join_halves, largest,
+    normalize, oct, raw,
 };
 
 /// From a direction, of any length but 0, to the vector that its code stands for: of unit length, but with the codecs
@@ -59,8 +60,10 @@ fn of_family(id: &str) -> Option<RoundTrip> {
         ("oct", "p") => at_widths!(bits, [16, 20, 22, 24, 32], oct_precise::<BITS>),
         ("hemioct", "") => at_widths!(bits, [16, 24, 32], rounded::<HemiOct, BITS>),
         ("spherical", "") => at_widths!(bits, [16, 20, 22, 24, 32], spherical::<BITS>),
+        ("ico", "") => at_widths!(bits, [16, 24, 32], ico::<BITS>),
         ("latlong", "") => at_widths!(bits, [16, 24, 32], latlong::<BITS>),
         ("latlong", "d") => at_widths!(bits, [16, 24, 32], latlong_d::<BITS>),
+        ("fib", "") => at_widths!(bits, [16, 24, 32], fibonacci::<BITS>),
         ("xyonly", "") => at_widths!(bits, [16, 24, 32], xyonly::<BITS>),
         ("stereo", "") => at_widths!(bits, [16, 20, 22, 24, 32], azimuthal::<STEREO, PLAIN, BITS>),
         ("stereo_concentric", "") => {
@@ -100,6 +103,11 @@ fn spherical<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
 }
 
 /// The patch that the direction is in.
+/// The lattice point nearest in angle.
+fn ico<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
+    crate::ico::nearest(v, BITS)
+}
+
 fn latlong<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
     let count = 1 << (BITS / 2);
     let [ring, turn] = [colatitude(v), azimuth(v) / 2.0].map(|t| (t * f64::from(count)).floor() as i32);
@@ -117,6 +125,11 @@ fn latlong_d<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
     let (quarter, hemisphere) = (patch / count, u32::from(v[2] < 0.0));
     let code = (hemisphere << (BITS - 1)) | (quarter << (BITS - 3)) | (rings.starts[ring] + patch % count);
     LatLongD::decode(code, BITS)
+}
+
+/// The nearest point.
+fn fibonacci<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
+    Fib::decode(fib::nearest(v, BITS), BITS)
 }
 
 /// The nearest lattice point on the square or the disk, and the hemisphere. A lattice point off the disk whose cell has

@@ -15,7 +15,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Direction, best_fit_table};
+use unitvec_host::catalogue::{Direction, Element, Format, best_fit_table, formats};
 use unitvec_host::manifest::{self, Binding, Manifest, Module, PushConstant, Table};
 use unitvec_host::output;
 
@@ -75,8 +75,8 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
             modules.push(module);
         }
     }
-    let kernels = 2 * CATALOGUE.len();
-    ensure!(modules.len() == kernels + 1, "{} modules for {} codecs", modules.len(), CATALOGUE.len());
+    let kernels = 2 * formats().count();
+    ensure!(modules.len() == kernels + 1, "{} modules for {} codecs", modules.len(), formats().count());
     ensure!(cost_modules.len() == kernels + 2, "{} cost modules", cost_modules.len());
     let sources_sha256 = manifest::sources_sha256(repository)?;
     let cost_manifest = format!("{}/{}", manifest::COST_FOLDER, manifest::FILE_NAME);
@@ -148,27 +148,27 @@ fn finish(words: &[u32]) -> Result<Vec<u32>> {
 
 /// `oct16_encode` of `kernels::oct16::encode_cost`, the entry point that measures it; `None` of others.
 fn cost_kernel(entry_point: &str) -> Option<String> {
-    let path = entry_point.strip_prefix("kernels::")?.strip_suffix("_cost")?;
-    Some(path.replace("::", "_"))
+    let (module, direction) = entry_point.strip_suffix("_cost")?.rsplit_once("::")?;
+    let codec = module.rsplit("::").next()?;
+    Some(format!("{codec}_{direction}"))
 }
 
-fn find_kernel(kernel: &str) -> Option<(&'static CodecInfo, Direction)> {
-    CATALOGUE
-        .iter()
+fn find_kernel(kernel: &str) -> Option<(Format, Direction)> {
+    formats()
         .flat_map(|codec| [(codec, Direction::Encode), (codec, Direction::Decode)])
         .find(|(codec, direction)| codec.function(*direction) == kernel)
 }
 
 fn describe(entry_point: &str, bytes: &[u8]) -> Result<Module> {
     let (codec, direction, bindings) = if entry_point == manifest::DECODE_BY_TABLE {
-        let mut bindings = bindings(2, Direction::Decode);
+        let mut bindings = bindings(2, Element::Vector, Direction::Decode);
         let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
         bindings.push(Binding { content: content.to_owned(), ..table_binding() });
         (None, Direction::Decode, bindings)
     } else {
         let (codec, direction) = find_kernel(entry_point)
             .with_context(|| format!("entry point {entry_point} belongs to no codec of the catalogue"))?;
-        let mut bindings = bindings(codec.bytes, direction);
+        let mut bindings = bindings(codec.bytes, codec.element, direction);
         if codec.encodes_by_table && direction == Direction::Encode {
             bindings.push(Binding { table: Some(manifest::BEST_FIT_TABLE.to_owned()), ..table_binding() });
         }
@@ -218,12 +218,16 @@ fn constant(offset: u32, content: &str) -> PushConstant {
     PushConstant { offset, r#type: "u32".to_owned(), content: content.to_owned() }
 }
 
-fn bindings(code_bytes: usize, direction: Direction) -> Vec<Binding> {
-    let vectors = ("three f32 a vector, packed", 12);
+fn bindings(code_bytes: usize, element: Element, direction: Direction) -> Vec<Binding> {
+    let content = match element {
+        Element::Vector => "three f32 a vector, packed",
+        Element::Frame => "seven f32 a frame (normal, tangent, handedness), packed",
+    };
+    let elements = (content, element.bytes() as u32);
     let codes = ("codes, little endian, packed", code_bytes as u32);
     let ((read, read_bytes), (written, written_bytes)) = match direction {
-        Direction::Encode => (vectors, codes),
-        Direction::Decode => (codes, vectors),
+        Direction::Encode => (elements, codes),
+        Direction::Decode => (codes, elements),
     };
     vec![binding(0, "read", read, Some(read_bytes)), binding(1, "write", written, Some(written_bytes))]
 }

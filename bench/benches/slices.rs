@@ -1,0 +1,217 @@
+//! `cargo bench -p unitvec-bench`: whole slices of vectors, to codes and back, beside the octahedral filters of meshopt,
+//! the crate normal_pack, a loop of scalar calls, and memcpy, all on the same vectors. Then
+//! `cargo run -p unitvec-bench --bin summary` prints the table.
+
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
+use glam::Vec3;
+use meshopt::ffi::{meshopt_decodeFilterOct, meshopt_encodeFilterOct};
+use normal_pack::EncodedUnitVector3U8;
+use std::hint::black_box;
+use std::time::Duration;
+use unitvec::slice::{decode_slice, decode_slice_i16x4, encode_slice, par_decode_slice, par_encode_slice};
+use unitvec::table::DecodeTable;
+use unitvec::{
+    Codec, Float16x3, HemiOct32, LatLongD16, LatLongD32, Oct16, Oct24, Oct32, OctPrecise16, OctPrecise32,
+    Snorm10x3,
+};
+use unitvec_bench::{COUNTS, group};
+
+/// Unit vectors in random directions, by a generator that is the same everywhere (Knuth's MMIX).
+fn directions(count: usize) -> Vec<[f32; 3]> {
+    let mut state = 1u64;
+    let mut random = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f32 / 8_388_608.0 - 1.0
+    };
+    std::iter::repeat_with(|| Vec3::new(random(), random(), random()))
+        .filter(|v| v.length_squared() < 1.0 && v.length_squared() > 1e-4)
+        .map(|v| v.normalize().to_array())
+        .take(count)
+        .collect()
+}
+
+/// A group with samples so few and short that the whole benchmark takes three minutes.
+fn open<'a>(criterion: &'a mut Criterion, direction: &str, count: usize) -> BenchmarkGroup<'a, WallTime> {
+    let mut group = criterion.benchmark_group(group(direction, count));
+    group
+        .throughput(Throughput::Elements(count as u64))
+        .sampling_mode(SamplingMode::Flat)
+        .sample_size(20)
+        .warm_up_time(Duration::from_millis(100))
+        .measurement_time(Duration::from_millis(600));
+    if count > 1 << 20 {
+        group.sample_size(10);
+    }
+    group
+}
+
+fn encode_with<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let mut codes = vec![0; vectors.len() * C::BYTES];
+    group
+        .bench_function(C::NAME, |b| b.iter(|| encode_slice::<C>(black_box(vectors), black_box(&mut codes))));
+}
+
+/// The scalar function for each vector.
+fn encode_plain<C: Codec<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let mut codes = vec![0; vectors.len()];
+    group.bench_function(format!("{}-plain", C::NAME), |b| {
+        b.iter(|| {
+            for (code, v) in black_box(&mut codes).iter_mut().zip(black_box(vectors)) {
+                *code = C::encode(Vec3::from_array(*v));
+            }
+        });
+    });
+}
+
+fn decode_with<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let mut codes = vec![0; vectors.len() * C::BYTES];
+    encode_slice::<C>(vectors, &mut codes).expect("the slices fit");
+    let mut decoded = vectors.to_vec();
+    group.bench_function(C::NAME, |b| {
+        b.iter(|| decode_slice::<C>(black_box(&codes), black_box(&mut decoded)))
+    });
+}
+
+/// The scalar function for each code.
+fn decode_plain<C: Codec<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let codes: Vec<u32> = vectors.iter().map(|v| C::encode(Vec3::from_array(*v))).collect();
+    let mut decoded = vectors.to_vec();
+    group.bench_function(format!("{}-plain", C::NAME), |b| {
+        b.iter(|| {
+            for (v, code) in black_box(&mut decoded).iter_mut().zip(black_box(&codes)) {
+                *v = C::decode(*code).to_array();
+            }
+        });
+    });
+}
+
+fn decode_by_table<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let mut memory = vec![[0.0; 3]; DecodeTable::<C>::ENTRIES];
+    let table = DecodeTable::<C>::fill(&mut memory).expect("the memory is of that size");
+    let mut codes = vec![0; vectors.len() * C::BYTES];
+    encode_slice::<C>(vectors, &mut codes).expect("the slices fit");
+    let mut decoded = vectors.to_vec();
+    group.bench_function(format!("{}-table", C::NAME), |b| {
+        b.iter(|| table.decode_slice(black_box(&codes), black_box(&mut decoded)));
+    });
+}
+
+/// memcpy of as many bytes as `items` have.
+fn copy<T: Copy>(group: &mut BenchmarkGroup<WallTime>, name: &str, items: &[T]) {
+    let mut copied = items.to_vec();
+    group.bench_function(name, |b| b.iter(|| black_box(&mut copied).copy_from_slice(black_box(items))));
+}
+
+/// meshopt's filter writes four components of `size / 4` bytes; the fourth is ours to choose.
+fn encode_meshopt(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]], size: usize) {
+    let four: Vec<[f32; 4]> = vectors.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+    let mut codes = vec![0u64; vectors.len() * size / 8];
+    let bits = 2 * size as i32;
+    group.bench_function(format!("meshopt{bits}"), |b| {
+        b.iter(|| {
+            let (to, from) = (black_box(&mut codes).as_mut_ptr(), black_box(&four).as_ptr());
+            // SAFETY: `codes` has `size` bytes for each of the vectors of four floats in `four`.
+            unsafe { meshopt_encodeFilterOct(to.cast(), vectors.len(), size, bits, from.cast()) }
+        });
+    });
+}
+
+/// meshopt decodes in place. From the second time on it decodes what it wrote, in the same time: its code has no
+/// branches.
+fn decode_meshopt(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]], size: usize) {
+    let four: Vec<[f32; 4]> = vectors.iter().map(|&[x, y, z]| [x, y, z, 0.0]).collect();
+    let mut codes = vec![0u64; vectors.len() * size / 8];
+    let bits = 2 * size as i32;
+    // SAFETY: `codes` has `size` bytes for each of the vectors of four floats in `four`.
+    unsafe {
+        meshopt_encodeFilterOct(codes.as_mut_ptr().cast(), vectors.len(), size, bits, four.as_ptr().cast());
+    }
+    group.bench_function(format!("meshopt{bits}"), |b| {
+        b.iter(|| {
+            let codes = black_box(&mut codes).as_mut_ptr();
+            // SAFETY: `codes` has `size` bytes for each vector.
+            unsafe { meshopt_decodeFilterOct(codes.cast(), vectors.len(), size) }
+        });
+    });
+}
+
+fn encode(criterion: &mut Criterion) {
+    let all = directions(COUNTS[2]);
+    for count in COUNTS {
+        let vectors = &all[..count];
+        let mut group = open(criterion, "encode", count);
+        encode_with::<Oct16>(&mut group, vectors);
+        encode_with::<OctPrecise16>(&mut group, vectors);
+        encode_with::<Oct24>(&mut group, vectors);
+        encode_meshopt(&mut group, vectors, 4);
+        encode_with::<Oct32>(&mut group, vectors);
+        encode_meshopt(&mut group, vectors, 8);
+        encode_with::<OctPrecise32>(&mut group, vectors);
+        copy(&mut group, "memcpy12", vectors);
+        encode_with::<HemiOct32>(&mut group, vectors);
+        encode_with::<LatLongD32>(&mut group, vectors);
+        encode_with::<Snorm10x3>(&mut group, vectors);
+        encode_with::<Float16x3>(&mut group, vectors);
+        encode_plain::<Oct16>(&mut group, vectors);
+        encode_plain::<Oct32>(&mut group, vectors);
+        encode_plain::<OctPrecise32>(&mut group, vectors);
+        let mut codes: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
+        group.bench_function("normal_pack", |b| {
+            b.iter(|| {
+                for (code, v) in black_box(&mut codes).iter_mut().zip(black_box(vectors)) {
+                    *code = EncodedUnitVector3U8::encode(*v);
+                }
+            });
+        });
+        let mut codes = vec![0; vectors.len() * Oct32::BYTES];
+        group.bench_function("oct32-parallel", |b| {
+            b.iter(|| par_encode_slice::<Oct32>(black_box(vectors), black_box(&mut codes)));
+        });
+    }
+}
+
+fn decode(criterion: &mut Criterion) {
+    let all = directions(COUNTS[2]);
+    for count in COUNTS {
+        let vectors = &all[..count];
+        let mut group = open(criterion, "decode", count);
+        decode_with::<Oct16>(&mut group, vectors);
+        copy(&mut group, "memcpy12", vectors);
+        decode_by_table::<Oct16>(&mut group, vectors);
+        decode_with::<Oct24>(&mut group, vectors);
+        decode_meshopt(&mut group, vectors, 4);
+        decode_with::<Oct32>(&mut group, vectors);
+        decode_meshopt(&mut group, vectors, 8);
+        let mut codes = vec![0; vectors.len() * Oct32::BYTES];
+        encode_slice::<Oct32>(vectors, &mut codes).expect("the slices fit");
+        let mut decoded = vec![[0i16; 4]; count];
+        group.bench_function("oct32-i16x4", |b| {
+            b.iter(|| decode_slice_i16x4::<Oct32>(black_box(&codes), black_box(&mut decoded)));
+        });
+        copy(&mut group, "memcpy8", &decoded);
+        decode_with::<HemiOct32>(&mut group, vectors);
+        decode_with::<LatLongD16>(&mut group, vectors);
+        decode_by_table::<LatLongD16>(&mut group, vectors);
+        decode_with::<LatLongD32>(&mut group, vectors);
+        decode_with::<Snorm10x3>(&mut group, vectors);
+        decode_with::<Float16x3>(&mut group, vectors);
+        decode_plain::<Oct16>(&mut group, vectors);
+        decode_plain::<Oct32>(&mut group, vectors);
+        let packed: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
+        let mut decoded = vectors.to_vec();
+        group.bench_function("normal_pack", |b| {
+            b.iter(|| {
+                for (v, code) in black_box(&mut decoded).iter_mut().zip(black_box(&packed)) {
+                    *v = code.decode();
+                }
+            });
+        });
+        group.bench_function("oct32-parallel", |b| {
+            b.iter(|| par_decode_slice::<Oct32>(black_box(&codes), black_box(&mut decoded)));
+        });
+    }
+}
+
+criterion_group!(benches, encode, decode);
+criterion_main!(benches);

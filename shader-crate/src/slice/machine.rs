@@ -1,0 +1,109 @@
+//! What depends on the machine: the choice of the instruction set, at run time where the standard library can tell what
+//! the machine has, and prefetching. All of the crate's `unsafe` is here and in the square root that stands in for the
+//! standard library's.
+//!
+//! The loops over slices are written once, without intrinsics, in functions that are always inlined. Here they are
+//! inlined once more for each [`Level`], in a function for which the compiler may use that level's instructions. No
+//! level has fused multiplication, and the compiler never makes it of a product and a sum: all give the same bits.
+
+#![allow(unsafe_code)]
+
+/// A loop over slices, to be compiled for each level.
+pub trait Task {
+    /// Does it. To be inlined always, with all that it calls.
+    fn run(self);
+}
+
+/// An instruction set that this machine has: there is no way to get one that it lacks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Level(Kind);
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Baseline,
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    Sse41,
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    Avx2,
+}
+
+impl Level {
+    /// What the crate was compiled for: SSE2 on x86-64, NEON on AArch64, unless target features say more.
+    pub const BASELINE: Self = Self(Kind::Baseline);
+
+    /// SSE4.1, where the machine has it. The standard library looks once and remembers.
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    #[inline]
+    fn sse41() -> Option<Self> {
+        std::arch::is_x86_feature_detected!("sse4.1").then_some(Self(Kind::Sse41))
+    }
+
+    /// AVX2, where the machine has it. The standard library looks once and remembers.
+    #[cfg(all(feature = "std", target_arch = "x86_64"))]
+    #[inline]
+    fn avx2() -> Option<Self> {
+        std::arch::is_x86_feature_detected!("avx2").then_some(Self(Kind::Avx2))
+    }
+
+    /// All that this machine has, the best first.
+    #[inline]
+    pub fn available() -> impl Iterator<Item = Self> {
+        [
+            #[cfg(all(feature = "std", target_arch = "x86_64"))]
+            Self::avx2(),
+            #[cfg(all(feature = "std", target_arch = "x86_64"))]
+            Self::sse41(),
+            Some(Self::BASELINE),
+        ]
+        .into_iter()
+        .flatten()
+    }
+
+    /// The best of this machine.
+    #[inline]
+    pub fn best() -> Self {
+        Self::available().next().unwrap_or(Self::BASELINE)
+    }
+
+    /// Runs `task` as compiled for this level.
+    #[inline]
+    pub fn run(self, task: impl Task) {
+        match self.0 {
+            Kind::Baseline => task.run(),
+            #[cfg(all(feature = "std", target_arch = "x86_64"))]
+            // SAFETY: a `Level` of this kind comes from `Level::sse41` alone, which found that the machine has SSE4.1.
+            Kind::Sse41 => unsafe { run_sse41(task) },
+            #[cfg(all(feature = "std", target_arch = "x86_64"))]
+            // SAFETY: a `Level` of this kind comes from `Level::avx2` alone, which found that the machine has AVX2.
+            Kind::Avx2 => unsafe { run_avx2(task) },
+        }
+    }
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "sse4.1")]
+fn run_sse41(task: impl Task) {
+    task.run();
+}
+
+#[cfg(all(feature = "std", target_arch = "x86_64"))]
+#[target_feature(enable = "avx2")]
+fn run_avx2(task: impl Task) {
+    task.run();
+}
+
+/// Asks for the memory of `slice` to be brought near, which changes nothing but the time that using it takes. On
+/// x86-64; elsewhere it does nothing.
+#[inline(always)]
+pub fn prefetch<T>(slice: &[T]) {
+    #[cfg(target_arch = "x86_64")]
+    for offset in (0..size_of_val(slice)).step_by(64) {
+        use core::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        let line = slice.as_ptr().cast::<i8>().wrapping_add(offset);
+        // SAFETY: SSE, which the instruction belongs to, is part of x86-64; it reads and writes nothing that a program
+        // can see, and takes any address.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(line) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = slice;
+}

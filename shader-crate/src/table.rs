@@ -1,0 +1,125 @@
+//! Decoding by table: for codecs of at most 16 bits, all vectors there are.
+//!
+//! Source: Cigolle et al. 2014, section 2.4.
+//!
+//! A table holds `2^BITS` vectors, 768 KiB at 16 bits, and gives the bits that [`Codec::decode`] gives. To look a
+//! vector up takes about a nanosecond as long as the table stays in a second-level cache of 1 MiB or more, whatever the
+//! codec: with AVX2 as long as [`oct`](crate::oct) is worked out by [`decode_slice`](crate::slice::decode_slice), a
+//! ninth of what [`latlong`](crate::latlong) takes. So a table pays for codecs that are dear to decode, for vectors one
+//! by one, and where vector instructions are short; it does not where other work needs the cache.
+//!
+//! ```
+//! use unitvec::table::DecodeTable;
+//! use unitvec::{Codec, LatLongD16};
+//!
+//! let mut memory = vec![[0.0; 3]; DecodeTable::<LatLongD16>::ENTRIES];
+//! let table = DecodeTable::<LatLongD16>::fill(&mut memory)?;
+//! let mut vectors = [[0.0; 3]; 2];
+//! table.decode_slice(&[7, 1, 0, 0], &mut vectors)?;
+//! assert_eq!(vectors[0], LatLongD16::decode(0x107).to_array());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+use crate::codec::{Code, Codec};
+use crate::slice::block::BLOCK;
+use crate::slice::machine::{Level, Task, prefetch};
+use crate::slice::{self, LengthMismatch, Vector};
+use core::fmt;
+use core::marker::PhantomData;
+use glam::Vec3;
+
+/// The memory for a table is not of the table's size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TableSize {
+    /// Entries of the table.
+    pub expected: usize,
+    /// Entries that there is memory for.
+    pub actual: usize,
+}
+
+impl fmt::Display for TableSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "a table of {} vectors in memory for {}", self.expected, self.actual)
+    }
+}
+
+impl core::error::Error for TableSize {}
+
+/// All vectors that the codes of `C`, of at most 16 bits, stand for. More bits do not compile.
+pub struct DecodeTable<'a, C> {
+    entries: &'a [[f32; 3]],
+    codec: PhantomData<fn() -> C>,
+}
+
+impl<'a, C: Codec> DecodeTable<'a, C> {
+    /// Entries of the table: one for each code.
+    pub const ENTRIES: usize = {
+        assert!(C::BITS <= 16, "tables are for codecs of at most 16 bits");
+        1 << C::BITS
+    };
+
+    /// Works the table out, in `entries`: in about a millisecond at most.
+    ///
+    /// # Errors
+    /// [`TableSize`] unless there are [`ENTRIES`](Self::ENTRIES). Nothing is written then.
+    pub fn fill(entries: &'a mut [[f32; 3]]) -> Result<Self, TableSize> {
+        if entries.len() != Self::ENTRIES {
+            return Err(TableSize { expected: Self::ENTRIES, actual: entries.len() });
+        }
+        Level::best().run(Fill { entries, codec: PhantomData::<fn() -> C> });
+        Ok(Self { entries, codec: PhantomData })
+    }
+
+    /// [`Codec::decode`].
+    #[inline(always)]
+    pub fn decode(&self, code: C::Code) -> Vec3 {
+        Vec3::from_array(self.entry(code.to_words()[0]))
+    }
+
+    /// [`decode_slice`](crate::slice::decode_slice).
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
+    pub fn decode_slice(&self, codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
+        slice::expect_length(codes.len(), vectors.len() * C::BYTES)?;
+        let far = slice::is_far(vectors);
+        let (ahead, blocks) = (slice::AHEAD, vectors.len().div_ceil(BLOCK));
+        for i in 0..blocks {
+            let range = i * BLOCK..vectors.len().min((i + 1) * BLOCK);
+            if far && i + ahead + 1 < blocks {
+                prefetch(&vectors[(i + ahead) * BLOCK..][..BLOCK]);
+            }
+            let codes = &codes[range.start * C::BYTES..range.end * C::BYTES];
+            let vectors = &mut vectors[range];
+            if C::BYTES == 1 {
+                for (vector, code) in vectors.iter_mut().zip(codes) {
+                    *vector = Vector::from_xyz(self.entry(u32::from(*code)));
+                }
+            } else {
+                for (vector, code) in vectors.iter_mut().zip(codes.as_chunks().0) {
+                    *vector = Vector::from_xyz(self.entry(u32::from(u16::from_le_bytes(*code))));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn entry(&self, code: u32) -> [f32; 3] {
+        self.entries[code as usize & (Self::ENTRIES - 1)]
+    }
+}
+
+struct Fill<'a, C> {
+    entries: &'a mut [[f32; 3]],
+    codec: PhantomData<C>,
+}
+
+impl<C: Codec> Task for Fill<'_, fn() -> C> {
+    #[inline(always)]
+    fn run(self) {
+        for (code, entry) in (0..).zip(self.entries) {
+            *entry = C::decode(C::Code::from_words([code, 0])).to_array();
+        }
+    }
+}
