@@ -101,7 +101,8 @@ fn runners_refuse_what_they_cannot_run() {
     assert!(matches!(Runner::new(&device, 0, false), Err(Error::BadCount { .. })));
     assert!(matches!(Runner::new(&device, usize::MAX, false), Err(Error::BadCount { .. })));
     let (mut one, other) = (Runner::new(&device, 8, false).unwrap(), Runner::new(&device, 8, false).unwrap());
-    let module = glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap().format(), Direction::Decode).unwrap();
+    let module =
+        glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap().format(), Direction::Decode).unwrap();
     let foreign = other.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     assert!(matches!(one.run(&foreign, 1, &[0; 2], &mut [0; 12]), Err(Error::ForeignKernel)));
     let kernel = one.kernel(&module, glsl::ENTRY_POINT, None).unwrap();

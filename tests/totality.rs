@@ -8,7 +8,8 @@ use unitvec::azimuthal;
 use unitvec::slice::{decode_slice, encode_slice};
 use unitvec_tests::oracle::azimuthal as papers;
 use unitvec_tests::oracle::{
-    self, Cylindrical, Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length, widen,
+    self, Cylindrical, EaOct, Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length,
+    widen,
 };
 use unitvec_tests::sampling::{self, END_OF_NORMS, LEAST_NORM, special_inputs, sphere, usable};
 
@@ -23,6 +24,14 @@ impl<const BITS: u32> Checked for unitvec::Oct<BITS> {
 
 impl<const BITS: u32> Checked for unitvec::OctPrecise<BITS> {
     type Oracle = Oct;
+}
+
+impl<const BITS: u32> Checked for unitvec::EaOct<BITS> {
+    type Oracle = EaOct;
+}
+
+impl<const BITS: u32> Checked for unitvec::EaOctPrecise<BITS> {
+    type Oracle = EaOct;
 }
 
 impl<const BITS: u32> Checked for unitvec::HemiOct<BITS> {
@@ -79,6 +88,8 @@ macro_rules! for_every_codec {
     ($check:ident($($argument:expr),*)) => {
         for_every_codec!($check($($argument),*): Oct16 Oct20 Oct22 Oct24 Oct32
             OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32
+            EaOct16 EaOct20 EaOct22 EaOct24 EaOct32
+            EaOctPrecise16 EaOctPrecise20 EaOctPrecise22 EaOctPrecise24 EaOctPrecise32
             Spherical16 Spherical20 Spherical22 Spherical24 Spherical32 Cylindrical16 Cylindrical24 Cylindrical32
             Fib16 Fib24 Fib32 Ico16 Ico24 Ico32 LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32
             Stereo16 Stereo20 Stereo22 Stereo24 Stereo32

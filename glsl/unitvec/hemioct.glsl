@@ -21,12 +21,23 @@ float hemioct_round(float x) {
     return unitvec_negate_if(unitvec_is_negative(x), floor(position));
 }
 
+// x, or 0 where that is a denormal, which some devices flush.
+float hemioct_without_denormal(float x) {
+    return unitvec_is_negative(-abs(x)) ? x : 0.0;
+}
+
+// Lattice point of a vector with z >= 0 and an L1 norm of `norm`, m the snorm's largest integer.
+vec2 hemioct_project(vec3 v, float norm, float m) {
+    float x = hemioct_without_denormal(v.x), y = hemioct_without_denormal(v.y);
+    UNITVEC_PRECISE vec2 p = vec2(x + y, x - y) * (m / norm);
+    return vec2(hemioct_round(p.x), hemioct_round(p.y));
+}
+
 // Lattice point of the direction of v (listing 6, then snorm rounding), m the snorm's largest integer.
 vec2 hemioct_lattice(vec3 v, float m) {
     v = unitvec_or_z(v);
     v = unitvec_or_z(vec3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
-    UNITVEC_PRECISE vec2 p = vec2(v.x + v.y, v.x - v.y) * (m / unitvec_l1_norm(v));
-    return vec2(hemioct_round(p.x), hemioct_round(p.y));
+    return hemioct_project(v, unitvec_l1_norm(v), m);
 }
 
 // Direction of a lattice point (listing 6), unit length to within 2 ULP.

@@ -4,6 +4,8 @@
 #include "math.glsl"
 #include "oct.glsl"
 #include "hemioct.glsl"
+#include "eaoct.glsl"
+#include "soct.glsl"
 #include "oct_wide.glsl"
 #include "spherical.glsl"
 #include "cylindrical.glsl"

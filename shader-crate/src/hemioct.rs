@@ -14,6 +14,7 @@ use crate::codec::Codec;
 use crate::direction::or_z;
 use crate::math::{floor, is_negative, negate_if, normalize};
 use crate::scalar::{mask, signed_code, snorm_integer, snorm_max};
+use crate::spherical::without_denormal;
 use glam::{Vec2, Vec3};
 
 /// The lattice point of the direction of `v`: the nearest in the square (listing 6, then snorm rounding).
@@ -22,8 +23,18 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
     let (v, _) = or_z(v);
     let upper_z = if is_negative(v.z) { 0.0 } else { v.z };
     let (v, norm) = or_z(Vec3::new(v.x, v.y, upper_z));
+    project(v, norm, m)
+}
+
+/// The lattice point of a vector with z >= 0 and an L1 norm of `norm`.
+///
+/// A denormal x or y counts as 0, since some devices flush it: beside another component near 2^-116, in a vector as
+/// short as may be, it might decide a rounding of their sum.
+#[inline(always)]
+pub(crate) fn project(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let scale = m / norm;
-    let (u, w) = ((v.x + v.y) * scale, (v.x - v.y) * scale);
+    let (x, y) = (without_denormal(v.x), without_denormal(v.y));
+    let (u, w) = ((x + y) * scale, (x - y) * scale);
     Vec2::new(round_symmetric(u), round_symmetric(w))
 }
 

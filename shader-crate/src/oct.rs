@@ -57,7 +57,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 /// Moves a point of the positive octant, scaled to `x + y + z = m`, to where the lower half of the octahedron is
 /// folded out if `z` is negative.
 #[inline(always)]
-fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
+pub(crate) fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
     if is_negative(z) { (m - y, m - x) } else { (x, y) }
 }
 
@@ -138,16 +138,18 @@ pub fn unorm8x3_to_snorm12x2(code: u32) -> Vec2 {
     Vec2::new(if x > 2047.0 { 2047.0 } else { x }, if y > 2047.0 { 2047.0 } else { y })
 }
 
+/// The code of a lattice point.
 #[inline(always)]
-fn pack<const BITS: u32>(e: Vec2) -> u32 {
+pub(crate) fn pack<const BITS: u32>(e: Vec2) -> u32 {
     if BITS == 24 {
         return snorm12x2_to_unorm8x3(e);
     }
     signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
 }
 
+/// The lattice point of a code.
 #[inline(always)]
-fn unpack<const BITS: u32>(code: u32) -> Vec2 {
+pub(crate) fn unpack<const BITS: u32>(code: u32) -> Vec2 {
     if BITS == 24 {
         return unorm8x3_to_snorm12x2(code);
     }

@@ -21,21 +21,22 @@ pub use words::Vectors;
 use crate::best_fit::{crytek_bfn24_encode_by_table, snorm8x3p_encode_by_table};
 use crate::codec::{Code, Codec};
 use crate::{
-    CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, Eqarea16, Eqarea20,
-    Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20, EqareaConcentric22,
-    EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20, EqareaEllipse22,
-    EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32, EqdistConcentric16,
-    EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32, EqdistEllipse16,
-    EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Fib16, Fib24, Fib32, Float16x3,
-    HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16, LatLong24, LatLong32, LatLongD16,
-    LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20,
-    OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16, Pp24, Pp32, Pp48, Snorm5x3,
-    Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, SnormBest8, SnormBest16, SnormNearest8, Spherical16,
-    Spherical20, Spherical22, Spherical24, Spherical32, Spp16, Spp24, Spp32, Spp48, Stereo16, Stereo20,
-    Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
-    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
-    StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24, WarpedCube32, XyOnly16, XyOnly24,
-    XyOnly32, XyOnly32F,
+    CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, EaOct16, EaOct20,
+    EaOct22, EaOct24, EaOct32, EaOctPrecise16, EaOctPrecise20, EaOctPrecise22, EaOctPrecise24,
+    EaOctPrecise32, Eqarea16, Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20,
+    EqareaConcentric22, EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20,
+    EqareaEllipse22, EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32,
+    EqdistConcentric16, EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32,
+    EqdistEllipse16, EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Fib16, Fib24, Fib32,
+    Float16x3, HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16, LatLong24, LatLong32,
+    LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16, OctPrecise20,
+    OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16, Pp24, Pp32, Pp48, SOct17,
+    SOct25, SOct33, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, SnormBest8, SnormBest16,
+    SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Spp16, Spp24, Spp32,
+    Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20,
+    StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20,
+    StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24, WarpedCube32,
+    XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
 };
 use glam::Vec3;
 use spirv_std::spirv;
@@ -250,6 +251,19 @@ kernels! {
     hemioct16 HemiOct16, 2 bytes, "hemioct16_encode", "hemioct16_decode";
     hemioct24 HemiOct24, 3 bytes, "hemioct24_encode", "hemioct24_decode";
     hemioct32 HemiOct32, 4 bytes, "hemioct32_encode", "hemioct32_decode";
+    eaoct16 EaOct16, 2 bytes, "eaoct16_encode", "eaoct16_decode";
+    eaoct16p EaOctPrecise16, 2 bytes, "eaoct16p_encode", "eaoct16p_decode";
+    eaoct20 EaOct20, 3 bytes, "eaoct20_encode", "eaoct20_decode";
+    eaoct20p EaOctPrecise20, 3 bytes, "eaoct20p_encode", "eaoct20p_decode";
+    eaoct22 EaOct22, 3 bytes, "eaoct22_encode", "eaoct22_decode";
+    eaoct22p EaOctPrecise22, 3 bytes, "eaoct22p_encode", "eaoct22p_decode";
+    eaoct24 EaOct24, 3 bytes, "eaoct24_encode", "eaoct24_decode";
+    eaoct24p EaOctPrecise24, 3 bytes, "eaoct24p_encode", "eaoct24p_decode";
+    eaoct32 EaOct32, 4 bytes, "eaoct32_encode", "eaoct32_decode";
+    eaoct32p EaOctPrecise32, 4 bytes, "eaoct32p_encode", "eaoct32p_decode";
+    soct17 SOct17, 3 bytes, "soct17_encode", "soct17_decode";
+    soct25 SOct25, 4 bytes, "soct25_encode", "soct25_decode";
+    soct33 SOct33, 6 bytes, "soct33_encode", "soct33_decode";
     oct48 Oct48, 6 bytes, "oct48_encode", "oct48_decode";
     oct48p OctPrecise48, 6 bytes, "oct48p_encode", "oct48p_decode";
     oct52p OctPrecise52, 8 bytes, "oct52p_encode", "oct52p_decode";

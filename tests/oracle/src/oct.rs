@@ -127,7 +127,7 @@ pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u32 {
 
 /// The lattice point of the square `[-m, m]^2` that a point beyond its border goes on to: each edge is glued to
 /// itself, turned about its middle (survey, figure 3).
-fn wrap([x, y]: [i32; 2], m: i32) -> [i32; 2] {
+pub fn wrap([x, y]: [i32; 2], m: i32) -> [i32; 2] {
     let [x, y] = if x.abs() > m { [2 * m * x.signum() - x, -y] } else { [x, y] };
     if y.abs() > m { [-x, 2 * m * y.signum() - y] } else { [x, y] }
 }

@@ -1,4 +1,5 @@
-//! Every codec of the survey's tables 1 and 3 with `f64` intermediates: a direction to the code's integers and back.
+//! Every codec of the survey's tables 1 and 3, and later ones, with `f64` intermediates: a direction to the code's
+//! integers and back.
 //!
 //! This is what the survey's section 4.1 measures beside `f32`. The codes are those of the formats, the roundings and
 //! searches those of exact arithmetic to within `f64`'s own error.
@@ -9,8 +10,8 @@ use crate::azimuthal::{
 use crate::latlong::rings;
 use crate::spherical::{azimuth, colatitude, steps};
 use crate::{
-    Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, cross, dot, fib, join_halves, largest,
-    normalize, oct, raw,
+    EaOct, Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, cross, dot, eaoct, fib, join_halves,
+    largest, normalize, oct, raw, soct,
 };
 
 /// From a direction, of any length but 0, to the vector that its code stands for: of unit length, but with the codecs
@@ -58,6 +59,9 @@ fn of_family(id: &str) -> Option<RoundTrip> {
     match (family, suffix) {
         ("oct", "") => at_widths!(bits, [16, 20, 22, 24, 32], rounded::<Oct, BITS>),
         ("oct", "p") => at_widths!(bits, [16, 20, 22, 24, 32], oct_precise::<BITS>),
+        ("eaoct", "") => at_widths!(bits, [16, 20, 22, 24, 32], eaoct_fast::<BITS>),
+        ("eaoct", "p") => at_widths!(bits, [16, 20, 22, 24, 32], eaoct_precise::<BITS>),
+        ("soct", "") => at_widths!(bits, [17, 25, 33], signed_oct::<BITS>),
         ("hemioct", "") => at_widths!(bits, [16, 24, 32], rounded::<HemiOct, BITS>),
         ("spherical", "") => at_widths!(bits, [16, 20, 22, 24, 32], spherical::<BITS>),
         ("ico", "") => at_widths!(bits, [16, 24, 32], ico::<BITS>),
@@ -94,6 +98,21 @@ fn rounded<O: Oracle, const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
 /// The lattice point nearest in angle.
 fn oct_precise<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
     Oct::decode(oct::nearest_in_neighbourhood(v, BITS), BITS)
+}
+
+/// The nearest point on the nearest ring.
+fn eaoct_fast<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
+    EaOct::decode(eaoct::on_nearest_ring(v, BITS), BITS)
+}
+
+/// The lattice point nearest in angle.
+fn eaoct_precise<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
+    EaOct::decode(eaoct::nearest_in_neighbourhood(v, BITS), BITS)
+}
+
+/// The nearest lattice point on the square of the hemisphere.
+fn signed_oct<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
+    soct::decode(soct::encode(v, BITS), BITS)
 }
 
 fn spherical<const BITS: u32>(v: [f64; 3]) -> [f64; 3] {
@@ -318,7 +337,7 @@ fn xyonly32f(v: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Summary, angle_deg, best_fit, projection};
+    use crate::{Summary, angle_deg, best_fit, hemioct, projection};
     use std::f64::consts::TAU;
 
     /// Directions uniform on the sphere or, from `low` = 0, the upper hemisphere: additive recurrences of the plastic
@@ -381,6 +400,35 @@ mod tests {
     #[test]
     fn table_3() {
         check_table(include_str!("../../../host/data/survey_table3.csv"), 0.0);
+    }
+
+    /// The equal-area and the signed octahedral codes: means to 1 %, maxima within the bounds.
+    #[test]
+    fn eaoct_and_soct() {
+        for (id, bits, mean) in [
+            ("eaoct16", 16, 0.3097),
+            ("eaoct20", 20, 0.07687),
+            ("eaoct22", 22, 0.03842),
+            ("eaoct24", 24, 0.01920),
+            ("eaoct32", 32, 0.001200),
+            ("eaoct16p", 16, 0.3061),
+            ("eaoct20p", 20, 0.07601),
+            ("eaoct22p", 22, 0.03799),
+            ("eaoct24p", 24, 0.01899),
+            ("eaoct32p", 32, 0.001187),
+            ("soct17", 17, 0.2400),
+            ("soct25", 25, 0.01489),
+            ("soct33", 33, 0.000930),
+        ] {
+            let bound = match id {
+                _ if id.starts_with("soct") => hemioct::bound_deg(bits),
+                _ if id.ends_with('p') => eaoct::precise_bound_deg(bits),
+                _ => eaoct::fast_bound_deg(bits),
+            };
+            let ours = errors(id, -1.0, 20_000);
+            println!("{id:<20} {:.7}  {:.7} of {bound:.7}", ours.mean, ours.max);
+            assert!((ours.mean / mean - 1.0).abs() <= 0.01 && ours.max <= bound, "{id}: {ours:?}");
+        }
     }
 
     /// Axes come back, and nothing is made of identifiers that are none.
