@@ -40,10 +40,11 @@ void main() {
     if (i >= vectors) return;
     uvec2 code = uvec2(input_codes[i].w[0], input_codes[i].w[1]);
     UNITVEC_PRECISE float sum = 0.0;
-    for (uint repetition = 0u; repetition < repetitions; ++repetition) {
-        vec3 v = decoded(code);
+    for (uint repetition = 0u; repetition < repetitions; repetition += 4u) {
+        vec3 a = decoded(code), b = decoded(code + STEP), c = decoded(code + 2u * STEP), d = decoded(code + 3u * STEP);
+        UNITVEC_PRECISE vec3 v = (a + b) + (c + d);
         sum += (v.x + v.y) + v.z;
-        code += STEP;
+        code += 4u * STEP;
     }
     sums[i] = floatBitsToUint(sum);
 }

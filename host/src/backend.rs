@@ -72,7 +72,7 @@ pub enum KernelSource {
 }
 
 impl KernelSource {
-    fn kernel(
+    pub(crate) fn kernel(
         &self,
         runner: &Runner,
         format: Format,
@@ -90,7 +90,7 @@ impl KernelSource {
         })
     }
 
-    fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
+    pub(crate) fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
         Ok(match self {
             Self::Spirv(modules) => {
                 let (module, entry_point) = modules.load(manifest::DECODE_BY_TABLE)?;
@@ -265,7 +265,7 @@ impl Backend for Gpu {
 }
 
 /// The vectors of all codes of two bytes.
-fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
+pub(crate) fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
     let codes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
     let mut vectors = vec![[0.0; 3]; codes.len() / 2];
     codec.decode_cpu(&codes, &mut vectors)?;

@@ -1,13 +1,13 @@
-use super::{BackendName, Vulkan, counts, print, to_json};
+use super::{BackendName, Vulkan, counts, print, reports_to_stdout, to_csv, to_json};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_host::accuracy::{self, Row, Table};
 use unitvec_host::catalogue::CodecInfo;
-use unitvec_host::{Error, Result, output};
+use unitvec_host::{Result, output};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -71,12 +71,7 @@ struct Report {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let is_stdout = |path: &Option<PathBuf>| path.as_deref() == Some(Path::new("-"));
-    if is_stdout(&arguments.json) && is_stdout(&arguments.csv) {
-        return Err(Error::Usage(
-            "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
-        ));
-    }
+    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
     let mut open = arguments.backend.open(&arguments.vulkan)?;
     let published: Vec<_> = arguments
         .table
@@ -118,11 +113,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     bar.finish_and_clear();
 
-    if !is_stdout(&arguments.json) && !is_stdout(&arguments.csv) {
+    if !to_stdout {
         print(&table_text(&rows, &missing))?;
     }
     if let Some(path) = &arguments.csv {
-        output::write_file(path, &csv_bytes(path, &rows)?)?;
+        output::write_file(path, &to_csv(path, &rows)?)?;
     }
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&Report { rows }).as_bytes())?;
@@ -142,15 +137,6 @@ fn progress_bar(rows: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(rows).with_style(style)
-}
-
-fn csv_bytes(path: &Path, rows: &[Row]) -> Result<Vec<u8>> {
-    let failed = |error: String| Error::Write { path: path.to_owned(), source: std::io::Error::other(error) };
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in rows {
-        writer.serialize(row).map_err(|error| failed(error.to_string()))?;
-    }
-    writer.into_inner().map_err(|error| failed(error.to_string()))
 }
 
 /// Six decimals, or four digits of what they would not show.

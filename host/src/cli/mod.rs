@@ -1,6 +1,7 @@
 //! The command line.
 
 mod accuracy;
+mod bench;
 mod codecs;
 mod conform;
 mod convert;
@@ -39,6 +40,8 @@ enum Command {
     Decode(convert::Arguments),
     /// Measure the survey's error tables again, beside the published figures.
     Accuracy(accuracy::Arguments),
+    /// Measure what encoding and decoding cost on a device, beside the survey's figures.
+    Bench(bench::Arguments),
     /// Show that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit.
     Conform(conform::Arguments),
 }
@@ -52,6 +55,7 @@ impl Arguments {
             Command::Encode(arguments) => convert::encode(&arguments),
             Command::Decode(arguments) => convert::decode(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
+            Command::Bench(arguments) => bench::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
         }
     }
@@ -86,9 +90,16 @@ impl Vulkan {
         Ok(Device::open(&self.instance()?, &self.choice())?)
     }
 
+    fn folder(&self) -> Option<PathBuf> {
+        self.spirv.clone().or_else(|| variable("UNITVEC_SPIRV").map(PathBuf::from))
+    }
+
     fn modules(&self) -> Result<Modules> {
-        let folder = self.spirv.clone().or_else(|| variable("UNITVEC_SPIRV").map(PathBuf::from));
-        Ok(Modules::open(folder.as_deref())?)
+        Ok(Modules::open(self.folder().as_deref())?)
+    }
+
+    fn cost_modules(&self) -> Result<Modules> {
+        Ok(Modules::open_cost(self.folder().as_deref())?)
     }
 
     /// Fails where the command line, not the environment, asks for what the CPU backend does not have.
@@ -172,6 +183,27 @@ fn status_after_validation(messages: &[String], success: bool) -> ExitCode {
 /// Counts of random directions: at least one, and what a day's run could use.
 fn counts() -> clap::builder::RangedU64ValueParser<u64> {
     clap::value_parser!(u64).range(1..=1 << 40)
+}
+
+/// Fails where JSON and CSV would both go to the standard output; tells whether one of them does.
+fn reports_to_stdout(json: Option<&Path>, csv: Option<&Path>) -> Result<bool> {
+    let stdout = Some(Path::new("-"));
+    if json == stdout && csv == stdout {
+        return Err(Error::Usage(
+            "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
+        ));
+    }
+    Ok(json == stdout || csv == stdout)
+}
+
+/// Rows as CSV, for `path`.
+fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
+    let failed = |error: String| Error::Write { path: path.to_owned(), source: io::Error::other(error) };
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).map_err(|error| failed(error.to_string()))?;
+    }
+    writer.into_inner().map_err(|error| failed(error.to_string()))
 }
 
 /// JSON with a final newline.

@@ -1,9 +1,10 @@
 //! `cargo xtask spirv [--check]`: builds `spirv/*.spv` and their manifest from `shader-crate` with rust-gpu.
 //!
 //! rust-gpu's own optimiser run folds chains of float operations, so it is turned off; the modules get NoContraction
-//! on every float result first and are optimised after that.
+//! on every float result first and are optimised after that, before and after branches become selects.
 
 mod decorate;
+mod select;
 
 use anyhow::{Context, Result, bail, ensure};
 use cargo_gpu_install::install::Install;
@@ -128,9 +129,17 @@ fn read_words(path: &Path) -> Result<Vec<u32>> {
     Ok(bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect())
 }
 
-/// Decorates, optimises and validates a module.
+/// Decorates, flattens, optimises and validates a module.
 fn finish(words: &[u32]) -> Result<Vec<u32>> {
     let decorated = decorate::no_contraction(words)?;
+    let flat = select::for_branches(&optimize(&decorated)?)?;
+    let words = optimize(&flat)?;
+    decorate::check_no_contraction(&words)?;
+    val::create(Some(TargetEnv::Vulkan_1_2)).validate(&words, None).context("spirv-val")?;
+    Ok(words)
+}
+
+fn optimize(words: &[u32]) -> Result<Vec<u32>> {
     let mut optimizer = opt::create(Some(TargetEnv::Vulkan_1_2));
     optimizer
         .register_performance_passes()
@@ -139,11 +148,8 @@ fn finish(words: &[u32]) -> Result<Vec<u32>> {
         .register_pass(Passes::EliminateDeadConstant)
         .register_pass(Passes::CompactIds);
     let mut print = |message| eprintln!("spirv-opt: {message:?}");
-    let optimized = optimizer.optimize(&decorated, &mut print, None).context("spirv-opt")?;
-    let words = optimized.as_words().to_vec();
-    decorate::check_no_contraction(&words)?;
-    val::create(Some(TargetEnv::Vulkan_1_2)).validate(&words, None).context("spirv-val")?;
-    Ok(words)
+    let optimized = optimizer.optimize(words, &mut print, None).context("spirv-opt")?;
+    Ok(optimized.as_words().to_vec())
 }
 
 /// `oct16_encode` of `kernels::oct16::encode_cost`, the entry point that measures it; `None` of others.

@@ -1,0 +1,191 @@
+use super::{Vulkan, print, reports_to_stdout, status_after_validation, to_csv, to_json};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use unitvec_host::bench::{Bench, Options, Report, Row, Source};
+use unitvec_host::catalogue::{self, Direction, Format, formats};
+use unitvec_host::vulkan::{DeviceInfo, DeviceKind};
+use unitvec_host::{Result, output};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Codec to measure, as `unitvec codecs` lists them; may be given again. All of them if not given.
+    #[arg(long, value_name = "ID")]
+    codec: Vec<String>,
+    /// Vectors of each dispatch.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(1..=4_000_000))]
+    count: u32,
+    /// Dispatches of which the median counts: of each kernel that measures arithmetic, and twice as many of each other.
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    samples: u32,
+    /// Write the report as JSON as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the rows as CSV as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    vulkan: Vulkan,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
+    let chosen = chosen_formats(&arguments.codec)?;
+    let device = arguments.vulkan.device()?;
+    let options = Options {
+        count: arguments.count as usize,
+        samples: arguments.samples as usize,
+        throughput_samples: 2 * arguments.samples as usize,
+    };
+    if !to_stdout {
+        print(&heading(device.info(), &options))?;
+    }
+    let bar = progress_bar(chosen.len() as u64);
+    bar.set_message("oct32");
+    let mut bench =
+        Bench::new(&device, arguments.vulkan.modules()?, arguments.vulkan.cost_modules()?, options)?;
+    let mut rows = Vec::new();
+    for format in chosen {
+        bar.set_message(format.id);
+        let measured = bench.measure(format)?;
+        if !to_stdout {
+            let mut printed = Ok(ExitCode::SUCCESS);
+            bar.suspend(|| printed = print(&lines(&measured)));
+            printed?;
+        }
+        rows.extend(measured);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let report = bench.report(rows);
+    let instance = device.instance().clone();
+    drop((bench, device));
+
+    if let Some(path) = &arguments.csv {
+        output::write_file(path, &to_csv(path, &report.rows)?)?;
+    }
+    if let Some(path) = &arguments.json {
+        output::write_file(path, to_json(&report).as_bytes())?;
+    }
+    if !to_stdout {
+        print(&summary(&report))?;
+    }
+    Ok(status_after_validation(&instance.validation_messages(), true))
+}
+
+fn chosen_formats(ids: &[String]) -> Result<Vec<Format>> {
+    if ids.is_empty() {
+        return Ok(formats().collect());
+    }
+    let find = |id: &String| match formats().find(|format| format.id == *id) {
+        Some(format) => Ok(format),
+        None => Err(catalogue::UnknownCodec { id: id.clone() }.into()),
+    };
+    ids.iter().map(find).collect()
+}
+
+fn progress_bar(length: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left")
+        .unwrap_or_else(|_| ProgressStyle::default_bar());
+    let bar = ProgressBar::new(length).with_style(style);
+    bar.enable_steady_tick(std::time::Duration::from_secs(1));
+    bar
+}
+
+fn heading(device: &DeviceInfo, options: &Options) -> String {
+    let warning = match device.kind {
+        DeviceKind::Software => {
+            "warning: this device is a CPU: its ratios say little of GPUs, and other programs disturb it\n"
+        }
+        _ => "",
+    };
+    format!(
+        "device: {} ({:?}), driver {}, Vulkan {}\n{warning}\
+         arithmetic: nanoseconds a vector, median of {} dispatches of {} vectors, 100 times each, less a baseline; +- is \
+         largest less smallest; / oct32 is SPIR-V from Rust; survey is its GTX 680\n\
+         throughput: of the shipped kernels, 10^6 vectors a second, and of a copy of as many bytes\n\n\
+         {:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>7}\n\
+         {:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>7}\n",
+        device.name,
+        device.kind,
+        device.driver,
+        device.api_version,
+        options.samples,
+        options.count,
+        "codec",
+        "",
+        "ns",
+        "",
+        "ns",
+        "",
+        "rust /",
+        "",
+        "survey",
+        "10^6/s",
+        "10^6/s",
+        "% of",
+        "by",
+        "",
+        "",
+        "rust",
+        "+-",
+        "glsl",
+        "+-",
+        "glsl",
+        "/ oct32",
+        "ns",
+        "rust",
+        "glsl",
+        "copy",
+        "table",
+    )
+}
+
+fn lines(rows: &[Row]) -> String {
+    let mut text = String::new();
+    for direction in [Direction::Encode, Direction::Decode] {
+        let of = |source| rows.iter().find(|row| row.direction == direction && row.source == source);
+        let (Some(rust), Some(glsl)) = (of(Source::Rust), of(Source::Glsl)) else { continue };
+        let number = |value: Option<f64>, digits: usize| {
+            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+        };
+        let ratio = rust.alu_ns_per_vector.zip(glsl.alu_ns_per_vector).map(|(rust, glsl)| rust / glsl);
+        let table = of(Source::RustTable).map(|row| row.vectors_per_s / 1e6);
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "{:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8.1} {:>8.1} {:>8.0} {:>7}",
+            rust.id,
+            direction,
+            number(rust.alu_ns_per_vector, 4),
+            number(rust.alu_spread_ns, 4),
+            number(glsl.alu_ns_per_vector, 4),
+            number(glsl.alu_spread_ns, 4),
+            number(ratio, 3),
+            number(rust.alu_ratio_to_oct32, 2),
+            number(rust.survey_ns_per_vector, 4),
+            rust.vectors_per_s / 1e6,
+            glsl.vectors_per_s / 1e6,
+            100.0 * rust.bytes_per_s / rust.copy_bytes_per_s,
+            number(table, 1),
+        );
+    }
+    text
+}
+
+/// Where SPIR-V from Rust costs more than that from GLSL.
+fn summary(report: &Report) -> String {
+    let ratios = report.ratios_of_sources();
+    let slower: Vec<String> = ratios
+        .iter()
+        .filter(|(.., ratio)| *ratio > 1.05)
+        .map(|(id, direction, ratio)| format!("{id} {direction} {ratio:.2}"))
+        .collect();
+    let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };
+    format!(
+        "\nbench: {} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n",
+        ratios.len() / 2
+    )
+}

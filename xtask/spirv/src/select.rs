@@ -1,0 +1,308 @@
+//! Selects for branches.
+//!
+//! rust-gpu makes a branch of every `if`, and spirv-opt turns few of them into selects: none that choose between
+//! structs, for one. Where both sides are a few pure operations, a GPU, and LLVM's vectors more so, does both sides
+//! sooner than it branches. GLSL's `?:` is a select from the start.
+
+use anyhow::{Result, anyhow};
+use rspirv::binary::Assemble;
+use rspirv::dr::{Block, Function, Instruction, Module, Operand};
+use rspirv::spirv::{Op, Word};
+use std::collections::HashMap;
+
+/// Replaces each conditional branch around pure instructions by those and selects.
+pub fn for_branches(words: &[u32]) -> Result<Vec<u32>> {
+    let mut module =
+        rspirv::dr::load_words(words).map_err(|error| anyhow!("rspirv cannot parse the module: {error}"))?;
+    let header = module.header.as_ref().ok_or_else(|| anyhow!("the module has no header"))?;
+    let mut types = Types::of(&module, header.bound);
+    for function in &mut module.functions {
+        while let Some(diamond) = (0..function.blocks.len()).find_map(|head| diamond(function, head, &types))
+        {
+            flatten(function, &diamond, &mut types);
+        }
+    }
+    if let Some(header) = &mut module.header {
+        header.bound = types.bound;
+    }
+    Ok(module.assemble())
+}
+
+/// A head that branches to one or two arms, or past one, which meet again.
+struct Diamond {
+    head: usize,
+    condition: Word,
+    /// The arm's block, if it has one, and the predecessor by which the meeting block's phis know it.
+    arms: [(Option<usize>, Word); 2],
+    meeting: usize,
+}
+
+fn diamond(function: &Function, head: usize, types: &Types) -> Option<Diamond> {
+    let [.., merge, branch] = function.blocks[head].instructions.as_slice() else { return None };
+    if merge.class.opcode != Op::SelectionMerge || branch.class.opcode != Op::BranchConditional {
+        return None;
+    }
+    let condition = branch.operands[0].id_ref_any()?;
+    let meeting = index_of(function, merge.operands[0].id_ref_any()?)?;
+    let arm = |target: &Operand| {
+        let block = index_of(function, target.id_ref_any()?)?;
+        if block == meeting {
+            return Some((None, label(&function.blocks[head])));
+        }
+        is_arm(function, block, meeting, types).then(|| (Some(block), label(&function.blocks[block])))
+    };
+    let arms = [arm(&branch.operands[1])?, arm(&branch.operands[2])?];
+    let meets_alone = predecessors(function, label(&function.blocks[meeting])) == 2;
+    let is_one = arms[0].1 != arms[1].1 && meets_alone && !is_of_a_loop(function, condition);
+    is_one.then_some(Diamond { head, condition, arms, meeting })
+}
+
+/// True for a block of pure instructions between one predecessor and the meeting block.
+fn is_arm(function: &Function, block: usize, meeting: usize, types: &Types) -> bool {
+    let block = &function.blocks[block];
+    let [body @ .., last] = block.instructions.as_slice() else { return false };
+    last.class.opcode == Op::Branch
+        && last.operands[0].id_ref_any() == Some(label(&function.blocks[meeting]))
+        && predecessors(function, label(block)) == 1
+        && body.iter().all(|instruction| is_pure(instruction, types))
+}
+
+/// True where this condition ends or repeats a loop too: its body is not to be done once more.
+fn is_of_a_loop(function: &Function, condition: Word) -> bool {
+    function.blocks.iter().any(|block| match block.instructions.as_slice() {
+        [.., merge, branch] => {
+            merge.class.opcode != Op::SelectionMerge
+                && branch.class.opcode == Op::BranchConditional
+                && branch.operands[0].id_ref_any() == Some(condition)
+        }
+        [branch] => branch.operands.first() == Some(&Operand::IdRef(condition)),
+        [] => false,
+    })
+}
+
+/// Moves the arms into the head, makes selects of the meeting block's phis, and joins that block to the head where
+/// nothing else refers to it.
+fn flatten(function: &mut Function, diamond: &Diamond, types: &mut Types) {
+    let Diamond { head, condition, arms, meeting } = *diamond;
+    let mut moved: Vec<Instruction> = Vec::new();
+    for block in arms.iter().filter_map(|(block, _)| *block) {
+        let instructions = &mut function.blocks[block].instructions;
+        instructions.pop();
+        moved.append(instructions);
+    }
+    let phis = take_phis(&mut function.blocks[meeting]);
+    for phi in &phis {
+        let [yes, no] = arms.map(|(_, predecessor)| incoming(phi, predecessor));
+        if let (Some(of_type), Some(result)) = (phi.result_type, phi.result_id) {
+            types.select(&mut moved, of_type, result, [condition, yes, no]);
+        }
+    }
+    let meeting_label = label(&function.blocks[meeting]);
+    let instructions = &mut function.blocks[head].instructions;
+    instructions.truncate(instructions.len() - 2);
+    instructions.append(&mut moved);
+    let head_label = label(&function.blocks[head]);
+    let mut gone: Vec<usize> = arms.iter().filter_map(|(block, _)| *block).collect();
+    if is_continue_target(function, meeting_label) {
+        let branch = Instruction::new(Op::Branch, None, None, vec![Operand::IdRef(meeting_label)]);
+        function.blocks[head].instructions.push(branch);
+    } else {
+        let mut rest = std::mem::take(&mut function.blocks[meeting].instructions);
+        function.blocks[head].instructions.append(&mut rest);
+        rename_predecessor(function, meeting_label, head_label);
+        gone.push(meeting);
+    }
+    gone.sort_unstable();
+    for block in gone.into_iter().rev() {
+        function.blocks.remove(block);
+    }
+}
+
+fn take_phis(block: &mut Block) -> Vec<Instruction> {
+    let is_phi = |instruction: &Instruction| instruction.class.opcode == Op::Phi;
+    let count = block.instructions.iter().take_while(|instruction| is_phi(instruction)).count();
+    block.instructions.drain(..count).collect()
+}
+
+/// What a phi takes when control comes from `predecessor`; 0, which no id is, if it does not know it.
+fn incoming(phi: &Instruction, predecessor: Word) -> Word {
+    let mut pairs = phi.operands.chunks_exact(2);
+    let pair = pairs.find(|pair| pair[1].id_ref_any() == Some(predecessor));
+    pair.and_then(|pair| pair[0].id_ref_any()).unwrap_or(0)
+}
+
+fn rename_predecessor(function: &mut Function, from: Word, to: Word) {
+    let instructions = function.blocks.iter_mut().flat_map(|block| &mut block.instructions);
+    for phi in instructions.filter(|instruction| instruction.class.opcode == Op::Phi) {
+        for operand in &mut phi.operands {
+            if *operand == Operand::IdRef(from) {
+                *operand = Operand::IdRef(to);
+            }
+        }
+    }
+}
+
+fn is_continue_target(function: &Function, block: Word) -> bool {
+    let instructions = function.blocks.iter().flat_map(|block| &block.instructions);
+    instructions
+        .filter(|instruction| instruction.class.opcode == Op::LoopMerge)
+        .any(|merge| merge.operands[1].id_ref_any() == Some(block))
+}
+
+fn label(block: &Block) -> Word {
+    block.label.as_ref().and_then(|label| label.result_id).unwrap_or(0)
+}
+
+fn index_of(function: &Function, wanted: Word) -> Option<usize> {
+    function.blocks.iter().position(|block| label(block) == wanted)
+}
+
+/// How many blocks branch to this one.
+fn predecessors(function: &Function, block: Word) -> usize {
+    let ends = function.blocks.iter().filter_map(|block| block.instructions.last());
+    ends.filter(|end| end.operands.contains(&Operand::IdRef(block))).count()
+}
+
+/// True for what may be done though its result is not wanted: no memory, no undefined behaviour.
+fn is_pure(instruction: &Instruction, types: &Types) -> bool {
+    use Op::*;
+    match instruction.class.opcode {
+        FNegate
+        | FAdd
+        | FSub
+        | FMul
+        | FDiv
+        | VectorTimesScalar
+        | Dot
+        | SNegate
+        | IAdd
+        | ISub
+        | IMul
+        | UMulExtended
+        | SMulExtended
+        | BitwiseAnd
+        | BitwiseOr
+        | BitwiseXor
+        | Not
+        | ShiftLeftLogical
+        | ShiftRightLogical
+        | ShiftRightArithmetic
+        | Bitcast
+        | ConvertFToS
+        | ConvertFToU
+        | ConvertSToF
+        | ConvertUToF
+        | FOrdEqual
+        | FOrdNotEqual
+        | FOrdLessThan
+        | FOrdGreaterThan
+        | FOrdLessThanEqual
+        | FOrdGreaterThanEqual
+        | FUnordEqual
+        | FUnordNotEqual
+        | FUnordLessThan
+        | FUnordGreaterThan
+        | FUnordLessThanEqual
+        | FUnordGreaterThanEqual
+        | IEqual
+        | INotEqual
+        | ULessThan
+        | ULessThanEqual
+        | UGreaterThan
+        | UGreaterThanEqual
+        | SLessThan
+        | SLessThanEqual
+        | SGreaterThan
+        | SGreaterThanEqual
+        | LogicalAnd
+        | LogicalOr
+        | LogicalNot
+        | LogicalEqual
+        | LogicalNotEqual
+        | Select
+        | CompositeExtract
+        | CompositeConstruct
+        | CompositeInsert
+        | VectorShuffle
+        | CopyObject
+        | Undef => true,
+        // Of the extended instructions, all of GLSL.std.450, Modf and Frexp write memory.
+        ExtInst => !matches!(instruction.operands[1], Operand::LiteralExtInstInteger(35 | 51)),
+        UDiv | UMod => instruction.operands[1].id_ref_any().is_some_and(|divisor| types.is_positive(divisor)),
+        _ => false,
+    }
+}
+
+/// The module's types and constants, and the next free id.
+struct Types {
+    /// Members of structs; arrays have the same one several times.
+    members: HashMap<Word, Vec<Word>>,
+    /// Integer constants.
+    constants: HashMap<Word, u32>,
+    bound: Word,
+}
+
+impl Types {
+    fn of(module: &Module, bound: Word) -> Self {
+        let (mut members, mut constants) = (HashMap::new(), HashMap::new());
+        for instruction in &module.types_global_values {
+            let Some(id) = instruction.result_id else { continue };
+            let operand = |n: usize| instruction.operands.get(n).and_then(Operand::id_ref_any);
+            match instruction.class.opcode {
+                Op::TypeStruct => {
+                    members.insert(id, instruction.operands.iter().filter_map(Operand::id_ref_any).collect());
+                }
+                Op::TypeArray => {
+                    let length = operand(1).and_then(|length| constants.get(&length)).copied().unwrap_or(0);
+                    members.insert(id, operand(0).into_iter().cycle().take(length as usize).collect());
+                }
+                Op::Constant => {
+                    if let Some(Operand::LiteralBit32(value)) = instruction.operands.first() {
+                        constants.insert(id, *value);
+                    }
+                }
+                _ => {}
+            }
+        }
+        Self { members, constants, bound }
+    }
+
+    fn is_positive(&self, constant: Word) -> bool {
+        self.constants.get(&constant).is_some_and(|value| *value > 0)
+    }
+
+    fn fresh(&mut self) -> Word {
+        self.bound += 1;
+        self.bound - 1
+    }
+
+    /// Appends what makes `result` the one or the other of two values of this type. Structs and arrays are selected
+    /// by members: that drivers know selects of whole ones cannot be counted on.
+    fn select(
+        &mut self,
+        to: &mut Vec<Instruction>,
+        of_type: Word,
+        result: Word,
+        [condition, yes, no]: [Word; 3],
+    ) {
+        let ids = |ids: &[Word]| ids.iter().map(|id| Operand::IdRef(*id)).collect::<Vec<_>>();
+        let Some(members) = self.members.get(&of_type).cloned() else {
+            let operands = ids(&[condition, yes, no]);
+            to.push(Instruction::new(Op::Select, Some(of_type), Some(result), operands));
+            return;
+        };
+        let mut parts = Vec::new();
+        for (n, member) in members.into_iter().enumerate() {
+            let [yes, no] = [yes, no].map(|whole| {
+                let part = self.fresh();
+                let operands = vec![Operand::IdRef(whole), Operand::LiteralBit32(n as u32)];
+                to.push(Instruction::new(Op::CompositeExtract, Some(member), Some(part), operands));
+                part
+            });
+            let part = self.fresh();
+            self.select(to, member, part, [condition, yes, no]);
+            parts.push(part);
+        }
+        to.push(Instruction::new(Op::CompositeConstruct, Some(of_type), Some(result), ids(&parts)));
+    }
+}
