@@ -37,14 +37,18 @@ vec3 decoded(uvec2 code) {
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i >= vectors) return;
-    uvec2 code = uvec2(input_codes[i].w[0], input_codes[i].w[1]);
-    UNITVEC_PRECISE float sum = 0.0;
-    for (uint repetition = 0u; repetition < repetitions; repetition += 4u) {
-        vec3 a = decoded(code), b = decoded(code + STEP), c = decoded(code + 2u * STEP), d = decoded(code + 3u * STEP);
-        UNITVEC_PRECISE vec3 v = (a + b) + (c + d);
-        sum += (v.x + v.y) + v.z;
-        code += 4u * STEP;
+    if (i < vectors) {
+        uvec2 code = uvec2(input_codes[i].w[0], input_codes[i].w[1]);
+        UNITVEC_PRECISE float sum = 0.0;
+        uint repetition = 0u, end = repetitions;
+        do {
+            vec3 a = decoded(code), b = decoded(code + STEP);
+            vec3 c = decoded(code + 2u * STEP), d = decoded(code + 3u * STEP);
+            UNITVEC_PRECISE vec3 v = (a + b) + (c + d);
+            sum += (v.x + v.y) + v.z;
+            code += 4u * STEP;
+            repetition += 4u;
+        } while (repetition < end);
+        sums[i] = floatBitsToUint(sum);
     }
-    sums[i] = floatBitsToUint(sum);
 }

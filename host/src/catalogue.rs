@@ -4,7 +4,7 @@ use serde::Serialize;
 use std::sync::OnceLock;
 use unitvec::best_fit::{TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table};
 use unitvec::frame::{decode_frames, encode_frames};
-use unitvec::slice::{LengthMismatch, decode_slice, encode_slice, encode_slice_with};
+use unitvec::slice::{LengthMismatch, encode_slice_with, par_decode_slice, par_encode_slice};
 use unitvec::{
     Codec, CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, EaOct16,
     EaOct20, EaOct22, EaOct24, EaOct32, EaOctPrecise16, EaOctPrecise20, EaOctPrecise22, EaOctPrecise24,
@@ -87,8 +87,8 @@ impl CodecInfo {
             max_error_deg: C::MAX_ERROR_DEG,
             glsl_file,
             encodes_by_table: false,
-            encode: encode_slice::<C>,
-            decode: decode_slice::<C>,
+            encode: par_encode_slice::<C>,
+            decode: par_decode_slice::<C>,
         }
     }
 

@@ -3,7 +3,7 @@
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
 //! leave the rounding of ties open; here ties go away from zero.
 
-use crate::math::{floor, is_negative, negate_if};
+use crate::math::{floor, is_negative, max, negate_if};
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
 #[inline(always)]
@@ -53,7 +53,7 @@ pub fn snorm_decode(code: u32, bits: u32) -> f32 {
 #[inline(always)]
 pub fn snorm_integer(code: u32, bits: u32) -> f32 {
     let integer = ((code << (32 - bits)) as i32 >> (32 - bits)) as f32;
-    if integer < -snorm_max(bits) { -snorm_max(bits) } else { integer }
+    max(integer, -snorm_max(bits))
 }
 
 /// The low `bits` bits set. `bits` is 1 to 31.

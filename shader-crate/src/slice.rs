@@ -142,6 +142,9 @@ pub fn decode_slice_i16x4<C: Codec>(codes: &[u8], vectors: &mut [[i16; 4]]) -> R
 pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
     use rayon::prelude::*;
     expect_length(vectors.len() * C::BYTES, codes.len())?;
+    if vectors.len() <= PORTION {
+        return encode_slice::<C>(vectors, codes);
+    }
     let level = Level::best();
     (vectors.par_chunks(PORTION), codes.par_chunks_mut(PORTION * C::BYTES))
         .into_par_iter()
@@ -157,6 +160,9 @@ pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> 
 pub fn par_decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
     use rayon::prelude::*;
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
+    if vectors.len() <= PORTION {
+        return decode_slice::<C>(codes, vectors);
+    }
     let level = Level::best();
     (codes.par_chunks(PORTION * C::BYTES), vectors.par_chunks_mut(PORTION))
         .into_par_iter()

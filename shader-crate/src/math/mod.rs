@@ -52,6 +52,15 @@ pub fn dot(a: Vec3, b: Vec3) -> f32 {
     (a.x * b.x + a.y * b.y) + a.z * b.z
 }
 
+/// The larger of two numbers, neither of which is NaN nor both 0.
+#[inline(always)]
+pub fn max(x: f32, y: f32) -> f32 {
+    #[cfg(target_arch = "spirv")]
+    return libm::fmaxf(x, y);
+    #[cfg(not(target_arch = "spirv"))]
+    return if x < y { y } else { x };
+}
+
 /// `v` at unit length, to within 2 ULP. `v . v` must be a normal number.
 #[inline(always)]
 pub fn normalize(v: Vec3) -> Vec3 {
