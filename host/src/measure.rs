@@ -14,6 +14,7 @@ pub fn angle_deg(a: [f32; 3], b: [f32; 3]) -> f64 {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ErrorStats {
     sum: f64,
+    sum_of_squares: f64,
     max: f64,
     count: u64,
 }
@@ -23,6 +24,7 @@ impl ErrorStats {
     pub fn add(&mut self, original: [f32; 3], decoded: [f32; 3]) {
         let error = angle_deg(original, decoded);
         self.sum += error;
+        self.sum_of_squares += error * error;
         self.max = self.max.max(error);
         self.count += 1;
     }
@@ -30,6 +32,13 @@ impl ErrorStats {
     /// Mean in degrees; 0 for an empty series.
     pub fn mean_deg(&self) -> f64 {
         if self.count == 0 { 0.0 } else { self.sum / self.count as f64 }
+    }
+
+    /// Standard error of the mean in degrees, as an estimate of the mean over all directions; 0 for an empty series.
+    pub fn standard_error_deg(&self) -> f64 {
+        let count = self.count.max(1) as f64;
+        let variance = (self.sum_of_squares / count - self.mean_deg().powi(2)).max(0.0);
+        (variance / count).sqrt()
     }
 
     /// Maximum in degrees.
@@ -41,6 +50,18 @@ impl ErrorStats {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Of 1 and 3 degrees: mean 2, deviation 1, over the root of 2.
+    #[test]
+    fn the_standard_error_of_two() {
+        let mut errors = ErrorStats::default();
+        for degrees in [1.0f64, 3.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            errors.add([1.0, 0.0, 0.0], [cos as f32, sin as f32, 0.0]);
+        }
+        assert!((errors.mean_deg() - 2.0).abs() < 1e-6);
+        assert!((errors.standard_error_deg() - 0.5f64.sqrt()).abs() < 1e-6);
+    }
 
     #[test]
     fn angles_of_known_directions() {

@@ -1,5 +1,6 @@
 //! The survey's error tables, measured again beside the published figures and the bound that no code can beat.
 
+pub mod beyond;
 pub mod meyer;
 
 use crate::Result;
@@ -81,20 +82,22 @@ pub struct Row {
     pub mean_deg: f64,
     /// Maximum error, degrees.
     pub max_deg: f64,
+    /// Standard error of that mean, degrees.
+    pub mean_standard_error_deg: f64,
     /// The published mean error, degrees; Meyer et al. give none.
     pub survey_mean_deg: Option<f64>,
-    /// The published maximum error, degrees; Meyer's bound.
-    pub survey_max_deg: f64,
-    /// Mean error of the hexagonal covering bound with as many codes, degrees.
-    pub bound_mean_deg: f64,
+    /// The published maximum error, degrees; Meyer's bound; none at bits that nothing is published for.
+    pub survey_max_deg: Option<f64>,
+    /// Mean error of the hexagonal covering bound with as many codes, degrees; none for frames.
+    pub bound_mean_deg: Option<f64>,
     /// Maximum error of that bound, degrees.
-    pub bound_max_deg: f64,
+    pub bound_max_deg: Option<f64>,
     /// Mean error with float64 intermediates, degrees, where that was asked for.
     pub float64_mean_deg: Option<f64>,
     /// Maximum error with float64 intermediates, degrees, where that was asked for.
     pub float64_max_deg: Option<f64>,
     /// Bits wasted: with so many fewer the bound has this mean error.
-    pub wasted_bits: f64,
+    pub wasted_bits: Option<f64>,
 }
 
 /// Mean and maximum error in degrees that no code of `bits` bits for the domain can beat.
@@ -164,14 +167,8 @@ pub fn measure_row(
     seed: u64,
 ) -> Result<Row> {
     let errors = measure(backend, codec, table.domain(), count, seed)?;
-    let published_errors = (Some(published.mean_error_deg), published.max_error_deg);
-    Ok(Row::new(
-        table.name(),
-        &published.name,
-        codec,
-        (errors.mean_deg(), errors.max_deg()),
-        published_errors,
-    ))
+    let published_errors = (Some(published.mean_error_deg), Some(published.max_error_deg));
+    Ok(Row::new(table.name(), &published.name, codec, &errors, errors.max_deg(), published_errors))
 }
 
 /// Measures a row of Meyer's table: mean over `count` random directions, maximum by search.
@@ -189,7 +186,7 @@ pub fn measure_meyer_row(
     let (worst, _) = meyer::worst_error(backend, codec, seed)?;
     let bound = (method.bound)(f64::from(codec.bits)).to_degrees();
     let max_deg = errors.max_deg().max(worst);
-    Ok(Row::new("meyer", method.name, codec, (errors.mean_deg(), max_deg), (None, bound)))
+    Ok(Row::new("meyer", method.name, codec, &errors, max_deg, (None, Some(bound))))
 }
 
 impl Row {
@@ -197,9 +194,11 @@ impl Row {
         table: &'static str,
         name: &str,
         codec: &CodecInfo,
-        (mean_deg, max_deg): (f64, f64),
-        (survey_mean_deg, survey_max_deg): (Option<f64>, f64),
+        errors: &ErrorStats,
+        max_deg: f64,
+        (survey_mean_deg, survey_max_deg): (Option<f64>, Option<f64>),
     ) -> Self {
+        let mean_deg = errors.mean_deg();
         let (bound_mean_deg, bound_max_deg) = covering_bound_deg(codec.bits, codec.domain);
         Self {
             table,
@@ -208,14 +207,15 @@ impl Row {
             bits: codec.bits,
             mean_deg,
             max_deg,
+            mean_standard_error_deg: errors.standard_error_deg(),
             survey_mean_deg,
             survey_max_deg,
-            bound_mean_deg,
-            bound_max_deg,
+            bound_mean_deg: Some(bound_mean_deg),
+            bound_max_deg: Some(bound_max_deg),
             float64_mean_deg: None,
             float64_max_deg: None,
             // The bound's errors go as 2^(-bits / 2).
-            wasted_bits: 2.0 * (mean_deg / bound_mean_deg).log2(),
+            wasted_bits: Some(2.0 * (mean_deg / bound_mean_deg).log2()),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::accuracy::meyer::{METHODS, Method, WIDTHS};
-use unitvec_host::accuracy::{self, Row, Table};
+use unitvec_host::accuracy::{self, Row, Table, beyond};
 use unitvec_host::catalogue::CodecInfo;
 use unitvec_host::{Result, output};
 
@@ -46,7 +46,9 @@ enum TableName {
     Three,
     /// Table 1 of Meyer et al.: bounds, and the largest errors that a search finds.
     Meyer,
-    /// All three.
+    /// What the survey does not have: codecs closer to the bound, and tangent frames.
+    Beyond,
+    /// All four.
     All,
 }
 
@@ -56,12 +58,16 @@ impl TableName {
             Self::One => &[Table::One],
             Self::Three => &[Table::Three],
             Self::All => &[Table::One, Table::Three],
-            Self::Meyer => &[],
+            Self::Meyer | Self::Beyond => &[],
         }
     }
 
     fn has_meyer(self) -> bool {
         matches!(self, Self::Meyer | Self::All)
+    }
+
+    fn has_beyond(self) -> bool {
+        matches!(self, Self::Beyond | Self::All)
     }
 }
 
@@ -80,7 +86,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         .flat_map(|table| table.published().into_iter().map(move |row| (*table, row)))
         .collect();
     let methods = meyer_rows(arguments.table.has_meyer());
-    let bar = progress_bar((published.len() + methods.len()) as u64);
+    let beyond: Vec<_> = beyond::codecs().filter(|_| arguments.table.has_beyond()).collect();
+    let frames: Vec<_> = beyond::frames().filter(|_| arguments.table.has_beyond()).collect();
+    let bar = progress_bar((published.len() + methods.len() + beyond.len() + frames.len()) as u64);
     let (mut rows, mut missing) = (Vec::new(), Vec::new());
     for (table, row) in published {
         bar.set_message(row.name.clone());
@@ -111,6 +119,17 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         )?);
         bar.inc(1);
     }
+    for codec in beyond {
+        bar.set_message(codec.id);
+        let backend = open.backend.as_mut();
+        rows.push(beyond::measure_row(backend, codec, arguments.count as usize, arguments.seed)?);
+        bar.inc(1);
+    }
+    for codec in frames {
+        bar.set_message(codec.id);
+        rows.extend(beyond::measure_frame(codec, arguments.count as usize, arguments.seed)?);
+        bar.inc(1);
+    }
     bar.finish_and_clear();
 
     if !to_stdout {
@@ -137,6 +156,11 @@ fn progress_bar(rows: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
     ProgressBar::new(rows).with_style(style)
+}
+
+/// As [`degrees`]; - for none.
+fn degrees_or_none(error: Option<f64>) -> String {
+    error.map_or_else(|| "-".to_owned(), degrees)
 }
 
 /// Six decimals, or four digits of what they would not show.
@@ -172,6 +196,9 @@ fn table_text(rows: &[Row], missing: &[String]) -> String {
         "waste"
     );
     for row in rows {
+        let number = |value: Option<f64>, digits: usize| {
+            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+        };
         let (mean, ratio) = row.survey_mean_deg.map_or_else(
             || ("-".to_owned(), "-".to_owned()),
             |mean| (format!("{mean:.5}"), format!("{:.3}", row.mean_deg / mean)),
@@ -179,20 +206,30 @@ fn table_text(rows: &[Row], missing: &[String]) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
-            "{:<5} {:<22} {:<19} {:>4}  {:>9} {mean:>9} {ratio:>6}  {:>9} {:>9} {:>6.3}  {:>10} {:>10} {:>6.2}{}",
+            "{:<5} {:<22} {:<19} {:>4}  {:>9} {mean:>9} {ratio:>6}  {:>9} {:>9} {:>6}  {:>10} {:>10} {:>6}{}",
             row.table,
             row.id,
             row.survey_name,
             row.bits,
             degrees(row.mean_deg),
             degrees(row.max_deg),
-            degrees(row.survey_max_deg),
-            row.max_deg / row.survey_max_deg,
-            degrees(row.bound_mean_deg),
-            degrees(row.bound_max_deg),
-            row.wasted_bits,
+            degrees_or_none(row.survey_max_deg),
+            number(row.survey_max_deg.map(|max| row.max_deg / max), 3),
+            degrees_or_none(row.bound_mean_deg),
+            degrees_or_none(row.bound_max_deg),
+            number(row.wasted_bits, 2),
             float64_columns(row)
         );
+    }
+    for bits in [16, 24, 32] {
+        if let Some(best) = beyond::beats_the_survey(rows, bits) {
+            let _ = writeln!(
+                text,
+                "{}{bits} bits: {} has a lower maximum than every row of table 1 and a mean no higher",
+                if bits == 16 { "\n" } else { "" },
+                best.id
+            );
+        }
     }
     if !missing.is_empty() {
         let _ = writeln!(
