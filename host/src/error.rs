@@ -48,6 +48,14 @@ pub enum Error {
         /// Cause.
         source: io::Error,
     },
+    /// Costs to choose by that are not a report of `unitvec bench`.
+    #[error("{} is not a report of `unitvec bench --json`: {reason}", .path.display())]
+    BadCosts {
+        /// Its path.
+        path: PathBuf,
+        /// What the parser says.
+        reason: String,
+    },
     /// Input that ends within an element.
     #[error(
         "{} ends after {whole} whole {unit} and {left} bytes of another; is it cut short, or of another format?",

@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod bench;
+mod choose;
 mod codecs;
 mod conform;
 mod convert;
@@ -42,6 +43,8 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Measure what encoding and decoding cost on a device, beside the survey's figures.
     Bench(bench::Arguments),
+    /// Find the cheapest codecs that meet a demand.
+    Choose(choose::Arguments),
     /// Show that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit.
     Conform(conform::Arguments),
 }
@@ -56,6 +59,7 @@ impl Arguments {
             Command::Decode(arguments) => convert::decode(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
+            Command::Choose(arguments) => choose::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
         }
     }

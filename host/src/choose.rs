@@ -1,0 +1,159 @@
+//! Which codec meets a demand at the least cost.
+
+use crate::accuracy::measure;
+use crate::backend::Cpu;
+use crate::catalogue::{CATALOGUE, CodecInfo, Direction, Domain};
+use crate::{Error, Result};
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::path::Path;
+
+/// What a codec has to do.
+#[derive(Clone, Copy, Debug)]
+pub struct Demand {
+    /// Largest error that is allowed for any direction, degrees.
+    pub max_error_deg: f64,
+    /// Largest mean error that is allowed, degrees.
+    pub mean_error_deg: Option<f64>,
+    /// Most bits of a code.
+    pub bits: Option<u32>,
+    /// True if an encoder that reads a table will not do.
+    pub no_table: bool,
+    /// True if all directions have z >= 0.
+    pub hemisphere: bool,
+}
+
+/// What codecs cost: their arithmetic as multiples of `oct32`'s, of both directions.
+pub struct Costs {
+    device: String,
+    by_codec: HashMap<String, [f64; 2]>,
+}
+
+/// What [`Costs`] reads of the report of `unitvec bench --json`.
+#[derive(Deserialize)]
+struct Report {
+    device: ReportDevice,
+    rows: Vec<ReportRow>,
+}
+
+#[derive(Deserialize)]
+struct ReportDevice {
+    name: String,
+}
+
+#[derive(Deserialize)]
+struct ReportRow {
+    id: String,
+    direction: Direction,
+    source: String,
+    alu_ratio_to_oct32: Option<f64>,
+}
+
+impl Costs {
+    /// Those measured on lavapipe, which ship with the program.
+    ///
+    /// # Errors
+    /// [`Error::BadCosts`], which would be a fault of this crate.
+    pub fn shipped() -> Result<Self> {
+        Self::parse(Path::new("host/data/costs_lavapipe.json"), include_bytes!("../data/costs_lavapipe.json"))
+    }
+
+    /// Those of a report of `unitvec bench --json`.
+    ///
+    /// # Errors
+    /// [`Error::BadCosts`] if it is not one.
+    pub fn parse(path: &Path, json: &[u8]) -> Result<Self> {
+        let report: Report = serde_json::from_slice(json)
+            .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: error.to_string() })?;
+        let mut by_codec: HashMap<String, [f64; 2]> = HashMap::new();
+        for row in report.rows.into_iter().filter(|row| row.source == "rust") {
+            if let Some(ratio) = row.alu_ratio_to_oct32 {
+                by_codec.entry(row.id).or_insert([f64::NAN; 2])[row.direction as usize] = ratio;
+            }
+        }
+        Ok(Self { device: report.device.name, by_codec })
+    }
+
+    /// The device they were measured on.
+    pub fn device(&self) -> &str {
+        &self.device
+    }
+}
+
+/// A codec that meets the demand.
+#[derive(Clone, Debug, Serialize)]
+pub struct Candidate {
+    /// Codec.
+    pub id: &'static str,
+    /// Its bits.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: usize,
+    /// Upper bound of its error, degrees.
+    pub max_error_deg: f64,
+    /// Its mean error, measured now, degrees.
+    pub mean_error_deg: f64,
+    /// Arithmetic of encoding as a multiple of `oct32`'s, where it was measured.
+    pub encode_cost: Option<f64>,
+    /// Arithmetic of decoding as a multiple of `oct32`'s, where it was measured.
+    pub decode_cost: Option<f64>,
+}
+
+/// Random directions that mean errors are measured over.
+const COUNT: usize = 100_000;
+
+/// The codecs that meet a demand, the best choice first: fewest bytes, then cheapest, decoding and encoding together,
+/// then least mean error. The codecs without measured cost come last among those of as many bytes.
+///
+/// # Errors
+/// [`LengthMismatch`](unitvec::slice::LengthMismatch), which would be a fault of this crate.
+pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
+    let mut candidates = Vec::new();
+    for codec in CATALOGUE.iter().filter(|codec| meets(codec, demand)) {
+        let domain = if demand.hemisphere { Domain::Hemisphere } else { Domain::Sphere };
+        let mean_error_deg = measure(&mut Cpu, codec, domain, COUNT, 1)?.mean_deg();
+        if demand.mean_error_deg.is_some_and(|limit| mean_error_deg > limit) {
+            continue;
+        }
+        let cost = |direction: Direction| {
+            costs
+                .by_codec
+                .get(codec.id)
+                .map(|costs| costs[direction as usize])
+                .filter(|cost| cost.is_finite())
+        };
+        candidates.push(Candidate {
+            id: codec.id,
+            bits: codec.bits,
+            bytes: codec.bytes,
+            max_error_deg: f64::from(codec.max_error_deg),
+            mean_error_deg,
+            encode_cost: cost(Direction::Encode),
+            decode_cost: cost(Direction::Decode),
+        });
+    }
+    candidates.sort_by(|a, b| {
+        a.bytes
+            .cmp(&b.bytes)
+            .then(a.cost().total_cmp(&b.cost()))
+            .then(a.mean_error_deg.total_cmp(&b.mean_error_deg))
+    });
+    Ok(candidates)
+}
+
+impl Candidate {
+    /// Of both directions; infinite where it was not measured.
+    fn cost(&self) -> f64 {
+        self.encode_cost.zip(self.decode_cost).map_or(f64::INFINITY, |(encode, decode)| encode + decode)
+    }
+}
+
+/// All but the mean error, which has to be measured. Raw component formats are left out: what they decode to is not a
+/// unit vector.
+fn meets(codec: &CodecInfo, demand: &Demand) -> bool {
+    codec.is_unit
+        && f64::from(codec.max_error_deg) <= demand.max_error_deg
+        && demand.bits.is_none_or(|bits| codec.bits <= bits)
+        && !(demand.no_table && codec.encodes_by_table)
+        && (demand.hemisphere || codec.domain == Domain::Sphere)
+}

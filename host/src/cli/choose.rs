@@ -1,0 +1,136 @@
+use super::{print, to_json};
+use clap::Args;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use unitvec_host::choose::{Candidate, Costs, Demand, candidates};
+use unitvec_host::{Error, Result};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Largest error that is allowed for any direction, in degrees.
+    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    max_error: f64,
+    /// Largest mean error that is allowed, in degrees.
+    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    mean_error: Option<f64>,
+    /// Most bits of a code.
+    #[arg(long, value_name = "N")]
+    bits: Option<u32>,
+    /// No encoders that read a table.
+    #[arg(long)]
+    no_table: bool,
+    /// All directions have z >= 0, as those of tangent-space normal maps do: that saves a bit.
+    #[arg(long)]
+    hemisphere: bool,
+    /// Costs to choose by: what `unitvec bench --json FILE` wrote on the device in question, instead of lavapipe's.
+    #[arg(long, value_name = "FILE")]
+    costs: Option<PathBuf>,
+    /// Print JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+}
+
+/// Codecs that are shown.
+const SHOWN: usize = 8;
+
+#[derive(serde::Serialize)]
+struct Report<'a> {
+    costs_of: &'a str,
+    reason: String,
+    candidates: &'a [Candidate],
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let costs = match &arguments.costs {
+        Some(path) => {
+            let json = std::fs::read(path).map_err(|source| Error::Read { path: path.clone(), source })?;
+            Costs::parse(path, &json)?
+        }
+        None => Costs::shipped()?,
+    };
+    let demand = Demand {
+        max_error_deg: arguments.max_error,
+        mean_error_deg: arguments.mean_error,
+        bits: arguments.bits,
+        no_table: arguments.no_table,
+        hemisphere: arguments.hemisphere,
+    };
+    let found = candidates(&demand, &costs)?;
+    let reason = reason(&found);
+    if arguments.json {
+        print(&to_json(&Report { costs_of: costs.device(), reason, candidates: &found }))?;
+    } else {
+        print(&table(&found, &costs, &reason))?;
+    }
+    Ok(if found.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+}
+
+fn degrees(text: &str) -> std::result::Result<f64, String> {
+    match text.parse() {
+        Ok(degrees) if degrees > 0.0 => Ok(degrees),
+        _ => Err("not a number of degrees above 0".to_owned()),
+    }
+}
+
+/// Why the first is the choice.
+fn reason(found: &[Candidate]) -> String {
+    let [best, rest @ ..] = found else {
+        return "no codec meets this demand: allow more bits or a larger error".to_owned();
+    };
+    let alike: Vec<&Candidate> = rest.iter().filter(|other| other.bytes == best.bytes).collect();
+    let mut text =
+        format!("{}: no codec that meets the demand takes fewer bytes than {}", best.id, best.bytes);
+    match alike.as_slice() {
+        [] => text += ", and no other as few",
+        [_] => text += ", and the one other that takes as few costs more arithmetic",
+        others => {
+            // Writing to a String cannot fail.
+            let _ = write!(text, ", and the {} others that take as few cost more arithmetic", others.len());
+        }
+    }
+    if let Some(finer) = alike.iter().min_by(|a, b| a.mean_error_deg.total_cmp(&b.mean_error_deg))
+        && finer.mean_error_deg < 0.995 * best.mean_error_deg
+    {
+        let _ = write!(text, "; the least mean error of those has {}", finer.id);
+    }
+    text
+}
+
+fn table(found: &[Candidate], costs: &Costs, reason: &str) -> String {
+    let mut text = String::new();
+    if !found.is_empty() {
+        let _ = writeln!(
+            text,
+            "errors in degrees: the upper bound of the maximum, the mean measured; cost of arithmetic as multiples of \
+             oct32's on {}\n{:<20} {:>4} {:>5}  {:>10} {:>10}  {:>7} {:>7}",
+            costs.device(),
+            "codec",
+            "bits",
+            "bytes",
+            "max",
+            "mean",
+            "encode",
+            "decode"
+        );
+    }
+    for codec in found.iter().take(SHOWN) {
+        let cost = |cost: Option<f64>| cost.map_or_else(|| "-".to_owned(), |cost| format!("{cost:.1}"));
+        let _ = writeln!(
+            text,
+            "{:<20} {:>4} {:>5}  {:>10.3e} {:>10.3e}  {:>7} {:>7}",
+            codec.id,
+            codec.bits,
+            codec.bytes,
+            codec.max_error_deg,
+            codec.mean_error_deg,
+            cost(codec.encode_cost),
+            cost(codec.decode_cost)
+        );
+    }
+    if found.len() > SHOWN {
+        let _ = writeln!(text, "and {} more; --json lists them", found.len() - SHOWN);
+    }
+    let _ = writeln!(text, "\n{reason}");
+    text
+}
