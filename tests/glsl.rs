@@ -257,9 +257,13 @@ fn trigonometry_is_the_crates_to_the_bit() {
         unitvec_host::sampling::special_vectors().into_iter().filter(|v| v.iter().all(|c| c.is_finite())),
     );
     type Reference = fn(f32, f32) -> [f32; 3];
-    let functions: [(&str, Reference); 3] = [
+    let functions: [(&str, Reference); 4] = [
         ("vec3(unitvec_sin_cos_half_turns(v.x), unitvec_atan2_half_turns(v.y, v.x))", |x, y| {
             [math::sin_cos_half_turns(x).x, math::sin_cos_half_turns(x).y, math::atan2_half_turns(y, x)]
+        }),
+        ("vec3(unitvec_from_diagonal(0.5 - min(abs(v.x), 1.0)), 0.0)", |x, _| {
+            let of_x = math::from_diagonal(0.5 - x.abs().min(1.0));
+            [of_x.x, of_x.y, 0.0]
         }),
         ("vec3(unitvec_sin_cos(v.x), unitvec_asin_half_turns(v.y))", |x, y| {
             [math::sin_cos(x).x, math::sin_cos(x).y, math::asin_half_turns(y)]

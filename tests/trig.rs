@@ -3,7 +3,7 @@
 //! "All floats from a to b" are every 7th (a step that shares no pattern with powers of two), the ends apart.
 
 use glam::Vec2;
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 use unitvec::math;
 use unitvec_tests::remez::Problem;
 use unitvec_tests::sampling::Rng;
@@ -34,6 +34,9 @@ const ATAN: [f32; 9] = [
 ];
 const TAN: [f32; 7] =
     [math::TAN_0, math::TAN_1, math::TAN_2, math::TAN_3, math::TAN_4, math::TAN_5, math::TAN_6];
+const DIAGONAL_COS: [f32; 4] =
+    [math::DIAGONAL_COS_0, math::DIAGONAL_COS_1, math::DIAGONAL_COS_2, math::DIAGONAL_COS_3];
+const DIAGONAL_SIN: [f32; 3] = [math::DIAGONAL_SIN_0, math::DIAGONAL_SIN_1, math::DIAGONAL_SIN_2];
 const ASIN: [f32; 6] = [math::ASIN_0, math::ASIN_1, math::ASIN_2, math::ASIN_3, math::ASIN_4, math::ASIN_5];
 
 /// `r / f(r)` of `u = r^2`: by this the fits with least relative error are weighted.
@@ -53,6 +56,19 @@ fn over_asin(u: f64) -> f64 {
     u.sqrt() / (u.sqrt().asin() / PI)
 }
 
+/// The d of which `w` is 1/4 - d^2.
+fn from_middle(w: f64) -> f64 {
+    (0.25 - w).sqrt()
+}
+
+fn diagonal_cos(d: f64) -> f64 {
+    (FRAC_PI_2 * d).cos() * FRAC_1_SQRT_2
+}
+
+fn diagonal_sin(d: f64) -> f64 {
+    (FRAC_PI_2 * d).sin() * FRAC_1_SQRT_2
+}
+
 /// Each set of coefficients is what the Remez exchange gives, rounded to f32, and leaves the error the docs state.
 #[test]
 fn coefficients_are_minimax() {
@@ -65,12 +81,21 @@ fn coefficients_are_minimax() {
     let atan = Problem { target: |u| 1.0 - over_atan(u), weight: |u| over_atan(u) * (1.0 - u), end: 1.0 };
     let tan = Problem { target: |u| 1.0 - over_tan(u), weight: |u| over_tan(u) * (1.0 - u), end: 1.0 };
     let asin = Problem { target: |u| 1.0 - FRAC_1_PI_F32 * over_asin(u), weight: over_asin, end: 0.25 };
-    let cases: [(&str, Problem, &[f32], f64); 5] = [
+    let diagonal_cos = Problem { target: |w| diagonal_cos(from_middle(w)) - 0.5, weight: |w| w, end: 0.25 };
+    // Short of the end, where both are 0.
+    let diagonal_sin = Problem {
+        target: |w| diagonal_sin(from_middle(w)) - from_middle(w),
+        weight: |w| from_middle(w) * w,
+        end: 0.25 - 1e-12,
+    };
+    let cases: [(&str, Problem, &[f32], f64); 7] = [
         ("sin", sin, &SIN, 3.3e-9),
         ("cos", cos, &COS[1..], 4.1e-10),
         ("atan", atan, &ATAN, 2.5e-9),
         ("tan", tan, &TAN, 1.3e-9),
         ("asin", asin, &ASIN, 4.5e-9),
+        ("diagonal_cos", diagonal_cos, &DIAGONAL_COS, 3.8e-11),
+        ("diagonal_sin", diagonal_sin, &DIAGONAL_SIN, 9.8e-10),
     ];
     assert_eq!(math::COS_0, (-PI * PI / 2.0) as f32);
     for (name, problem, constants, bound) in cases {
@@ -100,7 +125,15 @@ fn glsl_constants_are_the_crates() {
     let numbered = |name: &str, values: &[f32]| -> Vec<(String, f32)> {
         values.iter().enumerate().map(|(i, &value)| (format!("{name}_{i}"), value)).collect()
     };
-    let families = [("SIN", &SIN[..]), ("COS", &COS), ("ATAN", &ATAN), ("TAN", &TAN), ("ASIN", &ASIN)];
+    let families = [
+        ("SIN", &SIN[..]),
+        ("COS", &COS),
+        ("ATAN", &ATAN),
+        ("TAN", &TAN),
+        ("ASIN", &ASIN),
+        ("DIAGONAL_COS", &DIAGONAL_COS),
+        ("DIAGONAL_SIN", &DIAGONAL_SIN),
+    ];
     let mut constants: Vec<(String, f32)> =
         families.iter().flat_map(|(name, values)| numbered(name, values)).collect();
     let others = [
@@ -206,6 +239,27 @@ fn sin_cos_half_turns_has_unit_length() {
     };
     let worst = positive(0.5).map(|t| (length(t) - 1.0).abs()).fold(0.0, f64::max);
     assert!(worst <= 9.2e-8, "{worst}");
+}
+
+/// Error, of the parts and of the cosine and sine they make up, and unit length to within 1.1e-7, over all floats from
+/// -1/2 to 1/2; at the ends cosine and sine are exact.
+#[test]
+fn from_diagonal_error() {
+    let both = || positive(0.5).chain(positive(0.5).map(|d| -d));
+    let cos = |d| math::from_diagonal(d).x - math::from_diagonal(d).y;
+    let sin = |d| math::from_diagonal(d).x + math::from_diagonal(d).y;
+    let angle = |d: f64| FRAC_PI_2 * (d + 0.5);
+    let any = f64::INFINITY;
+    Worst::of(both(), |d| math::from_diagonal(d).x, diagonal_cos).assert_within("diagonal cos", 5.9e-8, any);
+    Worst::of(both(), |d| math::from_diagonal(d).y, diagonal_sin).assert_within("diagonal sin", 2.0e-8, any);
+    Worst::of(both(), cos, |d| angle(d).cos()).assert_within("cos from diagonal", 9.9e-8, any);
+    Worst::of(both(), sin, |d| angle(d).sin()).assert_within("sin from diagonal", 9.9e-8, any);
+
+    let length = |d| f64::from(cos(d)).hypot(f64::from(sin(d)));
+    let worst = both().map(|d| (length(d) - 1.0).abs()).fold(0.0, f64::max);
+    assert!(worst <= 1.1e-7, "{worst:e}");
+    let end = math::from_diagonal(0.5);
+    assert_eq!((end, math::from_diagonal(-0.5)), (Vec2::new(0.5, 0.5), Vec2::new(0.5, -0.5)));
 }
 
 /// Error over all floats from 2^-100 to 1.

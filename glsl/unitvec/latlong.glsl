@@ -40,35 +40,47 @@ vec3 latlong_grid_decode(uint code, uint half_bits) {
 struct LatlongRings {
     float n;
     vec3 a;
-    float unit;
     vec4 q;
     float q4;
     float offset;
 };
 
 const LatlongRings LATLONG_RINGS_16 = LatlongRings(
-    113.0, vec3(0.7756357, -1.244649e-5, 7.392083e-11), 1.0 / 8192.0,
-    vec4(104.36025, -10.2527895, 67.22143, -85.247475), 38.234226, -0.17366897);
+    113.0, vec3(0.7756357, -1.244649e-5, 7.392083e-11), vec4(1.1121525, 1.7299868e-5, 0.0, 0.0), 0.0, 0.7887458);
 const LatlongRings LATLONG_RINGS_24 = LatlongRings(
-    1782.0, vec3(0.81366533, -5.2502063e-8, 1.2538275e-15), 1.0 / 2097152.0,
-    vec4(1607.1187, 112.42228, 105.19552, -92.46996), 51.018177, -0.13045794);
+    1782.0, vec3(0.81366533, -5.2502063e-8, 1.2538275e-15),
+    vec4(1.1107166, 3.7894093e-8, 9.317108e-15, 0.0), 0.0, 0.23774427);
 const LatlongRings LATLONG_RINGS_32 = LatlongRings(
-    29225.0, vec3(0.7753543, -1.8601036e-10, 1.6516002e-20), 1.0 / 536870912.0,
-    vec4(26315.662, 2157.9614, 622.8445, -66.86007), 196.69493, -0.15143372);
+    29225.0, vec3(0.7753543, -1.8601036e-10, 1.6516002e-20),
+    vec4(1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30), 8.5294734e-38, 0.4510315);
 
-// S(i): index of the first patch of ring i, 0 to n + 1, in an eighth of the sphere.
-uint latlong_start(LatlongRings rings, float i) {
-    UNITVEC_PRECISE float u = (i - 0.5) * (i - 0.5);
-    UNITVEC_PRECISE float s = u * (rings.a.x + u * (rings.a.y + u * rings.a.z)) + (0.95 * i + 0.25);
-    return uint(floor(s));
+// Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
+float latlong_border(LatlongRings rings, float h) {
+    UNITVEC_PRECISE float u = h * h;
+    UNITVEC_PRECISE float s = u * (rings.a.x + u * (rings.a.y + u * rings.a.z)) + (0.95 * h + 0.72515);
+    return s;
 }
 
-// About where between the starts of the rings an index lies: from i - 1/2 to i + 3/2 for those of ring i.
-float latlong_inverse(LatlongRings rings, uint index) {
-    UNITVEC_PRECISE float t = (float(index) + 0.5) * rings.unit;
-    UNITVEC_PRECISE float high = rings.q.z + t * (rings.q.w + t * rings.q4);
-    UNITVEC_PRECISE float i = sqrt(t) * (rings.q.x + t * (rings.q.y + t * high)) + rings.offset;
+// From i to i + 2 for the indices of ring i.
+float latlong_inverse(LatlongRings rings, float index) {
+    UNITVEC_PRECISE float low = rings.q.x + index * rings.q.y;
+    UNITVEC_PRECISE float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q4;
+    float high = rings.q4 != 0.0 ? both_high : rings.q.z;
+    UNITVEC_PRECISE float whole_factor = low + (index * index) * high;
+    float factor = rings.q.z != 0.0 ? whole_factor : low;
+    UNITVEC_PRECISE float i = sqrt(index) * factor + rings.offset;
     return i;
+}
+
+// An index as the sum of two floats: from 25 bits on a single one need not hold it.
+vec2 latlong_in_parts(uint index, uint bits) {
+    uint low = bits <= 24u ? 0u : index & 0xfffu;
+    return vec2(float(int(index - low)), float(int(low)));
+}
+
+// -x where the highest bit of sign_bit is set.
+float latlong_negate_by(uint sign_bit, float x) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ (sign_bit & 0x80000000u));
 }
 
 uint latlong_patch_encode(vec3 v, LatlongRings rings, uint index_bits) {
@@ -76,52 +88,71 @@ uint latlong_patch_encode(vec3 v, LatlongRings rings, uint index_bits) {
     float colatitude = unitvec_atan2_half_turns(spherical_horizontal_length(v), abs(v.z));
     UNITVEC_PRECISE float ring = colatitude * (2.0 * rings.n) + 0.5;
     float i = floor(ring);
-    uint start = latlong_start(rings, i);
-    uint count = latlong_start(rings, i + 1.0) - start;
+    UNITVEC_PRECISE vec2 h = vec2(i - 0.5, i + 0.5);
+    float start = floor(latlong_border(rings, h.x));
+    UNITVEC_PRECISE float count = floor(latlong_border(rings, h.y)) - start;
     float angle = unitvec_atan2_half_turns(abs(v.y), abs(v.x));
-    UNITVEC_PRECISE float position = angle * (2.0 * float(count)) + 0.5;
-    uint j = uint(floor(position));
+    UNITVEC_PRECISE float position = angle * (2.0 * count) + 0.5;
+    float j = floor(position);
 
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
     bool left = unitvec_is_negative(v.x);
     bool back = unitvec_is_negative(v.y);
-    uint along = left != back ? count - j : j;
+    UNITVEC_PRECISE float against = count - j;
+    float along = left != back ? against : j;
     uint front_quarter = left ? 1u : 0u;
     uint back_quarter = left ? 2u : 3u;
     uint quarter = back ? back_quarter : front_quarter;
-    uint carried = along == count ? (quarter + 1u) & 3u : quarter;
-    uint from_start = along == count ? 0u : along;
+    uint carried = along < count ? quarter : (quarter + 1u) & 3u;
+    float from_start = along < count ? along : 0.0;
 
-    uint place = start + from_start + (carried << index_bits);
+    uint place = uint(int(start)) + uint(int(from_start)) + (carried << index_bits);
     uint below = unitvec_is_negative(v.z) ? 4u << index_bits : 0u;
     return below | (i > 0.0 ? place : 0u);
 }
 
 vec3 latlong_patch_decode(uint code, LatlongRings rings, uint index_bits) {
     uint index = code & ((1u << index_bits) - 1u);
-    UNITVEC_PRECISE float nearest = latlong_inverse(rings, index) + 0.5;
-    float border = floor(nearest);
-    uint border_start = latlong_start(rings, border);
-    bool before = index < border_start;
-    uint other_start = latlong_start(rings, before ? border - 1.0 : border + 1.0);
-    float i = before ? border - 1.0 : border;
-    uint start = before ? other_start : border_start;
-    uint count = (before ? border_start : other_start) - start;
+    vec2 parts = latlong_in_parts(index, index_bits);
 
-    uint quarter = (code >> index_bits) & 3u;
-    uint along = index - start;
-    uint j = (quarter & 1u) != 0u ? count - along : along;
-    UNITVEC_PRECISE float divided = 0.5 * (float(j) / float(count));
-    vec2 equator = unitvec_sin_cos_half_turns(j < count ? divided : 0.5);
-    // The product of n is 1/2 exactly.
-    UNITVEC_PRECISE float colatitude = i * (0.5 / rings.n);
-    vec2 meridian = unitvec_sin_cos_half_turns(colatitude);
+    // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
+    float nearest = floor(latlong_inverse(rings, float(int(index))));
+    UNITVEC_PRECISE vec3 h = nearest - vec3(1.5, 0.5, -0.5);
+    float previous = latlong_border(rings, h.x);
+    float border = latlong_border(rings, h.y);
+    float next = latlong_border(rings, h.z);
+    UNITVEC_PRECISE float from_index = border - parts.x;
+    UNITVEC_PRECISE float to_next = parts.y + 1.0;
+    bool before = from_index >= to_next;
+    UNITVEC_PRECISE float ring_before = nearest - 1.0;
+    float ring = before ? ring_before : nearest;
+    float start = floor(before ? previous : border);
+    UNITVEC_PRECISE float count = floor(before ? border : next) - start;
+    // Exact: start is near.
+    UNITVEC_PRECISE float from_high = parts.x - start;
+    UNITVEC_PRECISE float from_both = from_high + parts.y;
+    float along = index_bits <= 24u ? from_high : from_both;
 
-    UNITVEC_PRECISE vec2 p = meridian.y * equator;
-    return vec3(
-        unitvec_negate_if(((quarter + 1u) & 2u) != 0u && p.x > 0.0, p.x),
-        unitvec_negate_if((quarter & 2u) != 0u && p.y > 0.0, p.y),
-        unitvec_negate_if(((code >> index_bits) & 4u) != 0u && meridian.x > 0.0, meridian.x));
+    // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
+    UNITVEC_PRECISE float divided = (along - 0.5 * count) / count;
+    vec2 equator = unitvec_from_diagonal(along > 0.0 ? divided : -0.5);
+    // At either end the product is 1/2 exactly.
+    UNITVEC_PRECISE float latitude = (ring - 0.5 * rings.n) * (1.0 / rings.n);
+    vec2 meridian = unitvec_from_diagonal(latitude);
+    UNITVEC_PRECISE float radius = meridian.x + meridian.y;
+
+    // Turns by quarters, but for the pole, where a turned 0 would become -0: from quarter to quarter (a, b) goes to
+    // (-b, a).
+    uint quarter = index > 0u ? code : 0u;
+    bool odd = (quarter & (1u << index_bits)) != 0u;
+    float a = odd ? equator.y : equator.x;
+    float b = odd ? equator.x : equator.y;
+    a = latlong_negate_by((quarter + (1u << index_bits)) << (30u - index_bits), a);
+    b = latlong_negate_by(quarter << (30u - index_bits), b);
+    uint below = code << (29u - index_bits);
+    UNITVEC_PRECISE float z = latlong_negate_by(below, meridian.x) - latlong_negate_by(below, meridian.y);
+    UNITVEC_PRECISE vec2 p = vec2(a - b, a + b) * radius;
+    return vec3(p, z);
 }
 
 uint latlong16_encode(vec3 v) { return latlong_grid_encode(v, 8u); }

@@ -4,6 +4,7 @@
 // exact, and -1 to 1 is what an snorm holds. Magnitudes below 2^-100 count as 0; no result is -0 or denormal.
 //
 //   unitvec_sin_cos_half_turns(t)      vec2(cos(pi t), sin(pi t)), any finite t
+//   unitvec_from_diagonal(d)           vec2(cos(d pi/2), sin(d pi/2)) / sqrt(2), d in [-1/2, 1/2]
 //   unitvec_atan2_half_turns(y, x)     angle of (x, y), -1 to 1; 0 without a direction
 //   unitvec_atan_octant_ratio(y, x)    4/pi atan(y/x), 0 <= y <= x
 //   unitvec_atan_octant(r)             4/pi atan(r), r in [0, 1]
@@ -21,7 +22,7 @@
 #include "scalar.glsl"
 #endif
 
-// Minimax polynomials in the square of the argument, lowest power first.
+// Minimax polynomials, lowest power first: in the square of the argument d, of 1/4 - d^2 for the two of the diagonal.
 const float UNITVEC_SIN_0 = -9.759589e-8;
 const float UNITVEC_SIN_1 = -5.167708;
 const float UNITVEC_SIN_2 = 2.549761;
@@ -56,6 +57,15 @@ const float UNITVEC_ASIN_2 = 0.023855526;
 const float UNITVEC_ASIN_3 = 0.014499074;
 const float UNITVEC_ASIN_4 = 0.0075942916;
 const float UNITVEC_ASIN_5 = 0.013571346;
+
+const float UNITVEC_DIAGONAL_COS_0 = 0.7853982;
+const float UNITVEC_DIAGONAL_COS_1 = 0.16854808;
+const float UNITVEC_DIAGONAL_COS_2 = 0.014111487;
+const float UNITVEC_DIAGONAL_COS_3 = 0.00063868886;
+
+const float UNITVEC_DIAGONAL_SIN_0 = 0.42920387;
+const float UNITVEC_DIAGONAL_SIN_1 = 0.053904664;
+const float UNITVEC_DIAGONAL_SIN_2 = 0.003245287;
 
 const float UNITVEC_HALF_PI_HIGH = 1.5703125;
 const float UNITVEC_HALF_PI_MIDDLE = 0.0004837513;
@@ -103,6 +113,16 @@ vec2 unitvec_sin_cos_half_turns(float t) {
     bool below = unitvec_is_negative(t) != (turn > 1.0);
     // Not where y is 0, which would become -0.
     return vec2(unitvec_negate_if(halved > 0.5, x), unitvec_negate_if(below && y > 0.0, y));
+}
+
+// x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
+vec2 unitvec_from_diagonal(float d) {
+    UNITVEC_PRECISE float w = 0.25 - d * d;
+    UNITVEC_PRECISE float cosine = UNITVEC_DIAGONAL_COS_0 +
+        w * (UNITVEC_DIAGONAL_COS_1 + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
+    UNITVEC_PRECISE float sine = UNITVEC_DIAGONAL_SIN_0 + w * (UNITVEC_DIAGONAL_SIN_1 + w * UNITVEC_DIAGONAL_SIN_2);
+    UNITVEC_PRECISE vec2 halves = vec2(0.5 + w * cosine, d + (d * w) * sine);
+    return halves;
 }
 
 // 4/pi atan(r), r in [0, 1]. Both ends are exact.

@@ -37,53 +37,70 @@ vec2 oct_lattice(vec3 v, float m) {
     return oct_mirror(v, rounded);
 }
 
-// A lattice point (xy) and the squared tangent of its angle to the vector sought, as a fraction (z / w).
-vec4 oct_candidate(vec2 point, float pp, float dd, float dp) {
-    UNITVEC_PRECISE float along = pp + dp;
-    UNITVEC_PRECISE float numerator = dd * pp - dp * dp;
-    UNITVEC_PRECISE float denominator = along * along;
-    return vec4(point, numerator, denominator);
+// q of where the ray of p meets the plane x + y + z = m.
+vec2 oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
+    UNITVEC_PRECISE float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
+    UNITVEC_PRECISE float stretch = missing * (1.0 / m);
+    UNITVEC_PRECISE vec2 moved = q + stretch * p.xy;
+    return moved;
 }
 
-// The candidate with the smaller angle; a where they are equal.
-vec4 oct_nearer(vec4 a, vec4 b) {
-    UNITVEC_PRECISE float cost_a = a.z * b.w;
-    UNITVEC_PRECISE float cost_b = b.z * a.w;
-    return cost_b < cost_a ? b : a;
+// A and B with the denominators (c . p)^2 taken into account: as if q were q + u (X, Y), with u = 3 / m N /
+// (3 + X^2 + Y^2 + Z^2), Z = -X - Y, and N that of two corners where they tie.
+vec2 oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
+    UNITVEC_PRECISE float minus_z = at.x + at.y;
+    UNITVEC_PRECISE float z_squared = minus_z * minus_z;
+    UNITVEC_PRECISE float over = abs(ab.x + ab.y) - cross_term;
+    over = over > 0.0 ? over : 0.0;
+    UNITVEC_PRECISE float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
+    UNITVEC_PRECISE float half_s = z_squared + (0.5 + cross_term);
+    UNITVEC_PRECISE float u = n * ((1.5 / m) / half_s);
+    UNITVEC_PRECISE vec2 moved = ab + u * (at + minus_z);
+    return moved;
+}
+
+// q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
+// leaves at most 0.2 / m of a step: for 20 bits and more.
+vec2 oct_approached(vec2 q, vec2 at, float m) {
+    UNITVEC_PRECISE vec2 moved = q + at * (0.3795 / m);
+    return moved;
 }
 
 // Corner of the lattice cell around p that is nearest to it in angle, for p in the positive octant with
 // x + y + z = m.
 //
-// A corner p + d is off by the angle of tan^2 = |d x p|^2 / ((p + d) . p)^2, and |d x p|^2 = (d . d)(p . p) -
-// (d . p)^2. From corner to corner d changes by (1, 0, -1) and (0, 1, -1). The far corner of a cell that the octant's
-// edge z = 0 cuts is no candidate: the octahedron folds there.
+// With (X, Y) = at, 0 in the octant's middle, a corner c and d = c - p seen along z, 3 / m^2 |c x p|^2 is
+// (2 + Y^2) dx^2 + 2 (1 - X Y) dx dy + (2 + X^2) dy^2. With q = p from the cell's middle, A = (2 + Y^2) q.x +
+// (1 - X Y) q.y, B = (1 - X Y) q.x + (2 + X^2) q.y and H = (1 - X Y) / 2, the right corner is nearer than the upper one
+// where A > B; then the near one loses to it where A > -H, the far one wins where B > H. Else likewise.
 vec2 oct_nearest_corner(vec3 p, float m) {
-    vec2 corner = floor(p.xy);
-    UNITVEC_PRECISE float k = m - corner.x - corner.y;
-    UNITVEC_PRECISE vec3 d = vec3(corner, k) - p;
+    UNITVEC_PRECISE vec2 middle = floor(p.xy) + 0.5;
+    UNITVEC_PRECISE vec2 q = p.xy - middle;
+    UNITVEC_PRECISE vec2 at = p.xy * (3.0 / m) - 1.0;
+    if (m >= 256.0 && m < 4096.0) q = oct_approached(q, at, m);
+    if (m >= 65536.0) q = oct_projected(q, p, middle, m);
 
-    float pp = unitvec_dot(p, p);
-    float dd = unitvec_dot(d, d);
-    float dp = unitvec_dot(d, p);
-    UNITVEC_PRECISE vec2 step_dp = p.xy - p.z;
-    UNITVEC_PRECISE vec2 dd_step = dd + 2.0 * (d.xy - d.z) + 2.0;
-    UNITVEC_PRECISE float dd_far = dd_step.x + dd_step.y - dd + 2.0;
-    UNITVEC_PRECISE vec2 dp_step = dp + step_dp;
-    UNITVEC_PRECISE float dp_far = dp + step_dp.x + step_dp.y;
+    UNITVEC_PRECISE float turn = at.y * q.x - at.x * q.y;
+    UNITVEC_PRECISE float sum = q.x + q.y;
+    UNITVEC_PRECISE float a = (q.x + sum) + at.y * turn;
+    UNITVEC_PRECISE float b = (q.y + sum) - at.x * turn;
+    UNITVEC_PRECISE float cross_term = 1.0 - at.x * at.y;
+    vec2 ab = vec2(a, b);
+    if (m < 256.0) ab = oct_weighed(ab, cross_term, q, at, m);
 
-    vec4 best = oct_candidate(corner, pp, dd, dp);
-    best = oct_nearer(best, oct_candidate(corner + vec2(1.0, 0.0), pp, dd_step.x, dp_step.x));
-    best = oct_nearer(best, oct_candidate(corner + vec2(0.0, 1.0), pp, dd_step.y, dp_step.y));
-    vec4 with_far = oct_nearer(best, oct_candidate(corner + vec2(1.0, 1.0), pp, dd_far, dp_far));
-    return k < 2.0 ? best.xy : with_far.xy;
+    float half_cross = 0.5 * cross_term;
+    float least_b = ab.x >= ab.y ? half_cross : -half_cross;
+    UNITVEC_PRECISE vec2 corner = middle + vec2(ab.x > -least_b ? 0.5 : -0.5, ab.y > least_b ? 0.5 : -0.5);
+    return corner;
 }
 
-// Lattice point of the direction of v that is nearest in angle.
+// Lattice point of the direction of v that is nearest in angle. Without a usable direction, all is computed and then
+// dropped: to select here takes fewer operations than in v.
 vec2 oct_lattice_precise(vec3 v, float m) {
-    v = unitvec_or_z(v);
-    UNITVEC_PRECISE vec3 p = abs(v) * (m / unitvec_l1_norm(v));
-    return oct_mirror(v, oct_fold(v.z, oct_nearest_corner(p, m), m));
+    float norm = unitvec_l1_norm(v);
+    UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
+    vec2 e = oct_fold(v.z, oct_nearest_corner(p, m), m);
+    return oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
 }
 
 // Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.

@@ -26,13 +26,13 @@
 //! from +X to +Y, j = 0 ... `k_i` - 1, has their middles at j/`k_i` of the quarter, and the other three are that
 //! one turned. Ring 0 is the pole.
 //!
-//! Patch j of ring i has the index `S(i) + j`, with `S(i) = floor(u (A0 + u (A1 + u A2)) + (0.95 i + 0.25))`,
-//! `u = (i - 1/2)^2`, evaluated in `f32` in that order, and `k_i = S(i + 1) - S(i)`. The polynomial is a multiple of the
-//! area between the pole and ring i, `1 - cos`, to 3e-4 of its slope; the linear part gives every ring 0.95 patches
-//! a quarter more than its area asks, which small rings need, whose patches fan out. For the format S need not be
-//! exact, only the same everywhere, and it is made of sums and products. At 32 bits its rounding to multiples of 32
+//! Patch j of ring i has the index `S(i) + j`, with `S(i) = floor(u (A0 + u (A1 + u A2)) + (0.95 h + 0.72515))`,
+//! `h = i - 1/2`, `u = h^2`, evaluated in `f32` in that order, and `k_i = S(i + 1) - S(i)`. The polynomial is a
+//! multiple of the area between the pole and ring i, `1 - cos`, to 3e-4 of its slope; the linear part gives every ring 0.95
+//! patches a quarter more than its area asks, which small rings need, whose patches fan out. For the format S need not
+//! be exact, only the same everywhere, and it is made of sums and products. At 32 bits its rounding to multiples of 32
 //! changes the widths of a ring's patches by up to 0.4 %. The inverse is a square root times a polynomial, good to
-//! a sixth of a ring, then one comparison.
+//! 0.34 of a ring, by which the ring is one of two, and a comparison with the border between them settles it.
 //!
 //! * Layout: the index in the low b - 3 bits of the code, the quarter in the next two (0 from +X to +Y, 1 from +Y
 //!   to -X, 2 from -X to -Y, 3 from -Y to +X), the hemisphere in the highest (1 for z < 0). Every code is a patch:
@@ -43,12 +43,12 @@
 //!   0.00381, is that of `f32` trigonometry.
 //! * The six axes round-trip exactly. Mirrored at a coordinate plane, a direction decodes to the decoded vector's
 //!   image, exactly; turned by quarters about z, within rounding.
-//! * Good for the least error in 16 bits of all formats here, without a table. Weak: decoding takes a square root,
-//!   two sines and two evaluations of S, several times [`oct`](crate::oct)'s cost; patches next to each other in
-//!   neighbouring rings are unrelated, so codes must not be interpolated.
+//! * Good for the least error in 16 bits of all formats here, without a table. Decoding takes a square root, a division
+//!   and about 110 other operations, 3 to 4 times what [`oct`](crate::oct) takes on lavapipe. Weak: patches next to
+//!   each other in neighbouring rings are unrelated, so codes must not be interpolated.
 
 use crate::codec::Codec;
-use crate::math::{atan2_half_turns, floor, is_negative, negate_if, sin_cos_half_turns, sqrt};
+use crate::math::{atan2_half_turns, floor, from_diagonal, is_negative, sin_cos_half_turns, sqrt};
 use crate::scalar::{mask, signed_code, whole_to_u32};
 use crate::spherical::{around_z, horizontal_length, scaled, signed_integer};
 use glam::Vec3;
@@ -84,19 +84,17 @@ pub struct Rings {
     pub a1: f32,
     /// See [`a0`](Self::a0).
     pub a2: f32,
-    /// Patches in an eighth of the sphere, S(n + 1), as a reciprocal.
-    pub unit: f32,
-    /// Lowest power first, the polynomial of the inverse of S, of the index as a part of all.
+    /// Lowest power first, the polynomial of the inverse of S.
     pub q0: f32,
     /// See [`q0`](Self::q0).
     pub q1: f32,
-    /// See [`q0`](Self::q0).
+    /// See [`q0`](Self::q0). 16 bits do without.
     pub q2: f32,
-    /// See [`q0`](Self::q0).
+    /// See [`q0`](Self::q0). Only 32 bits need this and the next.
     pub q3: f32,
     /// See [`q0`](Self::q0).
     pub q4: f32,
-    /// What the inverse is off by, mostly the effect of the linear part of S.
+    /// The inverse of index 0.
     pub offset: f32,
 }
 
@@ -106,13 +104,12 @@ pub const RINGS_16: Rings = Rings {
     a0: 0.7756357,
     a1: -1.244649e-5,
     a2: 7.392083e-11,
-    unit: 1.0 / 8_192.0,
-    q0: 104.36025,
-    q1: -10.2527895,
-    q2: 67.22143,
-    q3: -85.247475,
-    q4: 38.234226,
-    offset: -0.17366897,
+    q0: 1.1121525,
+    q1: 1.7299868e-5,
+    q2: 0.0,
+    q3: 0.0,
+    q4: 0.0,
+    offset: 0.7887458,
 };
 
 /// The rings of the format of 24 bits.
@@ -121,13 +118,12 @@ pub const RINGS_24: Rings = Rings {
     a0: 0.81366533,
     a1: -5.2502063e-8,
     a2: 1.2538275e-15,
-    unit: 1.0 / 2_097_152.0,
-    q0: 1607.1187,
-    q1: 112.42228,
-    q2: 105.19552,
-    q3: -92.46996,
-    q4: 51.018177,
-    offset: -0.13045794,
+    q0: 1.1107166,
+    q1: 3.7894093e-8,
+    q2: 9.317108e-15,
+    q3: 0.0,
+    q4: 0.0,
+    offset: 0.23774427,
 };
 
 /// The rings of the format of 32 bits.
@@ -136,38 +132,64 @@ pub const RINGS_32: Rings = Rings {
     a0: 0.7753543,
     a1: -1.8601036e-10,
     a2: 1.6516002e-20,
-    unit: 1.0 / 536_870_912.0,
-    q0: 26315.662,
-    q1: 2157.9614,
-    q2: 622.8445,
-    q3: -66.86007,
-    q4: 196.69493,
-    offset: -0.15143372,
+    q0: 1.135677,
+    q1: 1.7468939e-10,
+    q2: 8.533958e-20,
+    q3: 1.2860357e-30,
+    q4: 8.5294734e-38,
+    offset: 0.4510315,
 };
 
 impl Rings {
-    /// S(i): the index of the first patch of ring i, 0 to n + 1, in an eighth of the sphere.
+    /// Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
     #[inline(always)]
-    pub fn start(self, i: f32) -> u32 {
-        let u = (i - 0.5) * (i - 0.5);
-        index_of(floor(u * (self.a0 + u * (self.a1 + u * self.a2)) + (0.95 * i + 0.25)))
+    pub fn border(self, h: f32) -> f32 {
+        let u = h * h;
+        u * (self.a0 + u * (self.a1 + u * self.a2)) + (0.95 * h + 0.72515)
     }
 
-    /// About where between the starts of the rings an index lies: more than i - 1/2 and less than i + 3/2 for the
-    /// indices of ring i.
+    /// More than i and less than i + 2 for the indices of ring i.
     #[inline(always)]
-    pub fn inverse(self, index: u32) -> f32 {
-        let t = (index as f32 + 0.5) * self.unit;
-        let high = self.q2 + t * (self.q3 + t * self.q4);
-        sqrt(t) * (self.q0 + t * (self.q1 + t * high)) + self.offset
+    pub fn inverse(self, index: f32) -> f32 {
+        let low = self.q0 + index * self.q1;
+        let high =
+            if self.q4 != 0.0 { (self.q2 + index * self.q3) + (index * index) * self.q4 } else { self.q2 };
+        let factor = if self.q2 != 0.0 { low + (index * index) * high } else { low };
+        sqrt(index) * factor + self.offset
     }
 }
 
-/// A whole number from 0 to 2^32 - 256 as an integer.
+/// An integer below 2^31 as a float. Conversions of signed integers are single instructions where those of unsigned
+/// ones are not.
 #[inline(always)]
-fn index_of(whole: f32) -> u32 {
+fn whole_to_f32(integer: u32) -> f32 {
+    integer as i32 as f32
+}
+
+/// A whole number below `2^bits` as an integer.
+#[inline(always)]
+fn index_of(whole: f32, bits: u32) -> u32 {
+    if bits <= 23 {
+        return whole_to_u32(whole);
+    }
     let high = floor(whole * (1.0 / 4096.0));
     (whole_to_u32(high) << 12) | whole_to_u32(whole - 4096.0 * high)
+}
+
+/// An index of `bits` bits as the sum of two floats: from 25 bits on a single one need not hold it.
+#[inline(always)]
+fn in_parts(index: u32, bits: u32) -> (f32, f32) {
+    if bits <= 24 {
+        return (whole_to_f32(index), 0.0);
+    }
+    let low = index & mask(12);
+    (whole_to_f32(index - low), whole_to_f32(low))
+}
+
+/// `-x` where the highest bit of `sign` is set, else `x`.
+#[inline(always)]
+fn negate_by(sign: u32, x: f32) -> f32 {
+    f32::from_bits(x.to_bits() ^ (sign & (1 << 31)))
 }
 
 /// The code of [`LatLongD`] of the direction of `v`, whose index has `index_bits` bits.
@@ -176,10 +198,10 @@ pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
     let v = scaled(v);
     let colatitude = atan2_half_turns(horizontal_length(v), v.z.abs());
     let i = floor(colatitude * (2.0 * rings.n) + 0.5);
-    let start = rings.start(i);
-    let count = rings.start(i + 1.0) - start;
+    let start = floor(rings.border(i - 0.5));
+    let count = floor(rings.border(i + 0.5)) - start;
     let angle = atan2_half_turns(v.y.abs(), v.x.abs());
-    let j = whole_to_u32(floor(angle * (2.0 * count as f32) + 0.5));
+    let j = floor(angle * (2.0 * count) + 0.5);
 
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
     let (left, back) = (is_negative(v.x), is_negative(v.y));
@@ -187,10 +209,10 @@ pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
     let front_quarter = if left { 1 } else { 0 };
     let back_quarter = if left { 2 } else { 3 };
     let quarter = if back { back_quarter } else { front_quarter };
-    let carried = if along == count { (quarter + 1) & 3 } else { quarter };
-    let from_start = if along == count { 0 } else { along };
+    let carried = if along < count { quarter } else { (quarter + 1) & 3 };
+    let from_start = if along < count { along } else { 0.0 };
 
-    let place = start + from_start + (carried << index_bits);
+    let place = index_of(start, index_bits) + whole_to_u32(from_start) + (carried << index_bits);
     let below = if is_negative(v.z) { 4 << index_bits } else { 0 };
     below | if i > 0.0 { place } else { 0 }
 }
@@ -200,28 +222,37 @@ pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
 #[inline(always)]
 pub fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let index = code & mask(index_bits);
-    let border = floor(rings.inverse(index) + 0.5);
-    let border_start = rings.start(border);
-    let before = index < border_start;
-    let other_start = rings.start(if before { border - 1.0 } else { border + 1.0 });
-    let i = if before { border - 1.0 } else { border };
-    let start = if before { other_start } else { border_start };
-    let count = if before { border_start } else { other_start } - start;
+    let (high, low) = in_parts(index, index_bits);
 
-    let quarter = (code >> index_bits) & 3;
-    let along = index - start;
-    let j = if quarter & 1 != 0 { count - along } else { along };
-    let divided = 0.5 * (j as f32 / count as f32);
-    let equator = sin_cos_half_turns(if j < count { divided } else { 0.5 });
-    // The product of n is 1/2 exactly.
-    let meridian = sin_cos_half_turns(i * (0.5 / rings.n));
+    // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
+    let nearest = floor(rings.inverse(whole_to_f32(index)));
+    let border = rings.border(nearest - 0.5);
+    let (previous, next) = (rings.border(nearest - 1.5), rings.border(nearest + 0.5));
+    let before = border - high >= low + 1.0;
+    let ring = if before { nearest - 1.0 } else { nearest };
+    let start = floor(if before { previous } else { border });
+    let count = floor(if before { border } else { next }) - start;
+    // Exact: start is near.
+    let from_high = high - start;
+    let along = if index_bits <= 24 { from_high } else { from_high + low };
 
-    let (x, y) = (meridian.y * equator.x, meridian.y * equator.y);
-    Vec3::new(
-        negate_if((quarter + 1) & 2 != 0 && x > 0.0, x),
-        negate_if(quarter & 2 != 0 && y > 0.0, y),
-        negate_if((code >> index_bits) & 4 != 0 && meridian.x > 0.0, meridian.x),
-    )
+    // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
+    let divided = (along - 0.5 * count) / count;
+    let equator = from_diagonal(if along > 0.0 { divided } else { -0.5 });
+    // At either end the product is 1/2 exactly.
+    let meridian = from_diagonal((ring - 0.5 * rings.n) * (1.0 / rings.n));
+    let radius = meridian.x + meridian.y;
+
+    // Turns by quarters, but for the pole, where a turned 0 would become -0: from quarter to quarter (a, b) goes to
+    // (-b, a).
+    let quarter = if index > 0 { code } else { 0 };
+    let odd = quarter & (1 << index_bits) != 0;
+    let (a, b) = if odd { (equator.y, equator.x) } else { (equator.x, equator.y) };
+    let a = negate_by((quarter.wrapping_add(1 << index_bits)) << (30 - index_bits), a);
+    let b = negate_by(quarter << (30 - index_bits), b);
+    let below = code << (29 - index_bits);
+    let z = negate_by(below, meridian.x) - negate_by(below, meridian.y);
+    Vec3::new((a - b) * radius, (a + b) * radius, z)
 }
 
 /// Patches of a plain grid of latitude and longitude in `BITS` bits (16, 24 or 32).

@@ -58,7 +58,8 @@ pub struct Rings {
     pub starts: Vec<u32>,
 }
 
-/// The definition of the format: where the rings of `bits` bits start, in `f32` as it says.
+/// The definition of the format: where the rings of `bits` bits start, in `f32`. The crate's linear part, of i - 1/2,
+/// rounds to the same starts for every ring.
 pub fn rings(bits: u32) -> &'static Rings {
     static RINGS: [OnceLock<Rings>; 3] = [const { OnceLock::new() }; 3];
     let (width, last, a): (usize, usize, [f32; 3]) = match bits {
