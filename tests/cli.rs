@@ -151,3 +151,103 @@ fn a_replaced_file_keeps_its_place_and_permissions() {
     assert_eq!(std::fs::read(&target).unwrap(), [0, 0]);
     assert_eq!(target.metadata().unwrap().permissions().mode() & 0o777, 0o600);
 }
+
+/// The codecs chosen meet the demand, those of fewest bytes come first, and of those the cheapest.
+#[test]
+fn choose_gives_the_cheapest_that_meets_the_demand() {
+    let demand = ["choose", "--max-error", "0.05", "--mean-error", "0.02", "--bits", "32", "--json"];
+    let report: Value = serde_json::from_slice(&run(demand).stdout).unwrap();
+    let candidates = report["candidates"].as_array().unwrap();
+    assert!(candidates.len() > 5);
+    let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::INFINITY);
+    let order =
+        |row: &Value| (row["bytes"].as_u64(), number(row, "encode_cost") + number(row, "decode_cost"));
+    for row in candidates {
+        assert!(number(row, "max_error_deg") <= 0.05 && number(row, "mean_error_deg") <= 0.02, "{row}");
+        assert!(row["bits"].as_u64().unwrap() <= 32, "{row}");
+        assert!(!row["id"].as_str().unwrap().starts_with("hemi"), "{row}");
+    }
+    assert!(candidates.is_sorted_by(|a, b| order(a) <= order(b)));
+    assert!(candidates[0]["encode_cost"].is_number(), "the shipped costs lack {}", candidates[0]["id"]);
+
+    let hemisphere = stdout(&run(["choose", "--max-error", "0.6", "--bits", "16", "--hemisphere"]));
+    assert!(hemisphere.contains("hemioct16"), "{hemisphere}");
+    let none = run(["choose", "--max-error", "1e-9"]);
+    assert_eq!(none.status.code(), Some(1));
+    assert!(stdout(&none).contains("no codec meets this demand"));
+    assert_eq!(run(["choose", "--max-error", "zero"]).status.code(), Some(2));
+}
+
+/// With other costs the choice is another one.
+#[test]
+fn choose_goes_by_the_costs_it_is_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let costs = folder.path().join("costs.json");
+    let row = |id: &str, direction: &str| {
+        format!(
+            r#"{{"id": "{id}", "direction": "{direction}", "source": "rust", "alu_ratio_to_oct32": 0.1}}"#
+        )
+    };
+    let rows = [row("ico24", "encode"), row("ico24", "decode")].join(", ");
+    std::fs::write(&costs, format!(r#"{{"device": {{"name": "imagined"}}, "rows": [{rows}]}}"#)).unwrap();
+    let chosen = stdout(&run(["choose", "--max-error", "0.05", "--costs", path(&costs)]));
+    assert!(chosen.contains("imagined") && chosen.contains("\nico24: "), "{chosen}");
+    std::fs::write(&costs, "{}").unwrap();
+    let refused = run(["choose", "--max-error", "0.05", "--costs", path(&costs)]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(stderr(&refused).contains("is not a report of `unitvec bench --json`"), "{}", stderr(&refused));
+}
+
+/// A row for each direction and source, with figures that can be; and a CSV of the same rows.
+#[test]
+fn bench_reports_every_direction_and_source() {
+    let folder = tempfile::tempdir().unwrap();
+    let [json, csv, markdown] =
+        ["json", "csv", "md"].map(|kind| folder.path().join(format!("report.{kind}")));
+    let output = run([
+        "bench",
+        "--device",
+        "llvmpipe",
+        "--validate",
+        "--count",
+        "4099",
+        "--samples",
+        "2",
+        "--codec",
+        "oct16",
+        "--codec",
+        "snorm8x3p",
+        "--codec",
+        "frame64",
+        "--json",
+        path(&json),
+        "--csv",
+        path(&csv),
+        "--markdown",
+        path(&markdown),
+    ]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = stdout(&output);
+    assert!(text.contains("warning: this device is a CPU") && text.contains("bench: 3 codecs"), "{text}");
+    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    assert_eq!(report["device"]["kind"], "software");
+    let rows = report["rows"].as_array().unwrap();
+    let named = |row: &Value| ["id", "direction", "source"].map(|key| row[key].as_str().unwrap().to_owned());
+    let names: Vec<String> = rows.iter().map(|row| named(row).join(" ")).collect();
+    for id in ["oct16", "snorm8x3p", "frame64"] {
+        for kind in ["encode rust", "encode glsl", "decode rust", "decode glsl"] {
+            assert!(names.contains(&format!("{id} {kind}")), "{id} {kind}");
+        }
+    }
+    assert!(names.contains(&"oct16 decode rust-table".to_owned()));
+    assert_eq!(rows.len(), 13);
+    for row in rows {
+        assert!(
+            row["vectors_per_s"].as_f64().unwrap() > 0.0 && row["copy_bytes_per_s"].as_f64().unwrap() > 0.0
+        );
+        assert_eq!(row["alu_ns_per_vector"].is_number(), row["source"] != "rust-table", "{row}");
+    }
+    assert_eq!(rows[0]["survey_ns_per_vector"].as_f64(), Some(0.023132));
+    assert_eq!(std::fs::read_to_string(&csv).unwrap().lines().count(), 14);
+    assert_eq!(std::fs::read_to_string(&markdown).unwrap().matches("\n| `").count(), 3);
+}

@@ -1,6 +1,7 @@
 //! The survey's error tables, measured again beside the published figures and the bound that no code can beat.
 
 pub mod beyond;
+pub mod chart;
 pub mod meyer;
 
 use crate::Result;
@@ -82,8 +83,6 @@ pub struct Row {
     pub mean_deg: f64,
     /// Maximum error, degrees.
     pub max_deg: f64,
-    /// Standard error of that mean, degrees.
-    pub mean_standard_error_deg: f64,
     /// The published mean error, degrees; Meyer et al. give none.
     pub survey_mean_deg: Option<f64>,
     /// The published maximum error, degrees; Meyer's bound; none at bits that nothing is published for.
@@ -98,6 +97,8 @@ pub struct Row {
     pub float64_max_deg: Option<f64>,
     /// Bits wasted: with so many fewer the bound has this mean error.
     pub wasted_bits: Option<f64>,
+    /// Standard error of the mean, degrees.
+    pub mean_standard_error_deg: f64,
 }
 
 /// Mean and maximum error in degrees that no code of `bits` bits for the domain can beat.
@@ -141,7 +142,7 @@ pub fn measure(
 }
 
 /// The survey's second measurement: as [`measure`], with float64 from the f32 input to the angle. The derivation is the
-/// one that the tests hold the codecs against, and shares no code with them. `None` for a codec of neither table.
+/// one that the tests hold the codecs against, and shares no code with them. `None` for a codec that it does not have.
 pub fn measure_float64(codec: &CodecInfo, domain: Domain, count: usize, seed: u64) -> Option<(f64, f64)> {
     let round_trip = unitvec_oracle::round_trip(codec.id)?;
     let (mut sum, mut max) = (0.0, 0.0f64);

@@ -5,9 +5,9 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::accuracy::meyer::{METHODS, Method, WIDTHS};
-use unitvec_host::accuracy::{self, Row, Table, beyond};
+use unitvec_host::accuracy::{self, Row, Table, beyond, chart};
 use unitvec_host::catalogue::CodecInfo;
-use unitvec_host::{Result, output};
+use unitvec_host::{Error, Result, output};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -23,7 +23,7 @@ pub struct Arguments {
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendName,
-    /// Measure tables 1 and 3 with float64 intermediates too, as the survey did; about a minute more.
+    /// Measure all but Meyer's table and frames with float64 intermediates too, as the survey did; minutes more.
     #[arg(long)]
     float64: bool,
     /// Write the rows as JSON as well; - for the standard output, instead of the table.
@@ -32,6 +32,9 @@ pub struct Arguments {
     /// Write the rows as CSV as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Draw a chart of the errors against bits, with the covering bound, as SVG.
+    #[arg(long, value_name = "FILE")]
+    chart: Option<PathBuf>,
     #[command(flatten)]
     vulkan: Vulkan,
 }
@@ -121,8 +124,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     for codec in beyond {
         bar.set_message(codec.id);
-        let backend = open.backend.as_mut();
-        rows.push(beyond::measure_row(backend, codec, arguments.count as usize, arguments.seed)?);
+        let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
+        let mut measured = beyond::measure_row(backend, codec, count, seed)?;
+        if arguments.float64 {
+            let errors = accuracy::measure_float64(codec, codec.domain, count, seed);
+            (measured.float64_mean_deg, measured.float64_max_deg) = errors.unzip();
+        }
+        rows.push(measured);
         bar.inc(1);
     }
     for codec in frames {
@@ -134,6 +142,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 
     if !to_stdout {
         print(&table_text(&rows, &missing))?;
+    }
+    if let Some(path) = &arguments.chart {
+        let failed = |error: Box<dyn std::error::Error>| {
+            Error::writing(path, std::io::Error::other(error.to_string()))
+        };
+        output::write_file(path, chart::svg(&rows).map_err(failed)?.as_bytes())?;
     }
     if let Some(path) = &arguments.csv {
         output::write_file(path, &to_csv(path, &rows)?)?;

@@ -26,6 +26,9 @@ pub struct Arguments {
     /// Write the rows as CSV as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    /// Write a table in Markdown as well: errors, and costs as multiples of oct32's.
+    #[arg(long, value_name = "FILE")]
+    markdown: Option<PathBuf>,
     #[command(flatten)]
     vulkan: Vulkan,
 }
@@ -68,6 +71,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&report).as_bytes())?;
+    }
+    if let Some(path) = &arguments.markdown {
+        output::write_file(path, markdown(&report).as_bytes())?;
     }
     if !to_stdout {
         print(&summary(&report))?;
@@ -148,9 +154,6 @@ fn lines(rows: &[Row]) -> String {
     for direction in [Direction::Encode, Direction::Decode] {
         let of = |source| rows.iter().find(|row| row.direction == direction && row.source == source);
         let (Some(rust), Some(glsl)) = (of(Source::Rust), of(Source::Glsl)) else { continue };
-        let number = |value: Option<f64>, digits: usize| {
-            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-        };
         let ratio = rust.alu_ns_per_vector.zip(glsl.alu_ns_per_vector).map(|(rust, glsl)| rust / glsl);
         let table = of(Source::RustTable).map(|row| row.vectors_per_s / 1e6);
         // Writing to a String cannot fail.
@@ -173,6 +176,62 @@ fn lines(rows: &[Row]) -> String {
         );
     }
     text
+}
+
+/// The arithmetic of both directions as multiples of `oct32`'s, and the kernels' part of the copy's speed.
+fn markdown(report: &Report) -> String {
+    let device = &report.device;
+    let mut text = format!(
+        "{}, {}, Vulkan {}; {} vectors, {} times each.\n\n\
+         | codec | bits | bound of the error, degrees | encode / oct32 | decode / oct32 | encode: rust / glsl | \
+         decode: rust / glsl | encode, % of copy | decode, % of copy |\n|---|---|---|---|---|---|---|---|---|\n",
+        device.name, device.driver, device.api_version, report.count, report.repetitions
+    );
+    let ratios = report.ratios_of_sources();
+    for encode in of_rust(report, Direction::Encode) {
+        let Some(decode) = of_rust(report, Direction::Decode).find(|row| row.id == encode.id) else {
+            continue;
+        };
+        let between = |direction| {
+            let found = ratios.iter().find(|(id, of, _)| (*id, *of) == (encode.id, direction));
+            number(found.map(|(.., ratio)| *ratio), 2)
+        };
+        let of_copy = |row: &Row| 100.0 * row.bytes_per_s / row.copy_bytes_per_s;
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {} | {} | {} | {} | {} | {:.0} | {:.0} |",
+            encode.id,
+            encode.bits,
+            bound(encode.id),
+            number(encode.alu_ratio_to_oct32, 1),
+            number(decode.alu_ratio_to_oct32, 1),
+            between(Direction::Encode),
+            between(Direction::Decode),
+            of_copy(encode),
+            of_copy(decode),
+        );
+    }
+    text
+}
+
+fn of_rust(report: &Report, direction: Direction) -> impl Iterator<Item = &Row> {
+    report.rows.iter().filter(move |row| row.direction == direction && row.source == Source::Rust)
+}
+
+/// Of a frame, its normal's and its tangent's.
+fn bound(id: &str) -> String {
+    match (catalogue::find(id), catalogue::find_frame(id)) {
+        (_, Some(frame)) => {
+            format!("{:.3e}, {:.3e}", frame.max_normal_error_deg, frame.max_tangent_error_deg)
+        }
+        (Ok(codec), None) => format!("{:.3e}", codec.max_error_deg),
+        (Err(_), None) => "-".to_owned(),
+    }
+}
+
+fn number(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
 /// Where SPIR-V from Rust costs more than that from GLSL.
