@@ -30,8 +30,8 @@ const float EAOCT_TURN_5 = -0.035594895;
 const float EAOCT_TURN_6 = 0.013918393;
 const float EAOCT_TURN_7 = -0.002581218;
 
-// 2^-60, added to the longer of x and y so that nothing is divided by 0.
-const float EAOCT_LEAST_LONGER = 8.673617379884035e-19;
+// 2^-26, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+const float EAOCT_LEAST = 1.4901161193847656e-8;
 
 // A direction of the positive octant, mirrored so that phi is at most 1/2.
 struct EaoctPolar {
@@ -50,6 +50,12 @@ float eaoct_turn(float q) {
     return turn;
 }
 
+// The larger of x times scale and EAOCT_LEAST; of NaN, either.
+float eaoct_raised(float x, float scale) {
+    UNITVEC_PRECISE float scaled = x * scale;
+    return scaled > EAOCT_LEAST ? scaled : EAOCT_LEAST;
+}
+
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
 // Without a usable direction, anything.
 EaoctPolar eaoct_polar(vec3 v, float norm) {
@@ -57,17 +63,14 @@ EaoctPolar eaoct_polar(vec3 v, float norm) {
     bool swapped = abs(v.y) > abs(v.x);
     float shorter = swapped ? abs(v.x) : abs(v.y);
     float longer = swapped ? abs(v.y) : abs(v.x);
-    UNITVEC_PRECISE float b = (shorter < UNITVEC_MIN_POSITIVE ? 0.0 : shorter) * scale;
-    UNITVEC_PRECISE float a = longer * scale + EAOCT_LEAST_LONGER;
+    float b = eaoct_raised(shorter, scale);
+    float a = eaoct_raised(longer, scale);
     UNITVEC_PRECISE float z = abs(v.z) * scale;
 
-    // One division serves for both (a^2 + b^2) / product and b / a.
     UNITVEC_PRECISE float horizontal = a * a + b * b;
     UNITVEC_PRECISE float len = sqrt(horizontal + z * z);
-    UNITVEC_PRECISE float product = len * (len + z);
-    UNITVEC_PRECISE float reciprocal = 1.0 / (a * product);
-    UNITVEC_PRECISE float radius = sqrt(horizontal * (a * reciprocal));
-    UNITVEC_PRECISE float q = b * (product * reciprocal);
+    UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + z)));
+    UNITVEC_PRECISE float q = b / a;
     return EaoctPolar(radius, eaoct_turn(q), swapped);
 }
 

@@ -40,10 +40,10 @@
 //!   precise one. And, with all cells alike in area, for directions that are averaged, sampled or counted. Weaknesses:
 //!   filtered or interpolated codes bend where u or v changes sign and at `z = 0`, as with [`oct`](crate::oct); decoding
 //!   takes a sine and a cosine, encoding an arc tangent.
-//! * Cost: to encode, 2 square roots, 1 division and 74 other operations; precisely, 2 divisions and 45 operations more.
-//!   To decode, 1 square root, 1 division and 65 others. With roots and divisions counted as 5 that is 89, 144 and 75,
-//!   where [`oct`](crate::oct) has 39, 105 and 43. Measured, to encode takes 2 (CPU) to 3 times (lavapipe) as long as
-//!   [`oct`](crate::oct)'s fast and 1.7 times as long as its precise encoder, to decode 2.3 times.
+//! * Cost: to encode, 2 square roots, 2 divisions and 70 other operations; precisely, 2 divisions and 45 operations more.
+//!   To decode, 1 square root, 1 division and 65 others. With roots and divisions counted as 5 that is 90, 145 and 75,
+//!   where [`oct`](crate::oct) has 39, 105 and 43. Measured, to encode takes 2 (CPU) to 2.5 times (lavapipe) as long as
+//!   [`oct`](crate::oct)'s fast and 1.5 times as long as its precise encoder, to decode 2.3 times.
 //!
 //! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`, so that at 32 bits the
 //! position is good to 2^-6 of a step, and mostly to 2^-9. What that adds to the mean error does not show in four digits.
@@ -74,9 +74,9 @@ pub const TURN_6: f32 = 0.013918393;
 /// See [`TURN_0`].
 pub const TURN_7: f32 = -0.002581218;
 
-/// Added to the longer of x and y, beside an L1 norm of 1 to 2, so that nothing is divided by 0: 2^-60, which leaves
-/// numbers from 2^-35 on as they are. Up to 2^-16 and more they are on ring 0.
-const LEAST_LONGER: f32 = f32::from_bits((127 - 60) << 23);
+/// What x and y are at least taken for, beside an L1 norm of 1 to 2: 2^-26, of what moves no point by more than 2^-11 of
+/// a step. So nothing is divided by 0, and denormals, which some devices flush, are all the same: scaled, they are less.
+const LEAST: f32 = f32::from_bits((127 - 26) << 23);
 
 /// A direction of the positive octant, mirrored so that `phi` is at most 1/2.
 #[derive(Clone, Copy)]
@@ -97,26 +97,30 @@ struct Candidate {
     cost: f32,
 }
 
+/// The larger of `x` times `scale` and [`LEAST`]; of NaN, either.
+#[inline(always)]
+fn raised(x: f32, scale: f32) -> f32 {
+    let scaled = x * scale;
+    if scaled > LEAST { scaled } else { LEAST }
+}
+
 /// `r` and `phi` of the direction of `v`, of an L1 norm of `norm`. Without a usable direction, anything.
 ///
-/// Scaled by a power of two, exactly, to an L1 norm of 1 to 2, squares neither overflow nor vanish where they count. A
-/// denormal beside a larger component counts as 0, since some devices flush it; two of them are ring 0 either way. With
-/// a the longer and b the shorter of x and y, one division serves for both `(a^2 + b^2) / (l (l + z))` and `b / a`.
+/// Scaled by a power of two, exactly, to an L1 norm of 1 to 2, squares neither overflow nor vanish where they count. With
+/// a the longer and b the shorter of x and y, one division would serve for both `(a^2 + b^2) / (l (l + z))` and `b / a`,
+/// but takes five products more, which all wait for each other: a fifth more time on lavapipe.
 #[inline(always)]
 fn polar(v: Vec3, norm: f32) -> Polar {
     let scale = f32::from_bits((254u32 << 23).wrapping_sub(norm.to_bits() & 0x7f80_0000));
     let (x, y) = (v.x.abs(), v.y.abs());
     let swapped = y > x;
     let (shorter, longer) = if swapped { (x, y) } else { (y, x) };
-    let b = if shorter < f32::MIN_POSITIVE { 0.0 } else { shorter } * scale;
-    let a = longer * scale + LEAST_LONGER;
-    let z = v.z.abs() * scale;
+    let (b, a, z) = (raised(shorter, scale), raised(longer, scale), v.z.abs() * scale);
 
     let horizontal = a * a + b * b;
     let length = sqrt(horizontal + z * z);
-    let product = length * (length + z);
-    let reciprocal = 1.0 / (a * product);
-    Polar { radius: sqrt(horizontal * (a * reciprocal)), turn: turn(b * (product * reciprocal)), swapped }
+    let radius = sqrt(horizontal / (length * (length + z)));
+    Polar { radius, turn: turn(b / a), swapped }
 }
 
 /// `2/pi atan(q)` for q of 0 to 1, and perhaps an ULP: 0 to 1/2. Two sums side by side, since each term of one waits for
