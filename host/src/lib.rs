@@ -5,7 +5,7 @@
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
-//! * [`accuracy`]: the survey's error tables. [`bench`]: its table of costs. [`choose`]: what to take.
+//! * [`accuracy`]: the survey's error tables. [`bench`](mod@bench): its table of costs. [`choose`]: what to take.
 //! * [`mesh`], [`stream`] and [`output`]: files in and out.
 
 #![deny(unsafe_code)]
