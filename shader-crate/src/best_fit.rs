@@ -8,18 +8,21 @@
 //! number `k`: with `u = |v| / max`, the candidates are the `round(k u)`. A vector and its double point alike, so the
 //! `k` above `m / 2` are all there is to try: 64 for `m` = 127.
 //!
-//! * [`CrytekBfn24`] is the original method: the one length in the closest texel of a table.
-//! * [`SnormBest8`] (snorm8x3P) is the survey's: the best of the lengths in the four closest texels, and the longest,
-//!   127. One direction in fourteen has a better length.
+//! * [`CrytekBfn24`] is the original method: one length for all directions of a cell of a table.
+//! * [`SnormBest8`] (snorm8x3P) is the survey's: the best of a cell's four lengths. One direction in eleven has a better
+//!   length.
 //! * [`SnormNearest8`] tries the 64, and a few scales in between: no whole vector points nearer.
-//! * The first two work the lengths of texels out; [`crytek_bfn24_encode_by_table`] and [`snorm8x3p_encode_by_table`]
+//! * The first two work the lengths of cells out; [`crytek_bfn24_encode_by_table`] and [`snorm8x3p_encode_by_table`]
 //!   look them up. Their codes are the same. The compute kernels and the `unitvec` program take the table.
 //! * [`SnormBest16`] (snorm16x3P) tries the 64 longest of the 16384 lengths, and the unit vector.
 //!
-//! The table ([`fill_table`], 1 MiB) has 1024 x 1024 texels. A direction's column and row are `mid / max` and
-//! `min / mid` of its magnitudes in order of size, times 1024: by symmetry that covers the sphere. A texel is a byte,
-//! the length `k` (64 to 127) that fits the direction of the texel's middle best. Row by row, that is the image of a
-//! VK_FORMAT_R8_UINT texture; in words, the leftmost of four texels is the low byte.
+//! The table ([`fill_table`], 805 KiB): a direction's column and row are `mid / max` and `min / max` of its magnitudes
+//! in order of size, times 640. By symmetry that covers the sphere, and a row is at most its column. A cell is a word,
+//! the bytes of which are four of the lengths 64 to 127; to a shader, a texel of VK_FORMAT_R8G8B8A8_UINT. The low byte
+//! has the length that fits nine directions of the cell, three by three, best in the mean; each byte above it the one
+//! that helps most where the ones before may be taken too. The word of a cell is number
+//! `4 (g (2 g + 1) + row) + column`, `g = column / 4` rounded down: four columns side by side have their rows one after
+//! the other, so that a line of a cache has 4 x 4 cells, and half a square is not stored.
 //!
 //! * Layout: x in the low component, then y, z, in two's complement, as in VK_FORMAT_R8G8B8_SNORM and
 //!   VK_FORMAT_R16G16B16_SNORM. A component's pattern of `-2^(b-1)`, never written, counts as -1. The zero vector,
@@ -27,17 +30,18 @@
 //! * Decoding gives the components as stored, **not normalised**: the longest is at least 0.5. The format is that of
 //!   plain snorm components, so that best fit and plain codes can be mixed.
 //! * Error in degrees, mean and largest over uniform directions, with the survey's in brackets:
-//!   snorm8x3P 0.0308, 0.319 (0.03164, 0.33443), nearest of all 0.0305, 0.319; CrytekBFN24 0.0336, 0.31 seen (0.04027,
+//!   snorm8x3P 0.0308, 0.319 (0.03164, 0.33443), nearest of all 0.0305, 0.319; CrytekBFN24 0.0402, 0.31 seen (0.04027,
 //!   4.78260); snorm16x3P 0.000088, 0.00124 (0.00060, 0.00149).
-//! * Why less than the survey's: its table must be coarser. Tables as here, but of 512, 544, 576 and 768 texels a side
-//!   give CrytekBFN24 a mean of 0.0414, 0.0403, 0.0394 and 0.0357, and snorm8x3P one of 0.0357, 0.0348, 0.0341 and
-//!   0.0316. An error of 4.78 degrees would be half a step at a length of 6, read where it does not fit; here no length
-//!   is under 64, since short ones gain nothing over their multiples. At 16 bits the survey tries five lengths, and the
-//!   mean falls with the square root of their number.
+//! * Why less than the survey's maximum: an error of 4.78 degrees would be half a step at a length of 6, read where it
+//!   does not fit; here no length is under 64, since short ones gain nothing over their multiples. At 16 bits the survey
+//!   tries five lengths, and the mean falls with the square root of their number.
+//! * Why that table: an encoder by table spends half its time waiting for the table, the longer the larger what is in
+//!   use of it. Four lengths that together fit a cell do as well as those of the four closest of 1024 x 1024 texels, and
+//!   one read has them all; a table of such texels with one read for all four would be five times as large.
 //! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error
 //!   is that of plain components, ten times the mean.
 //! * Cost: the scan of 64 lengths takes some 1900 operations, 40 times those of an octahedral encoder (oct24: 48), and
-//!   SnormNearest8 2200. By table snorm8x3P takes 258 (5.4 times as many) and four reads, CrytekBFN24 87 and one.
+//!   SnormNearest8 2200. By table snorm8x3P takes 146 (3 times as many), CrytekBFN24 58, and one read each.
 //!   Decoding is next to free.
 //! * Axes and diagonals (components of 0 and one magnitude) round-trip exactly, but for length; the axes have length 1
 //!   with snorm8x3P and snorm16x3P. Mirrored or permuted, a vector gets the mirrored or permuted code.
@@ -48,13 +52,25 @@ use crate::math::{floor, is_negative, negate_if, sqrt};
 use crate::scalar::{signed_code, snorm_decode, snorm_max, whole_to_u32};
 use glam::Vec3;
 
-/// Texels along a side of the table.
-pub const TABLE_SIDE: u32 = 1024;
+/// Columns of the table.
+pub const TABLE_COLUMNS: u32 = 640;
 
-/// Words of the table: four texels each.
-pub const TABLE_WORDS: usize = (TABLE_SIDE * TABLE_SIDE / 4) as usize;
+/// Words of the table, one a cell: in groups of four columns, of 4, 8, ... 640 rows.
+pub const TABLE_WORDS: usize = (TABLE_COLUMNS / 4 * (TABLE_COLUMNS / 4 + 1) * 8) as usize;
 
-const SIDE: f32 = TABLE_SIDE as f32;
+/// Cells from 0 to 1. A little less than the columns, so that 1 itself is in the last.
+const CELLS: f32 = TABLE_COLUMNS as f32 - 1.0 / 1024.0;
+
+/// Lengths of a cell.
+const LENGTHS: usize = 4;
+
+/// A cell's directions along each side that its lengths are to fit, and in all.
+const SAMPLES_A_SIDE: usize = 3;
+const SAMPLES: usize = SAMPLES_A_SIDE * SAMPLES_A_SIDE;
+
+/// A length counts as better than a longer one where it leaves less than this part of the error: else rounding would
+/// decide between lengths that fit alike, as all do beside an axis.
+const CLEARLY_LESS: f32 = 1.0 - 1.0 / 16_384.0;
 
 /// Lengths that a scan tries, from the longest down.
 const SCANNED: f32 = 64.0;
@@ -65,6 +81,9 @@ const MIDDLE_OF_OCTANT: f32 = 0.75;
 /// Components that are a smaller part of the largest one count as 0: 2^-24. No length of these formats tells them from
 /// 0, and no denormal component of a vector with a direction is a larger part.
 const LEAST_PART: f32 = f32::from_bits((127 - 24) << 23);
+
+/// Added to a number, it rounds that to a whole one and leaves the two's complement in the low 22 bits.
+const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
 
 /// The magnitudes of a vector's components by size, as parts of the largest one, which is 1.
 #[derive(Clone, Copy)]
@@ -155,12 +174,6 @@ impl Fit {
     }
 }
 
-/// The length of the 64 from 127 down that fits best.
-#[inline(always)]
-fn best_length(u: Parts) -> f32 {
-    Fit::of_length(u, 127.0).or_scanned(u, 127.0).scale
-}
-
 /// The scale that fits best of all, up to 127.25.
 ///
 /// The rounding at a length is the nearest in its plane, which need not be the nearest in angle, least so near the
@@ -193,47 +206,186 @@ fn pack8(q: Vec3) -> u32 {
     signed_code(q.x, 8) | (signed_code(q.y, 8) << 8) | (signed_code(q.z, 8) << 16)
 }
 
-/// Where a direction lies in the table, as column and row; whole numbers are the edges of texels.
+/// The nearest whole number, the even one of two: as sums, cheaper than [`floor`] on most processors. Magnitudes up to
+/// 2^21.
 #[inline(always)]
-fn table_position(u: Parts) -> (f32, f32) {
-    (u.mid * SIDE, if u.mid > 0.0 { u.min / u.mid * SIDE } else { 0.0 })
+fn nearest_whole(x: f32) -> f32 {
+    (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23
 }
 
-/// `i`, or the nearest column or row of the table.
+/// The low byte of the two's complement of the nearest whole number, the even one of two.
 #[inline(always)]
-fn in_table(i: f32) -> f32 {
-    greater(0.0, lesser(i, SIDE - 1.0))
+fn nearest_byte(x: f32) -> u32 {
+    (x + ONE_AND_A_HALF_2_23).to_bits() & 255
 }
 
-/// The length of a texel: the one that fits its middle best.
+/// The parts of `v`, which has a direction, and the reciprocal of its largest magnitude: what [`on_cube`] has, to within
+/// 2^-23, by one division.
 #[inline(always)]
-fn texel_length(column: f32, row: f32) -> f32 {
-    let mid = (column + 0.5) / SIDE;
-    best_length(Parts { mid, min: mid * ((row + 0.5) / SIDE) })
+fn parts_and_reciprocal(v: Vec3) -> (Parts, f32) {
+    let a = v.abs();
+    let (low, high) = (lesser(a.x, a.y), greater(a.x, a.y));
+    let reciprocal = 1.0 / greater(high, a.z);
+    let mid = greater(low, lesser(high, a.z)) * reciprocal;
+    let min = lesser(low, a.z) * reciprocal;
+    let parts = Parts {
+        mid: if mid < LEAST_PART { 0.0 } else { mid },
+        min: if min < LEAST_PART { 0.0 } else { min },
+    };
+    (parts, reciprocal)
 }
 
-/// The length that the table has for a texel. Where it has none (the table is too short, or not one of
-/// [`fill_table`]), 127.
+/// The code of `v` scaled to a largest component of `length` and rounded.
+///
+/// The scale of the largest component is off by 2^-23 of it at most, which rounding takes away.
 #[inline(always)]
-fn length_in_table(table: &[u32], column: f32, row: f32) -> f32 {
-    let index = whole_to_u32(in_table(row)) * TABLE_SIDE + whole_to_u32(in_table(column));
-    let word = (index / 4) as usize;
-    let texels = if word < table.len() { table[word] } else { 0 };
-    let texel = (texels >> (8 * (index % 4))) & 255;
-    if texel.wrapping_sub(64) < 64 { texel as f32 } else { 127.0 }
+fn code_at_length(v: Vec3, reciprocal: f32, length: f32) -> u32 {
+    let scale = length * reciprocal;
+    nearest_byte(v.x * scale) | (nearest_byte(v.y * scale) << 8) | (nearest_byte(v.z * scale) << 16)
 }
 
-/// Word `index` of the table: texels `4 index` to `4 index + 3`, row by row, the first in the low byte.
-pub fn table_word(index: u32) -> u32 {
-    let first = 4 * (index % (TABLE_SIDE / 4));
-    let row = (index / (TABLE_SIDE / 4)) as f32;
-    let mut word = 0;
+/// A length among a cell's, and how far from the direction it ends, squared and up to a factor.
+#[derive(Clone, Copy)]
+struct Candidate {
+    length: f32,
+    cost: f32,
+}
+
+impl Candidate {
+    /// The vector whose largest component is `length` is off by `d = (0, dy, dz)`, and its angle to `u` has the sine
+    /// `|d x u| / (|q| |u|)`. Here `|q|` counts as `length |u|`, from which it is 1.2 % at most, and the square of
+    /// `d x u`, `(1 + min^2) dy^2 - 2 mid min dy dz + (1 + mid^2) dz^2`, as `dy^2 - min dy dz + (1 + mid - min) dz^2`
+    /// times a factor. Which of two lengths is nearer is mistaken only where their errors are within 14 %; the
+    /// mean error is the same to 0.03 %.
+    #[inline(always)]
+    fn of_length(u: Parts, weight: f32, length: f32) -> Self {
+        let (y, z) = (u.mid * length, u.min * length);
+        let (dy, dz) = (nearest_whole(y) - y, nearest_whole(z) - z);
+        Self { length, cost: (dy - u.min * dz) * dy + weight * (dz * dz) }
+    }
+
+    /// `other` where it points nearer, else `self`.
+    #[inline(always)]
+    fn or_nearer(self, other: Self) -> Self {
+        let is_nearer = other.cost * (self.length * self.length) < self.cost * (other.length * other.length);
+        if is_nearer { other } else { self }
+    }
+}
+
+/// Lengths of a cell, the best alone first.
+type Lengths = [f32; LENGTHS];
+
+/// The one of a cell's lengths that fits best.
+#[inline(always)]
+fn best_of(u: Parts, [a, b, c, d]: Lengths) -> f32 {
+    let weight = 1.0 + (u.mid - u.min);
+    let first = Candidate::of_length(u, weight, a).or_nearer(Candidate::of_length(u, weight, b));
+    let second = Candidate::of_length(u, weight, c).or_nearer(Candidate::of_length(u, weight, d));
+    first.or_nearer(second).length
+}
+
+/// The column and the row of a direction's cell.
+#[inline(always)]
+fn cell_of(u: Parts) -> (u32, u32) {
+    (whole_to_u32(floor(u.mid * CELLS)), whole_to_u32(floor(u.min * CELLS)))
+}
+
+/// The sine of the error that a length leaves, up to a factor that is the same, to 1.2 %, for all lengths.
+#[inline(always)]
+fn sine(u: Parts, length: f32) -> f32 {
+    let (y, z) = (u.mid * length, u.min * length);
+    let (dy, dz) = (nearest_whole(y) - y, nearest_whole(z) - z);
+    let cx = dy * u.min - dz * u.mid;
+    sqrt(((cx * cx + dy * dy) + dz * dz) * (1.0 / (length * length)))
+}
+
+#[inline(always)]
+fn sample_part(cell: u32, i: usize) -> f32 {
+    (cell as f32 + (i as f32 + 0.5) / SAMPLES_A_SIDE as f32) / CELLS
+}
+
+/// One of the nine directions of a cell.
+#[inline(always)]
+fn sample(column: u32, row: u32, i: usize) -> Parts {
+    Parts { mid: sample_part(column, i / SAMPLES_A_SIDE), min: sample_part(row, i % SAMPLES_A_SIDE) }
+}
+
+/// The lengths of a cell, each the one that leaves least of the mean error of the ones before; the longest of equals.
+#[inline]
+fn cell_lengths(column: u32, row: u32) -> Lengths {
+    // By sample, then by length from 127 down: the compiler takes several lengths at a time.
+    let mut errors = [[0.0; SCANNED as usize]; SAMPLES];
     let mut i = 0;
-    while i < 4 {
-        word |= whole_to_u32(texel_length((first + i) as f32, row)) << (8 * i);
+    while i < SAMPLES {
+        let u = sample(column, row, i);
+        let mut j = 0;
+        while j < errors[i].len() {
+            errors[i][j] = sine(u, 127.0 - j as f32);
+            j += 1;
+        }
         i += 1;
     }
-    word
+    // What the lengths so far leave: no length, more than any.
+    let mut left = [1.0; SAMPLES];
+    let mut lengths = [0.0; LENGTHS];
+    for length in &mut lengths {
+        let mut totals = [0.0; SCANNED as usize];
+        for (errors, left) in errors.iter().zip(left) {
+            for (total, error) in totals.iter_mut().zip(errors) {
+                *total += lesser(*error, left);
+            }
+        }
+        let mut best = 0;
+        for (j, total) in totals.iter().enumerate() {
+            if *total < totals[best] * CLEARLY_LESS {
+                best = j;
+            }
+        }
+        *length = 127.0 - best as f32;
+        for (errors, left) in errors.iter().zip(&mut left) {
+            *left = lesser(errors[best], *left);
+        }
+    }
+    lengths
+}
+
+/// A length from 64 to 127, whatever the word: its bits 17 to 22, as the first of the mantissa, with the exponent of 64.
+#[inline(always)]
+fn length_of(word: u32) -> f32 {
+    f32::from_bits((word & 0x007e_0000) | 0x4280_0000)
+}
+
+/// The lengths in a word of the table, in the low six bits of each byte.
+#[inline(always)]
+fn lengths_in(word: u32) -> Lengths {
+    [length_of(word << 17), length_of(word << 9), length_of(word << 1), length_of(word >> 7)]
+}
+
+/// Number of a cell's word: four columns side by side have their rows, of which they need no more than there are
+/// columns to their right end, one after the other.
+#[inline(always)]
+fn table_index(column: u32, row: u32) -> u32 {
+    let group = column / 4;
+    4 * (group * (2 * group + 1) + row) + column
+}
+
+/// The word that the table has for a cell; 0, for lengths of 64, where it is too short.
+#[inline(always)]
+fn word_in_table(table: &[u32], (column, row): (u32, u32)) -> u32 {
+    let index = table_index(column, row) as usize;
+    if index < table.len() { table[index] } else { 0 }
+}
+
+/// Word `index` of the table: the lengths of a cell, the best alone in the low byte.
+#[inline]
+pub fn table_word(index: u32) -> u32 {
+    let mut group = 0;
+    while 8 * (group + 1) * (group + 2) <= index {
+        group += 1;
+    }
+    let within = index - 8 * group * (group + 1);
+    let [a, b, c, d] = cell_lengths(4 * group + within % 4, within / 4).map(whole_to_u32);
+    a | (b << 8) | (c << 16) | (d << 24)
 }
 
 /// Computes the table that the encoders by table read: [`TABLE_WORDS`] words, in less than a second. A shorter slice
@@ -245,50 +397,26 @@ pub fn fill_table(table: &mut [u32]) {
     }
 }
 
-/// The lengths of four texels: left and right above, left and right below.
-type FourLengths = [f32; 4];
-
-/// The column and row of the upper left one of the four texels whose middles are closest to a direction.
-#[inline(always)]
-fn closest_four(u: Parts) -> (f32, f32) {
-    let (x, y) = table_position(u);
-    (floor(x - 0.5), floor(y - 0.5))
-}
-
-/// The length of the four and of 127 that fits best.
-#[inline(always)]
-fn best_of_four(u: Parts, [a, b, c, d]: FourLengths) -> f32 {
-    let best = Fit::of_length(u, 127.0)
-        .or_nearer(Fit::of_length(u, a))
-        .or_nearer(Fit::of_length(u, b))
-        .or_nearer(Fit::of_length(u, c))
-        .or_nearer(Fit::of_length(u, d));
-    best.scale
-}
-
 /// The snorm8x3P code of the direction of `v`, the lengths taken from the table: the code of [`SnormBest8`].
+///
+/// A table that is too short, or not one of [`fill_table`], costs accuracy only.
 #[inline(always)]
 pub fn snorm8x3p_encode_by_table(v: Vec3, table: &[u32]) -> u32 {
     let (v, _) = or_z(v);
-    let u = on_cube(v);
-    let parts = by_size(u);
-    let (column, row) = closest_four(parts);
-    let lengths = [
-        length_in_table(table, column, row),
-        length_in_table(table, column + 1.0, row),
-        length_in_table(table, column, row + 1.0),
-        length_in_table(table, column + 1.0, row + 1.0),
-    ];
-    pack8(at_scale(v, u, best_of_four(parts, lengths)))
+    let (parts, reciprocal) = parts_and_reciprocal(v);
+    let lengths = lengths_in(word_in_table(table, cell_of(parts)));
+    code_at_length(v, reciprocal, best_of(parts, lengths))
 }
 
 /// The CrytekBFN24 code of the direction of `v`, its length taken from the table: the code of [`CrytekBfn24`].
+///
+/// A table that is too short, or not one of [`fill_table`], costs accuracy only.
 #[inline(always)]
 pub fn crytek_bfn24_encode_by_table(v: Vec3, table: &[u32]) -> u32 {
     let (v, _) = or_z(v);
-    let u = on_cube(v);
-    let (x, y) = table_position(by_size(u));
-    pack8(at_scale(v, u, length_in_table(table, floor(x), floor(y))))
+    let (parts, reciprocal) = parts_and_reciprocal(v);
+    let [length, ..] = lengths_in(word_in_table(table, cell_of(parts)));
+    code_at_length(v, reciprocal, length)
 }
 
 /// The largest angle, in degrees, that rounding at this length leaves: half the diagonal of a square of whole points in
@@ -298,35 +426,27 @@ const fn error_bound(length: f32, rounding: f32) -> f32 {
     ((core::f32::consts::FRAC_1_SQRT_2 + rounding) / length).to_degrees()
 }
 
-/// snorm8x3P, 24 bits: the best of the lengths of the four closest texels, and of 127. A VK_FORMAT_R8G8B8_SNORM.
+/// snorm8x3P, 24 bits: the best of a cell's four lengths. A VK_FORMAT_R8G8B8_SNORM.
 ///
-/// This works the texels' lengths out, 256 trials: with more than a few vectors to encode, take
-/// [`snorm8x3p_encode_by_table`]. Keeps the axes. Decodes to a vector that is not normalised.
+/// This works the lengths out, 576 trials: with more than a few vectors to encode, take [`snorm8x3p_encode_by_table`].
+/// Keeps the axes. Decodes to a vector that is not normalised.
 pub struct SnormBest8;
 
 impl Codec for SnormBest8 {
     const NAME: &'static str = "snorm8x3p";
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
-    /// 127 is a length that fits no worse than that, and is among those tried. Positions are off by 2^-17 at most.
-    const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
+    /// That of a length of 120. 127, which leaves 0.319 at most, need not be among a cell's lengths: found by trial of
+    /// the cells, in directions 1/8 of a cell apart, that none leaves more. The rest is for those in between.
+    const MAX_ERROR_DEG: f32 = error_bound(120.0, 1.0 / 16_384.0);
     type Code = u32;
 
     #[inline(always)]
     fn encode(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
-        let u = on_cube(v);
-        let parts = by_size(u);
-        let (column, row) = closest_four(parts);
-        let (left, right) = (in_table(column), in_table(column + 1.0));
-        let (above, below) = (in_table(row), in_table(row + 1.0));
-        let lengths = [
-            texel_length(left, above),
-            texel_length(right, above),
-            texel_length(left, below),
-            texel_length(right, below),
-        ];
-        pack8(at_scale(v, u, best_of_four(parts, lengths)))
+        let (parts, reciprocal) = parts_and_reciprocal(v);
+        let (column, row) = cell_of(parts);
+        code_at_length(v, reciprocal, best_of(parts, cell_lengths(column, row)))
     }
 
     #[inline(always)]
@@ -345,7 +465,8 @@ impl Codec for SnormNearest8 {
     const NAME: &'static str = "snorm8x3_nearest";
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
-    const MAX_ERROR_DEG: f32 = SnormBest8::MAX_ERROR_DEG;
+    /// 127 is a length that fits no worse than that, and is among those tried. Positions are off by 2^-17 at most.
+    const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
     type Code = u32;
 
     #[inline(always)]
@@ -361,9 +482,9 @@ impl Codec for SnormNearest8 {
     }
 }
 
-/// CrytekBFN24, 24 bits: Kaplanyan's method, one length for all directions of a texel. A VK_FORMAT_R8G8B8_SNORM.
+/// CrytekBFN24, 24 bits: Kaplanyan's method, one length for all directions of a cell. A VK_FORMAT_R8G8B8_SNORM.
 ///
-/// This works the texel's length out; with a table at hand, take [`crytek_bfn24_encode_by_table`], or, better,
+/// This works the length out; with a table at hand, take [`crytek_bfn24_encode_by_table`], or, better,
 /// [`snorm8x3p_encode_by_table`].
 /// Decodes to a vector that is not normalised.
 pub struct CrytekBfn24;
@@ -379,9 +500,10 @@ impl Codec for CrytekBfn24 {
     #[inline(always)]
     fn encode(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
-        let u = on_cube(v);
-        let (x, y) = table_position(by_size(u));
-        pack8(at_scale(v, u, texel_length(in_table(floor(x)), in_table(floor(y)))))
+        let (parts, reciprocal) = parts_and_reciprocal(v);
+        let (column, row) = cell_of(parts);
+        let [length, ..] = cell_lengths(column, row);
+        code_at_length(v, reciprocal, length)
     }
 
     #[inline(always)]

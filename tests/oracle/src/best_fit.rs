@@ -62,10 +62,13 @@ pub fn plain_error(v: [f64; 3], m: f64) -> f64 {
     angle_deg(unit, unit.map(|t| (t * m).round()))
 }
 
-/// The direction of a texel's middle in Kaplanyan's table: `mid / max` and `min / mid` are its column and row.
-pub fn texel_direction(column: u32, row: u32, side: u32) -> [f64; 3] {
-    let [mid, ratio] = [column, row].map(|t| (f64::from(t) + 0.5) / f64::from(side));
-    [1.0, mid, mid * ratio]
+/// Nine directions of a cell of the table, three by three, in the middles of its ninths: `mid / max` and `min / max`
+/// times `cells` are its column and row.
+pub fn cell_directions(column: u32, row: u32, cells: f64) -> [[f64; 3]; 9] {
+    std::array::from_fn(|i| {
+        let at = |cell: u32, i: usize| (f64::from(cell) + (i as f64 + 0.5) / 3.0) / cells;
+        [1.0, at(column, i / 3), at(row, i % 3)]
+    })
 }
 
 /// Magnitudes in order of size, the largest 1.

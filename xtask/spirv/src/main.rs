@@ -56,8 +56,9 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     let table: Vec<u8> = best_fit_table().iter().flat_map(|word| word.to_le_bytes()).collect();
     let tables = vec![Table {
         file: manifest::BEST_FIT_TABLE.to_owned(),
-        layout: "1024 x 1024 lengths of one byte, row by row; column and row are 1024 mid / max and 1024 min / mid of a \
-                 direction's magnitudes; to be bound as u32 words, little endian"
+        layout: "words of four lengths of one byte, the best alone lowest; column and row are 640 mid / max and 640 min / max \
+                 of a direction's magnitudes, rounded down; word 4 (g (2 g + 1) + row) + column, g = column / 4 rounded \
+                 down; to be bound as u32 words, little endian"
             .to_owned(),
         sha256: manifest::sha256_hex(&table),
     }];
