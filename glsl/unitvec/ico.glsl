@@ -22,24 +22,32 @@
 // The golden ratio and its reciprocal.
 const float ICO_GOLDEN = 1.618034;
 const float ICO_GOLDEN_LESS_1 = 0.618034;
+// The sum of the flat coordinates of (1, 0, 0), and what reflection adds to the sum, of a coordinate of -1.
+const float ICO_TWICE_GOLDEN_LESS_1 = 1.236068;
+const float ICO_ADDED_BY_REFLECTION = 0.763932;
 
 // Of the cubic that the inverse of the warp starts from.
 const float ICO_INVERSE_0 = 0.214316;
 const float ICO_INVERSE_1 = -0.121124;
 const float ICO_INVERSE_2 = 0.117389;
+// ICO_INVERSE_2 times 1/2, and 1; times 3/2; and times 3.
+const float ICO_INVERSE_3 = 1.0586945;
+const float ICO_INVERSE_4 = 0.1760835;
+const float ICO_INVERSE_5 = 0.352167;
 
-// Stands for the faces in octants where a number tells what plane a face straddles: 0 is y = 0, 1 is z = 0, 2 is x = 0.
-const uint ICO_OCTANT = 3u;
-
-// Steps along an edge, n, and N of the weights i (N - i).
+// Steps along an edge, n, N of the weights i (N - i), and factors of the squares of the distances between neighbours.
 struct IcoLattice {
     uint n;
     float warp;
+    float squares_s;
+    float squares_t;
+    float squares_ts;
+    float squares_tt;
 };
 
-const IcoLattice ICO_LATTICE_16 = IcoLattice(80u, 400.0);
-const IcoLattice ICO_LATTICE_24 = IcoLattice(1294u, 6019.0);
-const IcoLattice ICO_LATTICE_32 = IcoLattice(20724u, 96391.0);
+const IcoLattice ICO_LATTICE_16 = IcoLattice(80u, 400.0, 1.2906223, 0.9165209, 0.07669952, -0.11949905);
+const IcoLattice ICO_LATTICE_24 = IcoLattice(1294u, 6019.0, 1.7887541, 1.2950615, 0.13716104, -0.368954);
+const IcoLattice ICO_LATTICE_32 = IcoLattice(20724u, 96391.0, 1.7887541, 1.2950615, 0.13716104, -0.368954);
 
 // The first code of the faces in octants.
 uint ico_octants(IcoLattice lattice) {
@@ -63,25 +71,11 @@ vec3 ico_weights(IcoLattice lattice, vec3 i) {
     return w;
 }
 
-// The derivatives of the weights.
-vec3 ico_slopes(IcoLattice lattice, vec3 i) {
-    UNITVEC_PRECISE vec3 d = lattice.warp - 2.0 * i;
-    return d;
-}
-
 // The components in cyclic order so that those of the face that straddles y = 0 come to stand for those of the face
-// that straddles the plane; as they are for ICO_OCTANT.
-vec3 ico_turn(vec3 v, uint plane) {
-    vec3 turned = plane == 2u ? v.yzx : v;
-    return plane == 1u ? v.zxy : turned;
-}
-
-// The plane that the neighbour of the positive octant's face straddles on the side opposite to the first vertex that is
-// marked; ICO_OCTANT if none is.
-uint ico_neighbour(bool x, bool y, bool z) {
-    uint of_z = z ? 2u : ICO_OCTANT;
-    uint of_x = x ? 1u : of_z;
-    return y ? 0u : of_x;
+// that straddles z = 0 or x = 0, if marked.
+vec3 ico_turn(vec3 v, bool of_z, bool of_x) {
+    vec3 turned = of_x ? v.yzx : v;
+    return of_z ? v.zxy : turned;
 }
 
 float ico_sum(vec3 v) {
@@ -89,36 +83,28 @@ float ico_sum(vec3 v) {
     return s;
 }
 
-// The inverse of the warp, for a coordinate t on the flat face and the sums of all three's squares and cubes: good to 1e-4.
-float ico_unwarped(float t, float squares, float cubes) {
-    UNITVEC_PRECISE float b =
-        t + t * ((t - squares) * (ICO_INVERSE_0 + ICO_INVERSE_1 * squares) + ICO_INVERSE_2 * (t * t - cubes));
-    return b;
-}
-
-// The lattice point nearest in angle to the direction of the weights p, which may be of any sum.
-vec3 ico_nearest(vec3 p, IcoLattice lattice) {
+// The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
+vec3 ico_nearest(vec3 p, float p_sum, IcoLattice lattice) {
     float n = float(lattice.n);
-    UNITVEC_PRECISE vec3 t = p * (1.0 / ico_sum(p));
+    UNITVEC_PRECISE vec3 t = p * (1.0 / p_sum);
     UNITVEC_PRECISE vec3 t_squared = t * t;
     float squares = ico_sum(t_squared);
-    float cubes = unitvec_dot(t_squared, t);
-    UNITVEC_PRECISE float start_x = floor(ico_unwarped(t.x, squares, cubes) * n + 0.5);
-    UNITVEC_PRECISE float start_z = floor(ico_unwarped(t.z, squares, cubes) * n + 0.5);
+    // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
+    UNITVEC_PRECISE float b_1 = ICO_INVERSE_0 + ICO_INVERSE_1 * squares;
+    UNITVEC_PRECISE float b_0 =
+        (ICO_INVERSE_3 - squares * (b_1 + ICO_INVERSE_4)) - ICO_INVERSE_5 * ((t.x * t.y) * t.z);
+    UNITVEC_PRECISE float start_x = floor((t.x * (b_0 + t.x * (b_1 + ICO_INVERSE_2 * t.x))) * n + 0.5);
+    UNITVEC_PRECISE float start_z = floor((t.z * (b_0 + t.z * (b_1 + ICO_INVERSE_2 * t.z))) * n + 0.5);
     vec3 start = ico_point(lattice, start_x, start_z);
 
-    // Newton's method for i and the factor of p, where the i keep their sum; with one division for those by the slopes
-    // and by their sum.
-    vec3 w = ico_weights(lattice, start);
-    UNITVEC_PRECISE vec3 q = t * ico_sum(w);
-    UNITVEC_PRECISE vec3 r = q - w;
-    vec3 d = ico_slopes(lattice, start);
-    UNITVEC_PRECISE vec3 others = vec3(d.y * d.z, d.z * d.x, d.x * d.y);
-    float r_sum = unitvec_dot(r, others);
-    float q_sum = unitvec_dot(q, others);
-    UNITVEC_PRECISE float per_all = 1.0 / (q_sum * (d.x * others.x));
-    UNITVEC_PRECISE float off_x = (r.x * q_sum - q.x * r_sum) * (others.x * per_all);
-    UNITVEC_PRECISE float off_z = (r.z * q_sum - q.z * r_sum) * (others.z * per_all);
+    // Newton's method for i and the factor of t, where the i keep their sum.
+    UNITVEC_PRECISE vec3 rest = lattice.warp - start;
+    UNITVEC_PRECISE vec3 w = start * rest;
+    UNITVEC_PRECISE vec3 d = rest - start;
+    UNITVEC_PRECISE vec3 turned = d * vec3(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
+    UNITVEC_PRECISE float factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
+    UNITVEC_PRECISE float off_x = (turned.z - turned.y) * factor;
+    UNITVEC_PRECISE float off_z = (turned.y - turned.x) * factor;
 
     // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
     float whole_x = floor(off_x);
@@ -127,44 +113,37 @@ vec3 ico_nearest(vec3 p, IcoLattice lattice) {
     UNITVEC_PRECISE float lower_z = off_z - whole_z;
     UNITVEC_PRECISE float upper_x = 1.0 - lower_x;
     UNITVEC_PRECISE float upper_z = 1.0 - lower_z;
-    UNITVEC_PRECISE float both = lower_x + lower_z;
-    bool is_upper = both > 1.0;
-    float to_corner = is_upper ? 1.0 : 0.0;
-    float to_end = is_upper ? -1.0 : 1.0;
-    UNITVEC_PRECISE float corner_x = start.x + (whole_x + to_corner);
-    UNITVEC_PRECISE float corner_z = start.z + (whole_z + to_corner);
+    UNITVEC_PRECISE float lower_y = upper_x - lower_z;
+    bool is_upper = lower_y < 0.0;
     float in_x = is_upper ? upper_x : lower_x;
     float in_z = is_upper ? upper_z : lower_z;
+    float in_corner = abs(lower_y);
+    // The squares of the distances between neighbours along the sides opposite to the vertices.
+    UNITVEC_PRECISE float s_0 = 1.0 + lattice.squares_s * squares;
+    UNITVEC_PRECISE float s_1 = lattice.squares_t + lattice.squares_ts * squares;
+    UNITVEC_PRECISE vec3 square = s_0 + (s_1 * t + lattice.squares_tt * t_squared);
 
-    // The products of a step along x and one along z, with themselves, each other and q, then without their parts
-    // along q: vertices have the products 2 + p with themselves and p with each other.
-    UNITVEC_PRECISE float sum_x = d.x - d.y;
-    UNITVEC_PRECISE float sum_z = d.z - d.y;
-    UNITVEC_PRECISE float y_squared = d.y * d.y;
-    UNITVEC_PRECISE float sum_q = ICO_GOLDEN * ico_sum(q);
-    UNITVEC_PRECISE float along_x = 2.0 * (d.x * q.x - d.y * q.y) + sum_x * sum_q;
-    UNITVEC_PRECISE float along_z = 2.0 * (d.z * q.z - d.y * q.y) + sum_z * sum_q;
-    UNITVEC_PRECISE float per_square = 1.0 / (2.0 * unitvec_dot(q, q) + ico_sum(q) * sum_q);
-    UNITVEC_PRECISE float part_x = along_x * per_square;
-    UNITVEC_PRECISE float part_z = along_z * per_square;
-    UNITVEC_PRECISE float xx =
-        (2.0 * (d.x * d.x + y_squared) + ICO_GOLDEN * (sum_x * sum_x)) - along_x * part_x;
-    UNITVEC_PRECISE float zz =
-        (2.0 * (d.z * d.z + y_squared) + ICO_GOLDEN * (sum_z * sum_z)) - along_z * part_z;
-    UNITVEC_PRECISE float xz = (2.0 * y_squared + ICO_GOLDEN * (sum_x * sum_z)) - along_x * part_z;
-
-    // By how much the square of the distance grows from the corner to the ends of both steps.
-    UNITVEC_PRECISE float growth_x = xx - 2.0 * (in_x * xx + in_z * xz);
-    UNITVEC_PRECISE float growth_z = zz - 2.0 * (in_x * xz + in_z * zz);
-    bool is_x = growth_x < 0.0;
-    bool is_z = growth_z < (is_x ? growth_x : 0.0);
-    float x = is_x && !is_z ? corner_x + to_end : corner_x;
-    float z = is_z ? corner_z + to_end : corner_z;
+    // The squares of the distances from the corners, less the same of each.
+    UNITVEC_PRECISE float from_corner = in_x * square.z + in_z * square.x;
+    UNITVEC_PRECISE float from_x = in_corner * square.z + in_z * square.y;
+    UNITVEC_PRECISE float from_z = in_corner * square.x + in_x * square.y;
+    bool is_x = from_x < from_corner;
+    bool is_z = from_z < (is_x ? from_x : from_corner);
+    bool is_next_x = (is_x && !is_z) != is_upper;
+    bool is_next_z = is_z != is_upper;
+    UNITVEC_PRECISE float x = (start.x + whole_x) + (is_next_x ? 1.0 : 0.0);
+    UNITVEC_PRECISE float z = (start.z + whole_z) + (is_next_z ? 1.0 : 0.0);
     return ico_point(lattice, x, z);
 }
 
+// x, which is not negative, with the sign of y.
+float ico_signed(float x, float y) {
+    return uintBitsToFloat(floatBitsToUint(x) | (floatBitsToUint(y) & 0x80000000u));
+}
+
 uint ico_encode(vec3 v, IcoLattice lattice) {
-    v = unitvec_or_z(v);
+    float norm = unitvec_l1_norm(v);
+    bool usable = unitvec_is_usable(norm);
     float n = float(lattice.n);
     vec3 a = abs(v);
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
@@ -172,48 +151,48 @@ uint ico_encode(vec3 v, IcoLattice lattice) {
         ICO_GOLDEN_LESS_1 * (a.y + a.z) + (a.z - a.x),
         ICO_GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
         ICO_GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y));
-    uint plane = ico_neighbour(
-        unitvec_is_negative(flat_part.x), unitvec_is_negative(flat_part.y), unitvec_is_negative(flat_part.z));
     // By reflection: the vertices across a side have the sum of the side's two, divided by p.
-    vec3 p = ico_turn(flat_part, plane);
-    UNITVEC_PRECISE float reflected = ICO_GOLDEN_LESS_1 * p.y;
-    float to_both = unitvec_is_negative(p.y) ? reflected : 0.0;
-    UNITVEC_PRECISE vec3 weights = vec3(p.x + to_both, abs(p.y), p.z + to_both);
-    vec3 i = ico_nearest(weights, lattice);
+    float least_xy = flat_part.x < flat_part.y ? flat_part.x : flat_part.y;
+    float least_part = flat_part.z < least_xy ? flat_part.z : least_xy;
+    float beyond = least_part < 0.0 ? least_part : 0.0;
+    UNITVEC_PRECISE float shared_part = ICO_GOLDEN_LESS_1 * beyond;
+    UNITVEC_PRECISE float sum = ICO_TWICE_GOLDEN_LESS_1 * norm - ICO_ADDED_BY_REFLECTION * beyond;
+    UNITVEC_PRECISE vec3 on_side = flat_part + shared_part;
+    vec3 i = ico_nearest(vec3(
+        on_side.x > -flat_part.x ? on_side.x : -flat_part.x, on_side.y > -flat_part.y ? on_side.y : -flat_part.y,
+        on_side.z > -flat_part.z ? on_side.z : -flat_part.z), sum, lattice);
 
-    // The sides of octants' faces are their neighbours', and apices are of the next plane's base.
-    uint side = ico_neighbour(i.x < 0.5, i.y < 0.5, i.z < 0.5);
-    uint owner = plane == ICO_OCTANT ? side : plane;
-    i = plane == ICO_OCTANT ? ico_turn(i, side) : i;
-    bool is_apex = i.z > n - 0.5;
-    uint next = owner == 2u ? 0u : owner + 1u;
-    plane = is_apex ? next : owner;
-    i = is_apex ? vec3(n, 0.0, 0.0) : i;
+    // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
+    // they are equal, it is the one whose base ends there.
+    float x = ico_signed(i.x, flat_part.x);
+    float y = ico_signed(i.y, flat_part.y);
+    float z = ico_signed(i.z, flat_part.z);
+    bool of_z = x < 0.5 && x <= y && x < z;
+    bool of_x = z < 0.5 && z <= x && z < y;
+    bool is_octant = !of_z && !of_x && y > 0.5 && usable;
+    i = ico_turn(i, of_z, of_x);
+    vec3 sides = ico_turn(v, of_x, of_z);
 
-    bool x = unitvec_is_negative(v.x);
-    bool y = unitvec_is_negative(v.y);
-    bool z = unitvec_is_negative(v.z);
-    bool apex_side = plane == 1u ? y : (plane == 2u ? z : x);
-    bool straddled_side = plane == 1u ? z : (plane == 2u ? x : y);
-    bool base_side = plane == 1u ? x : (plane == 2u ? y : z);
-    bool is_octant = plane == ICO_OCTANT;
-    float across = !is_octant && straddled_side ? i.y : i.x;
-    bool is_second = apex_side && i.z > 0.5;
     // All of these are whole.
-    float octant_row = is_second ? (n - 3.0) - (i.z - 1.0) : i.z - 1.0;
-    float octant_column = is_second ? i.z + (across - 1.0) : across - 1.0;
-    float straddling_row = is_second ? n - i.z : i.z;
-    float straddling_column = is_second ? (i.z + 1.0) + across : across;
-    uint row = uint(int(is_octant ? octant_row : straddling_row));
-    uint column = uint(int(is_octant ? octant_column : straddling_column));
-
-    uint straddled_bit = straddled_side ? 1u : 0u;
-    uint base_bit = base_side ? 1u : 0u;
-    uint block = is_octant ? straddled_bit + 2u * base_bit : 2u * plane + base_bit;
+    bool straddled_side = unitvec_is_negative(sides.y);
+    bool base_side = unitvec_is_negative(sides.z);
+    bool is_second = unitvec_is_negative(sides.x) && i.z > 0.5;
+    float least = is_octant ? 1.0 : 0.0;
+    float most = is_octant ? n - 3.0 : n;
+    UNITVEC_PRECISE float depth = i.z - least;
+    UNITVEC_PRECISE float across = (!is_octant && straddled_side ? i.y : i.x) - least;
+    UNITVEC_PRECISE float second_row = most - depth;
+    UNITVEC_PRECISE float second_column = (across + depth) + 1.0;
+    float plane_rows = of_z ? 2.0 * n : (of_x ? 4.0 * n : (is_octant && straddled_side ? n - 2.0 : 0.0));
+    float side_rows = is_octant ? 2.0 * (n - 2.0) : n;
+    UNITVEC_PRECISE float line = (plane_rows + (base_side ? side_rows : 0.0)) + (is_second ? second_row : depth);
+    float column = is_second ? second_column : across;
+    // +Z is in the middle of the first row.
+    line = usable ? line : 0.0;
+    column = usable ? column : 0.5 * n;
     uint first = is_octant ? ico_octants(lattice) : 0u;
-    uint rows = is_octant ? lattice.n - 2u : lattice.n;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    return first + (block * rows + row) * row_length + column;
+    return first + uint(int(line)) * row_length + uint(int(column));
 }
 
 // Unit length to within 2 ULP.
@@ -241,27 +220,26 @@ vec3 ico_decode(uint code, IcoLattice lattice) {
     UNITVEC_PRECISE float row = line - block_number * rows;
 
     // All of these are whole.
-    bool is_second = column > (rows - row) - (is_octant ? 1.0 : 0.0);
-    float octant_x = is_second ? (column + row) - (n - 3.0) : column + 1.0;
-    float octant_z = is_second ? (n - 2.0) - row : row + 1.0;
-    float straddling_x = is_second ? (column + row) - (n + 1.0) : column;
-    float straddling_z = is_second ? n - row : row;
-    float x = is_octant ? octant_x : straddling_x;
-    float z = is_octant ? octant_z : straddling_z;
+    float least = is_octant ? 1.0 : 0.0;
+    UNITVEC_PRECISE float second_depth = (is_octant ? n - 3.0 : n) - row;
+    UNITVEC_PRECISE float second_across = (column - second_depth) - 1.0;
+    bool is_second = column > second_depth;
+    UNITVEC_PRECISE float x = (is_second ? second_across : column) + least;
+    UNITVEC_PRECISE float z = (is_second ? second_depth : row) + least;
     vec3 w = ico_weights(lattice, ico_point(lattice, x, z));
-    UNITVEC_PRECISE float golden_y = ICO_GOLDEN * w.y;
     float to_x = is_octant ? w.y : 0.0;
-    float to_y = is_octant ? golden_y : -w.y;
     float to_z = is_octant ? 0.0 : w.y;
-    UNITVEC_PRECISE vec3 v = vec3(ICO_GOLDEN * w.z + to_x, w.x + to_y, ICO_GOLDEN * (w.x + to_z) + w.z);
+    float y_of_y = is_octant ? ICO_GOLDEN : -1.0;
+    UNITVEC_PRECISE vec3 v = vec3(ICO_GOLDEN * w.z + to_x, w.x + y_of_y * w.y, ICO_GOLDEN * (w.x + to_z) + w.z);
     uint block = uint(int(block_number));
-    uint plane = is_octant ? ICO_OCTANT : block >> 1u;
-    uint base_bit = is_octant ? block >> 1u : block & 1u;
+    uint odd = block << 31u;
+    uint upper = (block << 30u) & 0x80000000u;
+    v = unitvec_normalize(v);
     v = vec3(
         unitvec_negate_if(is_second, v.x),
-        unitvec_negate_if(is_octant && (block & 1u) != 0u, v.y),
-        unitvec_negate_if(base_bit != 0u, v.z));
-    return ico_turn(unitvec_normalize(v), plane);
+        uintBitsToFloat(floatBitsToUint(v.y) ^ (is_octant ? odd : 0u)),
+        uintBitsToFloat(floatBitsToUint(v.z) ^ (is_octant ? upper : odd)));
+    return ico_turn(v, !is_octant && (block & 6u) == 2u, !is_octant && block >= 4u);
 }
 
 uint ico16_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_16); }

@@ -99,6 +99,8 @@ vec2 oct_nearest_corner(vec3 p, float m) {
 vec2 oct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
+    // 2^-26 of the norm: denormals, which some devices flush, are less, and so break no ties.
+    p = max(p, m * 1.490116119384765625e-8);
     vec2 e = oct_fold(v.z, oct_nearest_corner(p, m), m);
     return oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
 }

@@ -43,7 +43,7 @@
 //! * Cost: to encode, 2 square roots, 2 divisions and 70 other operations; precisely, 2 divisions and 45 operations more.
 //!   To decode, 1 square root, 1 division and 65 others. With roots and divisions counted as 5 that is 90, 145 and 75,
 //!   where [`oct`](crate::oct) has 39, 105 and 43. Measured, to encode takes 2 (CPU) to 2.5 times (lavapipe) as long as
-//!   [`oct`](crate::oct)'s fast and 1.5 times as long as its precise encoder, to decode 2.3 times.
+//!   [`oct`](crate::oct)'s fast and 1.4 times as long as its precise encoder, to decode 2.3 times.
 //!
 //! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`, so that at 32 bits the
 //! position is good to 2^-6 of a step, and mostly to 2^-9. What that adds to the mean error does not show in four digits.
@@ -74,8 +74,8 @@ pub const TURN_6: f32 = 0.013918393;
 /// See [`TURN_0`].
 pub const TURN_7: f32 = -0.002581218;
 
-/// What x and y are at least taken for, beside an L1 norm of 1 to 2: 2^-26, of what moves no point by more than 2^-11 of
-/// a step. So nothing is divided by 0, and denormals, which some devices flush, are all the same: scaled, they are less.
+/// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-26, which moves a direction by less than 2^-10 of a
+/// step. So nothing is divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
 const LEAST: f32 = f32::from_bits((127 - 26) << 23);
 
 /// A direction of the positive octant, mirrored so that `phi` is at most 1/2.

@@ -18,7 +18,7 @@
 
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm, or_z};
-use crate::math::{floor, is_negative, negate_if, normalize};
+use crate::math::{floor, is_negative, max, negate_if, normalize};
 use crate::scalar::{mask, signed_code, snorm_integer, snorm_max};
 use glam::{Vec2, Vec3};
 
@@ -37,11 +37,14 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
 /// The lattice point of the direction of `v` that is nearest in angle: of the four corners of its cell, as in
 /// listing 3, which the nearest of all points is among. `m` is at least 127.
 ///
-/// Without a usable direction, all is computed and then dropped: to select here takes fewer operations than in `v`.
+/// Components count as at least 2^-26 of the norm, so that denormals, which some devices flush and which are less, break
+/// no ties. Without a usable direction, all is computed and then dropped: to select here takes fewer operations than in
+/// `v`.
 #[inline(always)]
 pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
     let norm = l1_norm(v);
-    let nearest = nearest_corner(v.abs() * (m / norm), m);
+    let (p, least) = (v.abs() * (m / norm), m * LEAST_PART);
+    let nearest = nearest_corner(Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least)), m);
     let (x, y) = fold(v.z, nearest.x, nearest.y, m);
     let (x, y) = if is_usable(norm) { (x, y) } else { (0.0, 0.0) };
     Vec2::new(negate_if(is_negative(v.x), x), negate_if(is_negative(v.y), y))
@@ -109,6 +112,9 @@ fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     let y = middle.y + if b > least_b { 0.5 } else { -0.5 };
     Vec2::new(x, y)
 }
+
+/// 2^-26, that of the largest denormal in the shortest usable vector.
+const LEAST_PART: f32 = f32::from_bits((127 - 26) << 23);
 
 /// Squares of fewer steps than this (16 bits) take [`weighed`], others (20, 22 and 24 bits) [`approached`].
 const SMALL: f32 = 256.0;
