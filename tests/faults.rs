@@ -248,7 +248,8 @@ fn unknown_codecs_get_suggestions() {
     assert_fails(&mut command(["conform", "--codec", "zzz"]), 2, &["`unitvec codecs` lists them all"]);
 }
 
-/// A module with another entry point or cut short, though its hash is the manifest's, does not reach the driver.
+/// A module with another entry point or cut short, though its hash is the manifest's, does not reach the driver. (That
+/// a cut at any word is found is shown beside the check, in the host.)
 #[test]
 fn a_module_of_something_else() {
     for cut in [false, true] {

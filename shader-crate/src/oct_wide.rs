@@ -119,11 +119,16 @@ fn product_rest(a: f32, b: f32, product: f32) -> f32 {
 const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
 
 /// The largest integer not above `x`, as a float, for `x` from -2^21 to 2^21. Three times as fast as `floor` where a
-/// CPU's base instruction set lacks that.
+/// CPU's base instruction set lacks that; SPIR-V has an instruction.
 #[inline(always)]
 pub(crate) fn small_floor(x: f32) -> f32 {
-    let near = (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23;
-    if near > x { near - 1.0 } else { near }
+    #[cfg(target_arch = "spirv")]
+    return crate::math::floor(x);
+    #[cfg(not(target_arch = "spirv"))]
+    {
+        let near = (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23;
+        if near > x { near - 1.0 } else { near }
+    }
 }
 
 /// A whole number from -2^22 to 2^22 - 1 as an integer: the bits of the sum count up with it.

@@ -1,5 +1,5 @@
 use super::buffer::{Buffer, Place};
-use super::{Device, Error, Named};
+use super::{Device, Error, Named, spirv};
 use ash::vk;
 use std::ffi::CString;
 use std::rc::Rc;
@@ -445,8 +445,8 @@ impl Kernel {
             |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
         let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
             .map_err(|error| not_spirv(&error.to_string()))?;
-        if !has_entry_point(&words, entry_point) {
-            return Err(not_spirv("it is cut short or has no such entry point"));
+        if let Some(reason) = spirv::objection(&words, entry_point) {
+            return Err(not_spirv(reason));
         }
         let name =
             CString::new(entry_point).map_err(|_| not_spirv("the entry point's name contains a NUL"))?;
@@ -471,25 +471,6 @@ impl Kernel {
             result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
         Ok(Self { pipeline: pipelines[0], layout: layout.clone(), table })
     }
-}
-
-/// True if the words are framed as instructions to the last, and one of them is OpEntryPoint with this name.
-fn has_entry_point(words: &[u32], name: &str) -> bool {
-    const HEADER: usize = 5;
-    const OP_ENTRY_POINT: u32 = 15;
-    let mut found = false;
-    let mut rest = words.get(HEADER..).unwrap_or_default();
-    while let [first, ..] = rest {
-        let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
-        if length == 0 || length > rest.len() {
-            return false;
-        }
-        let text: Vec<u8> = rest[..length].iter().skip(3).flat_map(|word| word.to_le_bytes()).collect();
-        let is_named = text.strip_prefix(name.as_bytes()).is_some_and(|end| end.first() == Some(&0));
-        found |= opcode == OP_ENTRY_POINT && is_named;
-        rest = &rest[length..];
-    }
-    found
 }
 
 impl Drop for Kernel {

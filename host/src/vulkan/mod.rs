@@ -11,6 +11,7 @@ mod device;
 mod error;
 mod instance;
 mod kernel;
+mod spirv;
 
 pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;

@@ -1,0 +1,78 @@
+//! What is checked of SPIR-V before a driver sees it.
+
+const HEADER_WORDS: usize = 5;
+const OP_ENTRY_POINT: u16 = 15;
+const OP_FUNCTION: u16 = 54;
+const OP_FUNCTION_END: u16 = 56;
+const OP_FUNCTION_CALL: u16 = 57;
+
+/// Why these words cannot be a whole module with this entry point; `None` if nothing speaks against it.
+///
+/// This is no validation of the instructions. It finds a module cut short at any word, and an entry point that is not
+/// there: drivers need not notice either, and one may crash.
+pub(super) fn objection(words: &[u32], entry_point: &str) -> Option<&'static str> {
+    const CUT_SHORT: Option<&str> = Some("it is cut short");
+    let mut entry_function = None;
+    let mut defined = Vec::new();
+    let mut called = Vec::new();
+    let mut last_opcode = None;
+    let mut rest = words.get(HEADER_WORDS..).unwrap_or_default();
+    while let Some(first) = rest.first() {
+        let (length, opcode) = ((first >> 16) as usize, *first as u16);
+        let Some(operands) = rest.get(1..length) else { return CUT_SHORT };
+        match (opcode, operands) {
+            (OP_ENTRY_POINT, [_, function, name @ ..]) if is_literal(name, entry_point) => {
+                entry_function = Some(*function);
+            }
+            (OP_FUNCTION, [_, function, ..]) => defined.push(*function),
+            (OP_FUNCTION_CALL, [_, _, function, ..]) => called.push(*function),
+            _ => {}
+        }
+        last_opcode = Some(opcode);
+        rest = &rest[length..];
+    }
+    let Some(entry_function) = entry_function else { return Some("it has no such entry point") };
+    called.push(entry_function);
+    let is_whole =
+        last_opcode == Some(OP_FUNCTION_END) && called.iter().all(|function| defined.contains(function));
+    if is_whole { None } else { CUT_SHORT }
+}
+
+/// True if a literal string that ends in NUL begins at these words and is this text.
+fn is_literal(words: &[u32], text: &str) -> bool {
+    let mut bytes = words.iter().flat_map(|word| word.to_le_bytes());
+    text.bytes().chain([0]).all(|byte| bytes.next() == Some(byte))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::objection;
+    use crate::modules::Modules;
+
+    fn words(kernel: &str) -> (Vec<u32>, String) {
+        let modules = Modules::open(None).unwrap();
+        let (bytes, entry_point) = modules.load(kernel).unwrap();
+        let words = bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap()));
+        (words.collect(), entry_point.to_owned())
+    }
+
+    /// Whole modules pass; cut at any word they do not.
+    #[test]
+    fn a_cut_at_any_word_is_found() {
+        for kernel in ["oct16_encode", "oct16_decode", "snorm8x3p_encode"] {
+            let (words, entry_point) = words(kernel);
+            assert_eq!(objection(&words, &entry_point), None);
+            for length in 0..words.len() {
+                assert!(objection(&words[..length], &entry_point).is_some(), "{kernel} cut at {length}");
+            }
+        }
+    }
+
+    #[test]
+    fn another_entry_point_is_found() {
+        let (words, _) = words("oct16_decode");
+        for name in ["oct16_encode", "oct16_decod", "oct16_decode2", ""] {
+            assert_eq!(objection(&words, name), Some("it has no such entry point"), "{name:?}");
+        }
+    }
+}
