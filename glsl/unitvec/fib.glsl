@@ -89,13 +89,10 @@ float fib_signed_turn(uint turn) {
 
 // Integer part of a number from 0 to 2^31, and what is left.
 uint fib_split(float x, out float rest) {
-    UNITVEC_PRECISE float parts = x * fib_exp2(-12);
-    float high = floor(parts);
-    UNITVEC_PRECISE float low = x - high * fib_exp2(12);
-    float whole = floor(low);
-    UNITVEC_PRECISE float left = low - whole;
+    int whole = int(x);
+    UNITVEC_PRECISE float left = x - float(whole);
     rest = left;
-    return (uint(high) << 12u) + uint(whole);
+    return uint(whole);
 }
 
 // Azimuth of (x, y) in turns, a fraction of 32 bits: 0 beside the z axis.

@@ -70,12 +70,12 @@ float oct_wide_coordinate(float x, vec2 sum, float reciprocal, uint bits, out in
     float steps = oct_wide_exp2(int(bits) - 1);
 
     UNITVEC_PRECISE float first = quotient * steps;
-    float whole = floor(first);
-    UNITVEC_PRECISE float beyond = ((first - whole) - quotient) + (remainder * reciprocal) * steps;
+    int whole = int(first);
+    UNITVEC_PRECISE float beyond = ((first - float(whole)) - quotient) + (remainder * reciprocal) * steps;
     float carry = floor(beyond);
     UNITVEC_PRECISE float rest = beyond - carry;
 
-    integer = int(whole) + int(carry);
+    integer = whole + int(carry);
     fraction = rest;
     return quotient;
 }

@@ -38,7 +38,7 @@ use crate::codec::Codec;
 use crate::direction::{MIN_NORM, or_z};
 use crate::math::{atan_octant_ratio, cos_eighth, is_negative, negate_if, sin_eighth, sqrt};
 use crate::oct_wide::{exp2, small_floor, whole_to_i32};
-use crate::scalar::whole_to_u32;
+use crate::scalar::{integer_part, whole_to_u32};
 use crate::spherical::without_denormal;
 use glam::Vec3;
 
@@ -96,10 +96,8 @@ fn signed_turn(turn: u32) -> f32 {
 /// The integer part of a number from 0 to 2^31, and what is left.
 #[inline(always)]
 fn split(x: f32) -> (u32, f32) {
-    let high = small_floor(x * exp2(-12));
-    let low = x - high * exp2(12);
-    let whole = small_floor(low);
-    ((whole_to_u32(high) << 12) + whole_to_u32(whole), low - whole)
+    let whole = integer_part(x);
+    (whole as u32, x - whole as f32)
 }
 
 /// The azimuth of (x, y) in turns, a fraction of 32 bits: 0 beside the z axis, where it does not matter.

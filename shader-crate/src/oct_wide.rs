@@ -41,7 +41,7 @@
 use crate::codec::Codec;
 use crate::direction::or_z;
 use crate::math::{dot, is_negative, negate_if, sqrt};
-use crate::scalar::mask;
+use crate::scalar::{integer_part, mask};
 use glam::Vec3;
 
 /// A whole number on the lattice, and how far beyond it a position lies: 0 to 1.
@@ -150,14 +150,10 @@ fn coordinate(x: f32, sum: f32, rest: f32, reciprocal: f32, bits: u32) -> (Coord
     let steps = exp2(bits as i32 - 1);
 
     let first = quotient * steps;
-    let upper = small_floor(first * exp2(-12));
-    let lower = first - upper * exp2(12);
-    let whole = small_floor(lower);
-    let beyond = ((lower - whole) - quotient) + (remainder * reciprocal) * steps;
+    let whole = integer_part(first);
+    let beyond = ((first - whole as f32) - quotient) + (remainder * reciprocal) * steps;
     let carry = small_floor(beyond);
-
-    let integer = (whole_to_i32(upper) << 12) + whole_to_i32(whole + carry);
-    (Coordinate { whole: integer, fraction: beyond - carry }, quotient)
+    (Coordinate { whole: whole + whole_to_i32(carry), fraction: beyond - carry }, quotient)
 }
 
 /// `|x|`, or 0 where that is a denormal, which some devices flush.

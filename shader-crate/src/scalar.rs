@@ -56,6 +56,19 @@ pub fn snorm_integer(code: u32, bits: u32) -> f32 {
     max(integer, -snorm_max(bits))
 }
 
+/// The integer part of `x`, for `x` from 0 to 2^31 (exclusive).
+///
+/// `as` saturates, which SPIR-V has no instruction for: four more would keep a bound that `x` never reaches.
+#[inline(always)]
+#[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
+pub(crate) fn integer_part(x: f32) -> i32 {
+    // SAFETY: `x` is in range. (Beyond it the value is undefined in SPIR-V, the behaviour is not.)
+    #[cfg(target_arch = "spirv")]
+    return unsafe { x.to_int_unchecked() };
+    #[cfg(not(target_arch = "spirv"))]
+    return x as i32;
+}
+
 /// The low `bits` bits set. `bits` is 1 to 31.
 #[inline(always)]
 pub const fn mask(bits: u32) -> u32 {
