@@ -190,7 +190,7 @@ fn unpack(words: [u32; 2], x_bits: u32, y_bits: u32) -> (Vec2, u32) {
         ((words[0] >> x_bits) | (words[1] << (32 - x_bits)), words[1] >> (components - 32))
     };
     // `snorm_integer` is exact up to 25 bits.
-    (Vec2::new(snorm_integer(words[0] & mask(x_bits), x_bits), snorm_integer(y & mask(y_bits), y_bits)), top)
+    (Vec2::new(snorm_integer(words[0], x_bits), snorm_integer(y, y_bits)), top)
 }
 
 /// The unit vector with the first two components of `e` on `plane`, the third positive unless `negative`.

@@ -56,7 +56,13 @@ pub fn snorm_integer(code: u32, bits: u32) -> f32 {
     max(integer, -snorm_max(bits))
 }
 
-/// The integer part of `x`, for `x` from 0 to 2^31 (exclusive).
+/// The low `bits` bits set. `bits` is 1 to 31.
+#[inline(always)]
+pub const fn mask(bits: u32) -> u32 {
+    (1 << bits) - 1
+}
+
+/// The integer part of `x`, for `x` between -2^31 and 2^31.
 ///
 /// `as` saturates, which SPIR-V has no instruction for: four more would keep a bound that `x` never reaches.
 #[inline(always)]
@@ -69,29 +75,33 @@ pub(crate) fn integer_part(x: f32) -> i32 {
     return x as i32;
 }
 
-/// The low `bits` bits set. `bits` is 1 to 31.
-#[inline(always)]
-pub const fn mask(bits: u32) -> u32 {
-    (1 << bits) - 1
-}
-
 /// A whole number from 0 to 2^23 - 1 as an integer.
 ///
-/// The sum with 2^23 is exact and holds the number in its low 23 bits: one addition where a float-to-integer cast
-/// compiles to a saturating sequence.
+/// On the CPU, the sum with 2^23 is exact and holds the number in its low 23 bits: one addition where a cast compiles
+/// to a saturating sequence.
 #[inline(always)]
 pub fn whole_to_u32(whole: f32) -> u32 {
     const TWO_23: f32 = 8_388_608.0;
-    (whole + TWO_23).to_bits() & mask(23)
+    if cfg!(target_arch = "spirv") {
+        integer_part(whole) as u32
+    } else {
+        (whole + TWO_23).to_bits() & mask(23)
+    }
 }
 
 /// The two's complement, in `bits` bits, of a whole number from -2^21 to 2^21 - 1.
 ///
-/// As in [`whole_to_u32`]: the sum with 1.5 2^23 is exact and has the two's complement in its low 22 bits, the most that `bits` may be.
+/// As in [`whole_to_u32`]: on the CPU, the sum with 1.5 2^23 is exact and has the two's complement in its low 22 bits,
+/// the most that `bits` may be.
 #[inline(always)]
 pub fn signed_code(whole: f32, bits: u32) -> u32 {
     const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
-    (whole + ONE_AND_A_HALF_2_23).to_bits() & mask(bits)
+    let code = if cfg!(target_arch = "spirv") {
+        integer_part(whole) as u32
+    } else {
+        (whole + ONE_AND_A_HALF_2_23).to_bits()
+    };
+    code & mask(bits)
 }
 
 #[cfg(test)]

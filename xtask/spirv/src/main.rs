@@ -3,7 +3,9 @@
 //! rust-gpu's own optimiser run folds chains of float operations, so it is turned off; the modules get NoContraction
 //! on every float result first and are optimised after that, before and after branches become selects.
 
+mod blocks;
 mod decorate;
+mod exit;
 mod select;
 
 use anyhow::{Context, Result, bail, ensure};
@@ -134,7 +136,7 @@ fn read_words(path: &Path) -> Result<Vec<u32>> {
 fn finish(words: &[u32]) -> Result<Vec<u32>> {
     let decorated = decorate::no_contraction(words)?;
     let flat = select::for_branches(&optimize(&decorated)?)?;
-    let words = optimize(&flat)?;
+    let words = optimize(&exit::at_conditions(&flat)?)?;
     decorate::check_no_contraction(&words)?;
     val::create(Some(TargetEnv::Vulkan_1_2)).validate(&words, None).context("spirv-val")?;
     Ok(words)

@@ -4,9 +4,12 @@
 //! structs, for one. Where both sides are a few pure operations, a GPU, and LLVM's vectors more so, does both sides
 //! sooner than it branches. GLSL's `?:` is a select from the start.
 
+use crate::blocks::{
+    incoming, index_of, is_continue_target, label, predecessors, rename_predecessor, take_phis,
+};
 use anyhow::{Result, anyhow};
 use rspirv::binary::Assemble;
-use rspirv::dr::{Block, Function, Instruction, Module, Operand};
+use rspirv::dr::{Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 use std::collections::HashMap;
 
@@ -116,51 +119,6 @@ fn flatten(function: &mut Function, diamond: &Diamond, types: &mut Types) {
     for block in gone.into_iter().rev() {
         function.blocks.remove(block);
     }
-}
-
-fn take_phis(block: &mut Block) -> Vec<Instruction> {
-    let is_phi = |instruction: &Instruction| instruction.class.opcode == Op::Phi;
-    let count = block.instructions.iter().take_while(|instruction| is_phi(instruction)).count();
-    block.instructions.drain(..count).collect()
-}
-
-/// What a phi takes when control comes from `predecessor`; 0, which no id is, if it does not know it.
-fn incoming(phi: &Instruction, predecessor: Word) -> Word {
-    let mut pairs = phi.operands.chunks_exact(2);
-    let pair = pairs.find(|pair| pair[1].id_ref_any() == Some(predecessor));
-    pair.and_then(|pair| pair[0].id_ref_any()).unwrap_or(0)
-}
-
-fn rename_predecessor(function: &mut Function, from: Word, to: Word) {
-    let instructions = function.blocks.iter_mut().flat_map(|block| &mut block.instructions);
-    for phi in instructions.filter(|instruction| instruction.class.opcode == Op::Phi) {
-        for operand in &mut phi.operands {
-            if *operand == Operand::IdRef(from) {
-                *operand = Operand::IdRef(to);
-            }
-        }
-    }
-}
-
-fn is_continue_target(function: &Function, block: Word) -> bool {
-    let instructions = function.blocks.iter().flat_map(|block| &block.instructions);
-    instructions
-        .filter(|instruction| instruction.class.opcode == Op::LoopMerge)
-        .any(|merge| merge.operands[1].id_ref_any() == Some(block))
-}
-
-fn label(block: &Block) -> Word {
-    block.label.as_ref().and_then(|label| label.result_id).unwrap_or(0)
-}
-
-fn index_of(function: &Function, wanted: Word) -> Option<usize> {
-    function.blocks.iter().position(|block| label(block) == wanted)
-}
-
-/// How many blocks branch to this one.
-fn predecessors(function: &Function, block: Word) -> usize {
-    let ends = function.blocks.iter().filter_map(|block| block.instructions.last());
-    ends.filter(|end| end.operands.contains(&Operand::IdRef(block))).count()
 }
 
 /// True for what may be done though its result is not wanted: no memory, no undefined behaviour.
