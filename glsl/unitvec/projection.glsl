@@ -64,12 +64,12 @@ bool projection_is_outside(ProjectionPlane plane, vec2 e) {
 // e with the component along which the border is sooner reached lessened by `by` steps.
 vec2 projection_inwards(ProjectionPlane plane, vec2 e, float by) {
     UNITVEC_PRECISE vec2 p = e / plane.steps;
-    float x_weight = plane.sextant && p.x >= p.y ? 2.0 : 1.0;
-    float y_weight = plane.sextant && p.x < p.y ? 2.0 : 1.0;
-    UNITVEC_PRECISE float x_slope = x_weight * p.x * plane.steps.y;
-    UNITVEC_PRECISE float y_slope = y_weight * p.y * plane.steps.x;
+    UNITVEC_PRECISE float x = p.x * plane.steps.y;
+    UNITVEC_PRECISE float y = p.y * plane.steps.x;
+    UNITVEC_PRECISE float weighed_x = (p.x >= p.y ? 2.0 : 0.5) * x;
+    bool along_x = (plane.sextant ? weighed_x : x) >= y;
     UNITVEC_PRECISE vec2 less = e - by;
-    return x_slope >= y_slope ? vec2(less.x, e.y) : vec2(e.x, less.y);
+    return along_x ? vec2(less.x, e.y) : vec2(e.x, less.y);
 }
 
 // Whole numbers of a point of the positive quadrant.

@@ -110,9 +110,9 @@ impl Plane {
     #[inline(always)]
     fn inwards(self, e: Vec2, by: f32) -> Vec2 {
         let p = e / self.steps;
-        let x_weight = if self.sextant && p.x >= p.y { 2.0 } else { 1.0 };
-        let y_weight = if self.sextant && p.x < p.y { 2.0 } else { 1.0 };
-        let along_x = x_weight * p.x * self.steps.y >= y_weight * p.y * self.steps.x;
+        let (x, y) = (p.x * self.steps.y, p.y * self.steps.x);
+        let weighed_x = if p.x >= p.y { 2.0 } else { 0.5 } * x;
+        let along_x = if self.sextant { weighed_x } else { x } >= y;
         if along_x { Vec2::new(e.x - by, e.y) } else { Vec2::new(e.x, e.y - by) }
     }
 
