@@ -89,13 +89,7 @@ macro_rules! common_tests {
         /// exactly.
         #[test]
         fn symmetric() {
-            let images: [fn(Vec3) -> Vec3; 4] = [
-                |v| Vec3::new(-v.x, v.y, v.z),
-                |v| Vec3::new(v.x, -v.y, v.z),
-                |v| Vec3::new(v.x, v.y, -v.z),
-                |v| Vec3::new(v.y, v.x, v.z),
-            ];
-            for image in images {
+            for image in oracle::OCT_SYMMETRIES {
                 oracle::assert_commutes::<$codec>(sphere(5, 200_000).chain(near_planes(6, 50_000)), image);
             }
         }

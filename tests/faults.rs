@@ -1,7 +1,8 @@
 //! What goes wrong ends in one clear line and status 1 or 2, without a panic and without partial output.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use unitvec_tests::program::{command, stderr};
 use unitvec_tests::{copy_modules, repository};
@@ -169,6 +170,26 @@ fn a_full_disk() {
     let folder = folder();
     let input = file(&folder, "in.bin", &[0; 12]);
     assert_fails(&mut encode("oct16", &input, Path::new("/dev/full")), 1, &["cannot write /dev/full"]);
+}
+
+/// Interrupted or terminated while it writes, the program removes what it wrote, and leaves the file that was there.
+#[test]
+fn an_interrupted_run() {
+    for signal in ["-INT", "-TERM"] {
+        let folder = folder();
+        let output = file(&folder, "out", b"before");
+        let mut waiting = encode("oct16", Path::new("-"), &output).stdin(Stdio::piped()).spawn().unwrap();
+        let deadline = Instant::now() + Duration::from_secs(60);
+        while names(&folder).len() < 2 {
+            assert!(Instant::now() < deadline, "no temporary file within a minute");
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        let kill = Command::new("kill").args([signal, &waiting.id().to_string()]).status().unwrap();
+        assert!(kill.success());
+        assert_eq!(waiting.wait().unwrap().code(), Some(130));
+        assert_eq!(names(&folder), ["out"]);
+        assert_eq!(std::fs::read(&output).unwrap(), b"before");
+    }
 }
 
 fn copy_of_the_modules() -> TempDir {

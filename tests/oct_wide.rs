@@ -157,14 +157,8 @@ macro_rules! common_tests {
         /// exactly.
         #[test]
         fn symmetric() {
-            let images: [fn(Vec3) -> Vec3; 4] = [
-                |v| Vec3::new(-v.x, v.y, v.z),
-                |v| Vec3::new(v.x, -v.y, v.z),
-                |v| Vec3::new(v.x, v.y, -v.z),
-                |v| Vec3::new(v.y, v.x, v.z),
-            ];
             for v in directions(5, 100_000) {
-                for image in images {
+                for image in oracle::OCT_SYMMETRIES {
                     let expected = image(<$codec>::decode(<$codec>::encode(v)));
                     assert_eq!(<$codec>::decode(<$codec>::encode(image(v))), expected, "{v:?}");
                 }

@@ -71,13 +71,7 @@ macro_rules! codecs {
             /// image, exactly.
             #[test]
             fn symmetric() {
-                let images: [fn(Vec3) -> Vec3; 4] = [
-                    |v| Vec3::new(-v.x, v.y, v.z),
-                    |v| Vec3::new(v.x, -v.y, v.z),
-                    |v| Vec3::new(v.x, v.y, -v.z),
-                    |v| Vec3::new(v.y, v.x, v.z),
-                ];
-                for image in images {
+                for image in oracle::OCT_SYMMETRIES {
                     codes::assert_commutes::<$codec>(sphere(9, 200_000).chain(near_planes(10, 50_000)), image);
                 }
             }

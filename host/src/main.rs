@@ -6,7 +6,15 @@ use clap::Parser;
 use std::io::Write;
 use std::process::ExitCode;
 
+/// What shells report of a program that an interrupt ended.
+const INTERRUPTED: i32 = 130;
+
 fn main() -> ExitCode {
+    // Without a handler an interrupted run leaves its temporary file, and does no other harm.
+    let _ = ctrlc::set_handler(|| {
+        unitvec_host::output::remove_unfinished();
+        std::process::exit(INTERRUPTED);
+    });
     match cli::Arguments::parse().run() {
         Ok(code) => code,
         Err(unitvec_host::Error::ReaderGone) => ExitCode::SUCCESS,

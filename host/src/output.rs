@@ -4,7 +4,11 @@ use crate::{Error, Result};
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
+
+/// Names that temporary files were given; those of finished files are gone.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
 /// that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
@@ -101,7 +105,17 @@ fn open(path: &Path) -> io::Result<Destination> {
     }
     // The error's own text names the temporary file.
     let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).push(file.path().to_owned());
     Ok(Destination::Temporary(file))
+}
+
+/// Removes the temporary files of all unfinished outputs: for a program that is interrupted, in which nothing is
+/// dropped.
+pub fn remove_unfinished() {
+    for path in TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+        // Those that were finished or dropped are no more; of others there is nobody left to tell.
+        let _ = std::fs::remove_file(path);
+    }
 }
 
 /// Read and write for all, less the umask: what a plain new file gets. Temporary files are private otherwise.

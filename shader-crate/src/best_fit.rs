@@ -49,7 +49,7 @@
 use crate::codec::Codec;
 use crate::direction::or_z;
 use crate::math::{floor, is_negative, negate_if, sqrt};
-use crate::scalar::{signed_code, snorm_decode, snorm_max, whole_to_u32};
+use crate::scalar::{integer_part, signed_code, snorm_decode, snorm_max, whole_to_u32};
 use glam::Vec3;
 
 /// Columns of the table.
@@ -287,7 +287,7 @@ fn best_of(u: Parts, [a, b, c, d]: Lengths) -> f32 {
 /// The column and the row of a direction's cell.
 #[inline(always)]
 fn cell_of(u: Parts) -> (u32, u32) {
-    (whole_to_u32(floor(u.mid * CELLS)), whole_to_u32(floor(u.min * CELLS)))
+    (integer_part(u.mid * CELLS) as u32, integer_part(u.min * CELLS) as u32)
 }
 
 /// The sine of the error that a length leaves, up to a factor that is the same, to 1.2 %, for all lengths.
@@ -364,16 +364,9 @@ fn lengths_in(word: u32) -> Lengths {
 /// Number of a cell's word: four columns side by side have their rows, of which they need no more than there are
 /// columns to their right end, one after the other.
 #[inline(always)]
-fn table_index(column: u32, row: u32) -> u32 {
+fn table_index((column, row): (u32, u32)) -> u32 {
     let group = column / 4;
     4 * (group * (2 * group + 1) + row) + column
-}
-
-/// The word that the table has for a cell; 0, for lengths of 64, where it is too short.
-#[inline(always)]
-fn word_in_table(table: &[u32], (column, row): (u32, u32)) -> u32 {
-    let index = table_index(column, row) as usize;
-    if index < table.len() { table[index] } else { 0 }
 }
 
 /// Word `index` of the table: the lengths of a cell, the best alone in the low byte.
@@ -402,10 +395,7 @@ pub fn fill_table(table: &mut [u32]) {
 /// A table that is too short, or not one of [`fill_table`], costs accuracy only.
 #[inline(always)]
 pub fn snorm8x3p_encode_by_table(v: Vec3, table: &[u32]) -> u32 {
-    let (v, _) = or_z(v);
-    let (parts, reciprocal) = parts_and_reciprocal(v);
-    let lengths = lengths_in(word_in_table(table, cell_of(parts)));
-    code_at_length(v, reciprocal, best_of(parts, lengths))
+    snorm8x3p_encode_by(v, |index| word_in_table(table, index))
 }
 
 /// The CrytekBFN24 code of the direction of `v`, its length taken from the table: the code of [`CrytekBfn24`].
@@ -413,9 +403,30 @@ pub fn snorm8x3p_encode_by_table(v: Vec3, table: &[u32]) -> u32 {
 /// A table that is too short, or not one of [`fill_table`], costs accuracy only.
 #[inline(always)]
 pub fn crytek_bfn24_encode_by_table(v: Vec3, table: &[u32]) -> u32 {
+    crytek_bfn24_encode_by(v, |index| word_in_table(table, index))
+}
+
+/// Word `index` of the table; 0, for lengths of 64, where it is too short.
+#[inline(always)]
+fn word_in_table(table: &[u32], index: u32) -> u32 {
+    let index = index as usize;
+    if index < table.len() { table[index] } else { 0 }
+}
+
+/// [`snorm8x3p_encode_by_table`], with `word` to look a word of the table up, one below [`TABLE_WORDS`].
+#[inline(always)]
+pub(crate) fn snorm8x3p_encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> u32 {
     let (v, _) = or_z(v);
     let (parts, reciprocal) = parts_and_reciprocal(v);
-    let [length, ..] = lengths_in(word_in_table(table, cell_of(parts)));
+    code_at_length(v, reciprocal, best_of(parts, lengths_in(word(table_index(cell_of(parts))))))
+}
+
+/// [`crytek_bfn24_encode_by_table`], with `word` as for [`snorm8x3p_encode_by`].
+#[inline(always)]
+pub(crate) fn crytek_bfn24_encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> u32 {
+    let (v, _) = or_z(v);
+    let (parts, reciprocal) = parts_and_reciprocal(v);
+    let [length, ..] = lengths_in(word(table_index(cell_of(parts))));
     code_at_length(v, reciprocal, length)
 }
 

@@ -28,7 +28,7 @@
 use crate::codec::Codec;
 use crate::direction::or_z;
 use crate::math::{atan_octant, floor, is_negative, negate_if, normalize, tan_octant};
-use crate::scalar::{mask, signed_code, snorm_integer, snorm_max};
+use crate::scalar::{signed_code, snorm_integer, snorm_max};
 use glam::{Vec2, Vec3};
 
 /// The bits of u in a code of `bits` bits.
@@ -99,13 +99,27 @@ fn pack<const BITS: u32>(e: Vec2, face: u32) -> u32 {
 #[inline(always)]
 fn unpack<const BITS: u32>(code: u32) -> Vec2 {
     let (n, k) = (u_bits(BITS), v_bits(BITS));
-    Vec2::new(snorm_integer(code & mask(n), n), snorm_integer((code >> n) & mask(k), k))
+    Vec2::new(snorm_integer(code, n), snorm_integer(code >> n, k))
 }
 
 /// The face of a code.
 #[inline(always)]
 fn unpack_face<const BITS: u32>(code: u32) -> u32 {
     (code >> (BITS - 3)) & 7
+}
+
+/// The code of the direction of `v`, with the place `along` of a coordinate's magnitude on its face, 0 to 1.
+#[inline(always)]
+fn encode<const BITS: u32>(v: Vec3, along: impl Fn(f32) -> f32) -> u32 {
+    let (v, _) = or_z(v);
+    let face = face_of(v);
+    let p = to_face(v, face);
+    let scale = 1.0 / p.z.abs();
+    let e = Vec2::new(
+        round(is_negative(p.x), along(p.x.abs() * scale), snorm_max(u_bits(BITS))),
+        round(is_negative(p.y), along(p.y.abs() * scale), snorm_max(v_bits(BITS))),
+    );
+    pack::<BITS>(e, face)
 }
 
 /// Cube code of `BITS` bits (16, 24 or 32).
@@ -129,15 +143,7 @@ impl<const BITS: u32> Codec for Cube<BITS> {
 
     #[inline(always)]
     fn encode(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
-        let face = face_of(v);
-        let p = to_face(v, face);
-        let scale = 1.0 / p.z.abs();
-        let e = Vec2::new(
-            round(is_negative(p.x), p.x.abs() * scale, snorm_max(u_bits(BITS))),
-            round(is_negative(p.y), p.y.abs() * scale, snorm_max(v_bits(BITS))),
-        );
-        pack::<BITS>(e, face)
+        encode::<BITS>(v, |coordinate| coordinate)
     }
 
     #[inline(always)]
@@ -172,15 +178,7 @@ impl<const BITS: u32> Codec for WarpedCube<BITS> {
 
     #[inline(always)]
     fn encode(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
-        let face = face_of(v);
-        let p = to_face(v, face);
-        let scale = 1.0 / p.z.abs();
-        let e = Vec2::new(
-            round(is_negative(p.x), atan_octant(p.x.abs() * scale), snorm_max(u_bits(BITS))),
-            round(is_negative(p.y), atan_octant(p.y.abs() * scale), snorm_max(v_bits(BITS))),
-        );
-        pack::<BITS>(e, face)
+        encode::<BITS>(v, atan_octant)
     }
 
     #[inline(always)]

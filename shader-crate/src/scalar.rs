@@ -22,7 +22,7 @@ pub const fn snorm_max(bits: u32) -> f32 {
 pub fn unorm_encode(r: f32, bits: u32) -> u32 {
     let positive = if r > 0.0 { r } else { 0.0 };
     let clamped = if positive < 1.0 { positive } else { 1.0 };
-    whole_to_u32(floor(clamped * unorm_max(bits) + 0.5))
+    integer_part(clamped * unorm_max(bits) + 0.5) as u32
 }
 
 /// The number that a unorm code stands for: `i / (2^bits - 1)` (eq. 2), 0 to 1. Bits above `bits` (1 to 23) are

@@ -44,8 +44,9 @@ pub fn encode<C: Code>(
     let mut repetition = 0;
     // A test at the end: rust-gpu makes a branch inside the loop of one at the beginning.
     loop {
-        let [a, b] = [encode(v).to_words(), encode(v + NUDGE).to_words()];
-        let [c, d] = [encode(v + 2.0 * NUDGE).to_words(), encode(v + 3.0 * NUDGE).to_words()];
+        let [v1, v2, v3] = [v + NUDGE, v + 2.0 * NUDGE, v + 3.0 * NUDGE];
+        let [a, b] = [encode(v).to_words(), encode(v1).to_words()];
+        let [c, d] = [encode(v2).to_words(), encode(v3).to_words()];
         sum = sum.wrapping_add(total(a)).wrapping_add(total(b)).wrapping_add(total(c)).wrapping_add(total(d));
         v += 4.0 * NUDGE;
         repetition += 4;

@@ -22,6 +22,14 @@ pub const DECODE_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 /// 2 ULP of 1: what a decoded vector's length may be off by.
 pub const LENGTH_ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
 
+/// The symmetries of the octahedral mappings of the whole sphere: mirrored at a coordinate plane, x and y swapped.
+pub const OCT_SYMMETRIES: [fn(Vec3) -> Vec3; 4] = [
+    |v| Vec3::new(-v.x, v.y, v.z),
+    |v| Vec3::new(v.x, -v.y, v.z),
+    |v| Vec3::new(v.x, v.y, -v.z),
+    |v| Vec3::new(v.y, v.x, v.z),
+];
+
 /// A vector in double precision: exact.
 pub fn widen(v: Vec3) -> [f64; 3] {
     v.to_array().map(f64::from)
@@ -35,6 +43,14 @@ pub fn round_trip_error_deg<C: Codec<Code = u32>>(v: Vec3) -> f64 {
 /// Asserts that `C` decodes each of `codes` to the oracle's direction and to unit length, with the high bits of
 /// the code set to anything.
 pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
+    assert_decodes_within::<C, O>(codes, DECODE_ROUNDING);
+}
+
+/// The same, with the decoded vector turned from the oracle's by up to `rounding` radians.
+pub fn assert_decodes_within<C: Codec<Code = u32>, O: Oracle>(
+    codes: impl Iterator<Item = u32>,
+    rounding: f64,
+) {
     let (mut worst_turn, mut worst_length) = (0f64, 0f64);
     for code in codes {
         let decoded = C::decode(code);
@@ -42,7 +58,7 @@ pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item
         let turn = length(cross(actual, expected));
         let off = (length(actual) - 1.0).abs();
         assert!(
-            turn <= DECODE_ROUNDING && dot(actual, expected) > 0.0 && off <= LENGTH_ROUNDING,
+            turn <= rounding && dot(actual, expected) > 0.0 && off <= LENGTH_ROUNDING,
             "{}: {code:#x} decodes to {decoded:?}, which is {turn:e} rad off {expected:?} and {off:e} off length 1",
             C::NAME
         );

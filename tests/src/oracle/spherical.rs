@@ -16,26 +16,12 @@ pub const ANGLE_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 /// Asserts that `C` decodes each of `codes` to the oracle's direction within [`DECODE_ROUNDING`], to unit length,
 /// with no component -0 and with the high bits of the code set to anything.
 pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
-    let (mut worst_turn, mut worst_length) = (0f64, 0f64);
-    for code in codes {
-        let decoded = C::decode(code);
-        let (actual, expected) = (widen(decoded), O::decode(code, C::BITS));
-        let turn = length(cross(actual, expected));
-        let off = (length(actual) - 1.0).abs();
-        assert!(
-            turn <= DECODE_ROUNDING && dot(actual, expected) > 0.0 && off <= super::LENGTH_ROUNDING,
-            "{}: {code:#x} decodes to {decoded:?}, which is {turn:e} rad off {expected:?} and {off:e} off length 1",
-            C::NAME
-        );
+    let codes = codes.inspect(|code| {
+        let decoded = C::decode(*code);
         let negative_zero = decoded.to_array().iter().any(|t| t.to_bits() == (-0f32).to_bits());
         assert!(!negative_zero, "{}: {code:#x} decodes to {decoded:?}", C::NAME);
-        if C::BITS < 32 {
-            let dirty = code | (code.wrapping_mul(0x9E37_79B9) << C::BITS);
-            assert_eq!(C::decode(dirty), decoded, "{}: {dirty:#x}, bits above the code count", C::NAME);
-        }
-        (worst_turn, worst_length) = (worst_turn.max(turn), worst_length.max(off));
-    }
-    println!("{} decode: {:.3} ULP turned, {:.3} ULP of length", C::NAME, ulp(worst_turn), ulp(worst_length));
+    });
+    super::assert_decodes_within::<C, O>(codes, DECODE_ROUNDING);
 }
 
 /// Asserts that `C` chooses the nearest point along each of two coordinates: by `steps_off` at most half a step
