@@ -1,6 +1,6 @@
 //! What all formats of two angles are put to the test with.
 
-use super::{Oracle, Summary, angle_deg, cross, dot, length, ulp, widen};
+use super::{Oracle, Summary, angle_deg, widen};
 use glam::Vec3;
 use unitvec::Codec;
 pub use unitvec_oracle::spherical::*;
