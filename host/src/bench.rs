@@ -62,20 +62,6 @@ pub struct Report {
     pub rows: Vec<Row>,
 }
 
-impl Report {
-    /// Of each codec and direction the ratio of the arithmetic's cost, SPIR-V from Rust to SPIR-V from GLSL.
-    pub fn ratios_of_sources(&self) -> Vec<(&'static str, Direction, f64)> {
-        let cost = |row: &Row, source| (row.source == source).then_some(row.alu_ns_per_vector).flatten();
-        let same = |a: &Row, b: &Row| (a.id, a.direction) == (b.id, b.direction);
-        let ratio = |rust: &Row| {
-            let glsl =
-                self.rows.iter().filter(|row| same(row, rust)).find_map(|row| cost(row, Source::Glsl))?;
-            Some((rust.id, rust.direction, cost(rust, Source::Rust)? / glsl))
-        };
-        self.rows.iter().filter_map(ratio).collect()
-    }
-}
-
 /// What was measured of one kernel.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
@@ -91,8 +77,10 @@ pub struct Row {
     pub alu_ns_per_vector: Option<f64>,
     /// The largest less the smallest of them.
     pub alu_spread_ns: Option<f64>,
-    /// Their ratio to those of `oct32`, of the same direction and source.
+    /// Their ratio to those of `oct32`, of the same direction and source, measured beside it: the median.
     pub alu_ratio_to_oct32: Option<f64>,
+    /// For SPIR-V from Rust, their ratio to those of SPIR-V from GLSL, measured beside it: the median.
+    pub alu_ratio_to_glsl: Option<f64>,
     /// Vectors that the shipped kernel takes in a second: of the median over the dispatches.
     pub vectors_per_s: f64,
     /// Bytes that it reads and writes in a second.
@@ -131,15 +119,15 @@ pub struct Bench {
     compiler: glsl::Compiler,
     best_fit_table: Table,
     baselines: HashMap<(Direction, Source), Kernel>,
-    /// Nanoseconds of [`REFERENCE`].
-    reference: HashMap<(Direction, Source), f64>,
+    /// Those of [`REFERENCE`].
+    references: HashMap<(Direction, Source), Kernel>,
     options: Options,
     vectors: Vec<[f32; 3]>,
     codes: Vec<u64>,
 }
 
 impl Bench {
-    /// Prepares to measure with `modules` and `cost_modules` of the same folder, and times [`REFERENCE`].
+    /// Prepares to measure with `modules` and `cost_modules` of the same folder.
     ///
     /// # Errors
     /// [`vulkan::Error::MissingFeature`] for a device without timestamps; what the kernels meet.
@@ -158,7 +146,7 @@ impl Bench {
             compiler: glsl::Compiler::new()?,
             best_fit_table,
             baselines: HashMap::new(),
-            reference: HashMap::new(),
+            references: HashMap::new(),
             vectors: sampling::random_directions(Domain::Sphere, 1).take(options.count).collect(),
             codes: sampling::random_codes(1).take(options.count).collect(),
             options,
@@ -167,10 +155,8 @@ impl Bench {
             for source in SOURCES {
                 let baseline = bench.baseline(direction, source)?;
                 bench.baselines.insert((direction, source), baseline);
-            }
-            let reference = catalogue::find(REFERENCE)?.format();
-            for (source, times) in bench.cost(reference, direction)? {
-                bench.reference.insert((direction, source), median(times));
+                let reference = bench.cost_kernel(catalogue::find(REFERENCE)?.format(), direction, source)?;
+                bench.references.insert((direction, source), reference);
             }
         }
         Ok(bench)
@@ -189,21 +175,25 @@ impl Bench {
     pub fn measure(&mut self, format: Format) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         for direction in DIRECTIONS {
-            let costs = self.cost(format, direction)?;
+            let [rust, glsl] = self.cost(format, direction)?;
             let speeds = self.throughput(format, direction)?;
             let traffic = (format.element.bytes() + format.bytes) as f64;
             for (source, vectors_per_s) in speeds.kernels {
-                let times = costs.iter().find(|(other, _)| *other == source).map(|(_, times)| times);
-                let alu = times.map(|times| median(times.clone()));
-                let reference = self.reference.get(&(direction, source));
+                let costs = match source {
+                    Source::Rust => Some(&rust),
+                    Source::Glsl => Some(&glsl),
+                    Source::RustTable => None,
+                };
+                let to_glsl = || ratio(&rust.codec, &glsl.codec);
                 rows.push(Row {
                     id: format.id,
                     bits: format.bits,
                     direction,
                     source,
-                    alu_ns_per_vector: alu,
-                    alu_spread_ns: times.map(|times| spread(times)),
-                    alu_ratio_to_oct32: alu.zip(reference).map(|(alu, reference)| alu / reference),
+                    alu_ns_per_vector: costs.map(|costs| median(costs.codec.clone())),
+                    alu_spread_ns: costs.map(|costs| spread(&costs.codec)),
+                    alu_ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
+                    alu_ratio_to_glsl: (source == Source::Rust).then(to_glsl),
                     vectors_per_s,
                     bytes_per_s: vectors_per_s * traffic,
                     copy_bytes_per_s: speeds.copy * traffic,
@@ -245,11 +235,10 @@ impl Bench {
         (direction == Direction::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
     }
 
-    /// Nanoseconds a vector of each dispatch, less those of a dispatch of the baseline beside it.
-    fn cost(&mut self, format: Format, direction: Direction) -> Result<Vec<(Source, Vec<f64>)>> {
-        let kernels = SOURCES.map(|source| self.cost_kernel(format, direction, source));
-        let [rust, glsl] = kernels;
-        let kernels = [(Source::Rust, rust?), (Source::Glsl, glsl?)];
+    /// Costs of the kernels from Rust and from GLSL.
+    fn cost(&mut self, format: Format, direction: Direction) -> Result<[Costs; 2]> {
+        let [rust, glsl] = SOURCES.map(|source| self.cost_kernel(format, direction, source));
+        let (rust, glsl) = (rust?, glsl?);
         let input: Vec<u8> = match direction {
             Direction::Encode => bytemuck::cast_slice(&self.vectors).to_vec(),
             Direction::Decode => {
@@ -258,25 +247,37 @@ impl Bench {
                 bytemuck::cast_slice(&words).to_vec()
             }
         };
+        let [of_rust, of_glsl] = SOURCES.map(|source| (direction, source));
+        // What is compared is side by side.
+        let kernels = [
+            &self.baselines[&of_rust],
+            &self.references[&of_rust],
+            &rust,
+            &glsl,
+            &self.references[&of_glsl],
+            &self.baselines[&of_glsl],
+        ];
         let (runner, count) = (&mut self.runner, self.options.count);
         let mut sums = vec![0; count * 4];
-        let mut times = SOURCES.map(|source| (source, Vec::new()));
         let mut time = |kernel: &Kernel, repetitions| -> Result<f64> {
             let ns = runner.run_cost(kernel, count, repetitions, &input, &mut sums)?;
             Ok(ns.ok_or_else(|| no_timestamps(runner))? / count as f64 / f64::from(REPETITIONS))
         };
         // Drivers compile at the first dispatch.
-        for (_, kernel) in &kernels {
+        for kernel in kernels {
             time(kernel, 4)?;
         }
+        let mut costs = [Costs::default(), Costs::default()];
         for sample in 0..self.options.samples {
+            let mut times = [0.0; 6];
             for i in alternating(sample, kernels.len()) {
-                let (source, kernel) = &kernels[i];
-                let baseline = time(&self.baselines[&(direction, *source)], REPETITIONS)?;
-                times[i].1.push(time(kernel, REPETITIONS)? - baseline);
+                times[i] = time(kernels[i], REPETITIONS)?;
             }
+            let [rust_baseline, rust_reference, rust, glsl, glsl_reference, glsl_baseline] = times;
+            costs[0].add(rust - rust_baseline, rust_reference - rust_baseline);
+            costs[1].add(glsl - glsl_baseline, glsl_reference - glsl_baseline);
         }
-        Ok(times.into())
+        Ok(costs)
     }
 
     /// Vectors a second of the shipped kernels and of one that copies.
@@ -340,6 +341,21 @@ impl Bench {
     }
 }
 
+/// Nanoseconds a vector of each dispatch, less those of a dispatch of the baseline beside it.
+#[derive(Default)]
+struct Costs {
+    codec: Vec<f64>,
+    /// Of [`REFERENCE`], beside it.
+    reference: Vec<f64>,
+}
+
+impl Costs {
+    fn add(&mut self, codec: f64, reference: f64) {
+        self.codec.push(codec);
+        self.reference.push(reference);
+    }
+}
+
 /// Vectors a second.
 struct Speeds {
     copy: f64,
@@ -368,6 +384,11 @@ fn median(mut times: Vec<f64>) -> f64 {
         0 => f64::NAN,
         n => (times[(n - 1) / 2] + times[n / 2]) / 2.0,
     }
+}
+
+/// The median of the ratios of times that were taken side by side.
+fn ratio(times: &[f64], others: &[f64]) -> f64 {
+    median(times.iter().zip(others).map(|(time, other)| time / other).collect())
 }
 
 fn spread(times: &[f64]) -> f64 {

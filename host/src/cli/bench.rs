@@ -46,7 +46,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         print(&heading(device.info(), &options))?;
     }
     let bar = progress_bar(chosen.len() as u64);
-    bar.set_message("oct32");
     let mut bench =
         Bench::new(&device, arguments.vulkan.modules()?, arguments.vulkan.cost_modules()?, options)?;
     let mut rows = Vec::new();
@@ -110,7 +109,8 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
     format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n{warning}\
          arithmetic: nanoseconds a vector, median of {} dispatches of {} vectors, 100 times each, less a baseline; +- is \
-         largest less smallest; / oct32 is SPIR-V from Rust; survey is its GTX 680\n\
+         largest less smallest; ratios are medians of those of dispatches side by side; / oct32 is SPIR-V from Rust; \
+         survey is its GTX 680\n\
          throughput: of the shipped kernels, 10^6 vectors a second, and of a copy of as many bytes\n\n\
          {:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>7}\n\
          {:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>7}\n",
@@ -154,7 +154,6 @@ fn lines(rows: &[Row]) -> String {
     for direction in [Direction::Encode, Direction::Decode] {
         let of = |source| rows.iter().find(|row| row.direction == direction && row.source == source);
         let (Some(rust), Some(glsl)) = (of(Source::Rust), of(Source::Glsl)) else { continue };
-        let ratio = rust.alu_ns_per_vector.zip(glsl.alu_ns_per_vector).map(|(rust, glsl)| rust / glsl);
         let table = of(Source::RustTable).map(|row| row.vectors_per_s / 1e6);
         // Writing to a String cannot fail.
         let _ = writeln!(
@@ -166,7 +165,7 @@ fn lines(rows: &[Row]) -> String {
             number(rust.alu_spread_ns, 4),
             number(glsl.alu_ns_per_vector, 4),
             number(glsl.alu_spread_ns, 4),
-            number(ratio, 3),
+            number(rust.alu_ratio_to_glsl, 3),
             number(rust.alu_ratio_to_oct32, 2),
             number(rust.survey_ns_per_vector, 4),
             rust.vectors_per_s / 1e6,
@@ -187,14 +186,9 @@ fn markdown(report: &Report) -> String {
          decode: rust / glsl | encode, % of copy | decode, % of copy |\n|---|---|---|---|---|---|---|---|---|\n",
         device.name, device.driver, device.api_version, report.count, report.repetitions
     );
-    let ratios = report.ratios_of_sources();
     for encode in of_rust(report, Direction::Encode) {
         let Some(decode) = of_rust(report, Direction::Decode).find(|row| row.id == encode.id) else {
             continue;
-        };
-        let between = |direction| {
-            let found = ratios.iter().find(|(id, of, _)| (*id, *of) == (encode.id, direction));
-            number(found.map(|(.., ratio)| *ratio), 2)
         };
         let of_copy = |row: &Row| 100.0 * row.bytes_per_s / row.copy_bytes_per_s;
         // Writing to a String cannot fail.
@@ -206,8 +200,8 @@ fn markdown(report: &Report) -> String {
             bound(encode.id),
             number(encode.alu_ratio_to_oct32, 1),
             number(decode.alu_ratio_to_oct32, 1),
-            between(Direction::Encode),
-            between(Direction::Decode),
+            number(encode.alu_ratio_to_glsl, 2),
+            number(decode.alu_ratio_to_glsl, 2),
             of_copy(encode),
             of_copy(decode),
         );
@@ -236,15 +230,15 @@ fn number(value: Option<f64>, digits: usize) -> String {
 
 /// Where SPIR-V from Rust costs more than that from GLSL.
 fn summary(report: &Report) -> String {
-    let ratios = report.ratios_of_sources();
-    let slower: Vec<String> = ratios
+    let slower: Vec<String> = report
+        .rows
         .iter()
-        .filter(|(.., ratio)| *ratio > 1.05)
-        .map(|(id, direction, ratio)| format!("{id} {direction} {ratio:.2}"))
+        .filter_map(|row| Some((row, row.alu_ratio_to_glsl.filter(|ratio| *ratio > 1.05)?)))
+        .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.direction))
         .collect();
     let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };
     format!(
         "\nbench: {} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n",
-        ratios.len() / 2
+        of_rust(report, Direction::Encode).count()
     )
 }

@@ -6,7 +6,7 @@
 //!
 //! Binding 2 is a table, where the kernel reads one: that of [`best_fit`](crate::best_fit) for `snorm8x3p_encode` and
 //! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose
-//! codes take two bytes.
+//! codes take two bytes. A kernel whose table is too short writes nothing.
 //!
 //! Beside them, `encode_cost` and `decode_cost` of each codec measure arithmetic: see [`cost`].
 
