@@ -64,7 +64,7 @@
 //!   exactly, if it does not lie in the plane; with the axes cyclically exchanged, within rounding.
 //! * Good for: the least error that 16, 24 and 32 bits can have, to 4 %, without a table. Weak: the cost. To encode
 //!   takes 2 divisions and some 230 other operations, six times as many as [`oct`](crate::oct), to decode three times as
-//!   many; on lavapipe, without memory, 8 and 4 times as long, since more of them wait for each other. Codes
+//!   many; on lavapipe, without memory, 9 and 4 times as long, since more of them wait for each other. Codes
 //!   next to each other in neighbouring rows are unrelated, so that they must not be interpolated.
 
 use crate::codec::Codec;

@@ -44,7 +44,7 @@
 //! * The six axes round-trip exactly. Mirrored at a coordinate plane, a direction decodes to the decoded vector's
 //!   image, exactly; turned by quarters about z, within rounding.
 //! * Good for the least error in 16 bits of all formats here, without a table. Decoding takes a square root, a division
-//!   and about 110 other operations, 3 to 4 times what [`oct`](crate::oct) takes on lavapipe. Weak: patches next to
+//!   and about 110 other operations, 5 times as long as [`oct`](crate::oct) takes on lavapipe. Weak: patches next to
 //!   each other in neighbouring rings are unrelated, so codes must not be interpolated.
 
 use crate::codec::Codec;
