@@ -101,7 +101,7 @@ vec3 best_fit_nearer(vec3 a, vec3 b) {
 
 // The best of `best` and the 64 lengths from `longest` down; of equals the first.
 vec3 best_fit_scan(vec3 best, vec2 u, float longest) {
-    for (float k = longest; k > longest - BEST_FIT_SCANNED; k -= 1.0) {
+    for (UNITVEC_PRECISE float k = longest; k > longest - BEST_FIT_SCANNED; k -= 1.0) {
         best = best_fit_nearer(best, best_fit_of_length(u, k));
     }
     return best;
@@ -112,7 +112,7 @@ vec3 best_fit_scan(vec3 best, vec2 u, float longest) {
 float best_fit_best_scale(vec2 u) {
     vec3 best = best_fit_scan(best_fit_of_length(u, 127.0), u, 127.0);
     float end = u.y > BEST_FIT_MIDDLE_OF_OCTANT ? 111.5 : 123.5;
-    for (float scale = 127.25; scale > end; scale -= 0.5) {
+    for (UNITVEC_PRECISE float scale = 127.25; scale > end; scale -= 0.5) {
         best = best_fit_nearer(best, best_fit_of_scale(u, scale));
     }
     return best.x;
@@ -218,7 +218,7 @@ vec4 best_fit_cell_lengths(uvec2 cell) {
     for (int n = 0; n < 4; n += 1) {
         float best = 0.0;
         float least = 0.0;
-        for (float size = 127.0; size > 127.0 - BEST_FIT_SCANNED; size -= 1.0) {
+        for (UNITVEC_PRECISE float size = 127.0; size > 127.0 - BEST_FIT_SCANNED; size -= 1.0) {
             UNITVEC_PRECISE float total = 0.0;
             for (int i = 0; i < 9; i += 1) {
                 total += best_fit_lesser(best_fit_sine(best_fit_sample(cell, i), size), left[i]);

@@ -116,8 +116,9 @@ vec2 eaoct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     EaoctPolar p = eaoct_polar(v, norm);
     UNITVEC_PRECISE float below = floor(p.radius * m);
+    UNITVEC_PRECISE float above = below + 1.0;
     vec3 inner = eaoct_candidate(p, below, m);
-    vec3 outer = eaoct_candidate(p, below + 1.0, m);
+    vec3 outer = eaoct_candidate(p, above, m);
     vec3 nearest = outer.z < inner.z ? outer : inner;
     return eaoct_unfolded(v, norm, p.swapped, nearest.x, nearest.y, m);
 }

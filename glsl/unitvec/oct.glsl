@@ -163,8 +163,9 @@ vec2 oct_unpack(uint code, uint bits) {
 
 // Code of a lattice point with m = 2047: the bytes of listing 5, the first in the low bits.
 uint oct_pack_unorm8x3(vec2 e) {
-    uint u = unitvec_signed_code(e.x + 2047.0, 12u);
-    uint v = unitvec_signed_code(e.y + 2047.0, 12u);
+    UNITVEC_PRECISE vec2 biased = e + 2047.0;
+    uint u = unitvec_signed_code(biased.x, 12u);
+    uint v = unitvec_signed_code(biased.y, 12u);
     return (u >> 4u) | ((u & 15u) << 12u) | (v & 0xf00u) | ((v & 255u) << 16u);
 }
 
@@ -172,7 +173,8 @@ uint oct_pack_unorm8x3(vec2 e) {
 vec2 oct_unpack_unorm8x3(uint code) {
     float u = float(((code & 255u) << 4u) | ((code >> 12u) & 15u));
     float v = float((code & 0xf00u) | ((code >> 16u) & 255u));
-    return min(vec2(u, v) - 2047.0, vec2(2047.0));
+    UNITVEC_PRECISE vec2 e = vec2(u, v) - 2047.0;
+    return min(e, vec2(2047.0));
 }
 
 uint oct16_encode(vec3 v) { return oct_pack(oct_lattice(v, 127.0), 16u); }
