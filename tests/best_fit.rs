@@ -373,7 +373,7 @@ fn table_holds_the_best_lengths() {
         let mut left = [f64::INFINITY; 9];
         for length in lengths {
             assert!((64..=127).contains(&length), "{column} {row}: {lengths:?}");
-            let with = |other: usize| [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| errors[other][i].min(left[i]));
+            let with = |other: usize| -> [f64; 9] { std::array::from_fn(|i| errors[other][i].min(left[i])) };
             let total = |other: usize| with(other).iter().sum::<f64>();
             let ours = total(length.into());
             for other in 64..=127 {

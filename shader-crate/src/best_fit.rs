@@ -49,7 +49,9 @@
 use crate::codec::Codec;
 use crate::direction::or_z;
 use crate::math::{floor, is_negative, negate_if, sqrt};
-use crate::scalar::{integer_part, signed_code, snorm_decode, snorm_max, whole_to_u32};
+use crate::scalar::{
+    ONE_AND_A_HALF_2_23, integer_part, nearest_whole, signed_code, snorm_decode, snorm_max, whole_to_u32,
+};
 use glam::Vec3;
 
 /// Columns of the table.
@@ -81,9 +83,6 @@ const MIDDLE_OF_OCTANT: f32 = 0.75;
 /// Components that are a smaller part of the largest one count as 0: 2^-24. No length of these formats tells them from
 /// 0, and no denormal component of a vector with a direction is a larger part.
 const LEAST_PART: f32 = f32::from_bits((127 - 24) << 23);
-
-/// Added to a number, it rounds that to a whole one and leaves the two's complement in the low 22 bits.
-const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
 
 /// The magnitudes of a vector's components by size, as parts of the largest one, which is 1.
 #[derive(Clone, Copy)]
@@ -204,13 +203,6 @@ fn at_scale(v: Vec3, u: Vec3, scale: f32) -> Vec3 {
 #[inline(always)]
 fn pack8(q: Vec3) -> u32 {
     signed_code(q.x, 8) | (signed_code(q.y, 8) << 8) | (signed_code(q.z, 8) << 16)
-}
-
-/// The nearest whole number, the even one of two: as sums, cheaper than [`floor`] on most processors. Magnitudes up to
-/// 2^21.
-#[inline(always)]
-fn nearest_whole(x: f32) -> f32 {
-    (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23
 }
 
 /// The low byte of the two's complement of the nearest whole number, the even one of two.

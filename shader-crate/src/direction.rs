@@ -26,6 +26,12 @@ pub fn is_usable(l1_norm: f32) -> bool {
     l1_norm.to_bits().wrapping_sub(MIN_NORM.to_bits()) < MAX_NORM.to_bits() - MIN_NORM.to_bits()
 }
 
+/// The power of two that brings a usable L1 norm to 1 to 2, exactly. Of other norms, anything.
+#[inline(always)]
+pub(crate) fn scale_to_one(l1_norm: f32) -> f32 {
+    f32::from_bits((254u32 << 23).wrapping_sub(l1_norm.to_bits() & 0x7f80_0000))
+}
+
 /// `v` and its L1 norm, or +Z and 1 where `v` has no usable direction.
 #[inline(always)]
 pub fn or_z(v: Vec3) -> (Vec3, f32) {

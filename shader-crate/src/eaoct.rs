@@ -49,7 +49,7 @@
 //! position is good to 2^-6 of a step, and mostly to 2^-9. What that adds to the mean error does not show in four digits.
 
 use crate::codec::Codec;
-use crate::direction::{is_usable, l1_norm};
+use crate::direction::{is_usable, l1_norm, scale_to_one};
 use crate::math::{cos_eighth, floor, is_negative, negate_if, sin_eighth, sqrt};
 use crate::oct::{fold, pack, unpack};
 use crate::scalar::snorm_max;
@@ -111,7 +111,7 @@ fn raised(x: f32, scale: f32) -> f32 {
 /// but takes five products more, which all wait for each other: a fifth more time on lavapipe.
 #[inline(always)]
 fn polar(v: Vec3, norm: f32) -> Polar {
-    let scale = f32::from_bits((254u32 << 23).wrapping_sub(norm.to_bits() & 0x7f80_0000));
+    let scale = scale_to_one(norm);
     let (x, y) = (v.x.abs(), v.y.abs());
     let swapped = y > x;
     let (shorter, longer) = if swapped { (x, y) } else { (y, x) };

@@ -35,11 +35,11 @@
 //! `(x^2 + y^2) / (1 + |z|)`, and z itself elsewhere. Encoding and decoding are off by at most 2e-7 radians each.
 
 use crate::codec::Codec;
-use crate::direction::{MIN_NORM, or_z};
-use crate::math::{atan_octant_ratio, cos_eighth, is_negative, negate_if, sin_eighth, sqrt};
-use crate::oct_wide::{exp2, small_floor, whole_to_i32};
-use crate::scalar::{integer_part, whole_to_u32};
-use crate::spherical::without_denormal;
+use crate::direction::{MIN_NORM, or_z, scale_to_one};
+use crate::math::{
+    atan_octant_ratio, cos_eighth, is_negative, negate_if, sin_eighth, sqrt, without_denormal,
+};
+use crate::scalar::{exp2, integer_part, small_floor, whole_to_i32, whole_to_u32};
 use glam::Vec3;
 
 /// The upper 32 of the 64 bits of g, `(sqrt(5) - 1) / 2`.
@@ -256,8 +256,7 @@ impl Candidate {
 #[inline(always)]
 pub fn nearest(v: Vec3, bits: u32) -> u32 {
     let (v, norm) = or_z(v);
-    // A power of two, by which the L1 norm becomes 1 to 2, exactly.
-    let scale = f32::from_bits((254 << 23) - (norm.to_bits() & 0x7f80_0000));
+    let scale = scale_to_one(norm);
     let v = Vec3::new(without_denormal(v.x), without_denormal(v.y), without_denormal(v.z)) * scale;
     let is_mirrored = is_negative(v.z);
     let azimuth = azimuth(v.x, v.y);

@@ -45,8 +45,8 @@
 //!   codes cannot be interpolated.
 
 use crate::codec::{Code, Codec, storage_bytes};
-use crate::direction::{is_usable, l1_norm};
-use crate::math::{dot, floor, is_negative, negate_if, normalize};
+use crate::direction::{is_usable, l1_norm, scale_to_one};
+use crate::math::{dot, floor, is_negative, negate_if, normalize, without_denormal};
 use crate::oct::{from_lattice, lattice_precise};
 use crate::scalar::{mask, signed_code, snorm_integer, snorm_max, whole_to_u32};
 #[cfg(not(target_arch = "spirv"))]
@@ -173,19 +173,13 @@ fn unwarp<const ANGLE_BITS: u32>(w: f32) -> f32 {
     v + (w - warp(v)) * (core::f32::consts::FRAC_2_PI * 2.0) / (1.0 + u)
 }
 
-/// `x`, or 0 where that is a denormal, which some devices flush.
-#[inline(always)]
-fn flushed(x: f32) -> f32 {
-    if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
-}
-
 /// `v` scaled by a power of two to an L1 norm of 1 to 2; +0 where it has no usable direction.
 #[inline(always)]
 fn scaled(v: Vec3) -> Vec3 {
     let norm = l1_norm(v);
     let (v, norm) = if is_usable(norm) { (v, norm) } else { (Vec3::ZERO, 1.0) };
-    let scale = f32::from_bits((254 << 23) - (norm.to_bits() & 0x7f80_0000));
-    Vec3::new(flushed(v.x), flushed(v.y), flushed(v.z)) * scale
+    let scale = scale_to_one(norm);
+    Vec3::new(without_denormal(v.x), without_denormal(v.y), without_denormal(v.z)) * scale
 }
 
 /// The code of the angle of `tangent` about the decoded normal `n`.

@@ -12,9 +12,8 @@
 
 use crate::codec::Codec;
 use crate::direction::or_z;
-use crate::math::{floor, is_negative, negate_if, normalize};
+use crate::math::{floor, is_negative, negate_if, normalize, without_denormal};
 use crate::scalar::{mask, signed_code, snorm_integer, snorm_max};
-use crate::spherical::without_denormal;
 use glam::{Vec2, Vec3};
 
 /// The lattice point of the direction of `v`: the nearest in the square (listing 6, then snorm rounding).

@@ -39,9 +39,9 @@
 //! place.
 
 use crate::codec::Codec;
-use crate::direction::or_z;
-use crate::math::{dot, is_negative, negate_if, sqrt};
-use crate::scalar::{integer_part, mask};
+use crate::direction::{or_z, scale_to_one};
+use crate::math::{dot, is_negative, negate_if, sqrt, without_denormal};
+use crate::scalar::{exp2, integer_part, mask, small_floor, whole_to_i32};
 use glam::Vec3;
 
 /// A whole number on the lattice, and how far beyond it a position lies: 0 to 1.
@@ -85,12 +85,6 @@ const fn snorm_max(bits: u32) -> i32 {
     (1 << (bits - 1)) - 1
 }
 
-/// 2 to the power `exponent`, -126 to 127.
-#[inline(always)]
-pub(crate) const fn exp2(exponent: i32) -> f32 {
-    f32::from_bits(((127 + exponent) as u32) << 23)
-}
-
 /// `x` without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
 #[inline(always)]
 fn upper_half(x: f32) -> f32 {
@@ -115,28 +109,6 @@ fn product_rest(a: f32, b: f32, product: f32) -> f32 {
     (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower
 }
 
-/// Sums of it and numbers of at most 2^22 have the unit as their last place, so that they are whole.
-const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
-
-/// The largest integer not above `x`, as a float, for `x` from -2^21 to 2^21. Three times as fast as `floor` where a
-/// CPU's base instruction set lacks that; SPIR-V has an instruction.
-#[inline(always)]
-pub(crate) fn small_floor(x: f32) -> f32 {
-    #[cfg(target_arch = "spirv")]
-    return crate::math::floor(x);
-    #[cfg(not(target_arch = "spirv"))]
-    {
-        let near = (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23;
-        if near > x { near - 1.0 } else { near }
-    }
-}
-
-/// A whole number from -2^22 to 2^22 - 1 as an integer: the bits of the sum count up with it.
-#[inline(always)]
-pub(crate) fn whole_to_i32(whole: f32) -> i32 {
-    (whole + ONE_AND_A_HALF_2_23).to_bits().wrapping_sub(ONE_AND_A_HALF_2_23.to_bits()) as i32
-}
-
 /// The coordinate `(2^(bits-1) - 1) x / (sum + rest)`, for `x` of 0 to `sum`, and the quotient's first float.
 /// `reciprocal` is `1 / sum`.
 ///
@@ -156,17 +128,11 @@ fn coordinate(x: f32, sum: f32, rest: f32, reciprocal: f32, bits: u32) -> (Coord
     (Coordinate { whole: whole + whole_to_i32(carry), fraction: beyond - carry }, quotient)
 }
 
-/// `|x|`, or 0 where that is a denormal, which some devices flush.
-#[inline(always)]
-fn magnitude(x: f32) -> f32 {
-    if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x.abs() }
-}
-
 /// Where a direction with the L1 norm `norm` lies in the positive octant, after mirroring.
 #[inline(always)]
 fn position(v: Vec3, norm: f32, bits: u32) -> Position {
-    let scale = f32::from_bits((254 << 23) - (norm.to_bits() & 0x7f80_0000));
-    let vector = Vec3::new(magnitude(v.x), magnitude(v.y), magnitude(v.z)) * scale;
+    let scale = scale_to_one(norm);
+    let vector = Vec3::new(without_denormal(v.x), without_denormal(v.y), without_denormal(v.z)).abs() * scale;
     let (sum_xy, rest_xy) = two_sum(vector.x, vector.y);
     let (sum, rest_z) = two_sum(sum_xy, vector.z);
     let rest = rest_xy + rest_z;

@@ -89,19 +89,51 @@ pub fn whole_to_u32(whole: f32) -> u32 {
     }
 }
 
-/// The two's complement, in `bits` bits, of a whole number from -2^21 to 2^21 - 1.
+/// A whole number from -2^22 to 2^22 - 1 as an integer.
 ///
-/// As in [`whole_to_u32`]: on the CPU, the sum with 1.5 2^23 is exact and has the two's complement in its low 22 bits,
-/// the most that `bits` may be.
+/// As in [`whole_to_u32`]: on the CPU, the bits of the sum count up with the number.
+#[inline(always)]
+pub(crate) fn whole_to_i32(whole: f32) -> i32 {
+    if cfg!(target_arch = "spirv") {
+        integer_part(whole)
+    } else {
+        (whole + ONE_AND_A_HALF_2_23).to_bits().wrapping_sub(ONE_AND_A_HALF_2_23.to_bits()) as i32
+    }
+}
+
+/// The two's complement, in `bits` bits (at most 22), of a whole number from -2^21 to 2^21 - 1.
 #[inline(always)]
 pub fn signed_code(whole: f32, bits: u32) -> u32 {
-    const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
-    let code = if cfg!(target_arch = "spirv") {
-        integer_part(whole) as u32
+    whole_to_i32(whole) as u32 & mask(bits)
+}
+
+/// Sums of it and numbers of at most 2^22 have the unit as their last place, so that they are whole; the low 22 bits are
+/// their two's complement.
+pub(crate) const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
+
+/// The nearest whole number, the even one of two: as sums, cheaper than [`floor`] on most processors. Magnitudes up to
+/// 2^21.
+#[inline(always)]
+pub(crate) fn nearest_whole(x: f32) -> f32 {
+    (x + ONE_AND_A_HALF_2_23) - ONE_AND_A_HALF_2_23
+}
+
+/// The largest integer not above `x`, as a float, for `x` from -2^21 to 2^21. Three times as fast as `floor` where a
+/// CPU's base instruction set lacks that; SPIR-V has an instruction.
+#[inline(always)]
+pub(crate) fn small_floor(x: f32) -> f32 {
+    if cfg!(target_arch = "spirv") {
+        floor(x)
     } else {
-        (whole + ONE_AND_A_HALF_2_23).to_bits()
-    };
-    code & mask(bits)
+        let near = nearest_whole(x);
+        if near > x { near - 1.0 } else { near }
+    }
+}
+
+/// 2 to the power `exponent`, -126 to 127.
+#[inline(always)]
+pub(crate) const fn exp2(exponent: i32) -> f32 {
+    f32::from_bits(((127 + exponent) as u32) << 23)
 }
 
 #[cfg(test)]

@@ -22,7 +22,9 @@
 
 use crate::codec::Codec;
 use crate::direction::or_z;
-use crate::math::{atan2_half_turns, floor, is_negative, negate_if, sin_cos_half_turns, sqrt};
+use crate::math::{
+    atan2_half_turns, floor, is_negative, negate_if, sin_cos_half_turns, sqrt, without_denormal,
+};
 use crate::scalar::{signed_code, snorm_integer, snorm_max};
 use glam::{Vec2, Vec3};
 
@@ -62,11 +64,6 @@ pub fn round_symmetric(x: f32) -> f32 {
 #[inline(always)]
 pub fn signed_integer(code: u32, bits: u32) -> f32 {
     ((code << (32 - bits)) as i32 >> (32 - bits)) as f32
-}
-
-#[inline(always)]
-pub(crate) fn without_denormal(x: f32) -> f32 {
-    if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
 }
 
 /// The integers i and j of the direction of `v`. `m` is the largest i, `half_turn` the j of pi.

@@ -5,8 +5,8 @@
 //! A table holds `2^BITS` vectors, 768 KiB at 16 bits, and gives the bits that [`Codec::decode`] gives. To look a
 //! vector up takes about a nanosecond as long as the table stays in a second-level cache of 1 MiB or more, whatever the
 //! codec: with AVX2 as long as [`oct`](crate::oct) is worked out by [`decode_slice`](crate::slice::decode_slice), less
-//! than a third of what [`latlong`](crate::latlong) takes. So a table pays for codecs that are dear to decode, for vectors one
-//! by one, and where vector instructions are short; it does not where other work needs the cache.
+//! than a third of what [`latlong`](crate::latlong) takes. So a table pays for codecs that are dear to decode, for
+//! vectors one by one, and where vector instructions are short; it does not where other work needs the cache.
 //!
 //! ```
 //! use unitvec::table::DecodeTable;

@@ -52,8 +52,8 @@ mod tests {
     fn words(kernel: &str) -> (Vec<u32>, String) {
         let modules = Modules::open(None).unwrap();
         let (bytes, entry_point) = modules.load(kernel).unwrap();
-        let words = bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap()));
-        (words.collect(), entry_point.to_owned())
+        let words = ash::util::read_spv(&mut std::io::Cursor::new(bytes)).unwrap();
+        (words, entry_point.to_owned())
     }
 
     /// Whole modules pass; cut at any word they do not.

@@ -40,6 +40,12 @@ pub fn is_negative(x: f32) -> bool {
     x <= -f32::MIN_POSITIVE
 }
 
+/// `x`, or 0 where that is a denormal, which some devices flush.
+#[inline(always)]
+pub(crate) fn without_denormal(x: f32) -> f32 {
+    if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
+}
+
 /// `-x` where `negative`, else `x`.
 #[inline(always)]
 pub fn negate_if(negative: bool, x: f32) -> f32 {

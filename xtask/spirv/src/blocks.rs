@@ -3,10 +3,14 @@
 use rspirv::dr::{Block, Function, Instruction, Operand};
 use rspirv::spirv::{Op, Word};
 
-/// Takes the phis, with which a block begins, out of it.
+/// The phis, with which a block begins.
+pub fn phis(block: &Block) -> impl Iterator<Item = &Instruction> {
+    block.instructions.iter().take_while(|instruction| instruction.class.opcode == Op::Phi)
+}
+
+/// Takes the phis out of a block.
 pub fn take_phis(block: &mut Block) -> Vec<Instruction> {
-    let is_phi = |instruction: &Instruction| instruction.class.opcode == Op::Phi;
-    let count = block.instructions.iter().take_while(|instruction| is_phi(instruction)).count();
+    let count = phis(block).count();
     block.instructions.drain(..count).collect()
 }
 

@@ -1,7 +1,6 @@
 //! NoContraction on every float arithmetic result.
 
 use anyhow::{Result, anyhow};
-use rspirv::binary::Assemble;
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, Op};
 use std::collections::HashSet;
@@ -37,24 +36,18 @@ fn arithmetic_results(module: &Module) -> impl Iterator<Item = u32> {
         .filter_map(|instruction| instruction.result_id)
 }
 
-fn parse(words: &[u32]) -> Result<Module> {
-    rspirv::dr::load_words(words).map_err(|error| anyhow!("rspirv cannot parse the module: {error}"))
-}
-
 /// Adds NoContraction wherever it is missing.
-pub fn no_contraction(words: &[u32]) -> Result<Vec<u32>> {
-    let mut module = parse(words)?;
-    let missing = undecorated(&module);
+pub fn no_contraction(module: &mut Module) {
+    let missing = undecorated(module);
     module.annotations.extend(missing.into_iter().map(|id| {
         let operands = vec![Operand::IdRef(id), Operand::Decoration(Decoration::NoContraction)];
         Instruction::new(Op::Decorate, None, None, operands)
     }));
-    Ok(module.assemble())
 }
 
 /// Fails if a float arithmetic result lacks NoContraction.
-pub fn check_no_contraction(words: &[u32]) -> Result<()> {
-    match undecorated(&parse(words)?).as_slice() {
+pub fn check_no_contraction(module: &Module) -> Result<()> {
+    match undecorated(module).as_slice() {
         [] => Ok(()),
         ids => Err(anyhow!(
             "{} float results lost their NoContraction in spirv-opt, %{} first",

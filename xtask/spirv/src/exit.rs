@@ -4,22 +4,17 @@
 //! repeats. GLSL leaves a loop where the condition fails, which costs one mask less a round where invocations are
 //! lanes of a vector.
 
-use crate::blocks::{incoming, index_of, label, predecessors};
-use anyhow::{Result, anyhow};
-use rspirv::binary::Assemble;
-use rspirv::dr::{Block, Function, Instruction, Operand};
+use crate::blocks::{incoming, index_of, label, phis, predecessors};
+use rspirv::dr::{Block, Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
 /// Makes each loop whose body is an arm leave from where that begins.
-pub fn at_conditions(words: &[u32]) -> Result<Vec<u32>> {
-    let mut module =
-        rspirv::dr::load_words(words).map_err(|error| anyhow!("rspirv cannot parse the module: {error}"))?;
+pub fn at_conditions(module: &mut Module) {
     for function in &mut module.functions {
         while let Some(found) = (0..function.blocks.len()).find_map(|header| guarded(function, header)) {
             unguard(function, &found);
         }
     }
-    Ok(module.assemble())
 }
 
 /// A loop that does nothing but its body in an arm, all as indices of blocks: `header: branch guard; guard: if condition
@@ -79,10 +74,6 @@ fn guarded(function: &Function, header: usize) -> Option<Guarded> {
 fn only_target(block: &Block) -> Option<Word> {
     let last = block.instructions.last()?;
     if last.class.opcode == Op::Branch { last.operands[0].id_ref_any() } else { None }
-}
-
-fn phis(block: &Block) -> impl Iterator<Item = &Instruction> {
-    block.instructions.iter().take_while(|instruction| instruction.class.opcode == Op::Phi)
 }
 
 /// True if nothing but the header's phis uses the phis of the meeting block.

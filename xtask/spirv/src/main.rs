@@ -8,9 +8,10 @@ mod decorate;
 mod exit;
 mod select;
 
-use anyhow::{Context, Result, bail, ensure};
+use anyhow::{Context, Result, anyhow, bail, ensure};
 use cargo_gpu_install::install::Install;
 use cargo_gpu_install::spirv_builder::ModuleResult;
+use rspirv::binary::Assemble;
 use spirv_tools::opt::{Optimizer, Passes};
 use spirv_tools::val::Validator;
 use spirv_tools::{TargetEnv, opt, val};
@@ -134,12 +135,19 @@ fn read_words(path: &Path) -> Result<Vec<u32>> {
 
 /// Decorates, flattens, optimises and validates a module.
 fn finish(words: &[u32]) -> Result<Vec<u32>> {
-    let decorated = decorate::no_contraction(words)?;
-    let flat = select::for_branches(&optimize(&decorated)?)?;
-    let words = optimize(&exit::at_conditions(&flat)?)?;
-    decorate::check_no_contraction(&words)?;
+    let mut module = parse(words)?;
+    decorate::no_contraction(&mut module);
+    let mut module = parse(&optimize(&module.assemble())?)?;
+    select::for_branches(&mut module)?;
+    exit::at_conditions(&mut module);
+    let words = optimize(&module.assemble())?;
+    decorate::check_no_contraction(&parse(&words)?)?;
     val::create(Some(TargetEnv::Vulkan_1_2)).validate(&words, None).context("spirv-val")?;
     Ok(words)
+}
+
+fn parse(words: &[u32]) -> Result<rspirv::dr::Module> {
+    rspirv::dr::load_words(words).map_err(|error| anyhow!("rspirv cannot parse the module: {error}"))
 }
 
 fn optimize(words: &[u32]) -> Result<Vec<u32>> {

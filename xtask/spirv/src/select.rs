@@ -8,17 +8,14 @@ use crate::blocks::{
     incoming, index_of, is_continue_target, label, predecessors, rename_predecessor, take_phis,
 };
 use anyhow::{Result, anyhow};
-use rspirv::binary::Assemble;
 use rspirv::dr::{Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 use std::collections::HashMap;
 
 /// Replaces each conditional branch around pure instructions by those and selects.
-pub fn for_branches(words: &[u32]) -> Result<Vec<u32>> {
-    let mut module =
-        rspirv::dr::load_words(words).map_err(|error| anyhow!("rspirv cannot parse the module: {error}"))?;
+pub fn for_branches(module: &mut Module) -> Result<()> {
     let header = module.header.as_ref().ok_or_else(|| anyhow!("the module has no header"))?;
-    let mut types = Types::of(&module, header.bound);
+    let mut types = Types::of(module, header.bound);
     for function in &mut module.functions {
         while let Some(diamond) = (0..function.blocks.len()).find_map(|head| diamond(function, head, &types))
         {
@@ -28,7 +25,7 @@ pub fn for_branches(words: &[u32]) -> Result<Vec<u32>> {
     if let Some(header) = &mut module.header {
         header.bound = types.bound;
     }
-    Ok(module.assemble())
+    Ok(())
 }
 
 /// A head that branches to one or two arms, or past one, which meet again.
