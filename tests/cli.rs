@@ -6,7 +6,7 @@ use unitvec_host::catalogue::{CATALOGUE, Domain};
 use unitvec_host::measure::angle_deg;
 use unitvec_host::{mesh, sampling};
 use unitvec_tests::program::{run, run_with_input, stderr, stdout};
-use unitvec_tests::repository;
+use unitvec_tests::{BACKENDS, repository};
 
 fn raw(vectors: &[[f32; 3]]) -> Vec<u8> {
     vectors.iter().flatten().flat_map(|component| component.to_le_bytes()).collect()
@@ -54,7 +54,7 @@ fn files_round_trip_on_every_backend() {
     std::fs::write(&input, raw(&original)).unwrap();
     for codec in CATALOGUE.iter().filter(|codec| ["oct16", "oct24p", "hemioct32"].contains(&codec.id)) {
         let mut results = Vec::new();
-        for backend in ["cpu", "spirv", "glsl"] {
+        for &backend in BACKENDS {
             let (codes, back) = (folder.path().join("codes"), folder.path().join("back"));
             let validate: &[&str] = if backend == "cpu" { &[] } else { &["--validate"] };
             let arguments = [validate, &["--codec", codec.id, "--backend", backend]].concat();
@@ -90,7 +90,7 @@ fn standard_streams_are_a_pipe() {
 #[test]
 fn a_mesh_is_encoded_as_its_normals() {
     let folder = tempfile::tempdir().unwrap();
-    let bunny = repository().join("tests/data/bunny.obj");
+    let bunny = repository().join("host/data/bunny.obj");
     let codes = folder.path().join("bunny.oct16p");
     let output = run(["encode", "--codec", "oct16p", path(&bunny), path(&codes)]);
     assert!(output.status.success(), "{}", stderr(&output));
@@ -102,13 +102,19 @@ fn a_mesh_is_encoded_as_its_normals() {
 fn conform_reports_in_words_and_json() {
     let folder = tempfile::tempdir().unwrap();
     let json = folder.path().join("report.json");
-    let bunny = repository().join("tests/data/bunny.obj");
+    let bunny = repository().join("host/data/bunny.obj");
     let arguments = ["conform", "--validate", "--codec", "oct16", "--codec", "hemioct32", "--count", "1000"];
     let output = run([&arguments[..], &["--json", path(&json), path(&bunny)]].concat());
     assert!(output.status.success(), "{}", stderr(&output));
-    assert!(stdout(&output).contains("conform: PASS"));
+    let text = stdout(&output);
+    assert!(text.contains("conform: PASS"), "{text}");
+    let covered = "(all codes of up to 16 bits, 1000 random codes of more)";
+    assert!(text.trim_end().ends_with(covered), "{text}");
     let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
     assert_eq!(report["agreed"], true);
+    assert_eq!(report["all_codes_up_to"], 16);
+    assert_eq!(report["random_directions"], 1000);
+    assert_eq!(report["glsl_compared"], cfg!(feature = "glsl"));
     assert!(report["device"]["name"].as_str().unwrap().contains("llvmpipe"));
     let rows = report["rows"].as_array().unwrap();
     assert_eq!(
@@ -199,6 +205,7 @@ fn choose_goes_by_the_costs_it_is_given() {
 }
 
 /// A row for each direction and source, with figures that can be; and a CSV of the same rows.
+#[cfg(feature = "glsl")]
 #[test]
 fn bench_reports_every_direction_and_source() {
     let folder = tempfile::tempdir().unwrap();

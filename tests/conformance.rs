@@ -1,12 +1,13 @@
 //! CPU, SPIR-V from Rust and SPIR-V from GLSL agree to the bit on lavapipe, and a disagreement would be noticed.
 
 use std::path::Path;
+use std::sync::Arc;
 use unitvec_host::backend::{Backend, Cpu, Gpu, KernelSource};
-use unitvec_host::catalogue::{CATALOGUE, Coding, Direction, Domain, FRAMES, find};
-use unitvec_host::conform::{self, Options};
+use unitvec_host::catalogue::{self, CATALOGUE, Coding, Direction, Domain, FRAMES, find};
+use unitvec_host::conform::{self, Gpus, Options, Subject};
 use unitvec_host::manifest::sha256_hex;
 use unitvec_host::modules::Modules;
-use unitvec_host::vulkan::{Error, Runner};
+use unitvec_host::vulkan::{Device, Error, Runner};
 use unitvec_host::{glsl, mesh, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, repository};
 
@@ -18,34 +19,56 @@ fn from_glsl() -> KernelSource {
     KernelSource::Glsl(glsl::Compiler::new().unwrap())
 }
 
-fn options(count: usize) -> Options {
-    let bunny = mesh::read(&repository().join("tests/data/bunny.obj")).unwrap();
-    Options { count, seed: 7, normals: bunny.normals }
+fn gpus(device: &Arc<Device>, spirv: KernelSource) -> unitvec_host::Result<Gpus> {
+    Ok(Gpus { spirv: Gpu::new(device, spirv, true)?, glsl: Some(Gpu::new(device, from_glsl(), true)?) })
 }
 
-/// 10^6 random directions, the mesh, special and tied input, and all codes of up to 24 bits, for every codec.
+fn options(count: usize) -> Options {
+    let bunny = mesh::read(&repository().join("host/data/bunny.obj")).unwrap();
+    Options { count, seed: 7, normals: bunny.normals, all_codes_up_to: 16 }
+}
+
+/// 2^18 random directions, the mesh, special and tied input, and all codes of up to 16 bits, for every codec.
+/// `cargo xtask conform --exhaustive` does the same with more.
 #[test]
 fn the_three_agree_to_the_bit() {
     let device = lavapipe();
-    let mut spirv = Gpu::new(&device, embedded(), true).unwrap();
-    let mut glsl = Gpu::new(&device, from_glsl(), true).unwrap();
-    let options = options(1_000_000);
+    let options = options(1 << 18);
     assert!(options.normals.len() > 1000);
-    for codec in CATALOGUE {
-        let row = conform::run_codec(codec, &options, &mut spirv, &mut glsl, &mut |_| ()).unwrap();
+    let frames = FRAMES.iter().map(Subject::Frame);
+    let subjects: Vec<Subject> = CATALOGUE.iter().map(Subject::Codec).chain(frames).collect();
+    let work: u64 = subjects.iter().map(|subject| subject.work(&options)).sum();
+    let (mut done, mut rows) = (0, Vec::new());
+    let open = || gpus(&device, embedded());
+    conform::run(&subjects, &options, open, &mut |more| done += more, &mut |row| {
+        rows.push(row);
+        Ok(())
+    })
+    .unwrap();
+    assert_eq!(done, work);
+    let ids: Vec<&str> = rows.iter().map(|row| row.id).collect();
+    assert_eq!(ids, subjects.iter().map(|subject| subject.id()).collect::<Vec<_>>());
+    for row in &rows {
         assert!(row.agrees(), "{row:#?}");
-        assert!(row.codes >= if codec.bits <= 24 { 1 << codec.bits } else { 1_000_000 });
-        assert!(row.max_deg <= f64::from(codec.max_error_deg), "{row:#?}");
+        assert!(row.codes >= if row.bits <= 16 { 1 << row.bits } else { 1 << 18 }, "{row:#?}");
+        let bounds = match catalogue::find_frame(row.id) {
+            Some(frame) => (frame.max_normal_error_deg, Some(frame.max_tangent_error_deg)),
+            None => (find(row.id).unwrap().max_error_deg, None),
+        };
+        assert!(row.max_deg <= f64::from(bounds.0), "{row:#?}");
+        assert_eq!(row.tangent_max_deg.is_some(), bounds.1.is_some(), "{row:#?}");
+        assert!(row.tangent_max_deg <= bounds.1.map(f64::from), "{row:#?}");
     }
-    for codec in FRAMES {
-        let row = conform::run_frame(codec, &options, &mut spirv, &mut glsl, &mut |_| ()).unwrap();
-        assert!(row.agrees(), "{row:#?}");
-        assert!(row.codes >= 1_000_000);
-        assert!(row.max_deg <= f64::from(codec.max_normal_error_deg), "{row:#?}");
-        assert!(row.tangent_max_deg.unwrap() <= f64::from(codec.max_tangent_error_deg), "{row:#?}");
-    }
-    drop((spirv, glsl));
     assert_no_validation_messages(device);
+}
+
+/// A backend that cannot be opened ends the run with its error.
+#[test]
+fn conform_ends_where_a_backend_does_not_open() {
+    let subjects = [Subject::Codec(find("oct16").unwrap())];
+    let open = || Err(unitvec_host::Error::Usage("no such backend".to_owned()));
+    let error = conform::run(&subjects, &options(1), open, &mut |_| (), &mut |_| Ok(())).unwrap_err();
+    assert_eq!(error.to_string(), "no such backend");
 }
 
 /// The last invocation's group may be incomplete, and a dispatch's last workgroup: every count around those sizes.
@@ -119,10 +142,9 @@ fn a_kernel_that_computes_something_else_is_noticed() {
     swap_encoder(folder.path());
     let device = lavapipe();
     let source = KernelSource::Spirv(Modules::open(Some(folder.path())).unwrap());
-    let mut spirv = Gpu::new(&device, source, true).unwrap();
-    let mut glsl = Gpu::new(&device, from_glsl(), true).unwrap();
+    let mut gpus = gpus(&device, source).unwrap();
     let codec = find("oct16").unwrap();
-    let row = conform::run_codec(codec, &options(10_000), &mut spirv, &mut glsl, &mut |_| ()).unwrap();
+    let row = conform::run_codec(codec, &options(10_000), &mut gpus, &mut |_| ()).unwrap();
     assert!(!row.agrees());
     assert!(row.encode_mismatches.spirv > 1000);
     assert_eq!(row.encode_mismatches.glsl, 0);

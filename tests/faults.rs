@@ -247,7 +247,7 @@ fn options_that_do_not_go_together() {
         let mut on_cpu = encode("oct16", &input, &folder.path().join("out"));
         assert_fails(on_cpu.args(option), 2, &["--backend spirv"]);
     }
-    let bunny = repository().join("tests/data/bunny.obj");
+    let bunny = repository().join("host/data/bunny.obj");
     let mut decode = command(["decode", "--codec", "oct16"]);
     assert_fails(decode.args([&bunny, &folder.path().join("out")]), 2, &["is a mesh", "unitvec encode"]);
     assert_fails(&mut command(["accuracy", "--json", "-", "--csv", "-"]), 2, &["--csv -"]);

@@ -3,7 +3,9 @@
 use std::collections::{BTreeSet, HashSet};
 use std::process::Command;
 use unitvec::best_fit;
+#[cfg(feature = "glsl")]
 use unitvec_host::catalogue::{Direction, formats};
+#[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;
 use unitvec_host::manifest::{BEST_FIT_TABLE, DECODE_BY_TABLE, Manifest, sha256_hex, sources_sha256};
 use unitvec_tests::repository;
@@ -103,13 +105,15 @@ fn spirv_val_accepts_every_module() {
 fn every_float_result_is_marked_no_contraction() {
     let unmarked: Vec<String> = all_modules()
         .into_iter()
-        .filter(|(name, instructions)| unmarked_results(name, instructions, &FLOAT_ARITHMETIC) > 0)
+        .filter(|(name, instructions)| unmarked_results(name, instructions, &FLOAT_ARITHMETIC, 6) > 0)
         .map(|(name, _)| name)
         .collect();
     assert!(unmarked.is_empty(), "{unmarked:?}");
 }
 
-/// `precise` is nowhere forgotten in the GLSL. glslang does not mark negation, which is exact.
+/// `precise` is nowhere forgotten in the GLSL. glslang does not mark negation, which is exact. The kernels take
+/// their four vectors in a loop, in which there may be no more than one division a component.
+#[cfg(feature = "glsl")]
 #[test]
 fn every_float_result_of_the_glsl_is_marked_no_contraction() {
     let compiler = Compiler::new().unwrap();
@@ -117,15 +121,15 @@ fn every_float_result_of_the_glsl_is_marked_no_contraction() {
         .flat_map(|format| [(format, Direction::Encode), (format, Direction::Decode)])
         .filter(|(format, direction)| {
             let instructions = parse(&compiler.kernel(*format, *direction).unwrap());
-            unmarked_results(&format.function(*direction), &instructions, &FLOAT_ARITHMETIC[1..]) > 0
+            unmarked_results(&format.function(*direction), &instructions, &FLOAT_ARITHMETIC[1..], 3) > 0
         })
         .map(|(format, direction)| format.function(direction))
         .collect();
     assert!(unmarked.is_empty(), "{unmarked:?}");
 }
 
-/// How many results of these opcodes are not marked.
-fn unmarked_results(name: &str, instructions: &[Instruction], arithmetic: &[u32]) -> usize {
+/// How many results of these opcodes are not marked. There are `fewest` at least.
+fn unmarked_results(name: &str, instructions: &[Instruction], arithmetic: &[u32], fewest: usize) -> usize {
     let decorated: HashSet<u32> = instructions
         .iter()
         .filter(|instruction| instruction.opcode == OP_DECORATE && instruction.operands[1] == NO_CONTRACTION)
@@ -138,7 +142,7 @@ fn unmarked_results(name: &str, instructions: &[Instruction], arithmetic: &[u32]
         .collect();
     // Half floats are converted with integers alone, and tables need no arithmetic.
     let whole = name.starts_with("float16x3") || name.starts_with(DECODE_BY_TABLE);
-    assert!(results.len() > 2 || whole, "{name} has no arithmetic");
+    assert!(results.len() >= fewest || whole, "{name} has no arithmetic");
     results.iter().filter(|id| !decorated.contains(id)).count()
 }
 

@@ -1,5 +1,5 @@
-//! The slice functions are the scalar ones, bit for bit: for every codec, every instruction set of this machine, every
-//! length up to a block and more, and whatever lies in each lane.
+//! The slice functions are the scalar ones, bit for bit: for every codec of the catalogue, every instruction set of this
+//! machine, every length up to a block and more, and whatever lies in each lane.
 
 use glam::Vec3;
 use unitvec::Codec;
@@ -7,30 +7,14 @@ use unitvec::codec::Code;
 use unitvec::scalar::snorm_encode;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    decode_slice, decode_slice_at, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, encode_slice_at,
-    par_decode_slice, par_encode_slice,
+    decode_slice, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, par_decode_slice, par_encode_slice,
 };
 use unitvec::table::{DecodeTable, TableSize};
+use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
 use unitvec_tests::sampling::{Rng, special_inputs, sphere};
 
-/// Calls `check::<codec>(arguments)` for every codec.
-macro_rules! for_every_codec {
-    ($check:ident($($argument:expr),*)) => {
-        for_every_codec!($check($($argument),*): Oct16 Oct20 Oct22 Oct24 Oct32
-            OctPrecise16 OctPrecise20 OctPrecise22 OctPrecise24 OctPrecise32 HemiOct16 HemiOct24 HemiOct32
-            Oct48 OctPrecise48 OctPrecise52
-            Spherical16 Spherical20 Spherical22 Spherical24 Spherical32 Cylindrical16 Cylindrical24 Cylindrical32
-            LatLong16 LatLong24 LatLong32 LatLongD16 LatLongD24 LatLongD32
-            Stereo16 Stereo24 Stereo32 StereoConcentric16 StereoConcentric24 StereoConcentric32
-            StereoEllipse16 StereoEllipse24 StereoEllipse32 Eqarea16 Eqarea24 Eqarea32
-            EqareaConcentric16 EqareaConcentric24 EqareaConcentric32 EqareaEllipse16 EqareaEllipse24
-            EqareaEllipse32 Eqdist16 Eqdist24 Eqdist32 EqdistConcentric16 EqdistConcentric24 EqdistConcentric32
-            EqdistEllipse16 EqdistEllipse20 EqdistEllipse22 EqdistEllipse24 EqdistEllipse32
-            Cube16 Cube24 Cube32 WarpedCube16 WarpedCube24 WarpedCube32
-            Pp16 Pp24 Pp32 Pp48 Spp16 Spp24 Spp32 Spp48 XyOnly16 XyOnly24 XyOnly32 XyOnly32F
-            Snorm5x3 Snorm8x3 Snorm10x3 Snorm11x11x10 Snorm16x3 SnormBest8 SnormNearest8 SnormBest16 CrytekBfn24
-            Unorm8x3 Float16x3);
-    };
+/// Calls `check::<codec>(arguments)` for each of these codecs.
+macro_rules! for_codecs {
     ($check:ident $arguments:tt: $($codec:ident)*) => {
         $($check::<unitvec::$codec> $arguments;)*
     };
@@ -59,42 +43,48 @@ fn bytes(count: usize) -> Vec<u8> {
 }
 
 /// The code's bytes, by the scalar function.
-fn encode_scalar<C: Codec>(v: Vec3) -> Vec<u8> {
-    let [low, high] = C::encode(v).to_words();
-    [low.to_le_bytes(), high.to_le_bytes()].concat()[..C::BYTES].to_vec()
+fn encode_scalar<const N: usize>(codec: &impl Coding<N>, element: [f32; N]) -> Vec<u8> {
+    let [low, high] = codec.encode_one(element);
+    [low.to_le_bytes(), high.to_le_bytes()].concat()[..codec.format().bytes].to_vec()
 }
 
-/// The vector of a code's bytes, by the scalar function.
-fn decode_scalar<C: Codec>(code: &[u8]) -> [f32; 3] {
+/// The vector or frame of a code's bytes, by the scalar function.
+fn decode_scalar<const N: usize>(codec: &impl Coding<N>, code: &[u8]) -> [f32; N] {
+    codec.decode_one(words(code))
+}
+
+/// A code's bytes as two words.
+fn words(code: &[u8]) -> [u32; 2] {
     let mut bytes = [0; 8];
-    bytes[..C::BYTES].copy_from_slice(code);
-    let [low, high] = [0, 4].map(|i| u32::from_le_bytes(std::array::from_fn(|j| bytes[i + j])));
-    C::decode(C::Code::from_words([low, high])).to_array()
+    bytes[..code.len()].copy_from_slice(code);
+    [0, 4].map(|i| u32::from_le_bytes(std::array::from_fn(|j| bytes[i + j])))
 }
 
-fn bits(vectors: &[[f32; 3]]) -> Vec<[u32; 3]> {
-    vectors.iter().map(|v| v.map(f32::to_bits)).collect()
+fn bits<const N: usize>(elements: &[[f32; N]]) -> Vec<[u32; N]> {
+    elements.iter().map(|v| v.map(f32::to_bits)).collect()
 }
 
-fn check_levels<C: Codec>(lengths: impl Iterator<Item = usize>, vectors: &[[f32; 3]], bytes: &[u8]) {
-    let codes: Vec<u8> = vectors.iter().flat_map(|&v| encode_scalar::<C>(Vec3::from_array(v))).collect();
-    let decoded: Vec<[f32; 3]> = bytes.chunks_exact(C::BYTES).map(decode_scalar::<C>).collect();
-    let snorms: Vec<[i16; 4]> =
-        decoded.iter().map(|v| [v[0], v[1], v[2], 0.0].map(|t| snorm_encode(t, 16) as i16)).collect();
+/// Slices of these lengths, at every level, hold what the scalar functions give.
+fn check_levels<const N: usize>(
+    codec: &impl Coding<N>,
+    lengths: impl Iterator<Item = usize>,
+    elements: &[[f32; N]],
+    bytes: &[u8],
+) {
+    let format = codec.format();
+    let codes: Vec<u8> = elements.iter().flat_map(|&v| encode_scalar(codec, v)).collect();
+    let decoded: Vec<[f32; N]> =
+        bytes.chunks_exact(format.bytes).map(|code| decode_scalar(codec, code)).collect();
     for count in lengths {
-        let size = count * C::BYTES;
+        let size = count * format.bytes;
         for level in Level::available() {
             let mut actual = vec![0xA5; size];
-            encode_slice_at::<C>(level, &vectors[..count], &mut actual).unwrap();
-            assert_eq!(actual, codes[..size], "{} {level:?} {count}", C::NAME);
+            codec.encode_cpu_at(level, &elements[..count], &mut actual).unwrap();
+            assert_eq!(actual, codes[..size], "{} {level:?} {count}", format.id);
 
-            let mut actual = vec![[f32::NAN; 3]; count];
-            decode_slice_at::<C>(level, &bytes[..size], &mut actual).unwrap();
-            assert_eq!(bits(&actual), bits(&decoded[..count]), "{} {level:?} {count}", C::NAME);
-
-            let mut actual = vec![[1; 4]; count];
-            decode_slice_i16x4_at::<C>(level, &bytes[..size], &mut actual).unwrap();
-            assert_eq!(actual, snorms[..count], "{} {level:?} {count}", C::NAME);
+            let mut actual = vec![[f32::NAN; N]; count];
+            codec.decode_cpu_at(level, &bytes[..size], &mut actual).unwrap();
+            assert_eq!(bits(&actual), bits(&decoded[..count]), "{} {level:?} {count}", format.id);
         }
     }
 }
@@ -103,7 +93,9 @@ fn check_levels<C: Codec>(lengths: impl Iterator<Item = usize>, vectors: &[[f32;
 #[test]
 fn every_codec_at_every_length() {
     let (vectors, bytes) = (vectors(*LENGTHS.end()), bytes(8 * LENGTHS.end()));
-    for_every_codec!(check_levels(LENGTHS, &vectors, &bytes));
+    for codec in CATALOGUE {
+        check_levels(codec, LENGTHS, &vectors, &bytes);
+    }
 }
 
 /// Every special input: all combinations of zeros, denormals, infinities, NaN, huge and tiny numbers.
@@ -111,7 +103,86 @@ fn every_codec_at_every_length() {
 fn every_special_input() {
     let vectors = special_inputs();
     let bytes = bytes(8 * vectors.len());
-    for_every_codec!(check_levels(std::iter::once(vectors.len()), &vectors, &bytes));
+    for codec in CATALOGUE {
+        check_levels(codec, std::iter::once(vectors.len()), &vectors, &bytes);
+    }
+}
+
+/// Frames of every length, of two vectors and a number between them.
+#[test]
+fn frames_at_every_length() {
+    let vectors = vectors(3 * LENGTHS.end());
+    let frames: Vec<[f32; 7]> = vectors
+        .chunks_exact(3)
+        .map(|v| [v[0][0], v[0][1], v[0][2], v[1][0], v[1][1], v[1][2], v[2][0]])
+        .collect();
+    let bytes = bytes(8 * LENGTHS.end());
+    for codec in FRAMES {
+        check_levels(codec, LENGTHS, &frames, &bytes);
+    }
+}
+
+/// An output that is one element short or long is an error and stays as it was, and so are bytes that are no whole number
+/// of codes.
+fn check_wrong_lengths(codec: &impl Coding<3>, count: usize) {
+    let (id, size) = (codec.format().id, codec.format().bytes);
+    let vectors = vectors(count);
+    for bytes in [Some(count * size + 1), (count * size).checked_sub(1)].into_iter().flatten() {
+        let mut codes = vec![0xA5; bytes];
+        assert!(codec.encode_cpu(&vectors, &mut codes).is_err(), "{id}");
+        assert!(codes.iter().all(|&byte| byte == 0xA5), "{id}");
+        let mut decoded = vec![[7.0; 3]; count];
+        assert!(codec.decode_cpu(&codes, &mut decoded).is_err(), "{id}");
+        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{id}");
+    }
+    let codes = vec![0; count * size];
+    for other in [Some(count + 1), count.checked_sub(1)].into_iter().flatten() {
+        let mut decoded = vec![[7.0; 3]; other];
+        assert!(codec.decode_cpu(&codes, &mut decoded).is_err(), "{id}");
+        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{id}");
+    }
+}
+
+/// Slices that do not fit each other are refused, at every length and by every level's function too.
+#[test]
+fn slices_of_wrong_lengths_are_left_alone() {
+    for codec in CATALOGUE {
+        for count in LENGTHS {
+            check_wrong_lengths(codec, count);
+        }
+        for level in Level::available() {
+            let mut codes = vec![0xA5; codec.bytes + 1];
+            assert!(codec.encode_cpu_at(level, &[[1.0; 3]], &mut codes).is_err(), "{}", codec.id);
+            assert!(codec.decode_cpu_at(level, &codes, &mut [[1.0; 3]]).is_err(), "{}", codec.id);
+            assert!(codes.iter().all(|&byte| byte == 0xA5), "{}", codec.id);
+        }
+    }
+}
+
+/// [`Codec::decode`] of a code's bytes.
+fn decode_generic<C: Codec>(code: &[u8]) -> [f32; 3] {
+    C::decode(C::Code::from_words(words(code))).to_array()
+}
+
+/// Every level's form of snorm with a fourth component, at every length.
+fn check_i16x4<C: Codec>(bytes: &[u8]) {
+    let decoded = bytes.chunks_exact(C::BYTES).map(decode_generic::<C>);
+    let expected: Vec<[i16; 4]> =
+        decoded.map(|[x, y, z]| [x, y, z, 0.0].map(|t| snorm_encode(t, 16) as i16)).collect();
+    for count in LENGTHS {
+        for level in Level::available() {
+            let mut actual = vec![[1; 4]; count];
+            decode_slice_i16x4_at::<C>(level, &bytes[..count * C::BYTES], &mut actual).unwrap();
+            assert_eq!(actual, expected[..count], "{} {level:?} {count}", C::NAME);
+        }
+    }
+}
+
+/// Snorm with a fourth component, for each size of codes, and of vectors of other lengths than 1.
+#[test]
+fn i16x4_at_every_length() {
+    let bytes = bytes(8 * LENGTHS.end());
+    for_codecs!(check_i16x4(&bytes): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52 Float16x3);
 }
 
 /// Slices of `Vec3` are slices of `[f32; 3]`, and the level chosen by itself gives the same bits.
@@ -135,19 +206,21 @@ fn check_vec3<C: Codec>(arrays: &[[f32; 3]]) {
 #[test]
 fn slices_of_vec3() {
     let vectors = vectors(1000);
-    for_every_codec!(check_vec3(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
+    for_codecs!(check_vec3(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
 }
 
 /// All cores, over several portions and a rest, and a slice so large that memory is asked for ahead.
 fn check_parallel<C: Codec>(vectors: &[[f32; 3]]) {
-    let expected: Vec<u8> = vectors.iter().flat_map(|&v| encode_scalar::<C>(Vec3::from_array(v))).collect();
+    let code = |v: &[f32; 3]| C::encode(Vec3::from_array(*v)).to_words();
+    let bytes = |[low, high]: [u32; 2]| [low.to_le_bytes(), high.to_le_bytes()].concat();
+    let expected: Vec<u8> = vectors.iter().flat_map(|v| bytes(code(v)).into_iter().take(C::BYTES)).collect();
     for encode in [encode_slice::<C>, par_encode_slice::<C>] {
         let mut codes = vec![0xA5; expected.len()];
         encode(vectors, &mut codes).unwrap();
         assert!(codes == expected, "{}", C::NAME);
         assert!(encode(&vectors[1..], &mut codes).is_err(), "{}", C::NAME);
     }
-    let decoded: Vec<[f32; 3]> = expected.chunks_exact(C::BYTES).map(decode_scalar::<C>).collect();
+    let decoded: Vec<[f32; 3]> = expected.chunks_exact(C::BYTES).map(decode_generic::<C>).collect();
     for decode in [decode_slice::<C>, par_decode_slice::<C>] {
         let mut actual = vec![[f32::NAN; 3]; vectors.len()];
         decode(&expected, &mut actual).unwrap();
@@ -160,7 +233,7 @@ fn check_parallel<C: Codec>(vectors: &[[f32; 3]]) {
 #[test]
 fn large_and_parallel_slices() {
     let vectors = vectors(100_003);
-    for_every_codec!(check_parallel(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
+    for_codecs!(check_parallel(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
 }
 
 /// A decode table gives what the scalar function gives, for every code and for bits above the codec's.
@@ -172,7 +245,7 @@ fn check_table<C: Codec>() {
     let table = DecodeTable::<C>::fill(&mut memory[..entries]).unwrap();
 
     let bytes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
-    let decoded: Vec<[f32; 3]> = bytes.chunks_exact(2).map(decode_scalar::<C>).collect();
+    let decoded: Vec<[f32; 3]> = bytes.chunks_exact(2).map(decode_generic::<C>).collect();
     let mut actual = vec![[f32::NAN; 3]; decoded.len()];
     table.decode_slice(&bytes, &mut actual).unwrap();
     assert!(bits(&actual) == bits(&decoded), "{}", C::NAME);
@@ -189,7 +262,7 @@ fn check_table<C: Codec>() {
 /// Tables of all codecs of at most 16 bits.
 #[test]
 fn tables_are_the_scalar_functions() {
-    for_every_codec!(check_table(): Oct16 OctPrecise16 HemiOct16 Spherical16 Cylindrical16 LatLong16 LatLongD16 Stereo16
+    for_codecs!(check_table(): Oct16 OctPrecise16 HemiOct16 Spherical16 Cylindrical16 LatLong16 LatLongD16 Stereo16
         StereoConcentric16 StereoEllipse16 Eqarea16 EqareaConcentric16 EqareaEllipse16 Eqdist16 EqdistConcentric16
         EqdistEllipse16 Cube16 WarpedCube16 Pp16 Spp16 XyOnly16 Snorm5x3);
 }

@@ -1,11 +1,10 @@
-//! Every codec of two coordinates takes any input, alone and in slices, and gives what the contract of [`unitvec::Codec`] says.
+//! Every codec of two coordinates takes any input and gives what the contract of [`unitvec::Codec`] says.
 
 use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use unitvec::Codec;
 use unitvec::azimuthal;
-use unitvec::slice::{decode_slice, encode_slice};
 use unitvec_tests::oracle::azimuthal as papers;
 use unitvec_tests::oracle::{
     self, Cylindrical, EaOct, Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, angle_deg, length,
@@ -218,45 +217,5 @@ proptest! {
     #[test]
     fn any_code_keeps_the_contract(code in any::<u32>()) {
         for_every_codec!(check_decode(code));
-    }
-}
-
-/// Slices of `count` vectors: the codes of the scalar functions, little endian and without gaps, and back.
-fn check_slices<C: Checked>(count: usize) {
-    let vectors: Vec<[f32; 3]> = sphere(count as u64, count).map(|v| v.to_array()).collect();
-    let codes: Vec<u32> = vectors.iter().map(|&v| C::encode(Vec3::from_array(v))).collect();
-    let expected: Vec<u8> =
-        codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(C::BYTES)).collect();
-    let mut bytes = vec![0xA5; count * C::BYTES];
-    assert_eq!(encode_slice::<C>(&vectors, &mut bytes), Ok(()), "{}", C::NAME);
-    assert_eq!(bytes, expected, "{}", C::NAME);
-
-    let expected: Vec<[f32; 3]> = codes.iter().map(|&code| C::decode(code).to_array()).collect();
-    let mut decoded = vec![[f32::NAN; 3]; count];
-    assert_eq!(decode_slice::<C>(&bytes, &mut decoded), Ok(()), "{}", C::NAME);
-    assert_eq!(decoded, expected, "{}", C::NAME);
-
-    // An output that is one element short or long is an error and stays as it was.
-    for size in [Some(count + 1), count.checked_sub(1)].into_iter().flatten() {
-        let mut decoded = vec![[7.0; 3]; size];
-        assert!(decode_slice::<C>(&bytes, &mut decoded).is_err(), "{}", C::NAME);
-        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{}", C::NAME);
-    }
-    // Nor can bytes be one short or long, which is not a whole number of codes.
-    for size in [Some(bytes.len() + 1), bytes.len().checked_sub(1)].into_iter().flatten() {
-        let mut bytes = vec![0xA5; size];
-        assert!(encode_slice::<C>(&vectors, &mut bytes).is_err(), "{}", C::NAME);
-        assert!(bytes.iter().all(|&byte| byte == 0xA5), "{}", C::NAME);
-        let mut decoded = vec![[7.0; 3]; count];
-        assert!(decode_slice::<C>(&bytes, &mut decoded).is_err(), "{}", C::NAME);
-        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{}", C::NAME);
-    }
-}
-
-/// Slices of 0 to 70 elements hold what the scalar functions give; those of a wrong length are left alone.
-#[test]
-fn slices_are_the_scalar_functions() {
-    for count in 0..=70 {
-        for_every_codec!(check_slices(count));
     }
 }

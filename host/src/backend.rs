@@ -135,17 +135,6 @@ impl Gpu {
         })
     }
 
-    /// Compiles a codec's kernels and runs them once, so that the next run's time is the kernel's alone.
-    ///
-    /// # Errors
-    /// As [`Backend::encode`].
-    pub fn warm_up<const N: usize>(&mut self, codec: &impl Coding<N>) -> Result<()> {
-        let mut codes = vec![0; 4 * codec.format().bytes];
-        self.encode_elements(codec, &[[1.0; N]; 4], &mut codes)?;
-        self.decode_elements(codec, &codes, &mut [[0.0; N]; 4])?;
-        Ok(())
-    }
-
     /// As [`Backend::encode`], of vectors or frames.
     ///
     /// # Errors

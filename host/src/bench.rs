@@ -9,6 +9,7 @@ use crate::{Result, glsl, sampling};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::sync::Arc;
+use unitvec_oracle::survey;
 
 /// The codec that others are compared with.
 pub const REFERENCE: &str = "oct32";
@@ -102,8 +103,7 @@ struct Published {
 /// The survey's figure for a codec, in nanoseconds.
 pub fn survey_ns(id: &str, direction: Direction) -> Option<f64> {
     let name = CATALOGUE.iter().find(|codec| codec.id == id)?.survey_name;
-    let text = include_str!("../data/survey_table2.csv");
-    let mut rows = csv::Reader::from_reader(text.as_bytes());
+    let mut rows = csv::Reader::from_reader(survey::TABLE_2.as_bytes());
     let row = rows.deserialize::<Published>().filter_map(|row| row.ok()).find(|row| row.name == name)?;
     Some(match direction {
         Direction::Encode => row.gpu_encode_ns_per_vector,
@@ -115,6 +115,7 @@ pub fn survey_ns(id: &str, direction: Direction) -> Option<f64> {
 pub struct Bench {
     runner: Runner,
     modules: KernelSource,
+    glsl: KernelSource,
     cost_modules: Modules,
     compiler: glsl::Compiler,
     best_fit_table: Table,
@@ -142,6 +143,7 @@ impl Bench {
         let mut bench = Self {
             runner,
             modules: KernelSource::Spirv(modules),
+            glsl: KernelSource::Glsl(glsl::Compiler::new()?),
             cost_modules,
             compiler: glsl::Compiler::new()?,
             best_fit_table,
@@ -283,14 +285,13 @@ impl Bench {
     /// Vectors a second of the shipped kernels and of one that copies.
     fn throughput(&mut self, format: Format, direction: Direction) -> Result<Speeds> {
         let count = self.options.count;
-        let glsl = KernelSource::Glsl(glsl::Compiler::new()?);
         let copy = self.compiler.copy_kernel(format, direction)?;
         let table = self.table_of(format, direction).cloned();
         let kernel = |source: &KernelSource, runner| source.kernel(runner, format, direction, table.as_ref());
         let mut kernels = vec![
             (None, self.runner.kernel(&copy, glsl::ENTRY_POINT, None)?),
             (Some(Source::Rust), kernel(&self.modules, &self.runner)?),
-            (Some(Source::Glsl), kernel(&glsl, &self.runner)?),
+            (Some(Source::Glsl), kernel(&self.glsl, &self.runner)?),
         ];
         let codec = CATALOGUE.iter().find(|codec| codec.id == format.id && codec.bytes == 2);
         if let (Some(codec), Direction::Decode) = (codec, direction) {
@@ -369,7 +370,7 @@ const SOURCES: [Source; 2] = [Source::Rust, Source::Glsl];
 
 /// 0 to n - 1, backwards every other time: so a device that slows down or speeds up does so for all alike.
 fn alternating(sample: usize, n: usize) -> impl Iterator<Item = usize> {
-    (0..n).map(move |i| if sample.is_multiple_of(2) { i } else { n - 1 - i })
+    (0..n).map(move |i| if sample % 2 == 0 { i } else { n - 1 - i })
 }
 
 fn no_timestamps(runner: &Runner) -> vulkan::Error {

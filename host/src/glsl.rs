@@ -1,22 +1,29 @@
-//! The GLSL kernels, compiled at run time by glslang through shaderc.
+//! The GLSL kernels, compiled at run time by glslang through shaderc. Without the feature `glsl` there is no compiler:
+//! [`Compiler::new`] says so.
+
+#[cfg(feature = "glsl")]
+mod glslang;
+#[cfg(not(feature = "glsl"))]
+#[path = "glsl/no_glslang.rs"]
+mod glslang;
 
 use crate::catalogue::{Direction, Element, Format};
 use crate::manifest;
-use include_dir::{Dir, include_dir};
-use shaderc::{
-    CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
-};
-
-static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../glsl");
+use glslang::Glslang;
 
 /// GLSL that does not become SPIR-V.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
+    /// The program has none: it was built without the feature `glsl`.
+    #[error(
+        "this build has no GLSL compiler; to have one, install it with `--features glsl` (`cargo xtask` does so)"
+    )]
+    NotBuiltIn,
     /// shaderc has no compiler to give.
     #[error("the GLSL compiler (shaderc) cannot be started: {0}")]
-    NoCompiler(shaderc::Error),
-    /// A source file is not in the program.
-    #[error("the program was built without glsl/{file}; build it again from a whole repository")]
+    NoCompiler(String),
+    /// There is no such source file.
+    #[error("there is no file glsl/{file}")]
     NoSource {
         /// Path in `glsl/`.
         file: String,
@@ -29,7 +36,7 @@ pub enum Error {
         /// Kernel: `oct16_encode`.
         kernel: String,
         /// glslang's words.
-        error: shaderc::Error,
+        error: String,
     },
 }
 
@@ -37,17 +44,15 @@ pub enum Error {
 pub const ENTRY_POINT: &str = "main";
 
 /// A GLSL compiler.
-pub struct Compiler {
-    compiler: shaderc::Compiler,
-}
+pub struct Compiler(Glslang);
 
 impl Compiler {
     /// Starts glslang.
     ///
     /// # Errors
-    /// [`Error::NoCompiler`].
+    /// [`Error::NotBuiltIn`] or [`Error::NoCompiler`].
     pub fn new() -> Result<Self, Error> {
-        Ok(Self { compiler: shaderc::Compiler::new().map_err(Error::NoCompiler)? })
+        Glslang::new().map(Self)
     }
 
     /// The SPIR-V of a codec's kernel, optimised; its entry point is [`ENTRY_POINT`].
@@ -110,22 +115,8 @@ impl Compiler {
     ///
     /// # Errors
     /// glslang's.
-    pub fn compile(
-        &self,
-        file: &str,
-        text: &str,
-        macros: &[(String, String)],
-    ) -> std::result::Result<Vec<u8>, shaderc::Error> {
-        let mut options = CompileOptions::new()?;
-        options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_2 as u32);
-        options.set_optimization_level(OptimizationLevel::Performance);
-        options.set_include_callback(|wanted, kind, from, _depth| include(wanted, kind, from));
-        for (name, value) in macros {
-            options.add_macro_definition(name, Some(value));
-        }
-        let artifact =
-            self.compiler.compile_into_spirv(text, ShaderKind::Compute, file, ENTRY_POINT, Some(&options))?;
-        Ok(artifact.as_binary_u8().to_vec())
+    pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
+        self.0.compile(file, text, macros)
     }
 }
 
@@ -149,48 +140,5 @@ fn macros(format: Format, direction: Direction) -> Vec<(String, String)> {
 /// # Errors
 /// [`Error::NoSource`] where there is none of that name.
 pub fn source(file: &str) -> Result<&'static str, Error> {
-    SOURCES
-        .get_file(file)
-        .and_then(|file| file.contents_utf8())
-        .ok_or_else(|| Error::NoSource { file: file.to_owned() })
-}
-
-/// Resolves `#include` relative to the including file, as the standard include form does.
-fn include(wanted: &str, kind: IncludeType, from: &str) -> Result<ResolvedInclude, String> {
-    let path = match kind {
-        IncludeType::Relative => relative(from, wanted),
-        IncludeType::Standard => wanted.to_owned(),
-    };
-    match source(&path) {
-        Ok(text) => Ok(ResolvedInclude { resolved_name: path, content: text.to_owned() }),
-        Err(error) => Err(error.to_string()),
-    }
-}
-
-/// `wanted`, seen from the folder of `from`: `kernels/a.comp` and `../unitvec/b.glsl` give `unitvec/b.glsl`.
-fn relative(from: &str, wanted: &str) -> String {
-    let mut parts: Vec<&str> = from.split('/').collect();
-    parts.pop();
-    for part in wanted.split('/') {
-        match part {
-            "." => {}
-            ".." => {
-                parts.pop();
-            }
-            name => parts.push(name),
-        }
-    }
-    parts.join("/")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::relative;
-
-    #[test]
-    fn includes_are_relative_to_the_including_file() {
-        assert_eq!(relative("kernels/encode.comp", "../unitvec/unitvec.glsl"), "unitvec/unitvec.glsl");
-        assert_eq!(relative("unitvec/unitvec.glsl", "oct.glsl"), "unitvec/oct.glsl");
-        assert_eq!(relative("shader.comp", "./unitvec/oct.glsl"), "unitvec/oct.glsl");
-    }
+    unitvec_shaders::glsl(file).ok_or_else(|| Error::NoSource { file: file.to_owned() })
 }

@@ -1,6 +1,6 @@
 //! What runs the codecs of `unitvec`: the CPU, and any Vulkan device with the SPIR-V from Rust or from GLSL.
 //!
-//! * [`catalogue`]: the one list of codecs.
+//! * [`catalogue`]: the one list of codecs, with their CPU functions.
 //! * [`vulkan`]: devices, buffers, kernels; all `unsafe` is there.
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
@@ -13,7 +13,6 @@
 pub mod accuracy;
 pub mod backend;
 pub mod bench;
-pub mod catalogue;
 pub mod choose;
 pub mod conform;
 mod error;
@@ -28,3 +27,4 @@ pub mod stream;
 pub mod vulkan;
 
 pub use error::{Error, Result};
+pub use unitvec_catalogue as catalogue;

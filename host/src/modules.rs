@@ -1,12 +1,9 @@
 //! The SPIR-V modules that the kernels run from: those inside the program, or a folder of them.
 
 use crate::manifest::{self, Manifest};
-use include_dir::{Dir, include_dir};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
-
-static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../spirv");
 
 /// A folder of modules with its manifest.
 pub struct Modules {
@@ -122,10 +119,11 @@ impl Folder {
     fn read(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
         let content = match &self.root {
             Some(root) => fs::read(root.join(self.part).join(file)).map(Cow::Owned),
-            None => EMBEDDED
-                .get_file(Path::new(self.part).join(file))
-                .map(|file| Cow::Borrowed(file.contents()))
-                .ok_or_else(|| io::ErrorKind::NotFound.into()),
+            None => {
+                let path =
+                    if self.part.is_empty() { file.to_owned() } else { format!("{}/{file}", self.part) };
+                unitvec_shaders::spirv(&path).map(Cow::Borrowed).ok_or_else(|| io::ErrorKind::NotFound.into())
+            }
         };
         content.map_err(|source| Error::Missing { path: self.shown(file), source })
     }

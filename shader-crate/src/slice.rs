@@ -24,13 +24,19 @@
 pub(crate) mod block;
 #[doc(hidden)]
 pub mod machine;
+#[cfg(feature = "rayon")]
+mod parallel;
 
 use crate::codec::{Code, Codec};
 use block::{BLOCK, Block, Decoded};
 use core::fmt;
 use core::marker::PhantomData;
 use glam::Vec3;
-use machine::{Level, Task, prefetch};
+use machine::{Level, Task, as_chunks, as_chunks_mut, prefetch};
+
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+pub use parallel::{DecodeAt, EncodeAt, par_decode_with, par_encode_with};
 
 /// The slice of codes and the slice of vectors are not of the same number of elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -140,16 +146,8 @@ pub fn decode_slice_i16x4<C: Codec>(codes: &[u8], vectors: &mut [[i16; 4]]) -> R
 /// As [`encode_slice`].
 #[cfg(feature = "rayon")]
 pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    use rayon::prelude::*;
     expect_length(vectors.len() * C::BYTES, codes.len())?;
-    if vectors.len() <= PORTION {
-        return encode_slice::<C>(vectors, codes);
-    }
-    let level = Level::best();
-    (vectors.par_chunks(PORTION), codes.par_chunks_mut(PORTION * C::BYTES))
-        .into_par_iter()
-        .for_each(|(vectors, codes)| level.run(Encode { vectors, codes, codec: PhantomData::<fn() -> C> }));
-    Ok(())
+    par_encode_with(vectors, codes, C::BYTES, encode_slice_at::<C>)
 }
 
 /// [`decode_slice`] on all cores.
@@ -158,16 +156,8 @@ pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> 
 /// As [`decode_slice`].
 #[cfg(feature = "rayon")]
 pub fn par_decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
-    use rayon::prelude::*;
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    if vectors.len() <= PORTION {
-        return decode_slice::<C>(codes, vectors);
-    }
-    let level = Level::best();
-    (codes.par_chunks(PORTION * C::BYTES), vectors.par_chunks_mut(PORTION))
-        .into_par_iter()
-        .for_each(|(codes, vectors)| level.run(Decode { codes, vectors, codec: PhantomData::<fn() -> C> }));
-    Ok(())
+    par_decode_with(codes, vectors, C::BYTES, decode_slice_at::<C>)
 }
 
 /// [`encode_slice`] with the instructions of a given level.
@@ -229,10 +219,6 @@ pub fn expect_length(expected: usize, actual: usize) -> Result<(), LengthMismatc
     if expected == actual { Ok(()) } else { Err(LengthMismatch { expected, actual }) }
 }
 
-/// Vectors that one core takes at a time: some ten microseconds.
-#[cfg(feature = "rayon")]
-const PORTION: usize = 1 << 14;
-
 /// Bytes of vectors from which on memory is asked for ahead: a slice of this size does not stay in the caches nearest to
 /// the core. The processor's own foresight ends with each page, and counts for little where memory is written.
 const FAR: usize = 1 << 20;
@@ -257,7 +243,7 @@ impl<C: Codec, V: Vector> Task for Encode<'_, fn() -> C, V> {
     #[inline(always)]
     fn run(self) {
         let far = is_far(self.vectors);
-        let (blocks, rest) = self.vectors.as_chunks::<BLOCK>();
+        let (blocks, rest) = as_chunks::<_, BLOCK>(self.vectors);
         let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * C::BYTES);
         let mut block = Block::new();
         for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
@@ -290,7 +276,7 @@ impl<C: Codec, V: Decoded> Task for Decode<'_, fn() -> C, V> {
     #[inline(always)]
     fn run(self) {
         let far = is_far(self.vectors);
-        let (blocks, rest) = self.vectors.as_chunks_mut::<BLOCK>();
+        let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.vectors);
         let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * C::BYTES);
         let mut block = Block::new();
         for i in 0..blocks.len() + usize::from(!rest.is_empty()) {

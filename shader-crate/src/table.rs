@@ -22,6 +22,7 @@
 
 use crate::codec::{Code, Codec};
 use crate::slice::block::BLOCK;
+use crate::slice::machine::as_chunks;
 use crate::slice::machine::{Level, Task, prefetch};
 use crate::slice::{self, LengthMismatch, Vector};
 use core::fmt;
@@ -96,7 +97,7 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
                     *vector = Vector::from_xyz(self.entry(u32::from(*code)));
                 }
             } else {
-                for (vector, code) in vectors.iter_mut().zip(codes.as_chunks().0) {
+                for (vector, code) in vectors.iter_mut().zip(as_chunks(codes).0) {
                     *vector = Vector::from_xyz(self.entry(u32::from(u16::from_le_bytes(*code))));
                 }
             }

@@ -9,6 +9,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 
+/// The backends that the tested program has: that of the GLSL needs its compiler.
+pub const BACKENDS: &[&str] =
+    if cfg!(feature = "glsl") { &["cpu", "spirv", "glsl"] } else { &["cpu", "spirv"] };
+
 /// The repository's root.
 pub fn repository() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -19,9 +19,14 @@ pub fn path() -> &'static Path {
         let folder =
             test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
         let mut build = Command::new(env!("CARGO"));
+        // With this package too, as `cargo xtask` does, so that all three builds have the same features.
         build
-            .args(["build", "--quiet", "--package", "unitvec-host", "--bin", "unitvec"])
+            .args(["build", "--quiet", "--package", "unitvec-host", "--package", "unitvec-tests"])
+            .args(["--bin", "unitvec"])
             .current_dir(repository());
+        if cfg!(feature = "glsl") {
+            build.args(["--features", "unitvec-tests/glsl"]);
+        }
         if folder.ends_with("release") {
             build.arg("--release");
         }

@@ -2,6 +2,7 @@
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
+mod packages;
 mod setup;
 
 use std::env;
@@ -13,11 +14,14 @@ const USAGE: &str = "\
 usage: cargo xtask <command>
 
   conform [arguments of `unitvec conform`]   install what is missing, then show that CPU, SPIR-V from Rust and SPIR-V
-                                             from GLSL agree to the bit (on lavapipe unless --device says otherwise)
+                                             from GLSL agree to the bit (on lavapipe unless --device says otherwise);
+                                             --exhaustive takes all codes of up to 24 bits, minutes
   test [--exhaustive] [arguments of          install what is missing, then run all tests; --exhaustive adds those of all
        `cargo test`]                         2^32 codes of the 32-bit codecs, minutes a codec
   setup                                      install what is missing, no more
   spirv [--check]                            rebuild spirv/*.spv with rust-gpu; --check compares instead
+  packages                                   build and test each package outside the repository, with the oldest
+                                             dependencies and without std too
 ";
 
 fn main() -> ExitCode {
@@ -28,10 +32,11 @@ fn main() -> ExitCode {
     };
     let started = Instant::now();
     let outcome = match command.as_str() {
-        "conform" => setup::run().and_then(|()| conform(rest)),
-        "test" => setup::run().and_then(|()| test(rest)),
+        "conform" => conform(rest),
+        "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
+        "packages" => setup::run().and_then(|()| packages::run(&repository())),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
             return ExitCode::SUCCESS;
@@ -54,10 +59,19 @@ fn main() -> ExitCode {
     }
 }
 
+/// The selection of packages and features that both commands build: another would have other features, and what it
+/// depends on would be built twice.
+const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
+
 fn conform(arguments: &[String]) -> Result<(), String> {
-    announce_glslang();
-    let mut command =
-        cargo(&["run", "--package", "unitvec-host", "--bin", "unitvec", "--", "conform", "--validate"]);
+    let pending = setup::begin()?;
+    let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
+    run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL))?;
+    pending.finish()?;
+    // This program lies in the profile's folder too.
+    let here = env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
+    let mut command = Command::new(here.with_file_name("unitvec"));
+    command.args(["conform", "--validate"]);
     let chosen = env::var_os("UNITVEC_DEVICE").is_some()
         || arguments.iter().any(|argument| argument.starts_with("--device"));
     if !chosen {
@@ -67,33 +81,26 @@ fn conform(arguments: &[String]) -> Result<(), String> {
 }
 
 fn test(arguments: &[String]) -> Result<(), String> {
-    announce_glslang();
     let (exhaustive, others): (Vec<_>, Vec<_>) =
         arguments.iter().partition(|argument| *argument == "--exhaustive");
-    run(cargo(&["test", "--workspace", "--exclude", "xtask-spirv"]).args(others))?;
+    let pending = setup::begin()?;
+    let selection = ["test", "--workspace", "--exclude", "xtask-spirv", "--exclude", "unitvec-bench"];
+    let of_cargo = others.iter().take_while(|argument| **argument != "--");
+    run(cargo(&selection).args(WITH_GLSL).arg("--no-run").args(of_cargo))?;
+    pending.finish()?;
+    run(cargo(&selection).args(WITH_GLSL).args(others))?;
     if exhaustive.is_empty() {
         return Ok(());
     }
     println!("xtask: all 2^32 codes of each 32-bit codec, 1 to 3 minutes a codec on 2 cores");
-    run(&mut cargo(&[
-        "test",
-        "--package",
-        "unitvec-tests",
-        "--test",
-        "exhaustive",
-        "--",
-        "--ignored",
-        "--nocapture",
-    ]))
+    let tests = ["--package", "unitvec-tests", "--test", "unitvec"];
+    let only = ["--", "--ignored", "--nocapture", "exhaustive::"];
+    run(cargo(&["test"]).args(tests).args(WITH_GLSL).args(only))
 }
 
 fn spirv(arguments: &[String]) -> Result<(), String> {
     println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
     run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
-}
-
-fn announce_glslang() {
-    println!("xtask: the first build compiles glslang from source, about 8 minutes on 2 cores");
 }
 
 /// The cargo that runs this, in the repository's root.

@@ -2,57 +2,119 @@
 
 use std::fs;
 use std::process::{Command, Stdio};
+use std::thread::{self, JoinHandle};
 
 /// A Debian package and what it is for.
+#[derive(Clone, Copy)]
 struct Package {
     name: &'static str,
     purpose: &'static str,
 }
 
-const PACKAGES: [Package; 10] = [
+/// What the build links: small packages, so that compiling starts soon.
+const TO_BUILD: [Package; 4] = [
+    Package { name: "g++", purpose: "linking shaderc" },
+    Package { name: "libshaderc-dev", purpose: "compiling GLSL" },
+    Package { name: "glslang-dev", purpose: "what libshaderc-dev leaves out" },
+    Package { name: "spirv-tools", purpose: "what libshaderc-dev leaves out; spirv-val in tests" },
+];
+
+/// What stands in for `libshaderc-dev` and `glslang-dev` where the distribution has no such packages.
+const TO_BUILD_FROM_SOURCE: [Package; 6] = [
+    TO_BUILD[0],
+    TO_BUILD[3],
+    Package { name: "cmake", purpose: "building shaderc" },
+    Package { name: "ninja-build", purpose: "building shaderc" },
+    Package { name: "python3", purpose: "building shaderc" },
+    Package { name: "git", purpose: "building shaderc" },
+];
+
+/// What the programs need once they are built: drivers and all they bring along.
+const TO_RUN: [Package; 4] = [
     Package { name: "libvulkan1", purpose: "the Vulkan loader" },
     Package { name: "mesa-vulkan-drivers", purpose: "lavapipe, Vulkan on the CPU" },
     Package { name: "vulkan-validationlayers", purpose: "Vulkan validation in tests" },
-    Package { name: "spirv-tools", purpose: "spirv-val in tests" },
     Package { name: "glslang-tools", purpose: "GLSL ES validation in tests" },
-    Package { name: "cmake", purpose: "building glslang" },
-    Package { name: "ninja-build", purpose: "building glslang" },
-    Package { name: "g++", purpose: "building glslang" },
-    Package { name: "python3", purpose: "building glslang" },
-    Package { name: "git", purpose: "building glslang" },
 ];
 
-/// Installs the packages that are missing, as root or through sudo without a password; else says what to type.
-pub fn run() -> Result<(), String> {
-    if !has_apt() {
-        println!("xtask: no apt-get here; besides Rust this needs {}", needs());
-        return Ok(());
+/// Packages that are being installed while cargo builds.
+#[must_use]
+pub struct Pending(Option<JoinHandle<Result<(), String>>>);
+
+impl Pending {
+    /// Waits for the installation.
+    pub fn finish(self) -> Result<(), String> {
+        let Some(thread) = self.0 else { return Ok(()) };
+        if !thread.is_finished() {
+            println!("xtask: waiting for apt-get");
+        }
+        thread.join().unwrap_or_else(|_| Err("the thread that ran apt-get panicked".to_owned()))
     }
-    let missing: Vec<&str> =
-        PACKAGES.iter().map(|package| package.name).filter(|name| !is_installed(name)).collect();
-    if missing.is_empty() {
-        return Ok(());
-    }
-    println!("xtask: installing {}", missing.join(" "));
-    let prefix: &[&str] = if is_root() {
-        &[]
-    } else if succeeds("sudo", &["-n", "true"]) {
-        &["sudo", "-n"]
-    } else {
-        return Err(format!(
-            "these packages are missing; type this and run the command again:\n  \
-             sudo apt-get update && sudo apt-get install -y {}",
-            missing.join(" ")
-        ));
-    };
-    apt_get(prefix, &["update", "-qq"])?;
-    let mut install = vec!["install", "-y", "-qq", "--no-install-recommends"];
-    install.extend(&missing);
-    apt_get(prefix, &install)
 }
 
-fn needs() -> String {
-    PACKAGES.map(|package| format!("{} ({})", package.name, package.purpose)).join(", ")
+/// Installs all that is missing.
+pub fn run() -> Result<(), String> {
+    begin()?.finish()
+}
+
+/// Installs what the build needs, as root or through sudo without a password, or says what to type; then begins to
+/// install what running needs.
+pub fn begin() -> Result<Pending, String> {
+    if !has_apt() {
+        let needs =
+            TO_BUILD.iter().chain(&TO_RUN).map(|package| format!("{} ({})", package.name, package.purpose));
+        println!(
+            "xtask: no apt-get here; besides Rust this needs what Debian has as {}",
+            needs.collect::<Vec<_>>().join(", ")
+        );
+        return Ok(Pending(None));
+    }
+    let (to_build, to_run) = (missing(&TO_BUILD), missing(&TO_RUN));
+    if to_build.is_empty() && to_run.is_empty() {
+        return Ok(Pending(None));
+    }
+    let Some(prefix) = privilege() else {
+        return Err(format!(
+            "these packages are missing; type this and run the command again:\n  \
+             sudo apt-get update && sudo apt-get install -y --no-install-recommends {}",
+            [to_build, to_run].concat().join(" ")
+        ));
+    };
+    println!("xtask: apt-get update");
+    apt_get(prefix, &["update", "-qq"])?;
+    let to_build = if to_build.iter().all(|name| is_available(name)) {
+        to_build
+    } else {
+        println!(
+            "xtask: this distribution has no {}: shaderc is built from source, which takes minutes",
+            to_build.join(" and ")
+        );
+        missing(&TO_BUILD_FROM_SOURCE)
+    };
+    if !to_build.is_empty() {
+        println!("xtask: installing {}", to_build.join(" "));
+        install(prefix, &to_build)?;
+    }
+    if to_run.is_empty() {
+        return Ok(Pending(None));
+    }
+    println!("xtask: installing {} in the background", to_run.join(" "));
+    Ok(Pending(Some(thread::spawn(move || install(prefix, &to_run)))))
+}
+
+fn missing(packages: &[Package]) -> Vec<&'static str> {
+    packages.iter().map(|package| package.name).filter(|name| !is_installed(name)).collect()
+}
+
+/// What makes a command root's: nothing, sudo, or `None` where neither is to be had.
+fn privilege() -> Option<&'static [&'static str]> {
+    if is_root() {
+        Some(&[])
+    } else if succeeds("sudo", &["-n", "true"]) {
+        Some(&["sudo", "-n"])
+    } else {
+        None
+    }
 }
 
 fn has_apt() -> bool {
@@ -64,6 +126,10 @@ fn is_installed(package: &str) -> bool {
         .args(["--show", "--showformat=${db:Status-Status}", package])
         .output()
         .is_ok_and(|output| output.stdout == b"installed")
+}
+
+fn is_available(package: &str) -> bool {
+    succeeds("apt-cache", &["show", package])
 }
 
 /// True where this process's effective user is root, by the kernel's own account.
@@ -82,12 +148,26 @@ fn succeeds(program: &str, arguments: &[&str]) -> bool {
         .is_ok_and(|status| status.success())
 }
 
+fn install(prefix: &[&str], packages: &[&str]) -> Result<(), String> {
+    let mut arguments = vec!["install", "-y", "-qq", "--no-install-recommends"];
+    arguments.extend(packages);
+    apt_get(prefix, &arguments)
+}
+
+/// Runs apt-get; what it prints is shown where it fails.
 fn apt_get(prefix: &[&str], arguments: &[&str]) -> Result<(), String> {
     let words: Vec<&str> =
         prefix.iter().copied().chain(["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]).collect();
-    let status = Command::new(words[0]).args(&words[1..]).args(arguments).status();
-    match status {
-        Ok(status) if status.success() => Ok(()),
-        _ => Err(format!("`apt-get {}` failed; its message is above", arguments.join(" "))),
+    let command = format!("apt-get {}", arguments.join(" "));
+    let output = Command::new(words[0])
+        .args(&words[1..])
+        .args(arguments)
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| format!("`{command}` cannot be started: {error}"))?;
+    if output.status.success() {
+        return Ok(());
     }
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    Err(format!("`{command}` failed:\n{}{}", text(&output.stdout), text(&output.stderr)))
 }

@@ -10,6 +10,7 @@ use crate::catalogue::{CATALOGUE, CodecInfo, Domain};
 use crate::measure::ErrorStats;
 use crate::sampling;
 use serde::{Deserialize, Serialize};
+use unitvec_oracle::survey;
 
 /// A table of the survey (Cigolle et al. 2014).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,8 +41,8 @@ impl Table {
     /// Its rows as published, in the survey's order: by decreasing maximum error.
     pub fn published(self) -> Vec<Published> {
         let text = match self {
-            Self::One => include_str!("../../data/survey_table1.csv"),
-            Self::Three => include_str!("../../data/survey_table3.csv"),
+            Self::One => survey::TABLE_1,
+            Self::Three => survey::TABLE_3,
         };
         // The files are part of the program, and a test reads them whole.
         csv::Reader::from_reader(text.as_bytes()).deserialize().filter_map(|row| row.ok()).collect()

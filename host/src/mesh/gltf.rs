@@ -237,7 +237,7 @@ impl File<'_> {
 /// The triangles of a primitive, wound as the specification orders them; points and lines have none.
 fn triangles(mode: Mode, corners: &[i64]) -> Vec<[i64; 3]> {
     match mode {
-        Mode::Triangles => corners.as_chunks().0.to_vec(),
+        Mode::Triangles => corners.chunks_exact(3).map(|c| [c[0], c[1], c[2]]).collect(),
         Mode::TriangleStrip => {
             let flip =
                 |(k, c): (usize, &[i64])| if k % 2 == 0 { [c[0], c[1], c[2]] } else { [c[0], c[2], c[1]] };

@@ -17,12 +17,12 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
         return Err(MeshError::NoFaces { path: path.into() });
     }
     let model = load(&condense(text)).map_err(|error| parse_error(path, FORMAT, error))?;
-    let positions: Vec<_> = triples(&model.positions).iter().map(|p| p.map(f64::from)).collect();
+    let positions: Vec<_> = triples(&model.positions).map(|p| p.map(f64::from)).collect();
     if has_normals {
         check_finite(path, &positions)?;
-        return finish(path, triples(&model.normals).to_vec(), false);
+        return finish(path, triples(&model.normals).collect(), false);
     }
-    let triangles = triples(&model.indices).iter().map(|t| t.map(i64::from));
+    let triangles = triples(&model.indices).map(|t| t.map(i64::from));
     finish(path, area_weighted(path, &positions, triangles)?, true)
 }
 
@@ -67,8 +67,8 @@ fn keyword(line: &str) -> &str {
     line.split_whitespace().next().unwrap_or_default()
 }
 
-fn triples<T>(flat: &[T]) -> &[[T; 3]] {
-    flat.as_chunks().0
+fn triples<T: Copy>(flat: &[T]) -> impl Iterator<Item = [T; 3]> + '_ {
+    flat.chunks_exact(3).map(|t| [t[0], t[1], t[2]])
 }
 
 #[cfg(test)]

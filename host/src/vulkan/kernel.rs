@@ -320,7 +320,8 @@ impl Runner {
                 copy(device, commands, staging, &self.input.device, input_bytes);
             }
             if self.fill_output {
-                device.cmd_fill_buffer(commands, self.output.device.raw, 0, vk::WHOLE_SIZE, SENTINEL);
+                let words = output_bytes.next_multiple_of(4) as u64;
+                device.cmd_fill_buffer(commands, self.output.device.raw, 0, words, SENTINEL);
             }
             barrier(device, commands, Step::Transfer, Step::Compute);
             device.cmd_bind_pipeline(commands, vk::PipelineBindPoint::COMPUTE, kernel.pipeline);
@@ -362,10 +363,13 @@ impl Runner {
         let device = &self.device.raw;
         let commands = [self.commands];
         let submit = [vk::SubmitInfo::default().command_buffers(&commands)];
-        let queue = self.device.queue.lock().unwrap_or_else(PoisonError::into_inner);
-        // SAFETY: the command buffer is recorded, the fence unsignalled and both unused by any other submission.
+        // SAFETY: the command buffer is recorded, the fence unsignalled and both unused by any other submission; the
+        // queue is locked for the submission alone, so that other runners may submit while this one waits.
         unsafe {
-            device.queue_submit(*queue, &submit, self.fence).named("vkQueueSubmit")?;
+            {
+                let queue = self.device.queue.lock().unwrap_or_else(PoisonError::into_inner);
+                device.queue_submit(*queue, &submit, self.fence).named("vkQueueSubmit")?;
+            }
             device.wait_for_fences(&[self.fence], true, u64::MAX).named("vkWaitForFences")?;
             device.reset_fences(&[self.fence]).named("vkResetFences")
         }

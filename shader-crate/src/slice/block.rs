@@ -6,6 +6,7 @@
 //! instructions of the [`Level`](super::machine::Level).
 
 use super::Vector;
+use super::machine::{as_chunks, as_chunks_mut};
 use crate::codec::{Code, Codec};
 use crate::scalar::snorm_encode;
 use glam::Vec3;
@@ -81,15 +82,15 @@ impl Block {
                 }
             }
             2 => {
-                for (low, &bytes) in low.zip(codes.as_chunks().0) {
+                for (low, &bytes) in low.zip(as_chunks(codes).0) {
                     *low = u32::from(u16::from_le_bytes(bytes));
                 }
             }
             3 => {
                 // Four codes are three words.
-                let (groups, rest) = codes.as_chunks::<12>();
+                let (groups, rest) = as_chunks::<_, 12>(codes);
                 let (low, low_of_rest) = self.low.split_at_mut(4 * groups.len());
-                for (low, group) in low.as_chunks_mut().0.iter_mut().zip(groups) {
+                for (low, group) in as_chunks_mut(low).0.iter_mut().zip(groups) {
                     let [a, b, c] = words(group);
                     *low = [
                         a & 0x00ff_ffff,
@@ -98,23 +99,23 @@ impl Block {
                         c >> 8,
                     ];
                 }
-                for (low, &[a, b, c]) in low_of_rest.iter_mut().zip(rest.as_chunks().0) {
+                for (low, &[a, b, c]) in low_of_rest.iter_mut().zip(as_chunks(rest).0) {
                     *low = u32::from_le_bytes([a, b, c, 0]);
                 }
             }
             4 => {
-                for (low, &bytes) in low.zip(codes.as_chunks().0) {
+                for (low, &bytes) in low.zip(as_chunks(codes).0) {
                     *low = u32::from_le_bytes(bytes);
                 }
             }
             6 => {
-                for ((low, high), &[a, b, c, d, e, f]) in low.zip(high).zip(codes.as_chunks().0) {
+                for ((low, high), &[a, b, c, d, e, f]) in low.zip(high).zip(as_chunks(codes).0) {
                     *low = u32::from_le_bytes([a, b, c, d]);
                     *high = u32::from(u16::from_le_bytes([e, f]));
                 }
             }
             _ => {
-                for ((low, high), &[a, b, c, d, e, f, g, h]) in low.zip(high).zip(codes.as_chunks().0) {
+                for ((low, high), &[a, b, c, d, e, f, g, h]) in low.zip(high).zip(as_chunks(codes).0) {
                     *low = u32::from_le_bytes([a, b, c, d]);
                     *high = u32::from_le_bytes([e, f, g, h]);
                 }
@@ -133,38 +134,38 @@ impl Block {
                 }
             }
             2 => {
-                for (bytes, low) in codes.as_chunks_mut().0.iter_mut().zip(low) {
+                for (bytes, low) in as_chunks_mut(codes).0.iter_mut().zip(low) {
                     *bytes = (*low as u16).to_le_bytes();
                 }
             }
             3 => {
                 // Four codes are three words.
-                let (groups, rest) = codes.as_chunks_mut::<12>();
+                let (groups, rest) = as_chunks_mut::<_, 12>(codes);
                 let (low, low_of_rest) = self.low.split_at(4 * groups.len());
-                for (group, &[a, b, c, d]) in groups.iter_mut().zip(low.as_chunks().0) {
+                for (group, &[a, b, c, d]) in groups.iter_mut().zip(as_chunks(low).0) {
                     let words = [a | (b << 24), (b >> 8) | (c << 16), (c >> 16) | (d << 8)];
-                    for (bytes, word) in group.as_chunks_mut().0.iter_mut().zip(words) {
+                    for (bytes, word) in as_chunks_mut(group).0.iter_mut().zip(words) {
                         *bytes = word.to_le_bytes();
                     }
                 }
-                for (bytes, low) in rest.as_chunks_mut().0.iter_mut().zip(low_of_rest) {
+                for (bytes, low) in as_chunks_mut(rest).0.iter_mut().zip(low_of_rest) {
                     let [a, b, c, _] = low.to_le_bytes();
                     *bytes = [a, b, c];
                 }
             }
             4 => {
-                for (bytes, low) in codes.as_chunks_mut().0.iter_mut().zip(low) {
+                for (bytes, low) in as_chunks_mut(codes).0.iter_mut().zip(low) {
                     *bytes = low.to_le_bytes();
                 }
             }
             6 => {
-                for (bytes, (low, high)) in codes.as_chunks_mut().0.iter_mut().zip(low.zip(high)) {
+                for (bytes, (low, high)) in as_chunks_mut(codes).0.iter_mut().zip(low.zip(high)) {
                     let ([a, b, c, d], [e, f, ..]) = (low.to_le_bytes(), high.to_le_bytes());
                     *bytes = [a, b, c, d, e, f];
                 }
             }
             _ => {
-                for (bytes, (low, high)) in codes.as_chunks_mut().0.iter_mut().zip(low.zip(high)) {
+                for (bytes, (low, high)) in as_chunks_mut(codes).0.iter_mut().zip(low.zip(high)) {
                     *bytes = ((u64::from(*high) << 32) | u64::from(*low)).to_le_bytes();
                 }
             }

@@ -1,5 +1,5 @@
 //! What depends on the machine: the choice of the instruction set, at run time where the standard library can tell what
-//! the machine has, and prefetching. All of the crate's `unsafe` is here and in the square root that stands in for the
+//! the machine has, and prefetching; and slices seen as slices of arrays. All of the crate's `unsafe` is here and in the square root that stands in for the
 //! standard library's.
 //!
 //! The loops over slices are written once, without intrinsics, in functions that are always inlined. Here they are
@@ -82,13 +82,15 @@ impl Level {
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "sse4.1")]
-fn run_sse41(task: impl Task) {
+// Not a safe function with a target feature: Rust has those from 1.86 on. To be called where the machine has SSE4.1.
+unsafe fn run_sse41(task: impl Task) {
     task.run();
 }
 
 #[cfg(all(feature = "std", target_arch = "x86_64"))]
 #[target_feature(enable = "avx2")]
-fn run_avx2(task: impl Task) {
+// As above, where the machine has AVX2.
+unsafe fn run_avx2(task: impl Task) {
     task.run();
 }
 
@@ -106,4 +108,22 @@ pub fn prefetch<T>(slice: &[T]) {
     }
     #[cfg(not(target_arch = "x86_64"))]
     let _ = slice;
+}
+
+/// `slice::as_chunks`, which the standard library has from Rust 1.88 on.
+#[inline(always)]
+pub fn as_chunks<T, const N: usize>(slice: &[T]) -> (&[[T; N]], &[T]) {
+    const { assert!(N > 0) };
+    let (whole, rest) = slice.split_at(slice.len() - slice.len() % N);
+    // SAFETY: `whole` holds a whole number of N elements in a row, which is what arrays of N elements are in memory.
+    (unsafe { core::slice::from_raw_parts(whole.as_ptr().cast(), whole.len() / N) }, rest)
+}
+
+/// [`as_chunks`], to be written to.
+#[inline(always)]
+pub fn as_chunks_mut<T, const N: usize>(slice: &mut [T]) -> (&mut [[T; N]], &mut [T]) {
+    const { assert!(N > 0) };
+    let (whole, rest) = slice.split_at_mut(slice.len() - slice.len() % N);
+    // SAFETY: as in `as_chunks`; `whole` is borrowed for writing, and nothing else refers to it.
+    (unsafe { core::slice::from_raw_parts_mut(whole.as_mut_ptr().cast(), whole.len() / N) }, rest)
 }

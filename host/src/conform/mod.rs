@@ -1,5 +1,9 @@
 //! Shows that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit, and how large the error is.
 
+mod workers;
+
+pub use workers::{Subject, run};
+
 use crate::backend::{CHUNK, Gpu};
 use crate::catalogue::{CodecInfo, Coding, Direction, Format, FrameInfo};
 use crate::measure::ErrorStats;
@@ -16,10 +20,17 @@ pub struct Options {
     pub seed: u64,
     /// Further directions: the normals of meshes.
     pub normals: Vec<[f32; 3]>,
+    /// Codecs of at most this many bits are decoded over all their codes; wider ones over `count` random codes.
+    pub all_codes_up_to: u32,
 }
 
-/// Codecs of at most this many bits are decoded over all their codes; wider ones over random codes.
-const EXHAUSTIVE_BITS: u32 = 24;
+/// The device's two ways to run a codec.
+pub struct Gpus {
+    /// With SPIR-V from Rust.
+    pub spirv: Gpu,
+    /// With SPIR-V from GLSL; none in a build without a GLSL compiler.
+    pub glsl: Option<Gpu>,
+}
 
 /// Directions halfway between lattice points, where rounding breaks ties.
 const HALFWAY: usize = 50_000;
@@ -29,6 +40,12 @@ const HALFWAY: usize = 50_000;
 pub struct Report {
     /// Device that ran the kernels.
     pub device: DeviceInfo,
+    /// Random directions for each codec.
+    pub random_directions: usize,
+    /// Codecs of at most this many bits were decoded over all their codes.
+    pub all_codes_up_to: u32,
+    /// False where the build had no GLSL compiler, so that only SPIR-V from Rust was compared with the CPU.
+    pub glsl_compared: bool,
     /// True if no row has a mismatch.
     pub agreed: bool,
     /// One row a codec.
@@ -60,8 +77,6 @@ pub struct Row {
     pub encode_mismatches: Mismatches,
     /// Vectors that differ from the CPU's in any bit.
     pub decode_mismatches: Mismatches,
-    /// Device time of a vector in nanoseconds, where the device tells.
-    pub device_ns: DeviceTime,
     /// The first mismatches found, in words.
     pub examples: Vec<String>,
 }
@@ -73,19 +88,6 @@ pub struct Mismatches {
     pub spirv: u64,
     /// SPIR-V from GLSL.
     pub glsl: u64,
-}
-
-/// Mean device nanoseconds a vector.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct DeviceTime {
-    /// Encoding, SPIR-V from Rust.
-    pub encode_spirv: Option<f64>,
-    /// Encoding, SPIR-V from GLSL.
-    pub encode_glsl: Option<f64>,
-    /// Decoding, SPIR-V from Rust.
-    pub decode_spirv: Option<f64>,
-    /// Decoding, SPIR-V from GLSL.
-    pub decode_glsl: Option<f64>,
 }
 
 impl Row {
@@ -115,7 +117,7 @@ fn lattice_size(codec: &CodecInfo) -> u32 {
 }
 
 fn code_count(codec: &CodecInfo, options: &Options) -> u64 {
-    if codec.bits <= EXHAUSTIVE_BITS { 1 << codec.bits } else { options.count as u64 }
+    if codec.bits <= options.all_codes_up_to { 1 << codec.bits } else { options.count as u64 }
 }
 
 /// Runs one codec. `progress` is told the vectors and codes done since it was last called.
@@ -125,13 +127,10 @@ fn code_count(codec: &CodecInfo, options: &Options) -> u64 {
 pub fn run_codec(
     codec: &'static CodecInfo,
     options: &Options,
-    spirv: &mut Gpu,
-    glsl: &mut Gpu,
+    gpus: &mut Gpus,
     progress: &mut dyn FnMut(u64),
 ) -> Result<Row> {
-    spirv.warm_up(codec)?;
-    glsl.warm_up(codec)?;
-    let mut comparison = Comparison::new(codec, spirv, glsl);
+    let mut comparison = Comparison::new(codec, gpus);
 
     let mut errors = ErrorStats::default();
     let random = sampling::random_directions(codec.domain, options.seed);
@@ -155,7 +154,7 @@ pub fn run_codec(
 
     let count = code_count(codec, options) as usize;
     let each = |codes: &[u64]| comparison.round_trip(codes, progress);
-    if codec.bits <= EXHAUSTIVE_BITS {
+    if codec.bits <= options.all_codes_up_to {
         sampling::in_chunks(0.., count, CHUNK, each)?;
     } else {
         sampling::in_chunks(sampling::random_codes(options.seed), count, CHUNK, each)?;
@@ -170,13 +169,10 @@ pub fn run_codec(
 pub fn run_frame(
     codec: &'static FrameInfo,
     options: &Options,
-    spirv: &mut Gpu,
-    glsl: &mut Gpu,
+    gpus: &mut Gpus,
     progress: &mut dyn FnMut(u64),
 ) -> Result<Row> {
-    spirv.warm_up(codec)?;
-    glsl.warm_up(codec)?;
-    let mut comparison = Comparison::new(codec, spirv, glsl);
+    let mut comparison = Comparison::new(codec, gpus);
 
     let (mut normals, mut tangents) = (ErrorStats::default(), ErrorStats::default());
     let random = sampling::random_frames(options.seed);
@@ -210,62 +206,51 @@ pub fn run_frame(
 struct Comparison<'a, C: 'static, const N: usize> {
     codec: &'static C,
     format: Format,
-    spirv: &'a mut Gpu,
-    glsl: &'a mut Gpu,
+    gpus: &'a mut Gpus,
     encoded: Tally,
     decoded: Tally,
-    examples: Vec<String>,
+    examples: Examples,
 }
 
-/// Mismatches, elements and device time of one half of a codec.
+/// Mismatches and elements of one half of a codec.
 #[derive(Default)]
 struct Tally {
     elements: u64,
     mismatches: Mismatches,
-    spirv_ns: Option<f64>,
-    glsl_ns: Option<f64>,
 }
 
 impl<'a, C: Coding<N>, const N: usize> Comparison<'a, C, N> {
-    /// Mismatches that are told in words.
-    const MAX_EXAMPLES: usize = 3;
-
-    fn new(codec: &'static C, spirv: &'a mut Gpu, glsl: &'a mut Gpu) -> Self {
+    fn new(codec: &'static C, gpus: &'a mut Gpus) -> Self {
         Self {
             codec,
             format: codec.format(),
-            spirv,
-            glsl,
+            gpus,
             encoded: Tally::default(),
             decoded: Tally::default(),
-            examples: Vec::new(),
+            examples: Examples::default(),
         }
     }
 
     /// The CPU's codes, after comparing the others with them.
     fn encode(&mut self, vectors: &[[f32; N]]) -> Result<Vec<u8>> {
-        let size = vectors.len() * self.format.bytes;
-        let (mut cpu, mut spirv, mut glsl) = (vec![0; size], vec![0; size], vec![0; size]);
-        self.codec.encode_cpu(vectors, &mut cpu)?;
-        let spirv_ns = self.spirv.encode_elements(self.codec, vectors, &mut spirv)?;
-        let glsl_ns = self.glsl.encode_elements(self.codec, vectors, &mut glsl)?;
-        self.encoded.add(vectors.len(), spirv_ns, glsl_ns);
-
         let bytes = self.format.bytes;
-        let differs = |other: &[u8], n: usize| cpu[n * bytes..][..bytes] != other[n * bytes..][..bytes];
-        for (n, vector) in vectors.iter().enumerate() {
-            for (name, other) in [("spirv", &spirv), ("glsl", &glsl)] {
-                if differs(other, n) {
-                    *self.encoded.mismatches.of(name) += 1;
-                    let codes = (&cpu[n * bytes..][..bytes], &other[n * bytes..][..bytes]);
-                    let bits = vector.map(|c| format!("{:08x}", c.to_bits()));
-                    self.example(
-                        Direction::Encode,
-                        name,
-                        format!("{vector:?} (bits {})", bits.join(" ")),
-                        codes,
-                    );
-                }
+        let mut cpu = vec![0; vectors.len() * bytes];
+        self.codec.encode_cpu(vectors, &mut cpu)?;
+        self.encoded.elements += vectors.len() as u64;
+
+        let mut other = vec![0; cpu.len()];
+        for source in SOURCES {
+            let Some(gpu) = self.gpus.of(source) else { continue };
+            gpu.encode_elements(self.codec, vectors, &mut other)?;
+            if cpu == other {
+                continue;
+            }
+            let codes = cpu.chunks_exact(bytes).zip(other.chunks_exact(bytes)).zip(vectors);
+            for ((cpu, other), vector) in codes.filter(|((cpu, other), _)| cpu != other) {
+                *self.encoded.mismatches.of(source) += 1;
+                let bits = vector.map(|c| format!("{:08x}", c.to_bits()));
+                let input = format!("{vector:?} (bits {})", bits.join(" "));
+                self.examples.add(self.format.function(Direction::Encode), source, input, (cpu, other));
             }
         }
         Ok(cpu)
@@ -273,21 +258,22 @@ impl<'a, C: Coding<N>, const N: usize> Comparison<'a, C, N> {
 
     /// The CPU's vectors, after comparing the others with them.
     fn decode(&mut self, codes: &[u8]) -> Result<Vec<[f32; N]>> {
-        let count = codes.len() / self.format.bytes;
-        let (mut cpu, mut spirv, mut glsl) =
-            (vec![[0.0; N]; count], vec![[0.0; N]; count], vec![[0.0; N]; count]);
+        let bytes = self.format.bytes;
+        let mut cpu = vec![[0.0; N]; codes.len() / bytes];
         self.codec.decode_cpu(codes, &mut cpu)?;
-        let spirv_ns = self.spirv.decode_elements(self.codec, codes, &mut spirv)?;
-        let glsl_ns = self.glsl.decode_elements(self.codec, codes, &mut glsl)?;
-        self.decoded.add(count, spirv_ns, glsl_ns);
+        self.decoded.elements += cpu.len() as u64;
 
-        for n in 0..count {
-            for (name, other) in [("spirv", &spirv), ("glsl", &glsl)] {
-                if cpu[n].map(f32::to_bits) != other[n].map(f32::to_bits) {
-                    *self.decoded.mismatches.of(name) += 1;
-                    let code = &codes[n * self.format.bytes..][..self.format.bytes];
-                    self.example(Direction::Decode, name, format!("{code:02x?}"), (cpu[n], other[n]));
-                }
+        let mut other = vec![[0.0; N]; cpu.len()];
+        for source in SOURCES {
+            let Some(gpu) = self.gpus.of(source) else { continue };
+            gpu.decode_elements(self.codec, codes, &mut other)?;
+            let vectors = cpu.iter().zip(&other).zip(codes.chunks_exact(bytes));
+            for ((cpu, other), code) in
+                vectors.filter(|((cpu, other), _)| cpu.map(f32::to_bits) != other.map(f32::to_bits))
+            {
+                *self.decoded.mismatches.of(source) += 1;
+                let input = format!("{code:02x?}");
+                self.examples.add(self.format.function(Direction::Decode), source, input, (cpu, other));
             }
         }
         Ok(cpu)
@@ -303,22 +289,6 @@ impl<'a, C: Coding<N>, const N: usize> Comparison<'a, C, N> {
         Ok(())
     }
 
-    fn example<T: std::fmt::Debug>(
-        &mut self,
-        direction: Direction,
-        source: &str,
-        input: String,
-        values: (T, T),
-    ) {
-        if self.examples.len() < Self::MAX_EXAMPLES {
-            let (cpu, other) = values;
-            self.examples.push(format!(
-                "{} of {input}: cpu {cpu:02x?}, {source} {other:02x?}",
-                self.format.function(direction)
-            ));
-        }
-    }
-
     fn into_row(self, errors: &ErrorStats) -> Row {
         let (encoded, decoded) = (self.encoded, self.decoded);
         Row {
@@ -332,32 +302,38 @@ impl<'a, C: Coding<N>, const N: usize> Comparison<'a, C, N> {
             tangent_max_deg: None,
             encode_mismatches: encoded.mismatches,
             decode_mismatches: decoded.mismatches,
-            device_ns: DeviceTime {
-                encode_spirv: encoded.per_element(encoded.spirv_ns),
-                encode_glsl: encoded.per_element(encoded.glsl_ns),
-                decode_spirv: decoded.per_element(decoded.spirv_ns),
-                decode_glsl: decoded.per_element(decoded.glsl_ns),
-            },
-            examples: self.examples,
+            examples: self.examples.0,
         }
     }
 }
 
-impl Tally {
-    fn add(&mut self, elements: usize, spirv_ns: Option<f64>, glsl_ns: Option<f64>) {
-        self.elements += elements as u64;
-        let sum = |total: Option<f64>, ns: Option<f64>| ns.map(|ns| total.unwrap_or(0.0) + ns);
-        self.spirv_ns = sum(self.spirv_ns, spirv_ns);
-        self.glsl_ns = sum(self.glsl_ns, glsl_ns);
-    }
+/// The first mismatches, in words.
+#[derive(Default)]
+struct Examples(Vec<String>);
 
-    fn per_element(&self, ns: Option<f64>) -> Option<f64> {
-        ns.map(|ns| ns / self.elements.max(1) as f64)
+impl Examples {
+    /// Mismatches that are told in words.
+    const MAX: usize = 3;
+
+    fn add<T: std::fmt::Debug>(&mut self, function: String, source: &str, input: String, values: (T, T)) {
+        if self.0.len() < Self::MAX {
+            let (cpu, other) = values;
+            self.0.push(format!("{function} of {input}: cpu {cpu:02x?}, {source} {other:02x?}"));
+        }
+    }
+}
+
+/// The sources of kernels, as messages name them.
+const SOURCES: [&str; 2] = ["spirv", "glsl"];
+
+impl Gpus {
+    fn of(&mut self, source: &str) -> Option<&mut Gpu> {
+        if source == SOURCES[0] { Some(&mut self.spirv) } else { self.glsl.as_mut() }
     }
 }
 
 impl Mismatches {
     fn of(&mut self, source: &str) -> &mut u64 {
-        if source == "spirv" { &mut self.spirv } else { &mut self.glsl }
+        if source == SOURCES[0] { &mut self.spirv } else { &mut self.glsl }
     }
 }

@@ -21,6 +21,7 @@ pub mod raw;
 pub mod reference;
 pub mod soct;
 pub mod spherical;
+pub mod survey;
 
 pub use cylindrical::Cylindrical;
 pub use eaoct::EaOct;

@@ -353,7 +353,7 @@ fn xyonly32f(v: [f64; 3]) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Summary, angle_deg, best_fit, hemioct, projection};
+    use crate::{Summary, angle_deg, best_fit, hemioct, projection, survey};
     use std::f64::consts::TAU;
 
     /// Directions uniform on the sphere or, from `low` = 0, the upper hemisphere: additive recurrences of the plastic
@@ -409,13 +409,13 @@ mod tests {
     /// Every row of table 1 has a reference, and its errors are the survey's.
     #[test]
     fn table_1() {
-        check_table(include_str!("../../../host/data/survey_table1.csv"), -1.0);
+        check_table(survey::TABLE_1, -1.0);
     }
 
     /// As table 1, on the hemisphere z >= 0; the octahedral codes are the same in both.
     #[test]
     fn table_3() {
-        check_table(include_str!("../../../host/data/survey_table3.csv"), 0.0);
+        check_table(survey::TABLE_3, 0.0);
     }
 
     /// The equal-area and the signed octahedral codes: means to 1 %, maxima within the bounds.
@@ -450,7 +450,7 @@ mod tests {
     /// Axes come back, and nothing is made of identifiers that are none.
     #[test]
     fn axes_and_unknown_identifiers() {
-        for (id, _) in rows(include_str!("../../../host/data/survey_table1.csv")) {
+        for (id, _) in rows(survey::TABLE_1) {
             for axis in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]] {
                 let error = angle_deg(round_trip(&id).unwrap()(axis), axis);
                 let is_kept = !matches!(id.as_str(), "latlong16" | "latlong24" | "latlong32");

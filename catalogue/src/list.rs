@@ -1,281 +1,25 @@
-//! The one list of codecs: everything that names, lists or runs codecs reads it.
+//! The rows: every codec, by family and width.
 
-use serde::Serialize;
-use std::sync::OnceLock;
-use unitvec::best_fit::{TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table};
-use unitvec::frame::{decode_frames, encode_frames};
-use unitvec::slice::{LengthMismatch, encode_slice_with, par_decode_slice, par_encode_slice};
+use crate::Domain::{Hemisphere, Sphere};
+use crate::{CodecInfo, FrameInfo, cpu};
 use unitvec::{
-    Codec, CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, EaOct16,
-    EaOct20, EaOct22, EaOct24, EaOct32, EaOctPrecise16, EaOctPrecise20, EaOctPrecise22, EaOctPrecise24,
+    CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, EaOct16, EaOct20,
+    EaOct22, EaOct24, EaOct32, EaOctPrecise16, EaOctPrecise20, EaOctPrecise22, EaOctPrecise24,
     EaOctPrecise32, Eqarea16, Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20,
     EqareaConcentric22, EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20,
     EqareaEllipse22, EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32,
     EqdistConcentric16, EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32,
     EqdistEllipse16, EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Fib16, Fib24, Fib32,
-    Float16x3, Frame32, Frame64, FrameCodec, HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16,
-    LatLong24, LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48,
-    OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16,
-    Pp24, Pp32, Pp48, SOct17, SOct25, SOct33, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3,
-    SnormBest8, SnormBest16, SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32,
-    Spp16, Spp24, Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16,
+    Float16x3, Frame32, Frame64, HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16, LatLong24,
+    LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
+    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16, Pp24, Pp32,
+    Pp48, SOct17, SOct25, SOct33, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, SnormBest8,
+    SnormBest16, SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Spp16,
+    Spp24, Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16,
     StereoConcentric20, StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16,
     StereoEllipse20, StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24,
     WarpedCube32, XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
 };
-
-/// The directions that a codec is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Domain {
-    /// All directions.
-    Sphere,
-    /// Directions with z >= 0.
-    Hemisphere,
-}
-
-type EncodeSlice<const N: usize> = fn(&[[f32; N]], &mut [u8]) -> Result<(), LengthMismatch>;
-type DecodeSlice<const N: usize> = fn(&[u8], &mut [[f32; N]]) -> Result<(), LengthMismatch>;
-
-/// A codec: what is known of it, and its CPU functions.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct CodecInfo {
-    /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
-    pub id: &'static str,
-    /// The survey's name, `oct16P`; of codecs that it does not have, one like them.
-    pub survey_name: &'static str,
-    /// Significant bits of a code.
-    pub bits: u32,
-    /// Bytes of a stored code.
-    pub bytes: usize,
-    /// The Vulkan format with the code's layout, where there is one.
-    pub vk_format: Option<&'static str>,
-    /// The directions it is made for.
-    pub domain: Domain,
-    /// True where decoded vectors have unit length; false for raw component formats.
-    pub is_unit: bool,
-    /// True where the directions of the domain's axes come back exactly.
-    pub exact_axes: bool,
-    /// Upper bound of the error over the domain, in degrees.
-    pub max_error_deg: f32,
-    /// The GLSL include file with its functions.
-    pub glsl_file: &'static str,
-    /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
-    pub encodes_by_table: bool,
-    #[serde(skip)]
-    encode: EncodeSlice<3>,
-    #[serde(skip)]
-    decode: DecodeSlice<3>,
-}
-
-impl CodecInfo {
-    const fn of<C: Codec>(
-        survey_name: &'static str,
-        glsl_file: &'static str,
-        domain: Domain,
-        vk_format: Option<&'static str>,
-    ) -> Self {
-        Self {
-            id: C::NAME,
-            survey_name,
-            bits: C::BITS,
-            bytes: C::BYTES,
-            vk_format,
-            domain,
-            is_unit: C::IS_UNIT,
-            exact_axes: C::EXACT_AXES,
-            max_error_deg: C::MAX_ERROR_DEG,
-            glsl_file,
-            encodes_by_table: false,
-            encode: par_encode_slice::<C>,
-            decode: par_decode_slice::<C>,
-        }
-    }
-
-    /// The codec, encoding by the table of [`unitvec::best_fit`].
-    const fn by_table(self, encode: EncodeSlice<3>) -> Self {
-        Self { encodes_by_table: true, encode, ..self }
-    }
-
-    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
-    pub fn function(&self, direction: Direction) -> String {
-        self.format().function(direction)
-    }
-}
-
-/// A codec of tangent frames: seven floats, which are normal, tangent and handedness.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct FrameInfo {
-    /// Identifier: `frame32`.
-    pub id: &'static str,
-    /// Significant bits of a code.
-    pub bits: u32,
-    /// Bytes of a stored code.
-    pub bytes: usize,
-    /// The Vulkan format that holds a code.
-    pub vk_format: &'static str,
-    /// Upper bound of the normal's error, in degrees.
-    pub max_normal_error_deg: f32,
-    /// Upper bound of the tangent's error, in degrees.
-    pub max_tangent_error_deg: f32,
-    /// The GLSL include file with its functions.
-    pub glsl_file: &'static str,
-    #[serde(skip)]
-    encode: EncodeSlice<7>,
-    #[serde(skip)]
-    decode: DecodeSlice<7>,
-}
-
-impl FrameInfo {
-    const fn of<F: FrameCodec>(vk_format: &'static str) -> Self {
-        Self {
-            id: F::NAME,
-            bits: F::BITS,
-            bytes: F::BYTES,
-            vk_format,
-            max_normal_error_deg: F::MAX_NORMAL_ERROR_DEG,
-            max_tangent_error_deg: F::MAX_TANGENT_ERROR_DEG,
-            glsl_file: "frame.glsl",
-            encode: encode_frames::<F>,
-            decode: decode_frames::<F>,
-        }
-    }
-}
-
-/// What kernels need to know of a codec.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Format {
-    /// Identifier.
-    pub id: &'static str,
-    /// Significant bits of a code.
-    pub bits: u32,
-    /// Bytes of a stored code.
-    pub bytes: usize,
-    /// What it encodes.
-    pub element: Element,
-    /// As in [`CodecInfo`].
-    pub encodes_by_table: bool,
-}
-
-/// What is encoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Element {
-    /// Vectors of three floats.
-    Vector,
-    /// Tangent frames of seven.
-    Frame,
-}
-
-impl Element {
-    /// Its size as packed f32.
-    pub fn bytes(self) -> usize {
-        match self {
-            Self::Vector => 12,
-            Self::Frame => 28,
-        }
-    }
-}
-
-impl Format {
-    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
-    pub fn function(&self, direction: Direction) -> String {
-        format!("{}_{direction}", self.id)
-    }
-}
-
-/// The formats of all codecs, of vectors and then of frames.
-pub fn formats() -> impl Iterator<Item = Format> {
-    CATALOGUE.iter().map(Coding::format).chain(FRAMES.iter().map(Coding::format))
-}
-
-/// A codec of elements of `N` floats.
-pub trait Coding<const N: usize> {
-    /// What kernels need to know of it.
-    fn format(&self) -> Format;
-
-    /// Encodes on the CPU: little endian, without gaps.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where `codes` is not of that size.
-    fn encode_cpu(&self, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch>;
-
-    /// Decodes on the CPU.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where `codes` is not as [`encode_cpu`](Self::encode_cpu) makes it.
-    fn decode_cpu(&self, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch>;
-}
-
-impl Coding<3> for CodecInfo {
-    fn format(&self) -> Format {
-        let Self { id, bits, bytes, encodes_by_table, .. } = *self;
-        Format { id, bits, bytes, element: Element::Vector, encodes_by_table }
-    }
-
-    fn encode_cpu(&self, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        (self.encode)(vectors, codes)
-    }
-
-    fn decode_cpu(&self, codes: &[u8], vectors: &mut [[f32; 3]]) -> Result<(), LengthMismatch> {
-        (self.decode)(codes, vectors)
-    }
-}
-
-impl Coding<7> for FrameInfo {
-    fn format(&self) -> Format {
-        let Self { id, bits, bytes, .. } = *self;
-        Format { id, bits, bytes, element: Element::Frame, encodes_by_table: false }
-    }
-
-    fn encode_cpu(&self, frames: &[[f32; 7]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        (self.encode)(frames, codes)
-    }
-
-    fn decode_cpu(&self, codes: &[u8], frames: &mut [[f32; 7]]) -> Result<(), LengthMismatch> {
-        (self.decode)(codes, frames)
-    }
-}
-
-/// The two halves of a codec.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, serde::Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Direction {
-    /// Vectors to codes.
-    Encode,
-    /// Codes to vectors.
-    Decode,
-}
-
-impl std::fmt::Display for Direction {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Self::Encode => "encode",
-            Self::Decode => "decode",
-        })
-    }
-}
-
-/// The table of [`unitvec::best_fit`], computed once.
-pub fn best_fit_table() -> &'static [u32] {
-    static TABLE: OnceLock<Vec<u32>> = OnceLock::new();
-    TABLE.get_or_init(|| {
-        let mut table = vec![0; TABLE_WORDS];
-        fill_table(&mut table);
-        table
-    })
-}
-
-fn snorm8x3p_encode_slice(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    let table = best_fit_table();
-    encode_slice_with::<SnormBest8>(vectors, codes, |v| snorm8x3p_encode_by_table(v, table))
-}
-
-fn crytek_bfn24_encode_slice(vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    let table = best_fit_table();
-    encode_slice_with::<CrytekBfn24>(vectors, codes, |v| crytek_bfn24_encode_by_table(v, table))
-}
-
-use Domain::{Hemisphere, Sphere};
 
 /// Every codec, by family and width.
 pub static CATALOGUE: &[CodecInfo] = &[
@@ -334,7 +78,7 @@ pub static CATALOGUE: &[CodecInfo] = &[
     CodecInfo::of::<Ico24>("ico24", "ico.glsl", Sphere, None),
     CodecInfo::of::<Ico32>("ico32", "ico.glsl", Sphere, None),
     CodecInfo::of::<SnormBest8>("snorm8x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
-        .by_table(snorm8x3p_encode_slice),
+        .by_table(cpu::snorm8x3p_by_table),
     CodecInfo::of::<SnormNearest8>(
         "snorm8x3Nearest",
         "best_fit.glsl",
@@ -343,7 +87,7 @@ pub static CATALOGUE: &[CodecInfo] = &[
     ),
     CodecInfo::of::<SnormBest16>("snorm16x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R16G16B16_SNORM")),
     CodecInfo::of::<CrytekBfn24>("CrytekBFN24", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
-        .by_table(crytek_bfn24_encode_slice),
+        .by_table(cpu::crytek_bfn24_by_table),
     CodecInfo::of::<Stereo16>("stereo16", "azimuthal.glsl", Sphere, None),
     CodecInfo::of::<Stereo20>("stereo20", "azimuthal.glsl", Sphere, None),
     CodecInfo::of::<Stereo22>("stereo22", "azimuthal.glsl", Sphere, None),
@@ -419,38 +163,3 @@ pub static CATALOGUE: &[CodecInfo] = &[
 /// The codecs of tangent frames.
 pub static FRAMES: &[FrameInfo] =
     &[FrameInfo::of::<Frame32>("VK_FORMAT_R32_UINT"), FrameInfo::of::<Frame64>("VK_FORMAT_R32G32_UINT")];
-
-/// The codec of frames with this identifier.
-pub fn find_frame(id: &str) -> Option<&'static FrameInfo> {
-    FRAMES.iter().find(|codec| codec.id == id)
-}
-
-/// No codec has this identifier.
-#[derive(Clone, Debug, thiserror::Error)]
-#[error("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id))]
-pub struct UnknownCodec {
-    /// What was asked for.
-    pub id: String,
-}
-
-/// Codecs whose identifier or survey name is this one but for case, or else that begin with the same letters.
-fn suggestion(id: &str) -> String {
-    let letters =
-        |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
-    let same =
-        |codec: &&CodecInfo| codec.id.eq_ignore_ascii_case(id) || codec.survey_name.eq_ignore_ascii_case(id);
-    let mut close: Vec<&str> = CATALOGUE.iter().filter(same).map(|codec| codec.id).collect();
-    if close.is_empty() {
-        close =
-            CATALOGUE.iter().map(|codec| codec.id).filter(|other| letters(other) == letters(id)).collect();
-    }
-    if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
-}
-
-/// The codec with this identifier.
-///
-/// # Errors
-/// [`UnknownCodec`] where there is none.
-pub fn find(id: &str) -> Result<&'static CodecInfo, UnknownCodec> {
-    CATALOGUE.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
-}

@@ -1,0 +1,83 @@
+//! The CPU functions of a codec, as pointers: all codecs have the same type.
+
+use std::sync::OnceLock;
+use unitvec::best_fit::{TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table};
+use unitvec::codec::Code;
+use unitvec::frame::{decode_frames, encode_frames};
+use unitvec::slice::machine::Level;
+use unitvec::slice::{
+    DecodeAt, EncodeAt, LengthMismatch, decode_slice_at, encode_slice_at, encode_slice_with, expect_length,
+    par_decode_with, par_encode_with,
+};
+use unitvec::{Codec, CrytekBfn24, Frame, FrameCodec, SnormBest8};
+
+/// The functions of a codec of elements of `N` floats.
+#[derive(Clone, Copy, Debug)]
+pub struct Functions<const N: usize> {
+    pub encode_one: fn([f32; N]) -> [u32; 2],
+    pub decode_one: fn([u32; 2]) -> [f32; N],
+    pub encode_at: EncodeAt<[f32; N]>,
+    pub decode_at: DecodeAt<[f32; N]>,
+    /// What encodes slices: `encode_at`, or an encoder by table.
+    encode: EncodeAt<[f32; N]>,
+}
+
+impl Functions<3> {
+    pub const fn of_vectors<C: Codec>() -> Self {
+        Self {
+            encode_one: |v| C::encode(v.into()).to_words(),
+            decode_one: |code| C::decode(C::Code::from_words(code)).to_array(),
+            encode_at: encode_slice_at::<C>,
+            decode_at: decode_slice_at::<C>,
+            encode: encode_slice_at::<C>,
+        }
+    }
+
+    pub const fn by_table(self, encode: EncodeAt<[f32; 3]>) -> Self {
+        Self { encode, ..self }
+    }
+}
+
+impl Functions<7> {
+    pub const fn of_frames<F: FrameCodec>() -> Self {
+        Self {
+            encode_one: |frame| F::encode(Frame::from_array(frame)).to_words(),
+            decode_one: |code| F::decode(F::Code::from_words(code)).to_array(),
+            encode_at: |_, frames, codes| encode_frames::<F>(frames, codes),
+            decode_at: |_, codes, frames| decode_frames::<F>(codes, frames),
+            encode: |_, frames, codes| encode_frames::<F>(frames, codes),
+        }
+    }
+}
+
+impl<const N: usize> Functions<N> {
+    pub fn encode(&self, size: usize, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        expect_length(elements.len() * size, codes.len())?;
+        par_encode_with(elements, codes, size, self.encode)
+    }
+
+    pub fn decode(&self, size: usize, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch> {
+        expect_length(codes.len(), elements.len() * size)?;
+        par_decode_with(codes, elements, size, self.decode_at)
+    }
+}
+
+/// The table of [`unitvec::best_fit`], computed once.
+pub fn best_fit_table() -> &'static [u32] {
+    static TABLE: OnceLock<Vec<u32>> = OnceLock::new();
+    TABLE.get_or_init(|| {
+        let mut table = vec![0; TABLE_WORDS];
+        fill_table(&mut table);
+        table
+    })
+}
+
+pub fn snorm8x3p_by_table(_: Level, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    let table = best_fit_table();
+    encode_slice_with::<SnormBest8>(vectors, codes, |v| snorm8x3p_encode_by_table(v, table))
+}
+
+pub fn crytek_bfn24_by_table(_: Level, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    let table = best_fit_table();
+    encode_slice_with::<CrytekBfn24>(vectors, codes, |v| crytek_bfn24_encode_by_table(v, table))
+}

@@ -1,0 +1,318 @@
+//! Every codec of [`unitvec`] by its identifier, for programs that choose one at run time: what is known of each, and
+//! functions that encode and decode with it on the CPU, on all cores.
+//!
+//! ```
+//! use unitvec_catalogue::{Coding, find};
+//!
+//! let codec = find("oct32p")?;
+//! let mut codes = vec![0; 2 * codec.bytes];
+//! codec.encode_cpu(&[[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]], &mut codes)?;
+//! let mut vectors = [[0.0; 3]; 2];
+//! codec.decode_cpu(&codes, &mut vectors)?;
+//! assert_eq!(vectors[1], [0.0, 1.0, 0.0]);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A program that knows its codec when it is written needs only [`unitvec`]. This crate compiles all of them, which takes
+//! about a minute on two cores. With the feature `serde` its types can be serialised.
+
+mod cpu;
+mod list;
+
+use cpu::Functions;
+use unitvec::slice::machine::Level;
+use unitvec::slice::{EncodeAt, LengthMismatch};
+use unitvec::{Codec, FrameCodec};
+
+pub use cpu::best_fit_table;
+pub use list::{CATALOGUE, FRAMES};
+
+/// The directions that a codec is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
+pub enum Domain {
+    /// All directions.
+    Sphere,
+    /// Directions with z >= 0.
+    Hemisphere,
+}
+
+/// A codec: what is known of it, and its CPU functions.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct CodecInfo {
+    /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
+    pub id: &'static str,
+    /// The survey's name, `oct16P`; of codecs that it does not have, one like them.
+    pub survey_name: &'static str,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: usize,
+    /// The Vulkan format with the code's layout, where there is one.
+    pub vk_format: Option<&'static str>,
+    /// The directions it is made for.
+    pub domain: Domain,
+    /// True where decoded vectors have unit length; false for raw component formats.
+    pub is_unit: bool,
+    /// True where the directions of the domain's axes come back exactly.
+    pub exact_axes: bool,
+    /// Upper bound of the error over the domain, in degrees.
+    pub max_error_deg: f32,
+    /// The GLSL include file with its functions.
+    pub glsl_file: &'static str,
+    /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
+    pub encodes_by_table: bool,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    functions: Functions<3>,
+}
+
+impl CodecInfo {
+    const fn of<C: Codec>(
+        survey_name: &'static str,
+        glsl_file: &'static str,
+        domain: Domain,
+        vk_format: Option<&'static str>,
+    ) -> Self {
+        Self {
+            id: C::NAME,
+            survey_name,
+            bits: C::BITS,
+            bytes: C::BYTES,
+            vk_format,
+            domain,
+            is_unit: C::IS_UNIT,
+            exact_axes: C::EXACT_AXES,
+            max_error_deg: C::MAX_ERROR_DEG,
+            glsl_file,
+            encodes_by_table: false,
+            functions: Functions::of_vectors::<C>(),
+        }
+    }
+
+    /// The codec, encoding by the table of [`unitvec::best_fit`].
+    const fn by_table(self, encode: EncodeAt<[f32; 3]>) -> Self {
+        Self { encodes_by_table: true, functions: self.functions.by_table(encode), ..self }
+    }
+
+    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
+    pub fn function(&self, direction: Direction) -> String {
+        self.format().function(direction)
+    }
+}
+
+/// A codec of tangent frames: seven floats, which are normal, tangent and handedness.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct FrameInfo {
+    /// Identifier: `frame32`.
+    pub id: &'static str,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: usize,
+    /// The Vulkan format that holds a code.
+    pub vk_format: &'static str,
+    /// Upper bound of the normal's error, in degrees.
+    pub max_normal_error_deg: f32,
+    /// Upper bound of the tangent's error, in degrees.
+    pub max_tangent_error_deg: f32,
+    /// The GLSL include file with its functions.
+    pub glsl_file: &'static str,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    functions: Functions<7>,
+}
+
+impl FrameInfo {
+    const fn of<F: FrameCodec>(vk_format: &'static str) -> Self {
+        Self {
+            id: F::NAME,
+            bits: F::BITS,
+            bytes: F::BYTES,
+            vk_format,
+            max_normal_error_deg: F::MAX_NORMAL_ERROR_DEG,
+            max_tangent_error_deg: F::MAX_TANGENT_ERROR_DEG,
+            glsl_file: "frame.glsl",
+            functions: Functions::of_frames::<F>(),
+        }
+    }
+}
+
+/// What kernels need to know of a codec.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Format {
+    /// Identifier.
+    pub id: &'static str,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: usize,
+    /// What it encodes.
+    pub element: Element,
+    /// As in [`CodecInfo`].
+    pub encodes_by_table: bool,
+}
+
+/// What is encoded.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Element {
+    /// Vectors of three floats.
+    Vector,
+    /// Tangent frames of seven.
+    Frame,
+}
+
+impl Element {
+    /// Its size as packed f32.
+    pub fn bytes(self) -> usize {
+        match self {
+            Self::Vector => 12,
+            Self::Frame => 28,
+        }
+    }
+}
+
+impl Format {
+    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
+    pub fn function(&self, direction: Direction) -> String {
+        format!("{}_{direction}", self.id)
+    }
+}
+
+/// The formats of all codecs, of vectors and then of frames.
+pub fn formats() -> impl Iterator<Item = Format> {
+    CATALOGUE.iter().map(Coding::format).chain(FRAMES.iter().map(Coding::format))
+}
+
+/// A codec of elements of `N` floats.
+pub trait Coding<const N: usize> {
+    /// What kernels need to know of it.
+    fn format(&self) -> Format;
+
+    #[doc(hidden)]
+    fn functions(&self) -> &Functions<N>;
+
+    /// Encodes on the CPU, on all cores: little endian, without gaps.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where `codes` is not of that size. Nothing is written then.
+    fn encode_cpu(&self, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.functions().encode(self.format().bytes, elements, codes)
+    }
+
+    /// Decodes on the CPU, on all cores.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where `codes` is not as [`encode_cpu`](Self::encode_cpu) makes it. Nothing is written then.
+    fn decode_cpu(&self, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch> {
+        self.functions().decode(self.format().bytes, codes, elements)
+    }
+
+    /// [`Codec::encode`] or [`FrameCodec::encode`] of one element: the low word first.
+    fn encode_one(&self, element: [f32; N]) -> [u32; 2] {
+        (self.functions().encode_one)(element)
+    }
+
+    /// [`Codec::decode`] or [`FrameCodec::decode`] of one code, the low word first.
+    fn decode_one(&self, code: [u32; 2]) -> [f32; N] {
+        (self.functions().decode_one)(code)
+    }
+
+    /// The slice function with the instructions of a given level, on one core, and without a table.
+    #[doc(hidden)]
+    fn encode_cpu_at(
+        &self,
+        level: Level,
+        elements: &[[f32; N]],
+        codes: &mut [u8],
+    ) -> Result<(), LengthMismatch> {
+        (self.functions().encode_at)(level, elements, codes)
+    }
+
+    /// The slice function with the instructions of a given level, on one core.
+    #[doc(hidden)]
+    fn decode_cpu_at(
+        &self,
+        level: Level,
+        codes: &[u8],
+        elements: &mut [[f32; N]],
+    ) -> Result<(), LengthMismatch> {
+        (self.functions().decode_at)(level, codes, elements)
+    }
+}
+
+impl Coding<3> for CodecInfo {
+    fn format(&self) -> Format {
+        let Self { id, bits, bytes, encodes_by_table, .. } = *self;
+        Format { id, bits, bytes, element: Element::Vector, encodes_by_table }
+    }
+
+    fn functions(&self) -> &Functions<3> {
+        &self.functions
+    }
+}
+
+impl Coding<7> for FrameInfo {
+    fn format(&self) -> Format {
+        let Self { id, bits, bytes, .. } = *self;
+        Format { id, bits, bytes, element: Element::Frame, encodes_by_table: false }
+    }
+
+    fn functions(&self) -> &Functions<7> {
+        &self.functions
+    }
+}
+
+/// The two halves of a codec.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
+pub enum Direction {
+    /// Vectors to codes.
+    Encode,
+    /// Codes to vectors.
+    Decode,
+}
+
+impl std::fmt::Display for Direction {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Encode => "encode",
+            Self::Decode => "decode",
+        })
+    }
+}
+
+/// The codec of frames with this identifier.
+pub fn find_frame(id: &str) -> Option<&'static FrameInfo> {
+    FRAMES.iter().find(|codec| codec.id == id)
+}
+
+/// No codec has this identifier.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id))]
+pub struct UnknownCodec {
+    /// What was asked for.
+    pub id: String,
+}
+
+/// Codecs whose identifier or survey name is this one but for case, or else that begin with the same letters.
+fn suggestion(id: &str) -> String {
+    let letters =
+        |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
+    let same =
+        |codec: &&CodecInfo| codec.id.eq_ignore_ascii_case(id) || codec.survey_name.eq_ignore_ascii_case(id);
+    let mut close: Vec<&str> = CATALOGUE.iter().filter(same).map(|codec| codec.id).collect();
+    if close.is_empty() {
+        close =
+            CATALOGUE.iter().map(|codec| codec.id).filter(|other| letters(other) == letters(id)).collect();
+    }
+    if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
+}
+
+/// The codec with this identifier.
+///
+/// # Errors
+/// [`UnknownCodec`] where there is none.
+pub fn find(id: &str) -> Result<&'static CodecInfo, UnknownCodec> {
+    CATALOGUE.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
+}

@@ -1,0 +1,64 @@
+//! The unit-vector codecs of `unitvec` as shaders: GLSL to include, and SPIR-V kernels to load.
+//!
+//! The files are part of the program that depends on this crate. Their paths are those of the repository's folders
+//! `glsl/` and `spirv/`, which say more about them.
+//!
+//! ```
+//! // For a build script: an include file, to be written where a shader compiler finds it.
+//! let oct: &str = unitvec_shaders::glsl("unitvec/oct.glsl").ok_or("no such file")?;
+//! assert!(oct.contains("uint oct16_encode("));
+//!
+//! // For an engine: a compute kernel, for vkCreateShaderModule. `manifest.json` tells its interface.
+//! let kernel: &[u8] = unitvec_shaders::spirv("oct16_encode.spv").ok_or("no such file")?;
+//! assert_eq!(kernel[..4], 0x0723_0203u32.to_le_bytes());
+//! # Ok::<(), &str>(())
+//! ```
+
+use include_dir::{Dir, include_dir};
+
+static GLSL: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/glsl");
+static SPIRV: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/spirv");
+
+/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, kernels over them in `kernels/`.
+pub fn glsl(path: &str) -> Option<&'static str> {
+    GLSL.get_file(path)?.contents_utf8()
+}
+
+/// A file of `spirv/`: `oct16_encode.spv`, `manifest.json`; the kernels in `cost/` are for measuring.
+pub fn spirv(path: &str) -> Option<&'static [u8]> {
+    Some(SPIRV.get_file(path)?.contents())
+}
+
+/// The paths of all files that [`glsl`] gives.
+pub fn glsl_paths() -> impl Iterator<Item = &'static str> {
+    paths(&GLSL)
+}
+
+/// The paths of all files that [`spirv`] gives.
+pub fn spirv_paths() -> impl Iterator<Item = &'static str> {
+    paths(&SPIRV)
+}
+
+fn paths(folder: &'static Dir<'_>) -> Box<dyn Iterator<Item = &'static str>> {
+    let files = folder.files().filter_map(|file| file.path().to_str());
+    Box::new(files.chain(folder.dirs().flat_map(paths)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Every path leads to its file, of text or of words.
+    #[test]
+    fn paths_lead_to_files() {
+        assert!(glsl_paths().any(|path| path == "unitvec/oct.glsl"));
+        for path in glsl_paths() {
+            assert!(glsl(path).is_some_and(|text| !text.is_empty()), "{path}");
+        }
+        assert!(spirv_paths().any(|path| path == "manifest.json"));
+        for path in spirv_paths().filter(|path| path.ends_with(".spv")) {
+            assert!(spirv(path).is_some_and(|words| words.len() > 20 && words.len() % 4 == 0), "{path}");
+        }
+        assert_eq!((glsl("unitvec"), spirv("oct16")), (None, None));
+    }
+}

@@ -1,0 +1,37 @@
+//! The integration tests: they call what users call.
+
+mod accuracy;
+mod azimuthal;
+mod best_fit;
+mod catalogue;
+mod cli;
+mod components;
+#[cfg(feature = "glsl")]
+mod conformance;
+mod cube;
+mod cylindrical;
+mod eaoct;
+mod exhaustive;
+mod faults;
+mod fib;
+mod frame;
+#[cfg(feature = "glsl")]
+mod glsl;
+mod hemioct;
+mod ico;
+mod latlong;
+mod modules;
+mod oct;
+mod oct_wide;
+mod projection;
+mod slices;
+mod soct;
+mod spherical;
+mod totality;
+mod trig;
+
+/// Shown as ignored where the tests of the GLSL are not compiled.
+#[cfg(not(feature = "glsl"))]
+#[test]
+#[ignore = "needs a GLSL compiler: `cargo xtask test`, or `cargo test --features unitvec-tests/glsl`"]
+fn glsl_and_conformance() {}

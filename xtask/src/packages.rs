@@ -1,0 +1,132 @@
+//! Each package as its users get it: built and tested from its `.crate`, outside the repository.
+
+use crate::{cargo, run as run_command};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What is published, in the order of the dependencies.
+const PACKAGES: [&str; 5] =
+    ["unitvec", "unitvec-shaders", "unitvec-oracle", "unitvec-catalogue", "unitvec-host"];
+
+/// Packages, unpacks and tests all of them, in a temporary folder.
+pub fn run(repository: &Path) -> Result<(), String> {
+    let folder = std::env::temp_dir().join(format!("unitvec-packages-{}", std::process::id()));
+    let outcome = Unpacked::new(repository, &folder).and_then(|unpacked| unpacked.check());
+    let removed = fs::remove_dir_all(&folder).map_err(|error| error.to_string());
+    outcome.and(removed)
+}
+
+/// The unpacked packages.
+struct Unpacked {
+    folder: PathBuf,
+}
+
+impl Unpacked {
+    fn new(repository: &Path, folder: &Path) -> Result<Self, String> {
+        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+        let target = folder.join("package");
+        let mut package = cargo(&["package", "--no-verify", "--allow-dirty"]);
+        package.args(PACKAGES.iter().flat_map(|name| ["--package", *name])).arg("--target-dir").arg(&target);
+        run_command(package.current_dir(repository))?;
+        let unpacked = Self { folder: folder.to_owned() };
+        for name in PACKAGES {
+            let file = target.join("package").join(format!("{}.crate", versioned(name)));
+            run_command(Command::new("tar").arg("xzf").arg(file).arg("-C").arg(folder))?;
+        }
+        Ok(unpacked)
+    }
+
+    fn check(&self) -> Result<(), String> {
+        for name in PACKAGES {
+            self.announce(&format!("{name}, its own tests"));
+            run_command(&mut self.cargo(name, "test"))?;
+        }
+        self.announce("unitvec with the newest dependencies");
+        run_command(&mut self.cargo("unitvec", "update"))?;
+        run_command(self.cargo("unitvec", "test").args(["--features", "rayon"]))?;
+        self.announce("unitvec with the oldest dependencies");
+        fs::remove_file(self.path("unitvec").join("Cargo.lock")).map_err(|error| error.to_string())?;
+        // The option has been unstable for years, and the compiler is the same with and without the variable.
+        let mut oldest = self.cargo("unitvec", "generate-lockfile");
+        run_command(oldest.arg("-Zdirect-minimal-versions").env("RUSTC_BOOTSTRAP", "1"))?;
+        run_command(self.cargo("unitvec", "test").args(["--features", "rayon"]))?;
+        self.announce("unitvec without std");
+        self.without_std()?;
+        self.announce("the program, installed without a GLSL compiler");
+        self.installed()
+    }
+
+    /// For a target that has no std at all, with the compiler that `cargo xtask spirv` installs: it has core's sources.
+    fn without_std(&self) -> Result<(), String> {
+        let mut build = Command::new("cargo");
+        build
+            .args(["+nightly-2026-07-03", "build", "-Zbuild-std=core,compiler_builtins"])
+            .args(["--no-default-features", "--features", "libm", "--target", "x86_64-unknown-none"])
+            .arg("--target-dir")
+            .arg(self.folder.join("target"))
+            // Cargo sets these for what it runs, and rustup would take them for the choice of a compiler.
+            .env_remove("RUSTUP_TOOLCHAIN")
+            .env_remove("CARGO")
+            .current_dir(self.path("unitvec"));
+        run_command(&mut build)
+    }
+
+    /// `cargo install`, and what it installs: CPU and Rust's SPIR-V agree, and what needs the GLSL says so.
+    fn installed(&self) -> Result<(), String> {
+        let root = self.folder.join("installed");
+        let mut install = self.cargo("unitvec-host", "install");
+        run_command(install.args(["--locked", "--path", "."]).arg("--root").arg(&root))?;
+        let program = root.join("bin/unitvec");
+        run_command(Command::new(&program).args(["conform", "--device", "lavapipe", "--codec", "oct16"]))?;
+        let mut glsl = Command::new(&program);
+        let output = glsl
+            .args([
+                "encode",
+                "--backend",
+                "glsl",
+                "--device",
+                "lavapipe",
+                "--codec",
+                "oct16",
+                "/dev/null",
+                "-",
+            ])
+            .output()
+            .map_err(|error| error.to_string())?;
+        let message = String::from_utf8_lossy(&output.stderr);
+        if !output.status.success() && message.lines().count() == 1 && message.contains("--features glsl") {
+            return Ok(());
+        }
+        Err(format!(
+            "without a GLSL compiler `--backend glsl` ended with {} and said: {message}",
+            output.status
+        ))
+    }
+
+    /// Cargo in a package, with the others in the place of those that are not published yet.
+    fn cargo(&self, name: &str, command: &str) -> Command {
+        let mut cargo = cargo(&[command]);
+        cargo.current_dir(self.path(name)).env("CARGO_TARGET_DIR", self.folder.join("target"));
+        for other in PACKAGES.iter().filter(|other| **other != name) {
+            let patch = format!("patch.crates-io.{other}.path={:?}", self.path(other));
+            cargo.args(["--config", &patch]);
+        }
+        // Some tests go through thousands of codes.
+        cargo.args(["--config", "profile.dev.opt-level=1", "--config", "profile.dev.debug=false"]);
+        cargo
+    }
+
+    fn path(&self, name: &str) -> PathBuf {
+        self.folder.join(versioned(name))
+    }
+
+    fn announce(&self, what: &str) {
+        println!("xtask: {what}");
+    }
+}
+
+/// A package's name with its version, which is that of all.
+fn versioned(name: &str) -> String {
+    format!("{name}-{}", env!("CARGO_PKG_VERSION"))
+}
