@@ -6,7 +6,7 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// In the order in which they need each other; newer glslangs have fewer.
+/// Newer glslangs have fewer.
 const LEFT_OUT: [&str; 9] = [
     "glslang",
     "HLSL",
@@ -39,7 +39,8 @@ fn main() {
     };
     println!("cargo::rustc-link-search=native={}", folder.display());
     for name in LEFT_OUT.iter().filter(|name| is_in(folder, name)) {
-        println!("cargo::rustc-link-lib=static={name}");
+        // Whole, since what needs them stands behind them on the linker's command line, and GNU ld does not look back.
+        println!("cargo::rustc-link-lib=static:+whole-archive={name}");
     }
     if env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {
         println!("cargo::rustc-link-lib=stdc++");

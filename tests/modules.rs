@@ -3,7 +3,6 @@
 use std::collections::{BTreeSet, HashSet};
 use std::process::Command;
 use unitvec::best_fit;
-#[cfg(feature = "glsl")]
 use unitvec_host::catalogue::{Direction, formats};
 #[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;

@@ -11,6 +11,7 @@ mod select;
 use anyhow::{Context, Result, anyhow, bail, ensure};
 use cargo_gpu_install::install::Install;
 use cargo_gpu_install::spirv_builder::ModuleResult;
+use rayon::prelude::*;
 use rspirv::binary::Assemble;
 use spirv_tools::opt::{Optimizer, Passes};
 use spirv_tools::val::Validator;
@@ -67,9 +68,14 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     }];
     let mut files = BTreeMap::from([(manifest::BEST_FIT_TABLE.to_owned(), table)]);
     let (mut modules, mut cost_modules) = (Vec::new(), Vec::new());
-    for (entry_point, path) in compile(repository)? {
+    let compiled = compile(repository)?;
+    eprintln!("spirv: optimising {} modules", compiled.len());
+    let finished = compiled.into_par_iter().map(|(entry_point, path)| {
         let words = finish(&read_words(&path)?).with_context(|| format!("entry point {entry_point}"))?;
-        let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        let bytes = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+        Ok((entry_point, bytes))
+    });
+    for (entry_point, bytes) in finished.collect::<Result<BTreeMap<String, Vec<u8>>>>()? {
         if let Some(kernel) = cost_kernel(&entry_point) {
             let module = describe_cost(&kernel, &entry_point, &bytes)?;
             files.insert(format!("{}/{}", manifest::COST_FOLDER, module.file), bytes);
