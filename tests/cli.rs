@@ -133,12 +133,21 @@ fn conform_reports_in_words_and_json() {
 }
 
 /// The report goes to a pipe whole: no table around it.
-#[test]
-fn conform_writes_json_to_the_standard_output() {
-    let output = run(["conform", "--codec", "oct20", "--count", "10", "--json", "-"]);
+fn report(arguments: &[&str]) -> Value {
+    let output = run([&["conform", "--json", "-"], arguments].concat());
     assert!(output.status.success(), "{}", stderr(&output));
-    let report: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(report["rows"][0]["id"], "oct20");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+/// All codes of 20 bits are decoded with `--exhaustive`, and as many as are asked for without.
+#[test]
+fn conform_decodes_all_codes_where_it_says_so() {
+    let arguments = ["--codec", "oct20", "--count", "10"];
+    let codes = |report: &Value| report["rows"][0]["codes"].as_u64().unwrap();
+    let (short, whole) = (report(&arguments), report(&[&arguments[..], &["--exhaustive"]].concat()));
+    assert_eq!(short["rows"][0]["id"], "oct20");
+    assert_eq!((&short["all_codes_up_to"], &whole["all_codes_up_to"]), (&16.into(), &24.into()));
+    assert_eq!(codes(&whole) - codes(&short), (1 << 20) - 10);
 }
 
 /// A replaced file keeps its permissions, and a link to it stays a link.

@@ -61,6 +61,7 @@
 //! for the SPIR-V build alone. `rayon` adds slice functions that use all cores.
 
 #![cfg_attr(not(feature = "std"), no_std)]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(unsafe_code)]
 
 #[cfg(not(any(feature = "std", feature = "libm")))]

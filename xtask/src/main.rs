@@ -65,6 +65,7 @@ const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
 
 fn conform(arguments: &[String]) -> Result<(), String> {
     let pending = setup::begin()?;
+    println!("xtask: building; the first time takes about two minutes on 2 cores, the run half a minute");
     let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
     run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL))?;
     pending.finish()?;
@@ -85,6 +86,7 @@ fn test(arguments: &[String]) -> Result<(), String> {
         arguments.iter().partition(|argument| *argument == "--exhaustive");
     let pending = setup::begin()?;
     let selection = ["test", "--workspace", "--exclude", "xtask-spirv", "--exclude", "unitvec-bench"];
+    println!("xtask: building; the first time takes about three minutes on 2 cores, the tests as much");
     let of_cargo = others.iter().take_while(|argument| **argument != "--");
     run(cargo(&selection).args(WITH_GLSL).arg("--no-run").args(of_cargo))?;
     pending.finish()?;

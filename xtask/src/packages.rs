@@ -76,7 +76,7 @@ impl Unpacked {
     fn installed(&self) -> Result<(), String> {
         let root = self.folder.join("installed");
         let mut install = self.cargo("unitvec-host", "install");
-        run_command(install.args(["--locked", "--path", "."]).arg("--root").arg(&root))?;
+        run_command(install.args(["--path", "."]).arg("--root").arg(&root))?;
         let program = root.join("bin/unitvec");
         run_command(Command::new(&program).args(["conform", "--device", "lavapipe", "--codec", "oct16"]))?;
         let mut glsl = Command::new(&program);

@@ -89,9 +89,8 @@ fn reason(found: &[Candidate]) -> String {
             let _ = write!(text, ", and the {} others that take as few cost more arithmetic", others.len());
         }
     }
-    if let Some(finer) = alike.iter().min_by(|a, b| a.mean_error_deg.total_cmp(&b.mean_error_deg))
-        && finer.mean_error_deg < 0.995 * best.mean_error_deg
-    {
+    let finest = alike.iter().min_by(|a, b| a.mean_error_deg.total_cmp(&b.mean_error_deg));
+    if let Some(finer) = finest.filter(|finest| finest.mean_error_deg < 0.995 * best.mean_error_deg) {
         let _ = write!(text, "; the least mean error of those has {}", finer.id);
     }
     text

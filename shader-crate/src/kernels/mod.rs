@@ -8,7 +8,7 @@
 //! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose
 //! codes take two bytes. A kernel whose table is too short writes nothing.
 //!
-//! Beside them, `encode_cost` and `decode_cost` of each codec measure arithmetic: see [`cost`].
+//! Beside them, `encode_cost` and `decode_cost` of each codec measure arithmetic.
 
 mod cost;
 mod frames;
