@@ -6,7 +6,7 @@
 use std::env;
 use std::path::{Path, PathBuf};
 
-/// Newer glslangs have fewer.
+/// Newer glslang versions have fewer libraries.
 const LEFT_OUT: [&str; 9] = [
     "glslang",
     "HLSL",
@@ -28,18 +28,24 @@ fn main() {
     if !has("GLSL") || has("GLSL_FROM_SOURCE") {
         return;
     }
-    let folders = folders();
-    let is_in = |folder: &Path, name: &str| folder.join(format!("lib{name}.a")).is_file();
-    let Some(folder) = folders.iter().find(|folder| is_in(folder, "shaderc_combined")) else {
-        println!(
-            "cargo::warning=no libshaderc_combined.a on this machine: shaderc is built from source, which takes \
-             minutes; on Debian, `apt-get install libshaderc-dev glslang-dev spirv-tools` saves them"
-        );
+    let Some(folder) = folder() else { return };
+    let has_static = |name: &str| folder.join(format!("lib{name}.a")).is_file();
+    if !has_static("shaderc_combined") {
+        let has_shared =
+            ["libshaderc.so", "libshaderc_shared.so"].iter().any(|name| folder.join(name).is_file());
+        if !has_shared {
+            println!(
+                "cargo::warning=no libshaderc_combined.a in {}: shaderc is built from source, which takes minutes; on \
+                 Debian, `apt-get install libshaderc-dev glslang-dev spirv-tools` saves them",
+                folder.display()
+            );
+        }
         return;
-    };
+    }
     println!("cargo::rustc-link-search=native={}", folder.display());
-    for name in LEFT_OUT.iter().filter(|name| is_in(folder, name)) {
-        // Whole, since what needs them stands behind them on the linker's command line, and GNU ld does not look back.
+    for name in LEFT_OUT.iter().filter(|name| has_static(name)) {
+        // Linked whole: libshaderc_combined comes later on the command line, and GNU ld does not search earlier
+        // archives again.
         println!("cargo::rustc-link-lib=static:+whole-archive={name}");
     }
     if env::var("CARGO_CFG_TARGET_OS").as_deref() == Ok("linux") {
@@ -47,18 +53,23 @@ fn main() {
     }
 }
 
-/// Where the `shaderc-sys` crate looks for libraries, so that both take the same.
-fn folders() -> Vec<PathBuf> {
+/// The folder that the `shaderc-sys` crate takes libraries from, except that it also asks pkg-config.
+fn folder() -> Option<PathBuf> {
     if let Some(folder) = env::var_os("SHADERC_LIB_DIR") {
-        return vec![folder.into()];
+        return Some(folder.into());
     }
     if let Some(sdk) = env::var_os("VULKAN_SDK") {
-        return vec![Path::new(&sdk).join("lib")];
+        return Some(Path::new(&sdk).join("lib"));
     }
-    let architecture = match env::var("CARGO_CFG_TARGET_ARCH").unwrap_or_default() {
-        x86 if x86 == "x86" => "i386".to_owned(),
-        other => other,
-    };
-    let multiarch = format!("/usr/lib/{architecture}-linux-gnu");
-    [multiarch.as_str(), "/usr/lib64", "/usr/lib", "/usr/local/lib"].map(PathBuf::from).to_vec()
+    let architecture = env::var("CARGO_CFG_TARGET_ARCH").unwrap_or_default();
+    match env::var("CARGO_CFG_TARGET_OS").unwrap_or_default().as_str() {
+        "linux" => {
+            let of_debian = if architecture == "x86" { "i386" } else { &architecture };
+            let multiarch = format!("/usr/lib/{of_debian}-linux-gnu");
+            let lib64 = if architecture == "x86_64" { "/usr/lib64" } else { "/usr/lib" };
+            [multiarch.as_str(), lib64, "/usr/lib"].iter().map(PathBuf::from).find(|folder| folder.is_dir())
+        }
+        "macos" => Some(PathBuf::from("/usr/local/lib")),
+        _ => None,
+    }
 }

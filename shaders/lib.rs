@@ -1,14 +1,14 @@
 //! The unit-vector codecs of `unitvec` as shaders: GLSL to include, and SPIR-V kernels to load.
 //!
 //! The files are part of the program that depends on this crate. Their paths are those of the repository's folders
-//! `glsl/` and `spirv/`, which say more about them.
+//! `glsl/` and `spirv/`.
 //!
 //! ```
 //! // For a build script: an include file, to be written where a shader compiler finds it.
 //! let oct: &str = unitvec_shaders::glsl("unitvec/oct.glsl").ok_or("no such file")?;
 //! assert!(oct.contains("uint oct16_encode("));
 //!
-//! // For an engine: a compute kernel, for vkCreateShaderModule. `manifest.json` tells its interface.
+//! // For an engine: a compute kernel, for vkCreateShaderModule. `manifest.json` describes its interface.
 //! let kernel: &[u8] = unitvec_shaders::spirv("oct16_encode.spv").ok_or("no such file")?;
 //! assert_eq!(kernel[..4], 0x0723_0203u32.to_le_bytes());
 //! # Ok::<(), &str>(())

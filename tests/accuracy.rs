@@ -149,7 +149,7 @@ fn float64_intermediates_change_little() {
 }
 
 /// At 16, 24 and 32 bits a codec of ours has a lower maximum than every row of the survey's table 1, as published and as
-/// measured in the same run, and a mean no higher, to three standard errors.
+/// measured with the same seed, and a mean no higher, to three standard errors.
 #[test]
 fn the_survey_is_beaten_at_the_usual_widths() {
     for bits in [16.0, 24.0, 32.0] {

@@ -34,4 +34,6 @@ mod trig;
 #[cfg(not(feature = "glsl"))]
 #[test]
 #[ignore = "needs a GLSL compiler: `cargo xtask test`, or `cargo test --features unitvec-tests/glsl`"]
-fn glsl_and_conformance() {}
+fn glsl_and_conformance() {
+    panic!("built without a GLSL compiler: add --features unitvec-tests/glsl");
+}

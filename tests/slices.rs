@@ -1,5 +1,6 @@
 //! The slice functions are the scalar ones, bit for bit: for every codec of the catalogue, every instruction set of this
-//! machine, every length up to a block and more, and whatever lies in each lane.
+//! machine, every length up to a block and more, and whatever lies in each lane. What does not depend on the codec is
+//! tested with one codec of each size of codes: slices of `Vec3`, snorm with a fourth component, and all cores.
 
 use glam::Vec3;
 use unitvec::Codec;
@@ -20,10 +21,10 @@ macro_rules! for_codecs {
     };
 }
 
-/// Longer than a block of the slice functions and a group of the next.
+/// Up to a block of the slice functions and more than a group of the next.
 const LENGTHS: std::ops::RangeInclusive<usize> = 0..=85;
 
-/// Directions, and among them what has none or is hard to round.
+/// Directions, and among them vectors without a direction and some that are hard to round.
 fn vectors(count: usize) -> Vec<[f32; 3]> {
     let special = special_inputs();
     let mut rng = Rng::new(7);
@@ -124,38 +125,38 @@ fn frames_at_every_length() {
 
 /// An output that is one element short or long is an error and stays as it was, and so are bytes that are no whole number
 /// of codes.
-fn check_wrong_lengths(codec: &impl Coding<3>, count: usize) {
+fn check_wrong_lengths<const N: usize>(codec: &impl Coding<N>, count: usize) {
     let (id, size) = (codec.format().id, codec.format().bytes);
-    let vectors = vectors(count);
+    let elements = vec![[1.0; N]; count];
     for bytes in [Some(count * size + 1), (count * size).checked_sub(1)].into_iter().flatten() {
         let mut codes = vec![0xA5; bytes];
-        assert!(codec.encode_cpu(&vectors, &mut codes).is_err(), "{id}");
-        assert!(codes.iter().all(|&byte| byte == 0xA5), "{id}");
-        let mut decoded = vec![[7.0; 3]; count];
+        let mut decoded = vec![[7.0; N]; count];
+        assert!(codec.encode_cpu(&elements, &mut codes).is_err(), "{id}");
         assert!(codec.decode_cpu(&codes, &mut decoded).is_err(), "{id}");
-        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{id}");
+        for level in Level::available() {
+            assert!(codec.encode_cpu_at(level, &elements, &mut codes).is_err(), "{id} {level:?}");
+            assert!(codec.decode_cpu_at(level, &codes, &mut decoded).is_err(), "{id} {level:?}");
+        }
+        assert!(codes.iter().all(|&byte| byte == 0xA5), "{id}");
+        assert!(decoded.iter().all(|&v| v == [7.0; N]), "{id}");
     }
     let codes = vec![0; count * size];
     for other in [Some(count + 1), count.checked_sub(1)].into_iter().flatten() {
-        let mut decoded = vec![[7.0; 3]; other];
+        let mut decoded = vec![[7.0; N]; other];
         assert!(codec.decode_cpu(&codes, &mut decoded).is_err(), "{id}");
-        assert!(decoded.iter().all(|&v| v == [7.0; 3]), "{id}");
+        for level in Level::available() {
+            assert!(codec.decode_cpu_at(level, &codes, &mut decoded).is_err(), "{id} {level:?}");
+        }
+        assert!(decoded.iter().all(|&v| v == [7.0; N]), "{id}");
     }
 }
 
-/// Slices that do not fit each other are refused, at every length and by every level's function too.
+/// Slices that do not fit each other are refused, by every function and at every length.
 #[test]
 fn slices_of_wrong_lengths_are_left_alone() {
-    for codec in CATALOGUE {
-        for count in LENGTHS {
-            check_wrong_lengths(codec, count);
-        }
-        for level in Level::available() {
-            let mut codes = vec![0xA5; codec.bytes + 1];
-            assert!(codec.encode_cpu_at(level, &[[1.0; 3]], &mut codes).is_err(), "{}", codec.id);
-            assert!(codec.decode_cpu_at(level, &codes, &mut [[1.0; 3]]).is_err(), "{}", codec.id);
-            assert!(codes.iter().all(|&byte| byte == 0xA5), "{}", codec.id);
-        }
+    for count in LENGTHS {
+        CATALOGUE.iter().for_each(|codec| check_wrong_lengths(codec, count));
+        FRAMES.iter().for_each(|codec| check_wrong_lengths(codec, count));
     }
 }
 
@@ -178,7 +179,7 @@ fn check_i16x4<C: Codec>(bytes: &[u8]) {
     }
 }
 
-/// Snorm with a fourth component, for each size of codes, and of vectors of other lengths than 1.
+/// Snorm with a fourth component, for each size of codes, and for vectors whose length is not 1.
 #[test]
 fn i16x4_at_every_length() {
     let bytes = bytes(8 * LENGTHS.end());
@@ -264,7 +265,7 @@ fn check_table<C: Codec>() {
 fn tables_are_the_scalar_functions() {
     for_codecs!(check_table(): Oct16 OctPrecise16 HemiOct16 Spherical16 Cylindrical16 LatLong16 LatLongD16 Stereo16
         StereoConcentric16 StereoEllipse16 Eqarea16 EqareaConcentric16 EqareaEllipse16 Eqdist16 EqdistConcentric16
-        EqdistEllipse16 Cube16 WarpedCube16 Pp16 Spp16 XyOnly16 Snorm5x3);
+        EqdistEllipse16 EaOct16 EaOctPrecise16 Fib16 Ico16 Cube16 WarpedCube16 Pp16 Spp16 XyOnly16 Snorm5x3);
 }
 
 /// The i16 x 4 form refuses slices of different lengths and leaves them alone.

@@ -1,4 +1,4 @@
-//! Every codec of [`unitvec`] by its identifier, for programs that choose one at run time: what is known of each, and
+//! Every codec of [`unitvec`] by its identifier, for programs that choose one at run time: the properties of each, and
 //! functions that encode and decode with it on the CPU, on all cores.
 //!
 //! ```
@@ -14,7 +14,8 @@
 //! ```
 //!
 //! A program that knows its codec when it is written needs only [`unitvec`]. This crate compiles all of them, which takes
-//! about a minute on two cores. With the feature `serde` its types can be serialised.
+//! about a minute on two cores. With the feature `serde`, [`CodecInfo`], [`FrameInfo`], [`Domain`] and [`Direction`] can
+//! be serialised.
 
 mod cpu;
 mod list;
@@ -43,7 +44,7 @@ pub enum Domain {
 pub struct CodecInfo {
     /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
     pub id: &'static str,
-    /// The survey's name, `oct16P`; of codecs that it does not have, one like them.
+    /// The survey's name, `oct16P`; for codecs that are not in the survey, a name in the same style.
     pub survey_name: &'static str,
     /// Significant bits of a code.
     pub bits: u32,

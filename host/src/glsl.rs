@@ -11,15 +11,13 @@ use crate::catalogue::{Direction, Element, Format};
 use crate::manifest;
 use glslang::Glslang;
 
-/// GLSL that does not become SPIR-V.
+/// GLSL that could not be compiled to SPIR-V.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The program has none: it was built without the feature `glsl`.
-    #[error(
-        "this build has no GLSL compiler; to have one, install it with `--features glsl` (`cargo xtask` does so)"
-    )]
+    /// The program was built without the feature `glsl`.
+    #[error("this build has no GLSL compiler; rebuild with `--features glsl`, as `cargo xtask` does")]
     NotBuiltIn,
-    /// shaderc has no compiler to give.
+    /// shaderc could not create a compiler.
     #[error("the GLSL compiler (shaderc) cannot be started: {0}")]
     NoCompiler(String),
     /// There is no such source file.

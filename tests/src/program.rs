@@ -19,7 +19,7 @@ pub fn path() -> &'static Path {
         let folder =
             test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
         let mut build = Command::new(env!("CARGO"));
-        // With this package too, as `cargo xtask` does, so that all three builds have the same features.
+        // With this package too, as `cargo xtask conform` does, so that both builds have the same features.
         build
             .args(["build", "--quiet", "--package", "unitvec-host", "--package", "unitvec-tests"])
             .args(["--bin", "unitvec"])

@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test and spirv, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -15,13 +15,13 @@ usage: cargo xtask <command>
 
   conform [arguments of `unitvec conform`]   install what is missing, then show that CPU, SPIR-V from Rust and SPIR-V
                                              from GLSL agree to the bit (on lavapipe unless --device says otherwise);
-                                             --exhaustive takes all codes of up to 24 bits, minutes
+                                             --exhaustive takes all codes of up to 24 bits
   test [--exhaustive] [arguments of          install what is missing, then run all tests; --exhaustive adds those of all
        `cargo test`]                         2^32 codes of the 32-bit codecs, minutes a codec
-  setup                                      install what is missing, no more
+  setup                                      install what is missing, and nothing else
   spirv [--check]                            rebuild spirv/*.spv with rust-gpu; --check compares instead
-  packages                                   build and test each package outside the repository, with the oldest
-                                             dependencies and without std too
+  packages                                   build and test each package outside the repository, also with the oldest
+                                             dependencies and, with the compiler of `spirv`, without std
 ";
 
 fn main() -> ExitCode {
@@ -59,17 +59,16 @@ fn main() -> ExitCode {
     }
 }
 
-/// The selection of packages and features that both commands build: another would have other features, and what it
-/// depends on would be built twice.
+/// Both commands build with the same features, so that cargo does not build dependencies twice.
 const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
 
 fn conform(arguments: &[String]) -> Result<(), String> {
     let pending = setup::begin()?;
-    println!("xtask: building; the first time takes about two minutes on 2 cores, the run half a minute");
+    println!("xtask: building; the first build takes minutes");
     let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
-    run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL))?;
-    pending.finish()?;
-    // This program lies in the profile's folder too.
+    let built = run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL));
+    pending.finish().and(built)?;
+    // xtask and unitvec are in the same target folder.
     let here = env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
     let mut command = Command::new(here.with_file_name("unitvec"));
     command.args(["conform", "--validate"]);
@@ -86,10 +85,12 @@ fn test(arguments: &[String]) -> Result<(), String> {
         arguments.iter().partition(|argument| *argument == "--exhaustive");
     let pending = setup::begin()?;
     let selection = ["test", "--workspace", "--exclude", "xtask-spirv", "--exclude", "unitvec-bench"];
-    println!("xtask: building; the first time takes about three minutes on 2 cores, the tests as much");
-    let of_cargo = others.iter().take_while(|argument| **argument != "--");
-    run(cargo(&selection).args(WITH_GLSL).arg("--no-run").args(of_cargo))?;
-    pending.finish()?;
+    println!("xtask: building; the first build takes minutes");
+    let of_cargo: Vec<_> = others.iter().take_while(|argument| **argument != "--").collect();
+    let is_split = !of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(&argument.as_str()));
+    let built =
+        if is_split { run(cargo(&selection).args(WITH_GLSL).arg("--no-run").args(of_cargo)) } else { Ok(()) };
+    pending.finish().and(built)?;
     run(cargo(&selection).args(WITH_GLSL).args(others))?;
     if exhaustive.is_empty() {
         return Ok(());

@@ -70,6 +70,7 @@ impl Unpacked {
             .env_remove("CARGO")
             .current_dir(self.path("unitvec"));
         run_command(&mut build)
+            .map_err(|error| format!("{error}; `cargo xtask spirv` installs that compiler"))
     }
 
     /// `cargo install`, and what it installs: CPU and Rust's SPIR-V agree, and what needs the GLSL says so.
@@ -104,7 +105,7 @@ impl Unpacked {
         ))
     }
 
-    /// Cargo in a package, with the others in the place of those that are not published yet.
+    /// Cargo in a package. The other packages are patched in by path, since they are not published yet.
     fn cargo(&self, name: &str, command: &str) -> Command {
         let mut cargo = cargo(&[command]);
         cargo.current_dir(self.path(name)).env("CARGO_TARGET_DIR", self.folder.join("target"));

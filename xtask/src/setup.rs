@@ -15,8 +15,11 @@ struct Package {
 const TO_BUILD: [Package; 4] = [
     Package { name: "g++", purpose: "linking shaderc" },
     Package { name: "libshaderc-dev", purpose: "compiling GLSL" },
-    Package { name: "glslang-dev", purpose: "what libshaderc-dev leaves out" },
-    Package { name: "spirv-tools", purpose: "what libshaderc-dev leaves out; spirv-val in tests" },
+    Package { name: "glslang-dev", purpose: "libraries that libshaderc-dev does not contain" },
+    Package {
+        name: "spirv-tools",
+        purpose: "libraries that libshaderc-dev does not contain; spirv-val in tests",
+    },
 ];
 
 /// What stands in for `libshaderc-dev` and `glslang-dev` where the distribution has no such packages.
@@ -64,12 +67,13 @@ pub fn begin() -> Result<Pending, String> {
         let needs =
             TO_BUILD.iter().chain(&TO_RUN).map(|package| format!("{} ({})", package.name, package.purpose));
         println!(
-            "xtask: no apt-get here; besides Rust this needs what Debian has as {}",
+            "xtask: no apt-get here; install the equivalents of these Debian packages: {}",
             needs.collect::<Vec<_>>().join(", ")
         );
         return Ok(Pending(None));
     }
-    let (to_build, to_run) = (missing(&TO_BUILD), missing(&TO_RUN));
+    let to_run = missing(&TO_RUN);
+    let mut to_build = missing(to_build());
     if to_build.is_empty() && to_run.is_empty() {
         return Ok(Pending(None));
     }
@@ -82,15 +86,13 @@ pub fn begin() -> Result<Pending, String> {
     };
     println!("xtask: apt-get update");
     apt_get(prefix, &["update", "-qq"])?;
-    let to_build = if to_build.iter().all(|name| is_available(name)) {
-        to_build
-    } else {
+    // Before the update, apt-get may not have known any package.
+    if to_build.iter().any(|name| !is_available(name)) {
+        to_build = missing(&TO_BUILD_FROM_SOURCE);
         println!(
-            "xtask: this distribution has no {}: shaderc is built from source, which takes minutes",
-            to_build.join(" and ")
+            "xtask: this distribution has no shaderc to link: it is built from source, which takes minutes"
         );
-        missing(&TO_BUILD_FROM_SOURCE)
-    };
+    }
     if !to_build.is_empty() {
         println!("xtask: installing {}", to_build.join(" "));
         install(prefix, &to_build)?;
@@ -102,11 +104,17 @@ pub fn begin() -> Result<Pending, String> {
     Ok(Pending(Some(thread::spawn(move || install(prefix, &to_run)))))
 }
 
+/// What the build needs: the tools for building shaderc where apt-get knows other packages but not its library.
+fn to_build() -> &'static [Package] {
+    let has_shaderc = TO_BUILD.iter().all(|package| is_installed(package.name) || is_available(package.name));
+    if has_shaderc || !is_available("g++") { &TO_BUILD } else { &TO_BUILD_FROM_SOURCE }
+}
+
 fn missing(packages: &[Package]) -> Vec<&'static str> {
     packages.iter().map(|package| package.name).filter(|name| !is_installed(name)).collect()
 }
 
-/// What makes a command root's: nothing, sudo, or `None` where neither is to be had.
+/// The prefix that runs a command as root: none, or `sudo -n`. `None` if neither works.
 fn privilege() -> Option<&'static [&'static str]> {
     if is_root() {
         Some(&[])

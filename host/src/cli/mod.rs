@@ -45,7 +45,7 @@ enum Command {
     Bench(bench::Arguments),
     /// Find the cheapest codecs that meet a demand.
     Choose(choose::Arguments),
-    /// Show that the CPU, the SPIR-V from Rust and the SPIR-V from GLSL agree to the bit.
+    /// Show that the CPU and a device agree to the bit: with the SPIR-V from Rust and, where it can be compiled, from GLSL.
     Conform(conform::Arguments),
 }
 

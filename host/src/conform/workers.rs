@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
 use std::thread;
 
-/// Threads at the most: each has buffers of its own on the device, some hundred megabytes.
+/// Maximum number of threads: each has 112 MiB of buffers of its own on the device, and as much for staging.
 const MAX_THREADS: usize = 4;
 
 /// What is run.
@@ -59,7 +59,7 @@ enum Message {
 /// and `each` the rows, in the subjects' order.
 ///
 /// # Errors
-/// The first that a thread meets. Mismatches are no error: they are in the rows.
+/// The first error of a thread or of `each`. Mismatches are no error: they are in the rows.
 pub fn run(
     subjects: &[Subject],
     options: &Options,
@@ -76,7 +76,7 @@ pub fn run(
             scope.spawn(|| work_off(subjects, options, &open, &next, sender));
         }
         drop(sender);
-        let result = collect(&receiver, progress, each);
+        let result = collect(receiver, progress, each);
         // After an error no thread begins another subject.
         next.store(subjects.len(), Ordering::Relaxed);
         result
@@ -91,7 +91,7 @@ fn work_off(
     next: &AtomicUsize,
     sender: mpsc::Sender<Message>,
 ) {
-    // Where the receiver is gone, an error has ended the run.
+    // Sending fails where an error has ended the run and the receiver is gone: then nobody wants to know.
     let mut gpus = match open() {
         Ok(gpus) => gpus,
         Err(error) => {
@@ -110,7 +110,7 @@ fn work_off(
 
 /// Hands rows on in their order, until the threads have ended or one has met an error.
 fn collect(
-    receiver: &mpsc::Receiver<Message>,
+    receiver: mpsc::Receiver<Message>,
     progress: &mut dyn FnMut(u64),
     each: &mut dyn FnMut(Row) -> Result<()>,
 ) -> Result<()> {

@@ -1,4 +1,4 @@
-//! What stands for glslang in a build without the feature `glsl`: there is none of it.
+//! Stub for builds without the feature `glsl`: `new` always fails.
 
 use super::Error;
 use std::convert::Infallible;
