@@ -10,6 +10,7 @@ mod components;
 mod conformance;
 mod cube;
 mod cylindrical;
+mod digests;
 mod eaoct;
 mod exhaustive;
 mod faults;
