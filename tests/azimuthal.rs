@@ -2,8 +2,10 @@
 
 use glam::Vec3;
 use std::f64::consts::FRAC_PI_2;
+use unitvec::Codec;
+use unitvec::Listed;
+use unitvec::azimuthal::Azimuthal;
 use unitvec::azimuthal::{self, Concentric, Ellipse, Eqarea, Eqdist, Plain, Projection, SquareMap, Stereo};
-use unitvec::{Azimuthal, Codec};
 use unitvec_tests::oracle::azimuthal::{self as papers, PLAIN, corner, largest_of_both, parts};
 use unitvec_tests::oracle::{self, Oracle, Summary, angle_deg, cross, dot, length, widen};
 use unitvec_tests::remez::Problem;
@@ -46,7 +48,7 @@ fn near_edges(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
 
 /// Every code decodes to the oracle's direction, to unit length to 2 ULP, without -0, with high bits ignored; and
 /// decoded, encoded and decoded it gives the first vector, exactly.
-fn check_codes<C: Codec<Code = u32>, O: Oracle, const MAP: u32>() {
+fn check_codes<C: Listed<Code = u32>, O: Oracle, const MAP: u32>() {
     let (mut worst_turn, mut worst_length) = (0f64, 0f64);
     for code in codes(C::BITS) {
         let decoded = C::decode(code);
@@ -90,7 +92,7 @@ fn check_codes<C: Codec<Code = u32>, O: Oracle, const MAP: u32>() {
 
 /// Directions get the lattice point nearest to the oracle's position and the bit of their hemisphere, except within
 /// `f32` rounding of a tie.
-fn check_encode<C: Codec<Code = u32>, O: Oracle, const MAP: u32>() {
+fn check_encode<C: Listed<Code = u32>, O: Oracle, const MAP: u32>() {
     let (m, mut worst) = (largest_of_both(C::BITS), 0f64);
     for v in sphere(2, 50_000).chain(near_edges(3, 50_000)) {
         let code = C::encode(v);
@@ -123,7 +125,7 @@ fn check_encode<C: Codec<Code = u32>, O: Oracle, const MAP: u32>() {
 /// The greatest error of eqarea+concentric is that of a few cells on the rim at the diagonals, and which of 10^6
 /// directions come near it is chance: at 22 bits, with twelve seeds, 1.020 to 1.044 times the survey's, whose
 /// value is 0.947 of the supremum (0.950 to 0.969 at other widths). So it gets 5 % there, the others 4 %.
-fn check_errors<C: Codec<Code = u32>>(mean: f64, max: f64) {
+fn check_errors<C: Listed<Code = u32>>(mean: f64, max: f64) {
     let half_digit = 0.000_005;
     let ours = Summary::of(sphere(4, 1_000_000).map(oracle::round_trip_error_deg::<C>));
     let edges = Summary::of(near_edges(5, 100_000).map(oracle::round_trip_error_deg::<C>)).max;
@@ -285,7 +287,7 @@ fn layout() {
 /// below the bound of the whole square.
 #[test]
 fn ellipse_is_exact_at_the_corners() {
-    fn check<C: Codec<Code = u32>>() {
+    fn check<C: Listed<Code = u32>>() {
         let mut rng = Rng::new(9);
         let worst = Summary::of((0..200_000).map(|_| {
             let z = 2f64.powf(rng.range(-40.0, -2.0)) as f32;

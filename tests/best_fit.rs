@@ -3,10 +3,8 @@
 use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use unitvec::best_fit::{
-    TABLE_COLUMNS, TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table,
-    table_word,
-};
+use unitvec::Listed;
+use unitvec::best_fit::{EncodeByTable, TABLE_COLUMNS, TABLE_WORDS, fill_table, table_word};
 use unitvec::codec::Code;
 use unitvec::{Codec, CrytekBfn24, SnormBest8, SnormBest16, SnormNearest8};
 use unitvec_tests::oracle::{Summary, angle_deg, best_fit, normalize, widen};
@@ -28,16 +26,16 @@ fn table() -> Vec<u32> {
     table
 }
 
-fn word<C: Codec>(code: C::Code) -> u64 {
+fn word<C: Listed>(code: C::Code) -> u64 {
     let [low, high] = code.to_words();
     u64::from(high) << 32 | u64::from(low)
 }
 
-fn error_deg<C: Codec>(v: Vec3, code: C::Code) -> f64 {
+fn error_deg<C: Listed>(v: Vec3, code: C::Code) -> f64 {
     angle_deg(widen(v), widen(C::decode(code)))
 }
 
-fn round_trip_error_deg<C: Codec>(v: Vec3) -> f64 {
+fn round_trip_error_deg<C: Listed>(v: Vec3) -> f64 {
     error_deg::<C>(v, C::encode(v))
 }
 
@@ -53,7 +51,7 @@ fn assert_published(name: &str, errors: impl Iterator<Item = f64>, published: Su
 }
 
 /// Codes as `C` has them: 2^20 random ones, and those of small integers.
-fn codes<C: Codec>(seed: u64) -> impl Iterator<Item = C::Code> {
+fn codes<C: Listed>(seed: u64) -> impl Iterator<Item = C::Code> {
     let mut rng = Rng::new(seed);
     let bits = C::BITS / 3;
     let small = (0..16u64 * 16 * 16).map(move |i| {
@@ -69,7 +67,7 @@ fn codes<C: Codec>(seed: u64) -> impl Iterator<Item = C::Code> {
 }
 
 /// Asserts the contract of `encode` for any input.
-fn check_encode<C: Codec>(v: [f32; 3], encode: impl Fn(Vec3) -> C::Code, max_error: f64) {
+fn check_encode<C: Listed>(v: [f32; 3], encode: impl Fn(Vec3) -> C::Code, max_error: f64) {
     let code = encode(Vec3::from_array(v));
     let word = word::<C>(code);
     let m = (1 << (C::BITS / 3 - 1)) - 1;
@@ -399,7 +397,7 @@ fn largest_error_over_all_cells() {
     let check = |parts: [u32; 2], steps: f64| {
         let [y, z] = parts.map(|t| ((f64::from(t) + 0.5) / (steps * CELLS)) as f32);
         let v = Vec3::new(y, z, 1.0);
-        let error = error_deg::<SnormBest8>(v, snorm8x3p_encode_by_table(v, &table));
+        let error = error_deg::<SnormBest8>(v, SnormBest8::encode_by_table(v, &table));
         assert!(error <= limit, "{v:?}: {error}");
     };
     for column in 0..TABLE_COLUMNS * 8 {
@@ -435,7 +433,7 @@ fn fills_the_table() {
 fn encoders_by_table() {
     let table = table();
     for v in sphere(17, 60_000).chain(near_planes(18, 20_000)) {
-        let by_table = [crytek_bfn24_encode_by_table(v, &table), snorm8x3p_encode_by_table(v, &table)];
+        let by_table = [CrytekBfn24::encode_by_table(v, &table), SnormBest8::encode_by_table(v, &table)];
         assert_eq!(by_table, [CrytekBfn24::encode(v), SnormBest8::encode(v)], "{v:?}");
         let [bfn, best4] = by_table.map(|code| error_deg::<SnormBest8>(v, code));
         let nearest = round_trip_error_deg::<SnormNearest8>(v);
@@ -457,8 +455,8 @@ fn any_table_will_do() {
     let vectors = special_inputs().into_iter().chain(sphere(21, 20_000).map(|v| v.to_array()));
     for v in vectors {
         for table in [&table[..], &random, &table[..1000], &[]] {
-            check_encode::<SnormBest8>(v, |v| snorm8x3p_encode_by_table(v, table), bound);
-            check_encode::<SnormBest8>(v, |v| crytek_bfn24_encode_by_table(v, table), bound);
+            check_encode::<SnormBest8>(v, |v| SnormBest8::encode_by_table(v, table), bound);
+            check_encode::<SnormBest8>(v, |v| CrytekBfn24::encode_by_table(v, table), bound);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The codecs of raw components, snorm, unorm and half float, against [`unitvec_tests::oracle::raw`] and the survey.
 
 use glam::Vec3;
-use unitvec::float::{half_decode, half_encode};
+use unitvec::arith::{half_decode, half_encode};
 use unitvec::{Codec, Float16x3, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, Unorm8x3};
 use unitvec_tests::oracle::codes::{self, bits, round_trip};
 use unitvec_tests::oracle::{Summary, raw, widen};

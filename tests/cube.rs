@@ -1,6 +1,7 @@
 //! The cube codecs against [`unitvec_tests::oracle::cube`] and Meyer's eq. 8.
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::{Codec, Cube16, Cube24, Cube32, WarpedCube16, WarpedCube24, WarpedCube32};
 use unitvec_tests::oracle::{codes, cube, widen};
 use unitvec_tests::sampling::{AXES, Rng, near_octant_middles, near_planes, sphere};

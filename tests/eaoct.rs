@@ -2,6 +2,7 @@
 
 use glam::Vec3;
 use std::f64::consts::FRAC_PI_2;
+use unitvec::Listed;
 use unitvec::eaoct as module;
 use unitvec::{
     Codec, EaOct16, EaOct20, EaOct22, EaOct24, EaOct32, EaOctPrecise16, EaOctPrecise20, EaOctPrecise22,
@@ -234,7 +235,7 @@ fn near_pole(seed: u64, count: usize, radius: f64) -> impl Iterator<Item = Vec3>
 
 /// Asserts that `C` decodes each of `codes` to the oracle's direction and to unit length, without -0, with the high bits
 /// of the code set to anything.
-fn assert_decodes<C: Codec<Code = u32>>(codes: impl Iterator<Item = u32>) {
+fn assert_decodes<C: Listed<Code = u32>>(codes: impl Iterator<Item = u32>) {
     let (mut worst_turn, mut worst_length) = (0f64, 0f64);
     for code in codes {
         let decoded = C::decode(code);
@@ -264,14 +265,14 @@ fn assert_decodes<C: Codec<Code = u32>>(codes: impl Iterator<Item = u32>) {
 }
 
 /// Asserts that `error_deg` is at most `bound_deg` and what `f32` rounds, and at most [`Codec::MAX_ERROR_DEG`].
-fn assert_bounded<C: Codec>(error_deg: f64, bound_deg: f64) {
+fn assert_bounded<C: Listed>(error_deg: f64, bound_deg: f64) {
     assert!(error_deg <= bound_deg + ROUNDING_DEG, "{}: {error_deg} exceeds {bound_deg}", C::NAME);
     assert!(error_deg <= f64::from(C::MAX_ERROR_DEG), "{}: {error_deg} exceeds MAX_ERROR_DEG", C::NAME);
 }
 
 /// Asserts that around `middles`, pairs of r and phi, by up to `radius` of a step, the largest error is at least 98 % of
 /// `bound_deg`, and not above it.
-fn assert_attains<C: Codec<Code = u32>>(
+fn assert_attains<C: Listed<Code = u32>>(
     middles: impl IntoIterator<Item = [f64; 2]>,
     radius: f64,
     bound_deg: f64,
@@ -292,7 +293,7 @@ fn assert_attains<C: Codec<Code = u32>>(
 
 /// Asserts that mean and maximum of the errors of `C`'s choices are those of `nearest` to four digits, and that no
 /// choice is worse by more than the rounding in `f32` and 1e-5 of a step, which the measure neglects at 16 bits.
-fn assert_nearest<C: Codec<Code = u32>>(
+fn assert_nearest<C: Listed<Code = u32>>(
     directions: impl Iterator<Item = Vec3>,
     nearest: impl Fn([f64; 3]) -> u32,
 ) {
@@ -315,7 +316,7 @@ fn assert_nearest<C: Codec<Code = u32>>(
 }
 
 /// Asserts that components of -0 or a denormal count as 0, beside others as short as vectors may be too.
-fn assert_denormals_count_as_zero<C: Codec<Code = u32>>() {
+fn assert_denormals_count_as_zero<C: Listed<Code = u32>>() {
     let mut rng = Rng::new(24);
     let code = |v: [f32; 3]| C::encode(Vec3::from_array(v));
     for tiny in [

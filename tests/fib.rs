@@ -1,6 +1,7 @@
 //! The spherical Fibonacci codecs against Keinert et al. 2015: [`unitvec_tests::oracle::fib`].
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::{Codec, Fib16, Fib24, Fib32};
 use unitvec_tests::oracle::{self, Fib, Oracle, Summary, angle_deg, fib, spherical, widen};
 use unitvec_tests::sampling::{self, Rng, near_planes, sphere};

@@ -4,6 +4,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use unitvec::ListedFrame;
 use unitvec::codec::Code;
 use unitvec::frame::{decode_frames, encode_frames};
 use unitvec::{Codec, Frame, Frame32, Frame64, FrameCodec, OctPrecise22};
@@ -22,7 +23,7 @@ const DECODE_TANGENT: f64 = 1.0 / (1 << 21) as f64;
 const ENCODE_TANGENT: f64 = 1.0 / (1 << 21) as f64;
 
 /// A frame codec, the oracle's format, and what its encoder adds to the errors of the nearest codes.
-trait Checked: FrameCodec {
+trait Checked: ListedFrame {
     const FORMAT: Format;
 
     /// The part of half a step by which the angle's place is found less than exactly.
@@ -104,12 +105,12 @@ tests! {
 }
 
 /// The code as one number.
-fn number<F: FrameCodec>(frame: Frame) -> u64 {
+fn number<F: ListedFrame>(frame: Frame) -> u64 {
     let [low, high] = F::encode(frame).to_words();
     u64::from(low) | (u64::from(high) << 32)
 }
 
-fn decode<F: FrameCodec>(code: u64) -> Frame {
+fn decode<F: ListedFrame>(code: u64) -> Frame {
     F::decode(F::Code::from_words([code as u32, (code >> 32) as u32]))
 }
 
@@ -177,7 +178,7 @@ fn frames(seed: u64, normals: impl Iterator<Item = Vec3>) -> impl Iterator<Item 
 }
 
 /// The angles in radians of normal and tangent from those of the decoded code.
-fn errors<F: FrameCodec>(frame: Frame) -> [f64; 2] {
+fn errors<F: ListedFrame>(frame: Frame) -> [f64; 2] {
     let decoded = F::decode(F::encode(frame));
     assert_eq!(decoded.handedness, frame.handedness, "{frame:?}");
     [(frame.normal, decoded.normal), (frame.tangent, decoded.tangent)]

@@ -1,6 +1,7 @@
 //! The hemi-octahedral codecs against the papers: [`unitvec_tests::oracle::hemioct`] and the survey's table 3.
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::{Codec, HemiOct16, HemiOct24, HemiOct32};
 use unitvec_tests::oracle::{self, HemiOct, Summary, hemioct};
 use unitvec_tests::sampling::{self, hemisphere, near_octant_middles, near_planes, sphere};

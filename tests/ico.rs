@@ -2,6 +2,7 @@
 //! survey's table 1.
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::{Codec, Ico16, Ico24, Ico32};
 use unitvec_tests::oracle::{self, Ico, Summary, angle_deg, ico, round_trip_error_deg, widen};
 use unitvec_tests::sampling::{self, Rng, near_octant_middles, near_planes, sphere};

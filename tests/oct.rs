@@ -1,6 +1,7 @@
 //! The octahedral codecs against the papers: [`unitvec_tests::oracle::oct`] and the survey's table 1.
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::{
     Codec, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise16, OctPrecise20, OctPrecise22, OctPrecise24,
     OctPrecise32,
@@ -173,7 +174,7 @@ fn error_deg(v: Vec3, code: u32, bits: u32) -> f64 {
 
 /// Asserts that mean and maximum of the errors of `C`'s choices are those of `nearest` to four digits, and that no
 /// choice is worse by more than the rounding in `f32`.
-fn assert_nearest<C: Codec<Code = u32>>(
+fn assert_nearest<C: Listed<Code = u32>>(
     directions: impl Iterator<Item = Vec3>,
     nearest: impl Fn([f64; 3]) -> u32,
 ) {

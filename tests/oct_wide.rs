@@ -3,6 +3,7 @@
 use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+use unitvec::Listed;
 use unitvec::{Codec, Oct48, OctPrecise48, OctPrecise52};
 use unitvec_tests::oracle::oct_wide::{self, angle};
 use unitvec_tests::oracle::{self, Summary, length, widen};
@@ -63,12 +64,12 @@ fn directions(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
 }
 
 /// The angle in radians between `v` and the oracle's direction of `code`: the error of the encoder's choice alone.
-fn choice_error<C: Codec<Code = Code>>(v: Vec3) -> f64 {
+fn choice_error<C: Listed<Code = Code>>(v: Vec3) -> f64 {
     angle(widen(v), oct_wide::decode(C::encode(v), C::BITS))
 }
 
 /// The angle in radians between what was encoded and what is decoded in `f32`.
-fn round_trip_error<C: Codec<Code = Code>>(v: Vec3) -> f64 {
+fn round_trip_error<C: Listed<Code = Code>>(v: Vec3) -> f64 {
     angle(widen(v), widen(C::decode(C::encode(v))))
 }
 
@@ -241,7 +242,7 @@ macro_rules! common_tests {
 
 /// Asserts the contract of `encode`: a code of the codec's bits, that of +Z if `v` has no usable direction, and one
 /// within the maximal error of the direction if it has.
-fn check_encode<C: Codec<Code = Code>>(v: [f32; 3]) {
+fn check_encode<C: Listed<Code = Code>>(v: [f32; 3]) {
     let code = C::encode(Vec3::from_array(v));
     assert_eq!(code[1] >> (C::BITS - 32), 0, "{}: {v:?} gives {code:x?}", C::NAME);
     let plus_z = code == C::encode(Vec3::Z);

@@ -1,6 +1,7 @@
 //! The parallel projections against [`unitvec_tests::oracle::projection`], the survey's table 3 and Meyer's eqs. 6 and 7.
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::{
     Codec, Pp16, Pp24, Pp32, Pp48, Spp16, Spp24, Spp32, Spp48, XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
 };

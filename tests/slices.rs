@@ -3,9 +3,9 @@
 //! tested with one codec of each size of codes: slices of `Vec3`, snorm with a fourth component, and all cores.
 
 use glam::Vec3;
-use unitvec::Codec;
+use unitvec::Listed;
+use unitvec::arith::snorm_encode;
 use unitvec::codec::Code;
-use unitvec::scalar::snorm_encode;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
     decode_slice, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, par_decode_slice, par_encode_slice,
@@ -161,12 +161,12 @@ fn slices_of_wrong_lengths_are_left_alone() {
 }
 
 /// [`Codec::decode`] of a code's bytes.
-fn decode_generic<C: Codec>(code: &[u8]) -> [f32; 3] {
+fn decode_generic<C: Listed>(code: &[u8]) -> [f32; 3] {
     C::decode(C::Code::from_words(words(code))).to_array()
 }
 
 /// Every level's form of snorm with a fourth component, at every length.
-fn check_i16x4<C: Codec>(bytes: &[u8]) {
+fn check_i16x4<C: Listed>(bytes: &[u8]) {
     let decoded = bytes.chunks_exact(C::BYTES).map(decode_generic::<C>);
     let expected: Vec<[i16; 4]> =
         decoded.map(|[x, y, z]| [x, y, z, 0.0].map(|t| snorm_encode(t, 16) as i16)).collect();
@@ -187,7 +187,7 @@ fn i16x4_at_every_length() {
 }
 
 /// Slices of `Vec3` are slices of `[f32; 3]`, and the level chosen by itself gives the same bits.
-fn check_vec3<C: Codec>(arrays: &[[f32; 3]]) {
+fn check_vec3<C: Listed>(arrays: &[[f32; 3]]) {
     let vectors: Vec<Vec3> = arrays.iter().copied().map(Vec3::from_array).collect();
     let mut expected = vec![0; arrays.len() * C::BYTES];
     let mut codes = expected.clone();
@@ -211,7 +211,7 @@ fn slices_of_vec3() {
 }
 
 /// All cores, over several portions and a rest, and a slice so large that memory is asked for ahead.
-fn check_parallel<C: Codec>(vectors: &[[f32; 3]]) {
+fn check_parallel<C: Listed>(vectors: &[[f32; 3]]) {
     let code = |v: &[f32; 3]| C::encode(Vec3::from_array(*v)).to_words();
     let bytes = |[low, high]: [u32; 2]| [low.to_le_bytes(), high.to_le_bytes()].concat();
     let expected: Vec<u8> = vectors.iter().flat_map(|v| bytes(code(v)).into_iter().take(C::BYTES)).collect();
@@ -238,7 +238,7 @@ fn large_and_parallel_slices() {
 }
 
 /// A decode table gives what the scalar function gives, for every code and for bits above the codec's.
-fn check_table<C: Codec>() {
+fn check_table<C: Listed>() {
     let entries = DecodeTable::<C>::ENTRIES;
     let mut memory = vec![[f32::NAN; 3]; entries + 1];
     let expected = Some(TableSize { expected: entries, actual: entries + 1 });

@@ -1,6 +1,7 @@
 //! The signed octahedral codecs against White 2017: [`unitvec_tests::oracle::soct`].
 
 use glam::Vec3;
+use unitvec::Listed;
 use unitvec::codec::Code;
 use unitvec::{Codec, HemiOct16, HemiOct24, HemiOct32, SOct17, SOct25, SOct33};
 use unitvec_tests::oracle::{self, Summary, codes, cross, dot, hemioct, largest, length, soct, widen};
@@ -135,7 +136,7 @@ codecs! {
 }
 
 /// 2^17 patterns at even distances, which are all of 17 bits, and 2^19 at random; those on the equator and next to it.
-fn patterns<C: Codec>(seed: u64) -> impl Iterator<Item = u64> {
+fn patterns<C: Listed>(seed: u64) -> impl Iterator<Item = u64> {
     let m = largest(C::BITS) as i32;
     let step = (m / 1000).max(1) as usize;
     let equator = (-m..=m).step_by(step).flat_map(move |i| {

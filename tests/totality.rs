@@ -4,6 +4,7 @@ use glam::Vec3;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
 use unitvec::Codec;
+use unitvec::Listed;
 use unitvec::azimuthal;
 use unitvec_tests::oracle::azimuthal as papers;
 use unitvec_tests::oracle::{
@@ -17,54 +18,54 @@ trait Checked: Codec<Code = u32> {
     type Oracle: Oracle;
 }
 
-impl<const BITS: u32> Checked for unitvec::Oct<BITS> {
+impl<const BITS: u32> Checked for unitvec::oct::Oct<BITS> {
     type Oracle = Oct;
 }
 
-impl<const BITS: u32> Checked for unitvec::OctPrecise<BITS> {
+impl<const BITS: u32> Checked for unitvec::oct::OctPrecise<BITS> {
     type Oracle = Oct;
 }
 
-impl<const BITS: u32> Checked for unitvec::EaOct<BITS> {
+impl<const BITS: u32> Checked for unitvec::eaoct::EaOct<BITS> {
     type Oracle = EaOct;
 }
 
-impl<const BITS: u32> Checked for unitvec::EaOctPrecise<BITS> {
+impl<const BITS: u32> Checked for unitvec::eaoct::EaOctPrecise<BITS> {
     type Oracle = EaOct;
 }
 
-impl<const BITS: u32> Checked for unitvec::HemiOct<BITS> {
+impl<const BITS: u32> Checked for unitvec::hemioct::HemiOct<BITS> {
     type Oracle = HemiOct;
 }
 
-impl<const BITS: u32> Checked for unitvec::Cylindrical<BITS> {
+impl<const BITS: u32> Checked for unitvec::cylindrical::Cylindrical<BITS> {
     type Oracle = Cylindrical;
 }
 
-impl<const BITS: u32> Checked for unitvec::Fib<BITS> {
+impl<const BITS: u32> Checked for unitvec::fib::Fib<BITS> {
     type Oracle = Fib;
 }
 
-impl<const BITS: u32> Checked for unitvec::Ico<BITS> {
+impl<const BITS: u32> Checked for unitvec::ico::Ico<BITS> {
     type Oracle = oracle::Ico;
 }
 
-impl<const BITS: u32> Checked for unitvec::LatLong<BITS> {
+impl<const BITS: u32> Checked for unitvec::latlong::LatLong<BITS> {
     type Oracle = LatLong;
 }
 
-impl<const BITS: u32> Checked for unitvec::LatLongD<BITS> {
+impl<const BITS: u32> Checked for unitvec::latlong::LatLongD<BITS> {
     type Oracle = LatLongD;
 }
 
-impl<const BITS: u32> Checked for unitvec::Spherical<BITS> {
+impl<const BITS: u32> Checked for unitvec::spherical::Spherical<BITS> {
     type Oracle = Spherical;
 }
 
 /// For each pair of a projection and a map, the oracle's own.
 macro_rules! check_azimuthal {
     ($($projection:ident $map:ident $papers_projection:ident $papers_map:ident;)*) => {$(
-        impl<const BITS: u32> Checked for unitvec::Azimuthal<azimuthal::$projection, azimuthal::$map, BITS> {
+        impl<const BITS: u32> Checked for unitvec::azimuthal::Azimuthal<azimuthal::$projection, azimuthal::$map, BITS> {
             type Oracle = papers::Azimuthal<{ papers::$papers_projection }, { papers::$papers_map }>;
         }
     )*};
@@ -108,7 +109,7 @@ macro_rules! for_every_codec {
 
 /// Asserts the contract of `encode`: a code of the codec's bits, that of +Z if `v` has no usable direction, and one
 /// within the maximal error of the direction if it has.
-fn check_encode<C: Checked>(v: [f32; 3]) {
+fn check_encode<C: Checked + Listed>(v: [f32; 3]) {
     let code = C::encode(Vec3::from_array(v));
     assert!(u64::from(code) < 1 << C::BITS, "{}: {v:?} gives {code:#x}", C::NAME);
     let exact = v.map(f64::from);
@@ -133,13 +134,13 @@ fn check_encode<C: Checked>(v: [f32; 3]) {
 }
 
 /// Asserts the contract of `decode`: a finite vector of unit length to 2 ULP, whatever the bits.
-fn check_decode<C: Checked>(code: u32) {
+fn check_decode<C: Checked + Listed>(code: u32) {
     let v = C::decode(code);
     let off = (length(widen(v)) - 1.0).abs();
     assert!(v.is_finite() && off <= oracle::LENGTH_ROUNDING, "{}: {code:#x} gives {v:?}", C::NAME);
 }
 
-fn check_same_code<C: Checked>(a: Vec3, b: Vec3) {
+fn check_same_code<C: Checked + Listed>(a: Vec3, b: Vec3) {
     let [code_a, code_b] = [a, b].map(C::encode);
     assert_eq!(code_a, code_b, "{}: {a:?} and {b:?}", C::NAME);
 }
@@ -152,7 +153,7 @@ fn special_inputs_keep_the_contract() {
     }
 }
 
-/// The range of usable L1 norms is exactly [2^-100, 2^100).
+/// The range of usable L1 norms is exactly [2^-64, 2^100).
 #[test]
 fn usable_norms_end_where_the_contract_says() {
     for norm in [LEAST_NORM, END_OF_NORMS.next_down()] {

@@ -4,7 +4,7 @@
 
 use glam::Vec2;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
-use unitvec::math;
+use unitvec::arith as math;
 use unitvec_tests::remez::Problem;
 use unitvec_tests::sampling::Rng;
 

@@ -9,6 +9,7 @@ use meshopt::ffi::{meshopt_decodeFilterOct, meshopt_encodeFilterOct};
 use normal_pack::EncodedUnitVector3U8;
 use std::hint::black_box;
 use std::time::Duration;
+use unitvec::Listed;
 use unitvec::slice::{decode_slice, decode_slice_i16x4, encode_slice, par_decode_slice, par_encode_slice};
 use unitvec::table::DecodeTable;
 use unitvec::{
@@ -46,14 +47,14 @@ fn open<'a>(criterion: &'a mut Criterion, direction: &str, count: usize) -> Benc
     group
 }
 
-fn encode_with<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+fn encode_with<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let mut codes = vec![0; vectors.len() * C::BYTES];
     group
         .bench_function(C::NAME, |b| b.iter(|| encode_slice::<C>(black_box(vectors), black_box(&mut codes))));
 }
 
 /// The scalar function for each vector.
-fn encode_plain<C: Codec<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+fn encode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let mut codes = vec![0; vectors.len()];
     group.bench_function(format!("{}-plain", C::NAME), |b| {
         b.iter(|| {
@@ -64,7 +65,7 @@ fn encode_plain<C: Codec<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vect
     });
 }
 
-fn decode_with<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+fn decode_with<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let mut codes = vec![0; vectors.len() * C::BYTES];
     encode_slice::<C>(vectors, &mut codes).expect("the slices fit");
     let mut decoded = vectors.to_vec();
@@ -74,7 +75,7 @@ fn decode_with<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 
 }
 
 /// The scalar function for each code.
-fn decode_plain<C: Codec<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+fn decode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let codes: Vec<u32> = vectors.iter().map(|v| C::encode(Vec3::from_array(*v))).collect();
     let mut decoded = vectors.to_vec();
     group.bench_function(format!("{}-plain", C::NAME), |b| {
@@ -86,7 +87,7 @@ fn decode_plain<C: Codec<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vect
     });
 }
 
-fn decode_by_table<C: Codec>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+fn decode_by_table<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let mut memory = vec![[0.0; 3]; DecodeTable::<C>::ENTRIES];
     let table = DecodeTable::<C>::fill(&mut memory).expect("the memory is of that size");
     let mut codes = vec![0; vectors.len() * C::BYTES];

@@ -1,7 +1,7 @@
 //! The CPU functions of a codec, as pointers: all codecs have the same type.
 
 use std::sync::OnceLock;
-use unitvec::best_fit::{TABLE_WORDS, crytek_bfn24_encode_by_table, fill_table, snorm8x3p_encode_by_table};
+use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
 use unitvec::codec::Code;
 use unitvec::frame::{decode_frames, encode_frames};
 use unitvec::slice::machine::Level;
@@ -9,7 +9,7 @@ use unitvec::slice::{
     DecodeAt, EncodeAt, LengthMismatch, decode_slice_at, encode_slice_at, encode_slice_with, expect_length,
     par_decode_with, par_encode_with,
 };
-use unitvec::{Codec, CrytekBfn24, Frame, FrameCodec, SnormBest8};
+use unitvec::{Codec, Frame, FrameCodec};
 
 /// The functions of a codec of elements of `N` floats.
 #[derive(Clone, Copy, Debug)]
@@ -72,12 +72,12 @@ pub fn best_fit_table() -> &'static [u32] {
     })
 }
 
-pub fn snorm8x3p_by_table(_: Level, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+/// Encodes a slice by the table of [`unitvec::best_fit`].
+pub fn encode_by_table<C: EncodeByTable>(
+    _: Level,
+    vectors: &[[f32; 3]],
+    codes: &mut [u8],
+) -> Result<(), LengthMismatch> {
     let table = best_fit_table();
-    encode_slice_with::<SnormBest8>(vectors, codes, |v| snorm8x3p_encode_by_table(v, table))
-}
-
-pub fn crytek_bfn24_by_table(_: Level, vectors: &[[f32; 3]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    let table = best_fit_table();
-    encode_slice_with::<CrytekBfn24>(vectors, codes, |v| crytek_bfn24_encode_by_table(v, table))
+    encode_slice_with::<C>(vectors, codes, |v| C::encode_by_table(v, table))
 }

@@ -14,8 +14,8 @@
 //! ```
 //!
 //! A program that knows its codec when it is written needs only [`unitvec`]. This crate compiles all of them, which takes
-//! about a minute on two cores. With the feature `serde`, [`CodecInfo`], [`FrameInfo`], [`Domain`] and [`Direction`] can
-//! be serialised.
+//! about a minute on two cores. With the feature `serde`, [`CodecInfo`], [`FrameInfo`] and [`Direction`] can be
+//! serialised.
 
 mod cpu;
 mod list;
@@ -23,20 +23,13 @@ mod list;
 use cpu::Functions;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{EncodeAt, LengthMismatch};
+#[cfg(doc)]
 use unitvec::{Codec, FrameCodec};
+use unitvec::{Listed, ListedFrame};
 
 pub use cpu::best_fit_table;
 pub use list::{CATALOGUE, FRAMES};
-
-/// The directions that a codec is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
-pub enum Domain {
-    /// All directions.
-    Sphere,
-    /// Directions with z >= 0.
-    Hemisphere,
-}
+pub use unitvec::Domain;
 
 /// A codec: what is known of it, and its CPU functions.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +46,7 @@ pub struct CodecInfo {
     /// The Vulkan format with the code's layout, where there is one.
     pub vk_format: Option<&'static str>,
     /// The directions it is made for.
+    #[cfg_attr(feature = "serde", serde(serialize_with = "serialize_domain"))]
     pub domain: Domain,
     /// True where decoded vectors have unit length; false for raw component formats.
     pub is_unit: bool,
@@ -60,8 +54,8 @@ pub struct CodecInfo {
     pub exact_axes: bool,
     /// Upper bound of the error over the domain, in degrees.
     pub max_error_deg: f32,
-    /// The GLSL include file with its functions.
-    pub glsl_file: &'static str,
+    /// The family: its module in [`unitvec`] and, with `.glsl`, the GLSL include file with its functions.
+    pub family: &'static str,
     /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
     pub encodes_by_table: bool,
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -69,26 +63,26 @@ pub struct CodecInfo {
 }
 
 impl CodecInfo {
-    const fn of<C: Codec>(
-        survey_name: &'static str,
-        glsl_file: &'static str,
-        domain: Domain,
-        vk_format: Option<&'static str>,
-    ) -> Self {
+    const fn of<C: Listed>() -> Self {
         Self {
             id: C::NAME,
-            survey_name,
+            survey_name: C::SURVEY_NAME,
             bits: C::BITS,
             bytes: C::BYTES,
-            vk_format,
-            domain,
+            vk_format: C::VK_FORMAT,
+            domain: C::DOMAIN,
             is_unit: C::IS_UNIT,
             exact_axes: C::EXACT_AXES,
             max_error_deg: C::MAX_ERROR_DEG,
-            glsl_file,
+            family: C::FAMILY,
             encodes_by_table: false,
             functions: Functions::of_vectors::<C>(),
         }
+    }
+
+    /// The GLSL include file with its functions: `oct.glsl`.
+    pub fn glsl_file(&self) -> String {
+        format!("{}.glsl", self.family)
     }
 
     /// The codec, encoding by the table of [`unitvec::best_fit`].
@@ -100,6 +94,14 @@ impl CodecInfo {
     pub fn function(&self, direction: Direction) -> String {
         self.format().function(direction)
     }
+}
+
+#[cfg(feature = "serde")]
+fn serialize_domain<S: serde::Serializer>(domain: &Domain, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(match domain {
+        Domain::Sphere => "sphere",
+        Domain::Hemisphere => "hemisphere",
+    })
 }
 
 /// A codec of tangent frames: seven floats, which are normal, tangent and handedness.
@@ -118,22 +120,19 @@ pub struct FrameInfo {
     pub max_normal_error_deg: f32,
     /// Upper bound of the tangent's error, in degrees.
     pub max_tangent_error_deg: f32,
-    /// The GLSL include file with its functions.
-    pub glsl_file: &'static str,
     #[cfg_attr(feature = "serde", serde(skip))]
     functions: Functions<7>,
 }
 
 impl FrameInfo {
-    const fn of<F: FrameCodec>(vk_format: &'static str) -> Self {
+    const fn of<F: ListedFrame>() -> Self {
         Self {
             id: F::NAME,
             bits: F::BITS,
             bytes: F::BYTES,
-            vk_format,
+            vk_format: F::VK_FORMAT,
             max_normal_error_deg: F::MAX_NORMAL_ERROR_DEG,
             max_tangent_error_deg: F::MAX_TANGENT_ERROR_DEG,
-            glsl_file: "frame.glsl",
             functions: Functions::of_frames::<F>(),
         }
     }

@@ -1,165 +1,24 @@
-//! The rows: every codec, by family and width.
+//! The rows, from the lists of [`unitvec`].
 
-use crate::Domain::{Hemisphere, Sphere};
-use crate::{CodecInfo, FrameInfo, cpu};
-use unitvec::{
-    CrytekBfn24, Cube16, Cube24, Cube32, Cylindrical16, Cylindrical24, Cylindrical32, EaOct16, EaOct20,
-    EaOct22, EaOct24, EaOct32, EaOctPrecise16, EaOctPrecise20, EaOctPrecise22, EaOctPrecise24,
-    EaOctPrecise32, Eqarea16, Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20,
-    EqareaConcentric22, EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20,
-    EqareaEllipse22, EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32,
-    EqdistConcentric16, EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32,
-    EqdistEllipse16, EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Fib16, Fib24, Fib32,
-    Float16x3, Frame32, Frame64, HemiOct16, HemiOct24, HemiOct32, Ico16, Ico24, Ico32, LatLong16, LatLong24,
-    LatLong32, LatLongD16, LatLongD24, LatLongD32, Oct16, Oct20, Oct22, Oct24, Oct32, Oct48, OctPrecise16,
-    OctPrecise20, OctPrecise22, OctPrecise24, OctPrecise32, OctPrecise48, OctPrecise52, Pp16, Pp24, Pp32,
-    Pp48, SOct17, SOct25, SOct33, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3, SnormBest8,
-    SnormBest16, SnormNearest8, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32, Spp16,
-    Spp24, Spp32, Spp48, Stereo16, Stereo20, Stereo22, Stereo24, Stereo32, StereoConcentric16,
-    StereoConcentric20, StereoConcentric22, StereoConcentric24, StereoConcentric32, StereoEllipse16,
-    StereoEllipse20, StereoEllipse22, StereoEllipse24, StereoEllipse32, Unorm8x3, WarpedCube16, WarpedCube24,
-    WarpedCube32, XyOnly16, XyOnly24, XyOnly32, XyOnly32F,
-};
+use crate::cpu::encode_by_table;
+use crate::{CodecInfo, FrameInfo};
+use unitvec::{for_each_codec, for_each_frame};
 
-/// Every codec, by family and width.
-pub static CATALOGUE: &[CodecInfo] = &[
-    CodecInfo::of::<Oct16>("oct16", "oct.glsl", Sphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<OctPrecise16>("oct16P", "oct.glsl", Sphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<Oct20>("oct20", "oct.glsl", Sphere, None),
-    CodecInfo::of::<OctPrecise20>("oct20P", "oct.glsl", Sphere, None),
-    CodecInfo::of::<Oct22>("oct22", "oct.glsl", Sphere, None),
-    CodecInfo::of::<OctPrecise22>("oct22P", "oct.glsl", Sphere, None),
-    CodecInfo::of::<Oct24>("oct24", "oct.glsl", Sphere, Some("VK_FORMAT_R8G8B8_UNORM")),
-    CodecInfo::of::<OctPrecise24>("oct24P", "oct.glsl", Sphere, Some("VK_FORMAT_R8G8B8_UNORM")),
-    CodecInfo::of::<Oct32>("oct32", "oct.glsl", Sphere, Some("VK_FORMAT_R16G16_SNORM")),
-    CodecInfo::of::<OctPrecise32>("oct32P", "oct.glsl", Sphere, Some("VK_FORMAT_R16G16_SNORM")),
-    CodecInfo::of::<HemiOct16>("HemiOct16", "hemioct.glsl", Hemisphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<HemiOct24>("HemiOct24", "hemioct.glsl", Hemisphere, None),
-    CodecInfo::of::<HemiOct32>("HemiOct32", "hemioct.glsl", Hemisphere, Some("VK_FORMAT_R16G16_SNORM")),
-    CodecInfo::of::<EaOct16>("eaoct16", "eaoct.glsl", Sphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<EaOctPrecise16>("eaoct16P", "eaoct.glsl", Sphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<EaOct20>("eaoct20", "eaoct.glsl", Sphere, None),
-    CodecInfo::of::<EaOctPrecise20>("eaoct20P", "eaoct.glsl", Sphere, None),
-    CodecInfo::of::<EaOct22>("eaoct22", "eaoct.glsl", Sphere, None),
-    CodecInfo::of::<EaOctPrecise22>("eaoct22P", "eaoct.glsl", Sphere, None),
-    CodecInfo::of::<EaOct24>("eaoct24", "eaoct.glsl", Sphere, Some("VK_FORMAT_R8G8B8_UNORM")),
-    CodecInfo::of::<EaOctPrecise24>("eaoct24P", "eaoct.glsl", Sphere, Some("VK_FORMAT_R8G8B8_UNORM")),
-    CodecInfo::of::<EaOct32>("eaoct32", "eaoct.glsl", Sphere, Some("VK_FORMAT_R16G16_SNORM")),
-    CodecInfo::of::<EaOctPrecise32>("eaoct32P", "eaoct.glsl", Sphere, Some("VK_FORMAT_R16G16_SNORM")),
-    CodecInfo::of::<SOct17>("soct17", "soct.glsl", Sphere, None),
-    CodecInfo::of::<SOct25>("soct25", "soct.glsl", Sphere, None),
-    CodecInfo::of::<SOct33>("soct33", "soct.glsl", Sphere, None),
-    CodecInfo::of::<Oct48>("oct48", "oct_wide.glsl", Sphere, None),
-    CodecInfo::of::<OctPrecise48>("oct48P", "oct_wide.glsl", Sphere, None),
-    CodecInfo::of::<OctPrecise52>("oct52P", "oct_wide.glsl", Sphere, None),
-    CodecInfo::of::<Spherical16>("spherical16", "spherical.glsl", Sphere, Some("VK_FORMAT_R8G8_SINT")),
-    CodecInfo::of::<Spherical20>("spherical20", "spherical.glsl", Sphere, None),
-    CodecInfo::of::<Spherical22>("spherical22", "spherical.glsl", Sphere, None),
-    CodecInfo::of::<Spherical24>("spherical24", "spherical.glsl", Sphere, None),
-    CodecInfo::of::<Spherical32>("spherical32", "spherical.glsl", Sphere, Some("VK_FORMAT_R16G16_SINT")),
-    CodecInfo::of::<Cylindrical16>("cylindrical16", "cylindrical.glsl", Sphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<Cylindrical24>("cylindrical24", "cylindrical.glsl", Sphere, None),
-    CodecInfo::of::<Cylindrical32>(
-        "cylindrical32",
-        "cylindrical.glsl",
-        Sphere,
-        Some("VK_FORMAT_R16G16_SNORM"),
-    ),
-    CodecInfo::of::<LatLong16>("latlong16", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<LatLong24>("latlong24", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<LatLong32>("latlong32", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<LatLongD16>("latlong16D", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<LatLongD24>("latlong24D", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<LatLongD32>("latlong32D", "latlong.glsl", Sphere, None),
-    CodecInfo::of::<Fib16>("fib16", "fib.glsl", Sphere, None),
-    CodecInfo::of::<Fib24>("fib24", "fib.glsl", Sphere, None),
-    CodecInfo::of::<Fib32>("fib32", "fib.glsl", Sphere, None),
-    CodecInfo::of::<Ico16>("ico16", "ico.glsl", Sphere, None),
-    CodecInfo::of::<Ico24>("ico24", "ico.glsl", Sphere, None),
-    CodecInfo::of::<Ico32>("ico32", "ico.glsl", Sphere, None),
-    CodecInfo::of::<SnormBest8>("snorm8x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
-        .by_table(cpu::snorm8x3p_by_table),
-    CodecInfo::of::<SnormNearest8>(
-        "snorm8x3Nearest",
-        "best_fit.glsl",
-        Sphere,
-        Some("VK_FORMAT_R8G8B8_SNORM"),
-    ),
-    CodecInfo::of::<SnormBest16>("snorm16x3P", "best_fit.glsl", Sphere, Some("VK_FORMAT_R16G16B16_SNORM")),
-    CodecInfo::of::<CrytekBfn24>("CrytekBFN24", "best_fit.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM"))
-        .by_table(cpu::crytek_bfn24_by_table),
-    CodecInfo::of::<Stereo16>("stereo16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Stereo20>("stereo20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Stereo22>("stereo22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Stereo24>("stereo24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Stereo32>("stereo32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoConcentric16>("stereo+concentric16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoConcentric20>("stereo+concentric20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoConcentric22>("stereo+concentric22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoConcentric24>("stereo+concentric24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoConcentric32>("stereo+concentric32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoEllipse16>("stereo+ellipse16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoEllipse20>("stereo+ellipse20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoEllipse22>("stereo+ellipse22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoEllipse24>("stereo+ellipse24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<StereoEllipse32>("stereo+ellipse32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqarea16>("eqarea16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqarea20>("eqarea20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqarea22>("eqarea22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqarea24>("eqarea24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqarea32>("eqarea32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaConcentric16>("eqarea+concentric16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaConcentric20>("eqarea+concentric20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaConcentric22>("eqarea+concentric22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaConcentric24>("eqarea+concentric24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaConcentric32>("eqarea+concentric32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaEllipse16>("eqarea+ellipse16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaEllipse20>("eqarea+ellipse20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaEllipse22>("eqarea+ellipse22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaEllipse24>("eqarea+ellipse24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqareaEllipse32>("eqarea+ellipse32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqdist16>("eqdist16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqdist20>("eqdist20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqdist22>("eqdist22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqdist24>("eqdist24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Eqdist32>("eqdist32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistConcentric16>("eqdist+concentric16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistConcentric20>("eqdist+concentric20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistConcentric22>("eqdist+concentric22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistConcentric24>("eqdist+concentric24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistConcentric32>("eqdist+concentric32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistEllipse16>("eqdist+ellipse16", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistEllipse20>("eqdist+ellipse20", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistEllipse22>("eqdist+ellipse22", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistEllipse24>("eqdist+ellipse24", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<EqdistEllipse32>("eqdist+ellipse32", "azimuthal.glsl", Sphere, None),
-    CodecInfo::of::<Snorm5x3>("snorm5x3", "snorm.glsl", Sphere, None),
-    CodecInfo::of::<Snorm8x3>("snorm8x3", "snorm.glsl", Sphere, Some("VK_FORMAT_R8G8B8_SNORM")),
-    CodecInfo::of::<Snorm10x3>("snorm10x3", "snorm.glsl", Sphere, Some("VK_FORMAT_A2B10G10R10_SNORM_PACK32")),
-    CodecInfo::of::<Snorm11x11x10>("snorm11-11-10", "snorm.glsl", Sphere, None),
-    CodecInfo::of::<Snorm16x3>("snorm16x3", "snorm.glsl", Sphere, Some("VK_FORMAT_R16G16B16_SNORM")),
-    CodecInfo::of::<Unorm8x3>("unorm8x3", "unorm.glsl", Sphere, Some("VK_FORMAT_R8G8B8_UNORM")),
-    CodecInfo::of::<Float16x3>("float16x3", "float.glsl", Sphere, Some("VK_FORMAT_R16G16B16_SFLOAT")),
-    CodecInfo::of::<Cube16>("cube16", "cube.glsl", Sphere, None),
-    CodecInfo::of::<Cube24>("cube24", "cube.glsl", Sphere, None),
-    CodecInfo::of::<Cube32>("cube32", "cube.glsl", Sphere, None),
-    CodecInfo::of::<WarpedCube16>("warpedcube16", "cube.glsl", Sphere, None),
-    CodecInfo::of::<WarpedCube24>("warpedcube24", "cube.glsl", Sphere, None),
-    CodecInfo::of::<WarpedCube32>("warpedcube32", "cube.glsl", Sphere, None),
-    CodecInfo::of::<XyOnly16>("XYOnly16", "projection.glsl", Hemisphere, Some("VK_FORMAT_R8G8_SNORM")),
-    CodecInfo::of::<XyOnly24>("XYOnly24", "projection.glsl", Hemisphere, None),
-    CodecInfo::of::<XyOnly32>("XYOnly32", "projection.glsl", Hemisphere, Some("VK_FORMAT_R16G16_SNORM")),
-    CodecInfo::of::<XyOnly32F>("XYOnly32F", "projection.glsl", Hemisphere, Some("VK_FORMAT_R16G16_SFLOAT")),
-    CodecInfo::of::<Pp16>("PP16", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Pp24>("PP24", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Pp32>("PP32", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Pp48>("PP48", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Spp16>("SPP16", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Spp24>("SPP24", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Spp32>("SPP32", "projection.glsl", Sphere, None),
-    CodecInfo::of::<Spp48>("SPP48", "projection.glsl", Sphere, None),
-];
+macro_rules! catalogue {
+    ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
+        /// Every codec of vectors, by family and width.
+        pub static CATALOGUE: &[CodecInfo] =
+            &[$(CodecInfo::of::<unitvec::$codec>()$(.$by(encode_by_table::<unitvec::$codec>))?),*];
+    };
+}
 
-/// The codecs of tangent frames.
-pub static FRAMES: &[FrameInfo] =
-    &[FrameInfo::of::<Frame32>("VK_FORMAT_R32_UINT"), FrameInfo::of::<Frame64>("VK_FORMAT_R32G32_UINT")];
+for_each_codec!(catalogue);
+
+macro_rules! frames {
+    ($([$id:ident $codec:ident, $($rest:tt)*])*) => {
+        /// Every codec of tangent frames.
+        pub static FRAMES: &[FrameInfo] = &[$(FrameInfo::of::<unitvec::$codec>()),*];
+    };
+}
+
+for_each_frame!(frames);

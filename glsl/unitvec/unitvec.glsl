@@ -17,6 +17,6 @@
 #include "cube.glsl"
 #include "float.glsl"
 #include "frame.glsl"
-#include "projection.glsl"
+#include "parallel.glsl"
 #include "snorm.glsl"
 #include "unorm.glsl"

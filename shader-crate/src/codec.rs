@@ -6,9 +6,6 @@ use glam::Vec3;
 ///
 /// Implementors are types without values: `Oct32::encode(v)`.
 pub trait Codec {
-    /// Identifier, as in the `unitvec` program, the SPIR-V entry points (`oct16p_encode`) and the GLSL functions.
-    const NAME: &'static str;
-
     /// Significant bits of a code. Bits above them are 0 on encode and ignored on decode.
     const BITS: u32;
 
@@ -39,6 +36,15 @@ pub trait Codec {
     /// The direction that `code` stands for, of unit length to within 2 ULP where [`IS_UNIT`](Self::IS_UNIT). Any bit
     /// pattern is valid.
     fn decode(code: Self::Code) -> Vec3;
+}
+
+/// The directions that a codec is made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Domain {
+    /// All directions.
+    Sphere,
+    /// Directions with z >= 0.
+    Hemisphere,
 }
 
 /// A code as a value, made of one or two 32-bit words.

@@ -1,12 +1,13 @@
 //! What counts as a direction: the one rule behind every codec's handling of bad input.
 
+use crate::arith::{is_negative, is_within};
 use glam::Vec3;
 
-/// Least L1 norm that a direction is taken from: 2^-100.
+/// Least L1 norm that a direction is taken from: 2^-64.
 ///
 /// Far enough above the denormals (under 2^-126) that whether a device flushes them to zero changes no code, and
 /// far below anything that arithmetic on geometry leaves.
-pub const MIN_NORM: f32 = f32::from_bits((127 - 100) << 23);
+pub const MIN_NORM: f32 = f32::from_bits((127 - 64) << 23);
 
 /// L1 norms from here on do not give a direction: 2^100. Below it `1 / norm` is a normal number.
 pub const MAX_NORM: f32 = f32::from_bits((127 + 100) << 23);
@@ -17,19 +18,11 @@ pub fn l1_norm(v: Vec3) -> f32 {
     (v.x.abs() + v.y.abs()) + v.z.abs()
 }
 
-/// True where a vector of this L1 norm has a usable direction: [`MIN_NORM`] to [`MAX_NORM`]. False for zero,
-/// infinity and NaN.
-///
-/// The comparison is one of integers, since a GPU need not compare NaN as IEEE 754 says.
+/// True where a vector of this L1 norm has a usable direction: [`MIN_NORM`] to [`MAX_NORM`]. False for zero, infinity and
+/// NaN.
 #[inline(always)]
 pub fn is_usable(l1_norm: f32) -> bool {
-    l1_norm.to_bits().wrapping_sub(MIN_NORM.to_bits()) < MAX_NORM.to_bits() - MIN_NORM.to_bits()
-}
-
-/// The power of two that brings a usable L1 norm to 1 to 2, exactly. Of other norms, anything.
-#[inline(always)]
-pub(crate) fn scale_to_one(l1_norm: f32) -> f32 {
-    f32::from_bits((254u32 << 23).wrapping_sub(l1_norm.to_bits() & 0x7f80_0000))
+    is_within(l1_norm, MIN_NORM, MAX_NORM)
 }
 
 /// `v` and its L1 norm, or +Z and 1 where `v` has no usable direction.
@@ -39,13 +32,21 @@ pub fn or_z(v: Vec3) -> (Vec3, f32) {
     if is_usable(norm) { (v, norm) } else { (Vec3::Z, 1.0) }
 }
 
+/// `v` and its L1 norm with what lies below the equator moved up to it: z of at least 0. +Z and 1 where that has no usable
+/// direction.
+#[inline(always)]
+pub fn upper_or_z(v: Vec3) -> (Vec3, f32) {
+    let (v, _) = or_z(v);
+    or_z(Vec3::new(v.x, v.y, if is_negative(v.z) { 0.0 } else { v.z }))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn bounds_of_the_usable_norms() {
-        assert_eq!(MIN_NORM, 2f32.powi(-100));
+        assert_eq!(MIN_NORM, 2f32.powi(-64));
         assert_eq!(MAX_NORM, 2f32.powi(100));
         assert!(is_usable(MIN_NORM));
         assert!(!is_usable(MIN_NORM.next_down()));

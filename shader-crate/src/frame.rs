@@ -44,11 +44,13 @@
 //!   Weaknesses: a tangent at 32 bits is 4.5 times as far off as the normal; what is not orthogonal in a frame is lost;
 //!   codes cannot be interpolated.
 
+use crate::arith::{
+    dot, floor, is_negative, mask, negate_if, normalize, scaled_to_one, signed_code, snorm_integer,
+    snorm_max, whole_to_u32,
+};
 use crate::codec::{Code, Codec, storage_bytes};
-use crate::direction::{is_usable, l1_norm, scale_to_one};
-use crate::math::{dot, floor, is_negative, negate_if, normalize, without_denormal};
+use crate::direction::{is_usable, l1_norm};
 use crate::oct::{from_lattice, lattice_precise};
-use crate::scalar::{mask, signed_code, snorm_integer, snorm_max, whole_to_u32};
 #[cfg(not(target_arch = "spirv"))]
 use crate::slice::{LengthMismatch, expect_length, load, store};
 use crate::{Oct22, OctPrecise22};
@@ -88,9 +90,6 @@ impl Frame {
 
 /// A way to store a [`Frame`] in [`BITS`](Self::BITS) bits: [`Codec`], for frames.
 pub trait FrameCodec {
-    /// Identifier, as in the SPIR-V entry points and the GLSL functions: `frame32_encode`.
-    const NAME: &'static str;
-
     /// Significant bits of a code.
     const BITS: u32;
 
@@ -178,8 +177,7 @@ fn unwarp<const ANGLE_BITS: u32>(w: f32) -> f32 {
 fn scaled(v: Vec3) -> Vec3 {
     let norm = l1_norm(v);
     let (v, norm) = if is_usable(norm) { (v, norm) } else { (Vec3::ZERO, 1.0) };
-    let scale = scale_to_one(norm);
-    Vec3::new(without_denormal(v.x), without_denormal(v.y), without_denormal(v.z)) * scale
+    scaled_to_one(v, norm)
 }
 
 /// The code of the angle of `tangent` about the decoded normal `n`.
@@ -262,7 +260,6 @@ const fn tangent_error_bound(normal_error_deg: f32, angle_bits: u32) -> f32 {
 pub struct Frame32;
 
 impl FrameCodec for Frame32 {
-    const NAME: &'static str = "frame32";
     const BITS: u32 = 32;
     const MAX_NORMAL_ERROR_DEG: f32 = OctPrecise22::MAX_ERROR_DEG;
     const MAX_TANGENT_ERROR_DEG: f32 = tangent_error_bound(Self::MAX_NORMAL_ERROR_DEG, 9);
@@ -297,7 +294,6 @@ impl Frame64 {
 }
 
 impl FrameCodec for Frame64 {
-    const NAME: &'static str = "frame64";
     const BITS: u32 = 64;
     /// Meyer's bound (eq. 11), and 2^-24 radians each for the rounding of the position and of the decoded vector.
     const MAX_NORMAL_ERROR_DEG: f32 =

@@ -48,7 +48,7 @@
 //!
 //! * `encode` takes any vector: the length does not matter, save to raw component formats, which store the components
 //!   they are given, clamped to [-1, 1]. A vector without a usable direction (zero, infinite,
-//!   NaN, or of an L1 norm outside [2^-100, 2^100)) gets the code of +Z.
+//!   NaN, or of an L1 norm outside [2^-64, 2^100)) gets the code of +Z.
 //! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above
 //!   [`Codec::BITS`] are ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller.
 //! * Decoding, encoding and decoding again gives the first vector back, exactly; with [`best_fit`], its direction to
@@ -67,69 +67,24 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
 
-pub mod azimuthal;
-pub mod best_fit;
+pub mod arith;
 pub mod codec;
-pub mod cube;
-pub mod cylindrical;
 pub mod direction;
-pub mod eaoct;
-pub mod fib;
-pub mod float;
+mod families;
 pub mod frame;
-pub mod hemioct;
-pub mod ico;
 #[cfg(feature = "kernels")]
 pub mod kernels;
-pub mod latlong;
-pub mod math;
-pub mod oct;
-pub mod oct_wide;
-pub mod projection;
-pub mod scalar;
+pub mod list;
 #[cfg(not(target_arch = "spirv"))]
 pub mod slice;
-pub mod snorm;
-pub mod soct;
-pub mod spherical;
 #[cfg(not(target_arch = "spirv"))]
 pub mod table;
-pub mod unorm;
 
-pub use azimuthal::{
-    Azimuthal, Eqarea16, Eqarea20, Eqarea22, Eqarea24, Eqarea32, EqareaConcentric16, EqareaConcentric20,
-    EqareaConcentric22, EqareaConcentric24, EqareaConcentric32, EqareaEllipse16, EqareaEllipse20,
-    EqareaEllipse22, EqareaEllipse24, EqareaEllipse32, Eqdist16, Eqdist20, Eqdist22, Eqdist24, Eqdist32,
-    EqdistConcentric16, EqdistConcentric20, EqdistConcentric22, EqdistConcentric24, EqdistConcentric32,
-    EqdistEllipse16, EqdistEllipse20, EqdistEllipse22, EqdistEllipse24, EqdistEllipse32, Stereo16, Stereo20,
-    Stereo22, Stereo24, Stereo32, StereoConcentric16, StereoConcentric20, StereoConcentric22,
-    StereoConcentric24, StereoConcentric32, StereoEllipse16, StereoEllipse20, StereoEllipse22,
-    StereoEllipse24, StereoEllipse32,
-};
-pub use best_fit::{CrytekBfn24, SnormBest8, SnormBest16, SnormNearest8};
-pub use codec::Codec;
-pub use cube::{Cube, Cube16, Cube24, Cube32, WarpedCube, WarpedCube16, WarpedCube24, WarpedCube32};
-pub use cylindrical::{Cylindrical, Cylindrical16, Cylindrical24, Cylindrical32};
-pub use eaoct::{
-    EaOct, EaOct16, EaOct20, EaOct22, EaOct24, EaOct32, EaOctPrecise, EaOctPrecise16, EaOctPrecise20,
-    EaOctPrecise22, EaOctPrecise24, EaOctPrecise32,
-};
-pub use fib::{Fib, Fib16, Fib24, Fib32};
-pub use float::Float16x3;
+pub use codec::{Codec, Domain};
+pub use families::angles::{cylindrical, latlong, spherical};
+pub use families::components::{best_fit, float, snorm, unorm};
+pub use families::lattices::{fib, ico};
+pub use families::octahedral::{eaoct, hemioct, oct, oct_wide, soct};
+pub use families::projections::{azimuthal, cube, parallel};
 pub use frame::{Frame, Frame32, Frame64, FrameCodec};
-pub use hemioct::{HemiOct, HemiOct16, HemiOct24, HemiOct32};
-pub use ico::{Ico, Ico16, Ico24, Ico32};
-pub use latlong::{LatLong, LatLong16, LatLong24, LatLong32, LatLongD, LatLongD16, LatLongD24, LatLongD32};
-pub use oct::{
-    Oct, Oct16, Oct20, Oct22, Oct24, Oct32, OctPrecise, OctPrecise16, OctPrecise20, OctPrecise22,
-    OctPrecise24, OctPrecise32,
-};
-pub use oct_wide::{Oct48, OctPrecise48, OctPrecise52, OctWide, OctWidePrecise};
-pub use projection::{
-    Pp, Pp16, Pp24, Pp32, Pp48, Spp, Spp16, Spp24, Spp32, Spp48, XyOnly, XyOnly16, XyOnly24, XyOnly32,
-    XyOnly32F,
-};
-pub use snorm::{Snorm3, Snorm5x3, Snorm8x3, Snorm10x3, Snorm11x11x10, Snorm16x3};
-pub use soct::{SOct, SOct17, SOct25, SOct33};
-pub use spherical::{Spherical, Spherical16, Spherical20, Spherical22, Spherical24, Spherical32};
-pub use unorm::Unorm8x3;
+pub use list::*;

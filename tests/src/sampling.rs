@@ -130,13 +130,13 @@ pub fn special_inputs() -> Vec<[f32; 3]> {
     inputs
 }
 
-/// 2^-100, the least L1 norm of a vector with a direction.
-pub const LEAST_NORM: f32 = f32::from_bits((127 - 100) << 23);
+/// 2^-64, the least L1 norm of a vector with a direction.
+pub const LEAST_NORM: f32 = f32::from_bits((127 - 64) << 23);
 
 /// 2^100, the least L1 norm of a vector that is too long to have a direction.
 pub const END_OF_NORMS: f32 = f32::from_bits((127 + 100) << 23);
 
-/// Whether the contract of [`unitvec::Codec`] asks for the direction: for an L1 norm in `[2^-100, 2^100)`. `None`
+/// Whether the contract of [`unitvec::Codec`] asks for the direction: for an L1 norm in `[2^-64, 2^100)`. `None`
 /// where the norm's rounding in `f32` decides.
 pub fn usable(v: [f32; 3]) -> Option<bool> {
     let norm: f64 = v.iter().map(|&t| f64::from(t).abs()).sum();

@@ -71,7 +71,7 @@ fn table() -> String {
             yes(codec.is_unit),
             yes(codec.exact_axes),
             codec.vk_format.unwrap_or("-"),
-            codec.glsl_file
+            codec.glsl_file()
         );
     }
     text

@@ -4,7 +4,7 @@ use super::Count;
 use super::cost::{self, Work};
 use super::words::{CodeWords, Words};
 use crate::codec::Code;
-use crate::{Frame, Frame32, Frame64, FrameCodec};
+use crate::{Frame, Frame32, Frame64, FrameCodec, for_each_frame};
 use glam::Vec3;
 use spirv_std::spirv;
 
@@ -69,18 +69,21 @@ fn decode<F: FrameCodec, W: Words>(index: usize, count: Count, input: &[W], outp
 
 /// A module of kernels for each codec of frames, named after it.
 macro_rules! frame_kernels {
-    ($($id:ident $codec:ident, $bytes:literal bytes, $encode_name:literal, $decode_name:literal;)*) => { $(
+    ($([$id:ident $codec:ident, $($rest:tt)*])*) => { $(
         #[doc = concat!("Kernels of [`", stringify!($codec), "`].")]
         pub mod $id {
             use super::*;
 
+            /// The words that four codes fill.
+            type FourCodes = [u32; <$codec as FrameCodec>::BYTES];
+
             /// Encodes four frames.
-            #[spirv(compute(threads(64), entry_point_name = $encode_name))]
+            #[spirv(compute(threads(64)))]
             pub fn encode(
                 #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
                 #[spirv(push_constant)] count: &Count,
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[Frames],
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [[u32; $bytes]],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [FourCodes],
             ) {
                 super::encode::<$codec, _>(id.x as usize, *count, input, output);
             }
@@ -113,11 +116,11 @@ macro_rules! frame_kernels {
             }
 
             /// Decodes four codes.
-            #[spirv(compute(threads(64), entry_point_name = $decode_name))]
+            #[spirv(compute(threads(64)))]
             pub fn decode(
                 #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
                 #[spirv(push_constant)] count: &Count,
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; $bytes]],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[FourCodes],
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [Frames],
             ) {
                 super::decode::<$codec, _>(id.x as usize, *count, input, output);
@@ -126,7 +129,4 @@ macro_rules! frame_kernels {
     )* };
 }
 
-frame_kernels! {
-    frame32 Frame32, 4 bytes, "frame32_encode", "frame32_decode";
-    frame64 Frame64, 8 bytes, "frame64_encode", "frame64_decode";
-}
+for_each_frame!(frame_kernels);

@@ -7,8 +7,8 @@
 
 use super::Vector;
 use super::machine::{as_chunks, as_chunks_mut};
+use crate::arith::snorm_encode;
 use crate::codec::{Code, Codec};
-use crate::scalar::snorm_encode;
 use glam::Vec3;
 
 /// Vectors of a block: enough for the loops to stay loops, few enough for the arrays to stay in the nearest cache.

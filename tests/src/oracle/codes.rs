@@ -3,7 +3,7 @@
 use super::{LENGTH_ROUNDING, Summary, angle_deg, length, widen};
 use crate::sampling::{Rng, special_inputs, usable};
 use glam::Vec3;
-use unitvec::Codec;
+use unitvec::Listed;
 use unitvec::codec::Code;
 
 /// The direction whose error is measured, for a direction that is encoded: itself, or that of the codec's domain.
@@ -24,7 +24,7 @@ pub fn upper(v: [f64; 3]) -> [f64; 3] {
 
 /// Every pattern of `C`'s bits if there are at most 2^16, else 2^18 at even distances; then 2^19 random ones, with
 /// anything in the bits above.
-pub fn patterns<C: Codec>(seed: u64) -> impl Iterator<Item = u64> {
+pub fn patterns<C: Listed>(seed: u64) -> impl Iterator<Item = u64> {
     let mut rng = Rng::new(seed);
     let (stride, count) =
         if C::BITS <= 16 { (1, 1 << C::BITS) } else { ((1 << (C::BITS - 18)) + 1, 1 << 18) };
@@ -32,29 +32,29 @@ pub fn patterns<C: Codec>(seed: u64) -> impl Iterator<Item = u64> {
 }
 
 /// The code of a pattern.
-pub fn code<C: Codec>(bits: u64) -> C::Code {
+pub fn code<C: Listed>(bits: u64) -> C::Code {
     C::Code::from_words([bits as u32, (bits >> 32) as u32])
 }
 
 /// The pattern of a code.
-pub fn bits<C: Codec>(code: C::Code) -> u64 {
+pub fn bits<C: Listed>(code: C::Code) -> u64 {
     let [low, high] = code.to_words();
     u64::from(low) | (u64::from(high) << 32)
 }
 
 /// What comes back of `v`.
-pub fn round_trip<C: Codec>(v: Vec3) -> Vec3 {
+pub fn round_trip<C: Listed>(v: Vec3) -> Vec3 {
     C::decode(C::encode(v))
 }
 
 /// The angle in degrees between a direction and what comes back.
-pub fn error_deg<C: Codec>(v: Vec3) -> f64 {
+pub fn error_deg<C: Listed>(v: Vec3) -> f64 {
     angle_deg(widen(v), widen(round_trip::<C>(v)))
 }
 
 /// Asserts that every pattern, decoded, encoded and decoded, gives the first vector, that encoding leaves the unused
 /// bits 0, and that decoding ignores them.
-pub fn assert_stable<C: Codec>(patterns: impl Iterator<Item = u64>) {
+pub fn assert_stable<C: Listed>(patterns: impl Iterator<Item = u64>) {
     for pattern in patterns {
         let once = C::decode(code::<C>(pattern));
         let again = C::encode(once);
@@ -67,7 +67,7 @@ pub fn assert_stable<C: Codec>(patterns: impl Iterator<Item = u64>) {
 }
 
 /// Asserts that every pattern decodes to a vector of unit length to 2 ULP.
-pub fn assert_unit<C: Codec>(patterns: impl Iterator<Item = u64>) {
+pub fn assert_unit<C: Listed>(patterns: impl Iterator<Item = u64>) {
     let off = patterns.map(|pattern| {
         let off = (length(widen(C::decode(code::<C>(pattern)))) - 1.0).abs();
         assert!(off <= LENGTH_ROUNDING, "{}: {pattern:#x} is {off:e} off", C::NAME);
@@ -77,7 +77,7 @@ pub fn assert_unit<C: Codec>(patterns: impl Iterator<Item = u64>) {
 }
 
 /// Asserts that `C` decodes each pattern to the oracle's vector, to `tolerance` in each component.
-pub fn assert_decodes<C: Codec>(
+pub fn assert_decodes<C: Listed>(
     patterns: impl Iterator<Item = u64>,
     oracle: impl Fn(u64) -> [f64; 3],
     tolerance: f64,
@@ -92,7 +92,7 @@ pub fn assert_decodes<C: Codec>(
 /// Measures the errors of `directions` and asserts that their mean is within 5 % below and 1 % above the published one,
 /// their maximum at most 4 % above it (to half a unit of the fifth digit), and that none exceeds
 /// [`Codec::MAX_ERROR_DEG`].
-pub fn assert_published<C: Codec>(directions: impl Iterator<Item = Vec3>, published: Summary) {
+pub fn assert_published<C: Listed>(directions: impl Iterator<Item = Vec3>, published: Summary) {
     let half_digit = 0.000_005;
     let ours = Summary::of(directions.map(error_deg::<C>));
     println!("{} error: mean {:.6} max {:.6}, published {published:?}", C::NAME, ours.mean, ours.max);
@@ -104,7 +104,7 @@ pub fn assert_published<C: Codec>(directions: impl Iterator<Item = Vec3>, publis
 
 /// Asserts that the largest error of `directions` is within 95 and 100 % of `bound_deg`, but for `slack_deg` of higher
 /// order or rounding, and at most [`Codec::MAX_ERROR_DEG`].
-pub fn assert_attains<C: Codec>(directions: impl Iterator<Item = Vec3>, bound_deg: f64, slack_deg: f64) {
+pub fn assert_attains<C: Listed>(directions: impl Iterator<Item = Vec3>, bound_deg: f64, slack_deg: f64) {
     let worst = Summary::of(directions.map(error_deg::<C>)).max;
     println!("{} worst: {worst:.8}, {:.3} % of {bound_deg:.8}", C::NAME, worst / bound_deg * 100.0);
     assert!(worst >= 0.95 * bound_deg, "{}: {worst} of {bound_deg}", C::NAME);
@@ -114,7 +114,7 @@ pub fn assert_attains<C: Codec>(directions: impl Iterator<Item = Vec3>, bound_de
 
 /// Asserts the contract of `encode` for special inputs and `more`: a code of the codec's bits; +Z's without a usable
 /// direction; with one, unless the codec stores raw components, an error within the bound.
-pub fn assert_total<C: Codec>(more: impl Iterator<Item = [f32; 3]>, domain: Option<Domain>) {
+pub fn assert_total<C: Listed>(more: impl Iterator<Item = [f32; 3]>, domain: Option<Domain>) {
     let z = bits::<C>(C::encode(Vec3::Z));
     for v in special_inputs().into_iter().chain(more) {
         let vector = Vec3::from_array(v);
@@ -137,7 +137,7 @@ pub fn assert_total<C: Codec>(more: impl Iterator<Item = [f32; 3]>, domain: Opti
 }
 
 /// Asserts that `C` decodes the image of each direction under `f` to the image of the decoded vector.
-pub fn assert_commutes<C: Codec>(directions: impl Iterator<Item = Vec3>, f: fn(Vec3) -> Vec3) {
+pub fn assert_commutes<C: Listed>(directions: impl Iterator<Item = Vec3>, f: fn(Vec3) -> Vec3) {
     for v in directions {
         assert_eq!(round_trip::<C>(f(v)), f(round_trip::<C>(v)), "{}: {v:?}", C::NAME);
     }

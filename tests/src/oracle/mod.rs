@@ -4,7 +4,7 @@ pub mod codes;
 pub mod spherical;
 
 use glam::Vec3;
-use unitvec::Codec;
+use unitvec::Listed;
 pub use unitvec_oracle::*;
 
 /// What `encode` makes of the rounding in `f32` of a position on the square `[-1, 1]^2`, per axis.
@@ -36,18 +36,18 @@ pub fn widen(v: Vec3) -> [f64; 3] {
 }
 
 /// The angle in degrees between what was encoded and what is decoded.
-pub fn round_trip_error_deg<C: Codec<Code = u32>>(v: Vec3) -> f64 {
+pub fn round_trip_error_deg<C: Listed<Code = u32>>(v: Vec3) -> f64 {
     angle_deg(widen(v), widen(C::decode(C::encode(v))))
 }
 
 /// Asserts that `C` decodes each of `codes` to the oracle's direction and to unit length, with the high bits of
 /// the code set to anything.
-pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
+pub fn assert_decodes<C: Listed<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
     assert_decodes_within::<C, O>(codes, DECODE_ROUNDING);
 }
 
 /// The same, with the decoded vector turned from the oracle's by up to `rounding` radians.
-pub fn assert_decodes_within<C: Codec<Code = u32>, O: Oracle>(
+pub fn assert_decodes_within<C: Listed<Code = u32>, O: Oracle>(
     codes: impl Iterator<Item = u32>,
     rounding: f64,
 ) {
@@ -72,7 +72,7 @@ pub fn assert_decodes_within<C: Codec<Code = u32>, O: Oracle>(
 }
 
 /// Asserts that each of `codes`, decoded, encoded and decoded, gives the vector of the first decoding.
-pub fn assert_stable<C: Codec<Code = u32>>(codes: impl Iterator<Item = u32>) {
+pub fn assert_stable<C: Listed<Code = u32>>(codes: impl Iterator<Item = u32>) {
     for code in codes {
         let once = C::decode(code);
         let again = C::encode(once);
@@ -82,7 +82,7 @@ pub fn assert_stable<C: Codec<Code = u32>>(codes: impl Iterator<Item = u32>) {
 
 /// Asserts that `C` rounds each position to the nearest lattice point, as the oracle has it: by at most half a
 /// step on each axis, and the rounding of the position in `f32`.
-pub fn assert_rounds<C: Codec<Code = u32>, O: Oracle>(directions: impl Iterator<Item = Vec3>) {
+pub fn assert_rounds<C: Listed<Code = u32>, O: Oracle>(directions: impl Iterator<Item = Vec3>) {
     let m = largest(C::BITS);
     let worst = directions.map(|v| {
         let code = C::encode(v);
@@ -101,7 +101,7 @@ pub fn assert_rounds<C: Codec<Code = u32>, O: Oracle>(directions: impl Iterator<
 
 /// Asserts that the errors of `directions` fit the mean and maximum that the survey publishes (to five decimals),
 /// and that none exceeds `bound_deg` by more than `f32` rounds, nor [`Codec::MAX_ERROR_DEG`].
-pub fn assert_errors<C: Codec<Code = u32>>(
+pub fn assert_errors<C: Listed<Code = u32>>(
     directions: impl Iterator<Item = Vec3>,
     published: Summary,
     bound_deg: f64,
@@ -116,14 +116,14 @@ pub fn assert_errors<C: Codec<Code = u32>>(
 }
 
 /// Asserts that `error_deg` is at most `bound_deg` and what `f32` rounds, and at most [`Codec::MAX_ERROR_DEG`].
-pub fn assert_bounded<C: Codec<Code = u32>>(error_deg: f64, bound_deg: f64) {
+pub fn assert_bounded<C: Listed<Code = u32>>(error_deg: f64, bound_deg: f64) {
     let slack = turn_deg(POSITION_ROUNDING) + DECODE_ROUNDING.to_degrees();
     assert!(error_deg <= bound_deg + slack, "{}: {error_deg} exceeds {bound_deg}", C::NAME);
     assert!(error_deg <= f64::from(C::MAX_ERROR_DEG), "{}: {error_deg} exceeds MAX_ERROR_DEG", C::NAME);
 }
 
 /// Asserts that `C` decodes the mirror image or permutation `f` of each direction to that of the decoded vector.
-pub fn assert_commutes<C: Codec<Code = u32>>(
+pub fn assert_commutes<C: Listed<Code = u32>>(
     directions: impl Iterator<Item = Vec3>,
     f: impl Fn(Vec3) -> Vec3,
 ) {
@@ -134,7 +134,7 @@ pub fn assert_commutes<C: Codec<Code = u32>>(
 }
 
 /// Asserts that `C` gives each of `axes` back, exactly.
-pub fn assert_keeps<C: Codec<Code = u32>>(axes: &[Vec3]) {
+pub fn assert_keeps<C: Listed<Code = u32>>(axes: &[Vec3]) {
     for &axis in axes {
         assert_eq!(C::decode(C::encode(axis)), axis, "{}", C::NAME);
     }

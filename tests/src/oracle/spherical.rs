@@ -2,7 +2,7 @@
 
 use super::{Oracle, Summary, angle_deg, widen};
 use glam::Vec3;
-use unitvec::Codec;
+use unitvec::Listed;
 pub use unitvec_oracle::spherical::*;
 
 /// What `decode` makes of `f32` trigonometry, as an angle in radians: a sine and a cosine, each off by up to
@@ -15,7 +15,7 @@ pub const ANGLE_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 
 /// Asserts that `C` decodes each of `codes` to the oracle's direction within [`DECODE_ROUNDING`], to unit length,
 /// with no component -0 and with the high bits of the code set to anything.
-pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
+pub fn assert_decodes<C: Listed<Code = u32>, O: Oracle>(codes: impl Iterator<Item = u32>) {
     let codes = codes.inspect(|code| {
         let decoded = C::decode(*code);
         let negative_zero = decoded.to_array().iter().any(|t| t.to_bits() == (-0f32).to_bits());
@@ -26,7 +26,7 @@ pub fn assert_decodes<C: Codec<Code = u32>, O: Oracle>(codes: impl Iterator<Item
 
 /// Asserts that `C` chooses the nearest point along each of two coordinates: by `steps_off` at most half a step
 /// away, and `rounding` steps that `f32` makes of it.
-pub fn assert_rounds<C: Codec<Code = u32>>(
+pub fn assert_rounds<C: Listed<Code = u32>>(
     directions: impl Iterator<Item = Vec3>,
     steps_off: impl Fn([f64; 3], u32, u32) -> [f64; 2],
     rounding: f64,
@@ -43,7 +43,7 @@ pub fn assert_rounds<C: Codec<Code = u32>>(
 
 /// Asserts that encoding `directions` comes to at least 99 % of `bound_deg`, and does not exceed it beyond
 /// rounding.
-pub fn assert_attains<C: Codec<Code = u32>>(directions: impl Iterator<Item = Vec3>, bound_deg: f64) {
+pub fn assert_attains<C: Listed<Code = u32>>(directions: impl Iterator<Item = Vec3>, bound_deg: f64) {
     let worst = Summary::of(directions.map(super::round_trip_error_deg::<C>)).max;
     println!("{} worst: {worst:.7} of {bound_deg:.7}, said {:.7}", C::NAME, C::MAX_ERROR_DEG);
     assert!(worst >= 0.99 * bound_deg, "{}: {worst} of {bound_deg}", C::NAME);
@@ -53,7 +53,7 @@ pub fn assert_attains<C: Codec<Code = u32>>(directions: impl Iterator<Item = Vec
 
 /// Asserts that `C` decodes the image `f` of each direction to that of the decoded vector, within `f32` rounding,
 /// except where `is_tie`.
-pub fn assert_commutes_but_for_ties<C: Codec<Code = u32>>(
+pub fn assert_commutes_but_for_ties<C: Listed<Code = u32>>(
     directions: impl Iterator<Item = Vec3>,
     f: impl Fn(Vec3) -> Vec3,
     is_tie: impl Fn(Vec3) -> bool,

@@ -1,0 +1,32 @@
+//! The arithmetic that the codecs share. Every function gives the same result on every target: it keeps to operations that
+//! IEEE 754 and Vulkan define alike, and to plain comparisons for what they do not.
+
+#[cfg(all(any(not(feature = "std"), test), not(target_arch = "spirv")))]
+mod bare;
+mod elementary;
+mod face;
+mod half;
+mod pack;
+mod round;
+mod scale;
+mod sign;
+mod snorm;
+mod trig;
+mod two_float;
+mod vector;
+
+pub use elementary::{floor, max, min, sqrt};
+pub use face::{face_of, from_face, to_face};
+pub use half::{HALF_MAX, HALF_ONE, half_decode, half_decode_magnitude, half_encode, half_encode_magnitude};
+pub use pack::{mask, signed_code, signed_integer};
+pub(crate) use round::{ONE_AND_A_HALF_2_23, integer_part, nearest_whole, small_floor, whole_to_i32};
+pub use round::{round_symmetric, whole_to_u32};
+pub use scale::{ENORMOUS, NEGLIGIBLE, is_within};
+pub(crate) use scale::{exp2, scale_to_one, scaled_to_one, without_denormal, without_denormals};
+pub use sign::{is_negative, negate_if, negate_positive};
+pub use snorm::{
+    snorm_decode, snorm_encode, snorm_integer, snorm_max, unorm_decode, unorm_encode, unorm_max,
+};
+pub use trig::*;
+pub(crate) use two_float::{product_rest, two_sum, upper_half};
+pub use vector::{dot, horizontal_length, normalize};

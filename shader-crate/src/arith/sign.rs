@@ -1,0 +1,22 @@
+//! Signs that do not depend on how a device treats denormals and -0.
+
+/// True where `x` is below zero by at least the least normal number.
+///
+/// Devices may flush denormals to zero, so a comparison with zero would tell -1e-40 from 0 on some and not on
+/// others. This one has the same answer everywhere; both zeros and all denormals count as not negative.
+#[inline(always)]
+pub fn is_negative(x: f32) -> bool {
+    x <= -f32::MIN_POSITIVE
+}
+
+/// `-x` where `negative`, else `x`.
+#[inline(always)]
+pub fn negate_if(negative: bool, x: f32) -> f32 {
+    if negative { -x } else { x }
+}
+
+/// `-x` where `negative`, else `x`, for `x` of at least 0; 0 stays +0.
+#[inline(always)]
+pub fn negate_positive(negative: bool, x: f32) -> f32 {
+    negate_if(negative && x > 0.0, x)
+}

@@ -1,0 +1,123 @@
+//! Normalised fixed point: unorm of 1 to 23 bits, snorm of 2 to 22.
+//!
+//! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
+//! leave the rounding of ties open; here ties go away from zero.
+
+use super::{floor, integer_part, is_negative, mask, max, negate_if, signed_code, signed_integer};
+
+/// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
+#[inline(always)]
+pub const fn unorm_max(bits: u32) -> f32 {
+    ((1 << bits) - 1) as f32
+}
+
+/// Largest integer of an snorm of `bits` bits, `2^(bits-1) - 1`. `bits` is 2 to 24.
+#[inline(always)]
+pub const fn snorm_max(bits: u32) -> f32 {
+    ((1 << (bits - 1)) - 1) as f32
+}
+
+/// The unorm code of `r`: `round(clamp(r, 0, 1) (2^bits - 1))` (eq. 1). `bits` is 1 to 23. NaN gives 0.
+#[inline(always)]
+pub fn unorm_encode(r: f32, bits: u32) -> u32 {
+    let positive = if r > 0.0 { r } else { 0.0 };
+    let clamped = if positive < 1.0 { positive } else { 1.0 };
+    integer_part(clamped * unorm_max(bits) + 0.5) as u32
+}
+
+/// The number that a unorm code stands for: `i / (2^bits - 1)` (eq. 2), 0 to 1. Bits above `bits` (1 to 23) are
+/// ignored.
+#[inline(always)]
+pub fn unorm_decode(code: u32, bits: u32) -> f32 {
+    (code & mask(bits)) as f32 / unorm_max(bits)
+}
+
+/// The snorm code of `r`: `round(clamp(r, -1, 1) (2^(bits-1) - 1))`, in two's complement. `bits` is 2 to 22. The
+/// pattern of `-2^(bits-1)` is never written. NaN gives 0.
+#[inline(always)]
+pub fn snorm_encode(r: f32, bits: u32) -> u32 {
+    let magnitude = if r.abs() > 0.0 { r.abs() } else { 0.0 };
+    let clamped = if magnitude < 1.0 { magnitude } else { 1.0 };
+    let rounded = floor(clamped * snorm_max(bits) + 0.5);
+    signed_code(negate_if(is_negative(r), rounded), bits)
+}
+
+/// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 24) are
+/// ignored.
+#[inline(always)]
+pub fn snorm_decode(code: u32, bits: u32) -> f32 {
+    snorm_integer(code, bits) / snorm_max(bits)
+}
+
+/// The integer of an snorm code as a float, with `-2^(bits-1)` taken as `-(2^(bits-1) - 1)`: both stand for -1.
+#[inline(always)]
+pub fn snorm_integer(code: u32, bits: u32) -> f32 {
+    max(signed_integer(code, bits), -snorm_max(bits))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equations 1 and 2 and the snorm pair in float64, with Rust's own rounding (ties away from zero).
+    fn unorm64(r: f64, bits: u32) -> u32 {
+        (r.clamp(0.0, 1.0) * (2f64.powi(bits as i32) - 1.0)).round() as u32
+    }
+
+    fn snorm64(r: f64, bits: u32) -> i32 {
+        (r.clamp(-1.0, 1.0) * (2f64.powi(bits as i32 - 1) - 1.0)).round() as i32
+    }
+
+    #[test]
+    fn every_code_of_every_width_round_trips() {
+        for bits in 1..=16 {
+            for code in 0..1u32 << bits {
+                assert_eq!(unorm_encode(unorm_decode(code, bits), bits), code, "unorm{bits}");
+            }
+        }
+        for bits in 2..=16 {
+            let lowest = 1 << (bits - 1);
+            for code in (0..1u32 << bits).filter(|&code| code != lowest) {
+                assert_eq!(snorm_encode(snorm_decode(code, bits), bits), code, "snorm{bits}");
+            }
+            assert_eq!(snorm_decode(lowest, bits), -1.0);
+            assert_eq!(snorm_decode(lowest + 1, bits), -1.0);
+        }
+    }
+
+    #[test]
+    fn equals_the_equations_up_to_the_rounding_of_f32() {
+        for bits in 2..=22 {
+            for step in -3000..=3000 {
+                let r = step as f32 / 2500.0;
+                let near = 2f64.powi(-23) * 2f64.powi(bits as i32);
+                let exact = f64::from(r).clamp(0.0, 1.0) * (2f64.powi(bits as i32) - 1.0);
+                if (exact.fract() - 0.5).abs() > near {
+                    assert_eq!(unorm_encode(r, bits), unorm64(f64::from(r), bits), "unorm{bits} of {r}");
+                }
+                let exact = f64::from(r).clamp(-1.0, 1.0) * (2f64.powi(bits as i32 - 1) - 1.0);
+                if (exact.abs().fract() - 0.5).abs() > near {
+                    let expected = snorm64(f64::from(r), bits) as u32 & mask(bits);
+                    assert_eq!(snorm_encode(r, bits), expected, "snorm{bits} of {r}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn ends_zero_and_nan() {
+        for bits in 2..=23 {
+            assert_eq!(unorm_encode(1.0, bits), mask(bits));
+            assert_eq!(unorm_encode(f32::INFINITY, bits), mask(bits));
+            assert_eq!(unorm_encode(f32::NAN, bits), 0);
+            assert_eq!(unorm_decode(!0, bits), 1.0);
+        }
+        for bits in 2..=22 {
+            assert_eq!(snorm_encode(1.0, bits), mask(bits - 1));
+            assert_eq!(snorm_encode(f32::NEG_INFINITY, bits), 1 << (bits - 1) | 1);
+            assert_eq!(snorm_encode(0.0, bits), 0);
+            assert_eq!(snorm_encode(-0.0, bits), 0);
+            assert_eq!(snorm_encode(f32::NAN, bits), 0);
+        }
+    }
+}

@@ -1,0 +1,72 @@
+//! Cylindrical coordinates: the angle about z, and z itself.
+//!
+//! Source: the pair `(atan2(y, x) / pi, z)` of K. Narkowicz's article on octahedron normals, there called spherical
+//! coordinates. By Archimedes the cylinder around the sphere has its area, so that all codes stand for equal areas.
+//!
+//! * Layout: phi / pi in the low half of the code, z in the high half, both snorm in two's complement: a
+//!   VK_FORMAT_R8G8_SNORM at 16 bits, a VK_FORMAT_R16G16_SNORM at 32. phi = -pi and pi are two codes of one angle.
+//! * Error, with m the snorm's largest integer: at most `acos(1 - 1 / 2m)`, about `sqrt(1/m)` radians, for
+//!   directions half a step of z from a pole: 5.09, 1.27 and 0.317 degrees at 16, 24 and 32 bits. Elsewhere half
+//!   the diagonal of a cell, about `sqrt((pi r / 2m)^2 + (1 / 2mr)^2)` with r the distance from the axis: 0.744
+//!   degrees at the equator at 16 bits. Mean over uniform directions: 0.374, 0.0230 and 0.00144.
+//! * +X, -X, +Z and -Z round-trip exactly; +-Y do not, since a quarter turn is half a step off the odd snorm's
+//!   integers. Every angle at z = +-1 is the pole, exactly; encoding writes 0 there.
+//! * Good for horizontal directions, and where z itself must be to hand: it is one snorm of the code. One arc
+//!   tangent to encode, one sine and cosine to decode. Weak: the poles, where a step of z turns the direction by
+//!   its square root: eight more bits divide the error there by 4, elsewhere by 16.
+
+use super::{around_z, scaled};
+use crate::arith::{
+    atan2_half_turns, dot, is_negative, negate_if, round_symmetric, signed_code, snorm_integer, snorm_max,
+    sqrt,
+};
+use crate::codec::Codec;
+use glam::{Vec2, Vec3};
+
+/// The snorm integers of phi / pi and z of the direction of `v`. `m` is the snorm's largest integer.
+#[inline(always)]
+pub fn lattice(v: Vec3, m: f32) -> Vec2 {
+    let v = scaled(v);
+    let z = round_symmetric(v.z * (1.0 / sqrt(dot(v, v))) * m);
+    let phi = round_symmetric(atan2_half_turns(v.y, v.x) * m);
+    // A GPU's inexact reciprocal could take z beyond m.
+    if z.abs() < m { Vec2::new(phi, z) } else { Vec2::new(0.0, negate_if(is_negative(z), m)) }
+}
+
+/// The direction of a pair of snorm integers: unit length to within 2 ULP. `m^2 - z^2` has both factors exact, and
+/// the product of `1 / m` and m is 1 exactly.
+#[inline(always)]
+pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
+    let step = 1.0 / m;
+    let radius = sqrt((m - e.y) * (m + e.y)) * step;
+    around_z(radius, e.y * step, e.x * step)
+}
+
+/// Cylindrical coordinates in `BITS` bits (16, 24 or 32).
+pub struct Cylindrical<const BITS: u32>;
+
+impl<const BITS: u32> Codec for Cylindrical<BITS> {
+    const BITS: u32 = BITS;
+    const EXACT_AXES: bool = false;
+    /// `acos(1 - 1 / 2m)`, and what the rounding of z in `f32`, at most 2^-22, adds: the error goes with the square
+    /// root of the distance from the pole, so its relative growth is half that of the half step `1 / 2m`.
+    const MAX_ERROR_DEG: f32 = match BITS {
+        16 => 5.0859,
+        24 => 1.2665,
+        _ => 0.316_53,
+    } * (1.0 + snorm_max(BITS / 2) / 4_194_304.0);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let e = lattice(v, snorm_max(BITS / 2));
+        signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let phi = snorm_integer(code, BITS / 2);
+        let z = snorm_integer(code >> (BITS / 2), BITS / 2);
+        from_lattice(Vec2::new(phi, z), snorm_max(BITS / 2))
+    }
+}

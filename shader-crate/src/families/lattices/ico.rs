@@ -1,0 +1,388 @@
+//! Icosahedral codes: a triangular lattice on the faces of an icosahedron, warped to be even on the sphere.
+//!
+//! Source: dividing an icosahedron's faces so, into `10 n^2 + 2` points, is the oldest way to geodesic domes and grids
+//! (Coxeter 1971, "Virus macromolecules and geodesic domes", class I). The warp, its inverse and the layout of the
+//! codes are this library's own.
+//!
+//! # The lattice
+//!
+//! The icosahedron has its vertices at (0, +-1, +-p), (+-p, 0, +-1) and (+-1, +-p, 0), p the golden ratio: it is symmetric
+//! about the coordinate planes, and the axes go through the middles of six edges. A lattice point has a whole number i
+//! for each vertex V of a face, of the sum n, and stands for the direction of the sum of `w(i) V`, `w(i) = i (N - i)`.
+//!
+//! With `w(i) = i` this would be the flat lattice, which seen from the centre is coarsest in the middle of the faces.
+//! The warp evens that out. `N = n / 0.215` has the least maximum: there the largest circumcircles of the triangles
+//! between neighbours, in a face's middle and at its vertices, are equal to 0.1 %. All of these triangles are acute, so
+//! that no direction is further from all lattice points than the radius of the largest circumcircle. At 16 bits N
+//! is n / 0.2, for a lesser mean: no more than the best that the survey has, which took a table.
+//!
+//! | degrees | n | N | points | mean error | of the bound's | max error | of the bound's | with arithmetic |
+//! |---|---|---|---|---|---|---|---|---|
+//! | `ico16` | 80 | 400 | 64,002 | 0.30349 | 1.0141 | 0.50853 | 1.0331 | 0.50883 |
+//! | `ico24` | 1294 | 6019 | 16,744,362 | 0.018761 | 1.0030 | 0.031216 | 1.0147 | 0.031222 |
+//! | `ico32` | 20724 | 96391 | 4,294,841,762 | 0.0011715 | 1.0021 | 0.0019490 | 1.0136 | 0.0019568 |
+//!
+//! The bound is that of the plane, of equal hexagonal cells as many as the bits have patterns: mean and maximum of no
+//! code are less by more than the sphere's curvature makes up. Of the distance from it at 16 bits 1.2 % are because n = 81
+//! takes more than 16 bits. n is even for the sake of the axes, which costs `ico24` 0.1 % (n = 1295).
+//!
+//! # Layout
+//!
+//! Eight faces lie in an octant each. Twelve straddle a coordinate plane: with one side across it at right angles, their
+//! base, and the opposite vertex, their apex, in it. Two of them share each base. The points of a base belong to the
+//! one whose apex has a positive coordinate; the points of the other sides belong to the face that straddles, but an
+//! apex to the base that it is an end of.
+//!
+//! * From code 0: six blocks, of n rows of n + 2 codes. Block `2 c + s` has the two faces with the same base, which
+//!   straddle y = 0, z = 0 or x = 0 (c = 0, 1, 2); their base is on the side of z, x or y, positive for s = 0 and
+//!   negative for s = 1, and their apices point towards +-x, +-y or +-z. Row r begins with the n + 1 - r points at r
+//!   steps from the base on the face with the positive apex, then come the r + 1 points at n - r steps from it on the
+//!   other, both in the direction from the straddled coordinate's negative side to its positive one.
+//! * From code `6 n (n + 2)`: four blocks, of n - 2 rows of n - 1 codes, with the points within the octants. Block
+//!   `s + 2 t` has two octants, whose signs of y and z are s and t (1 is negative). Let a, b and c be the numbers of
+//!   the vertices in the planes x = 0, z = 0 and y = 0. Row r begins with the n - 2 - r points of c = r + 1 and
+//!   x > 0, then come the r + 1 points of c = n - 2 - r and x < 0, both from a = 1 upwards.
+//! * The last code of row 0 of the six blocks is a second one for the negative apex. Patterns past the last code, `10
+//!   n^2 + 7`, decode as that does. Neither is ever written: each point has one code.
+//!
+//! # Encoding
+//!
+//! Signs bring a direction to the positive octant, where three linear forms tell its face and are its flat coordinates on
+//! the octant's face; those on one of the three others follow by reflection. The warp is inverted by a cubic that is
+//! good to 1e-4 of an edge (0.002 at 16 bits), and one step of Newton's method from the whole numbers next to that,
+//! which leaves less than 0.002 steps at 16 bits and 0.0001 at the others. Of the triangle's three corners the
+//! nearest is chosen, by the distances between neighbours around there, which are polynomials ([`Squares`]): at 16 bits,
+//! where these change from point to point, a corner is taken that is up to 0.4 % of the maximum further off than the
+//! nearest. (Rounding the three coordinates instead would give cells that reach 7 % beyond the bound.)
+//!
+//! Newton's step is made of differences of products of the weights `w(i)` and the direction's coordinates, where those
+//! are rounded, all relative to themselves: at 32 bits that is less than 0.01 steps. That, the golden ratio as a float
+//! and the decoder's rounding, of at most 1.2e-7 radians, make the error of a direction at most 6.4e-6 degrees greater
+//! than the nearest lattice point's: 0.4 % of the maximum and 0.0002 % of the mean. At 24 bits it is 5.4e-6.
+//!
+//! * The six axes round-trip exactly. Mirrored at a coordinate plane, a direction decodes to the decoded vector's image,
+//!   exactly, if it does not lie in the plane; with the axes cyclically exchanged, within rounding.
+//! * Good for: the least error that 16, 24 and 32 bits can have, to 4 %, without a table. Weak: the cost. To encode
+//!   takes 2 divisions and some 230 other operations, six times as many as [`oct`](crate::oct), to decode three times as
+//!   many; on lavapipe, without memory, 9 and 4 times as long, since more of them wait for each other. Codes
+//!   next to each other in neighbouring rows are unrelated, so that they must not be interpolated.
+
+use crate::arith::{floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32};
+use crate::codec::Codec;
+use crate::direction::{is_usable, l1_norm};
+use glam::Vec3;
+
+/// The golden ratio: 1e-8 above it.
+const GOLDEN: f32 = 1.618_034;
+
+/// The reciprocal of the golden ratio.
+const GOLDEN_LESS_1: f32 = 0.618_034;
+
+/// Twice the reciprocal of the golden ratio: the sum of the coordinates of (1, 0, 0).
+const TWICE_GOLDEN_LESS_1: f32 = 1.236_068;
+
+/// What reflection adds to the sum of the coordinates, of a coordinate of -1.
+const ADDED_BY_REFLECTION: f32 = 0.763_932;
+
+/// The sign of a float's bits.
+const SIGN: u32 = 1 << 31;
+
+/// Of the cubic that the inverse of the warp starts from: fitted to N = n / 0.215 so that its greatest error is least.
+const INVERSE_0: f32 = 0.214316;
+/// See [`INVERSE_0`].
+const INVERSE_1: f32 = -0.121124;
+/// See [`INVERSE_0`].
+const INVERSE_2: f32 = 0.117389;
+
+/// [`INVERSE_2`] times 1/2, and 1: with the next two, since the cubes' sum is 3 times the product and 3/2 of the squares'
+/// sum, less 1/2.
+const INVERSE_3: f32 = 1.0586945;
+/// [`INVERSE_2`] times 3/2.
+const INVERSE_4: f32 = 0.1760835;
+/// [`INVERSE_2`] times 3.
+const INVERSE_5: f32 = 0.352167;
+
+/// The lattice of a width.
+#[derive(Clone, Copy)]
+pub struct Lattice {
+    /// Steps along an edge of the icosahedron, even.
+    pub n: u32,
+    /// N, where the weight of a vertex is `i (N - i)`.
+    pub warp: f32,
+    /// Of the distances between neighbours.
+    pub squares: Squares,
+}
+
+/// The square of the distance between neighbours along the side opposite to a vertex of the coordinate t on the flat face
+/// is in proportion to `1 + s S + t (T + s TS + t TT)`, with s the sum of all three coordinates' squares. Fitted so that
+/// the greatest error of the ratios is least: 5e-4 at 16 bits, else 8e-4.
+#[derive(Clone, Copy)]
+pub struct Squares {
+    /// S.
+    pub s: f32,
+    /// T.
+    pub t: f32,
+    /// TS.
+    pub ts: f32,
+    /// TT.
+    pub tt: f32,
+}
+
+const SQUARES_16: Squares = Squares { s: 1.2906223, t: 0.9165209, ts: 0.07669952, tt: -0.11949905 };
+const SQUARES: Squares = Squares { s: 1.7887541, t: 1.2950615, ts: 0.13716104, tt: -0.368954 };
+
+/// The lattice of the format of 16 bits.
+pub const LATTICE_16: Lattice = Lattice { n: 80, warp: 400.0, squares: SQUARES_16 };
+
+/// The lattice of the format of 24 bits.
+pub const LATTICE_24: Lattice = Lattice { n: 1294, warp: 6019.0, squares: SQUARES };
+
+/// The lattice of the format of 32 bits.
+pub const LATTICE_32: Lattice = Lattice { n: 20724, warp: 96391.0, squares: SQUARES };
+
+// Below, a vector of three numbers that belong to a face's vertices has: in z that of the apex, in x that of the base's
+// end on the straddled coordinate's positive side, in y that of the other end. On the face of the positive octant
+// they are (0, 1, p), (1, p, 0) and (p, 0, 1) for x, y and z; the face that straddles y = 0 has (0, -1, p) for y.
+impl Lattice {
+    /// The first code of the faces in octants.
+    #[inline(always)]
+    const fn octants(self) -> u32 {
+        6 * self.n * (self.n + 2)
+    }
+
+    /// The last code that encoding writes.
+    #[inline(always)]
+    const fn last(self) -> u32 {
+        self.octants() + 4 * (self.n - 2) * (self.n - 1) - 1
+    }
+
+    /// The lattice point of the numbers x and z.
+    #[inline(always)]
+    fn point(self, x: f32, z: f32) -> Vec3 {
+        Vec3::new(x, (self.n as f32 - x) - z, z)
+    }
+
+    /// The weights of a lattice point.
+    #[inline(always)]
+    fn weights(self, i: Vec3) -> Vec3 {
+        Vec3::new(i.x * (self.warp - i.x), i.y * (self.warp - i.y), i.z * (self.warp - i.z))
+    }
+}
+
+/// The components in cyclic order so that those of the face that straddles y = 0 come to stand for those of the face
+/// that straddles z = 0 or x = 0, if marked.
+#[inline(always)]
+fn turn(v: Vec3, of_z: bool, of_x: bool) -> Vec3 {
+    if of_z {
+        Vec3::new(v.z, v.x, v.y)
+    } else if of_x {
+        Vec3::new(v.y, v.z, v.x)
+    } else {
+        v
+    }
+}
+
+#[inline(always)]
+fn sum(v: Vec3) -> f32 {
+    (v.x + v.y) + v.z
+}
+
+/// The lattice point nearest in angle to the direction of the weights `p`, of the sum `p_sum`, to rounding.
+#[inline(always)]
+fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
+    let n = lattice.n as f32;
+    let t = p * (1.0 / p_sum);
+    let t_squared = t * t;
+    let squares = sum(t_squared);
+    let b_1 = INVERSE_0 + INVERSE_1 * squares;
+    let b_0 = (INVERSE_3 - squares * (b_1 + INVERSE_4)) - INVERSE_5 * ((t.x * t.y) * t.z);
+    let start = lattice.point(
+        floor((t.x * (b_0 + t.x * (b_1 + INVERSE_2 * t.x))) * n + 0.5),
+        floor((t.z * (b_0 + t.z * (b_1 + INVERSE_2 * t.z))) * n + 0.5),
+    );
+
+    // Newton's method for i and the factor of t, where the i keep their sum: that factor eliminated, the steps are made
+    // of the products `t x w`, which are 0 at the solution.
+    let rest = Vec3::new(lattice.warp - start.x, lattice.warp - start.y, lattice.warp - start.z);
+    let w = start * rest;
+    let d = rest - start;
+    let turned = d * Vec3::new(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
+    let factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
+    let (off_x, off_z) = ((turned.z - turned.y) * factor, (turned.y - turned.x) * factor);
+
+    // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
+    let (whole_x, whole_z) = (floor(off_x), floor(off_z));
+    let (lower_x, lower_z) = (off_x - whole_x, off_z - whole_z);
+    let (upper_x, upper_z) = (1.0 - lower_x, 1.0 - lower_z);
+    let lower_y = upper_x - lower_z;
+    let is_upper = lower_y < 0.0;
+    let (in_x, in_z) = if is_upper { (upper_x, upper_z) } else { (lower_x, lower_z) };
+    let in_corner = lower_y.abs();
+
+    // The squares of the distances between neighbours along the sides opposite to the vertices.
+    let of = lattice.squares;
+    let s_0 = 1.0 + of.s * squares;
+    let s_1 = of.t + of.ts * squares;
+    let square = Vec3::new(
+        s_0 + (s_1 * t.x + of.tt * t_squared.x),
+        s_0 + (s_1 * t.y + of.tt * t_squared.y),
+        s_0 + (s_1 * t.z + of.tt * t_squared.z),
+    );
+
+    // The squares of the distances from the triangle's corners, less the same of each: of a point of the barycentric
+    // coordinates u, from corner j it is the sum of `u(k)` times the square of the distance from j to k.
+    let from_corner = in_x * square.z + in_z * square.x;
+    let from_x = in_corner * square.z + in_z * square.y;
+    let from_z = in_corner * square.x + in_x * square.y;
+    let is_x = from_x < from_corner;
+    let is_z = from_z < if is_x { from_x } else { from_corner };
+    let is_next_x = (is_x & !is_z) != is_upper;
+    let is_next_z = is_z != is_upper;
+    lattice.point(
+        (start.x + whole_x) + if is_next_x { 1.0 } else { 0.0 },
+        (start.z + whole_z) + if is_next_z { 1.0 } else { 0.0 },
+    )
+}
+
+/// `x`, which is not negative, with the sign of `y`, which is no denormal.
+#[inline(always)]
+fn signed(x: f32, y: f32) -> f32 {
+    f32::from_bits(x.to_bits() | (y.to_bits() & SIGN))
+}
+
+/// The code of the lattice point that is nearest to the direction of `v`.
+///
+/// Without a usable direction, all is computed and then dropped: to select here keeps the first steps, which all wait for
+/// each other, few.
+#[inline(always)]
+pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
+    let norm = l1_norm(v);
+    let usable = is_usable(norm);
+    let n = lattice.n as f32;
+    let a = v.abs();
+    // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
+    let flat = Vec3::new(
+        GOLDEN_LESS_1 * (a.y + a.z) + (a.z - a.x),
+        GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
+        GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y),
+    );
+    // At most one is negative, and then that side is reflected at: the vertices across it have the sum of the side's two,
+    // divided by p.
+    let beyond = min(min(flat.z, min(flat.x, flat.y)), 0.0);
+    let shared = GOLDEN_LESS_1 * beyond;
+    let p_sum = TWICE_GOLDEN_LESS_1 * norm - ADDED_BY_REFLECTION * beyond;
+    let p = Vec3::new(
+        max(flat.x + shared, -flat.x),
+        max(flat.y + shared, -flat.y),
+        max(flat.z + shared, -flat.z),
+    );
+    let i = nearest(p, p_sum, lattice);
+
+    // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
+    // they are equal, it is the one whose base ends there.
+    let (x, y, z) = (signed(i.x, flat.x), signed(i.y, flat.y), signed(i.z, flat.z));
+    let of_z = (x < 0.5) & (x <= y) & (x < z);
+    let of_x = (z < 0.5) & (z <= x) & (z < y);
+    let is_octant = !of_z & !of_x & (y > 0.5) & usable;
+    let i = turn(i, of_z, of_x);
+    let sides = turn(v, of_x, of_z);
+
+    let (straddled_side, base_side) = (is_negative(sides.y), is_negative(sides.z));
+    let is_second = is_negative(sides.x) & (i.z > 0.5);
+    let (first_number, last_row) = if is_octant { (1.0, n - 3.0) } else { (0.0, n) };
+    let depth = i.z - first_number;
+    let across = if !is_octant & straddled_side { i.y } else { i.x } - first_number;
+    let (row, column) = if is_second { (last_row - depth, (across + depth) + 1.0) } else { (depth, across) };
+    let plane_rows = if of_z {
+        2.0 * n
+    } else if of_x {
+        4.0 * n
+    } else if is_octant & straddled_side {
+        n - 2.0
+    } else {
+        0.0
+    };
+    let side_rows = if is_octant { 2.0 * (n - 2.0) } else { n };
+    let line = (plane_rows + if base_side { side_rows } else { 0.0 }) + row;
+    // +Z is in the middle of the first row.
+    let (line, column) = if usable { (line, column) } else { (0.0, 0.5 * n) };
+    let (first, length) = if is_octant { (lattice.octants(), lattice.n - 1) } else { (0, lattice.n + 2) };
+    first.wrapping_add(whole_to_u32(line).wrapping_mul(length)).wrapping_add(whole_to_u32(column))
+}
+
+/// The direction of the lattice point of a code: unit length to within 2 ULP. Past the last code, that of the last.
+#[inline(always)]
+pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
+    let n = lattice.n as f32;
+    let code = if code < lattice.last() { code } else { lattice.last() };
+    let is_octant = code >= lattice.octants();
+    let (first, length) = if is_octant { (lattice.octants(), lattice.n - 1) } else { (0, lattice.n + 2) };
+    let (per_length, rows, per_rows) =
+        if is_octant { (2.0 / (n - 1.0), n - 2.0, 1.0 / (n - 2.0)) } else { (2.0 / (n + 2.0), n, 1.0 / n) };
+
+    // `index / 2` fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
+    // than the exact one: so `line` is it or the next, and then the remainder wraps.
+    let index = code.wrapping_sub(first);
+    let line = floor((index >> 1) as i32 as f32 * per_length + 0.05);
+    let rest = index.wrapping_sub(whole_to_u32(line).wrapping_mul(length));
+    let is_next = rest >= length;
+    let line = if is_next { line - 1.0 } else { line };
+    let column = (if is_next { rest.wrapping_add(length) } else { rest }) as i32 as f32;
+    let block = floor((line + 0.5) * per_rows);
+    let row = line - block * rows;
+
+    let (first_number, last_row) = if is_octant { (1.0, n - 3.0) } else { (0.0, n) };
+    let second_depth = last_row - row;
+    let is_second = column > second_depth;
+    let (across, depth) =
+        if is_second { ((column - second_depth) - 1.0, second_depth) } else { (column, row) };
+    let w = lattice.weights(lattice.point(across + first_number, depth + first_number));
+    let (to_x, to_z) = if is_octant { (w.y, 0.0) } else { (0.0, w.y) };
+    let y_of_y = if is_octant { GOLDEN } else { -1.0 };
+    let v = normalize(Vec3::new(GOLDEN * w.z + to_x, w.x + y_of_y * w.y, GOLDEN * (w.x + to_z) + w.z));
+
+    // Of the components, y alone can be 0, where it keeps its sign.
+    let block = whole_to_u32(block);
+    let (odd, upper) = (block << 31, (block << 30) & SIGN);
+    let (y_sign, z_sign) = if is_octant { (odd, upper) } else { (0, odd) };
+    let v = Vec3::new(
+        negate_if(is_second, v.x),
+        f32::from_bits(v.y.to_bits() ^ y_sign),
+        f32::from_bits(v.z.to_bits() ^ z_sign),
+    );
+    turn(v, !is_octant & (block & 6 == 2), !is_octant & (block >= 4))
+}
+
+/// Icosahedral code of `BITS` bits (16, 24 or 32).
+pub struct Ico<const BITS: u32>;
+
+impl<const BITS: u32> Ico<BITS> {
+    const LATTICE: Lattice = match BITS {
+        16 => LATTICE_16,
+        24 => LATTICE_24,
+        _ => LATTICE_32,
+    };
+}
+
+impl<const BITS: u32> Codec for Ico<BITS> {
+    const BITS: u32 = BITS;
+    /// The radius of the largest circumcircle of neighbouring lattice points, 0.508532, 0.0312163 and 0.0019490 degrees,
+    /// and what encoding and arithmetic add: at most 3.0e-4, 5.5e-6 and 7.8e-6 over millions of directions at the
+    /// largest circumcentres, which half as much again stands for here.
+    const MAX_ERROR_DEG: f32 = match BITS {
+        16 => 0.508533 + 4.5e-4,
+        24 => 0.0312164 + 8e-6,
+        _ => 0.00194902 + 1.17e-5,
+    };
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        encode(v, Self::LATTICE)
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        decode(if BITS == 32 { code } else { code & mask(BITS % 32) }, Self::LATTICE)
+    }
+}

@@ -1,0 +1,270 @@
+//! Equal-area octahedral codes: the lattice of [`oct`](crate::oct), with cells of equal area on the sphere.
+//!
+//! Source: Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD" (the map). The encoders are ours.
+//!
+//! In the octant of positive components, `r = sqrt(1 - z)` and `phi = 2/pi atan2(y, x)`, both 0 to 1, give the point
+//! (r - r phi, r phi) of the triangle `u + v <= 1`; signs and the fold of the half `z < 0` are
+//! [`oct`](crate::oct)'s. Back, `r = u + v`, `phi = v / r`, `z = 1 - r^2`, and (x, y) is `r sqrt(2 - r^2)` long. Near a
+//! pole `1 - z` cancels; of a vector of length l, r is `sqrt((x^2 + y^2) / (l (l + z)))`.
+//!
+//! With m the snorm's largest integer, a lattice point lies on ring s = `m r`, a circle of latitude, one of 0 (the
+//! pole) to m (the equator), and is there the point j of 0 to s, at `phi = j / s`. So an octant's lattice is rings of
+//! points at equal distances, and in r and phi, unlike u and v, the sphere's metric is diagonal: with `c^2 = 2 - r^2`,
+//! `4 dr^2 / c^2 + (pi/2)^2 r^2 c^2 dphi^2`. Hence both encoders choose a ring, then the nearest point of that ring:
+//!
+//! * The fast one takes the nearest ring. At the same cost that is better than rounding u and v, whose maximum is
+//!   0.97, 0.24, ... degrees and mean 8 % higher; and there is no bias to either side of an octant's edge.
+//! * The precise one tries the rings on either side, which the nearest of all points is among: along a ring it is at
+//!   most `pi/4 c / m` to the next point, together with half a ring no more than the `2 / (c m)` to a third ring. It
+//!   gives what a search of the cell's four corners does. Two points are compared by their chord, of which see
+//!   [`lattice_precise`].
+//!
+//! * Layout: x in the low half of the code, y in the high half, both snorm in two's complement; at 24 bits the three
+//!   bytes of [`oct::snorm12x2_to_unorm8x3`](crate::oct::snorm12x2_to_unorm8x3).
+//! * Error: the fast encoder at most `1.5026 / m` radians, half a ring and half a step away from ring 1; the precise
+//!   one `sqrt(1/2 + pi^2 / 8) / m = 1.3168 / m`, the half diagonal of a cell near a pole and a plane y = 0. On the
+//!   equator that is `1.2716 / m`. In degrees, the mean over uniform directions and that bound, to which `f32` adds
+//!   0.00009 at most:
+//!
+//! | | 16 | 20 | 22 | 24 | 32 |
+//! |---|---|---|---|---|---|
+//! | `eaoct` | 0.310 / 0.678 | 0.0769 / 0.169 | 0.0384 / 0.0842 | 0.0192 / 0.0421 | 0.00120 / 0.00263 |
+//! | `eaoct*p` | 0.306 / 0.595 | 0.0760 / 0.148 | 0.0380 / 0.0738 | 0.0190 / 0.0369 | 0.00119 / 0.00231 |
+//!
+//!   Such places are rare: the worst of 10^6 uniform directions is 6 to 13 % below the bound, precisely 1 to 2 %.
+//!
+//! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror
+//!   image along that edge; the four corners are all -Z. Mirrored at a coordinate plane, a direction decodes to the
+//!   decoded vector's image, exactly, and so with x and y swapped, where they differ.
+//! * Good for the least error of codes of two snorms: the fast encoder's mean is below that of [`oct`](crate::oct)'s
+//!   precise one. And, with all cells alike in area, for directions that are averaged, sampled or counted. Weaknesses:
+//!   filtered or interpolated codes bend where u or v changes sign and at `z = 0`, as with [`oct`](crate::oct); decoding
+//!   takes a sine and a cosine, encoding an arc tangent.
+//! * Cost: to encode, 2 square roots, 2 divisions and 70 other operations; precisely, 2 divisions and 45 operations more.
+//!   To decode, 1 square root, 1 division and 65 others. With roots and divisions counted as 5 that is 90, 145 and 75,
+//!   where [`oct`](crate::oct) has 39, 105 and 43. Measured, to encode takes 2 (CPU) to 2.5 times (lavapipe) as long as
+//!   [`oct`](crate::oct)'s fast and 1.4 times as long as its precise encoder, to decode 2.3 times.
+//!
+//! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`, so that at 32 bits the
+//! position is good to 2^-6 of a step, and mostly to 2^-9. What that adds to the mean error does not show in four digits.
+
+use crate::arith::{
+    cos_eighth, exp2, floor, is_negative, negate_if, negate_positive, scale_to_one, sin_eighth, snorm_max,
+    sqrt,
+};
+use crate::codec::Codec;
+use crate::direction::{is_usable, l1_norm};
+use crate::oct::{fold, pack, unpack};
+use glam::{Vec2, Vec3};
+
+/// `2/pi atan(q) = q (TURN_0 + u (TURN_1 + ... + u TURN_7))` with `u = q^2`, for q in \[0, 1\]: absolute error 5.1e-8,
+/// 1.1e-7 with rounding. That is 2^-9 of a step at 32 bits, and 2^-8: less than
+/// [`atan_octant`](crate::arith::atan_octant) gives, at two thirds of the cost.
+pub const TURN_0: f32 = 0.6366193;
+/// See [`TURN_0`].
+pub const TURN_1: f32 = -0.21218449;
+/// See [`TURN_0`].
+pub const TURN_2: f32 = 0.12698378;
+/// See [`TURN_0`].
+pub const TURN_3: f32 = -0.088545084;
+/// See [`TURN_0`].
+pub const TURN_4: f32 = 0.061384138;
+/// See [`TURN_0`].
+pub const TURN_5: f32 = -0.035594895;
+/// See [`TURN_0`].
+pub const TURN_6: f32 = 0.013918393;
+/// See [`TURN_0`].
+pub const TURN_7: f32 = -0.002581218;
+
+/// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-26, which moves a direction by less than 2^-10 of a
+/// step. So nothing is divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
+const LEAST: f32 = exp2(-26);
+
+/// A direction of the positive octant, mirrored so that `phi` is at most 1/2.
+#[derive(Clone, Copy)]
+struct Polar {
+    /// `r`, 0 to 1 and perhaps an ULP.
+    radius: f32,
+    /// `phi`, 0 to 1/2.
+    turn: f32,
+    /// True where x and y were swapped.
+    swapped: bool,
+}
+
+/// A lattice point of a [`Polar`]'s half octant: on ring `ring`, the one of number `place`. And a measure of its chord.
+#[derive(Clone, Copy)]
+struct Candidate {
+    ring: f32,
+    place: f32,
+    cost: f32,
+}
+
+/// The larger of `x` times `scale` and [`LEAST`]; of NaN, either.
+#[inline(always)]
+fn raised(x: f32, scale: f32) -> f32 {
+    let scaled = x * scale;
+    if scaled > LEAST { scaled } else { LEAST }
+}
+
+/// `r` and `phi` of the direction of `v`, of an L1 norm of `norm`. Without a usable direction, anything.
+///
+/// Scaled by a power of two, exactly, to an L1 norm of 1 to 2, squares neither overflow nor vanish where they count. With
+/// a the longer and b the shorter of x and y, one division would serve for both `(a^2 + b^2) / (l (l + z))` and `b / a`,
+/// but takes five products more, which all wait for each other: a fifth more time on lavapipe.
+#[inline(always)]
+fn polar(v: Vec3, norm: f32) -> Polar {
+    let scale = scale_to_one(norm);
+    let (x, y) = (v.x.abs(), v.y.abs());
+    let swapped = y > x;
+    let (shorter, longer) = if swapped { (x, y) } else { (y, x) };
+    let (b, a, z) = (raised(shorter, scale), raised(longer, scale), v.z.abs() * scale);
+
+    let horizontal = a * a + b * b;
+    let length = sqrt(horizontal + z * z);
+    let radius = sqrt(horizontal / (length * (length + z)));
+    Polar { radius, turn: turn(b / a), swapped }
+}
+
+/// `2/pi atan(q)` for q of 0 to 1, and perhaps an ULP: 0 to 1/2. Two sums side by side, since each term of one waits for
+/// the term before.
+#[inline(always)]
+fn turn(q: f32) -> f32 {
+    let u = q * q;
+    let w = u * u;
+    let even = TURN_0 + w * (TURN_2 + w * (TURN_4 + w * TURN_6));
+    let odd = TURN_1 + w * (TURN_3 + w * (TURN_5 + w * TURN_7));
+    q * (even + u * odd)
+}
+
+/// Moves a lattice point of [`polar`]'s half octant to where the direction of `v` is, or to +Z's where `norm`, the L1
+/// norm, is not that of a usable direction. To select here takes fewer operations than in `v`.
+#[inline(always)]
+fn unfolded(v: Vec3, norm: f32, swapped: bool, ring: f32, place: f32, m: f32) -> Vec2 {
+    let (x, y) = if swapped { (place, ring - place) } else { (ring - place, place) };
+    let (x, y) = fold(v.z, x, y, m);
+    let (x, y) = if is_usable(norm) { (x, y) } else { (0.0, 0.0) };
+    Vec2::new(negate_if(is_negative(v.x), x), negate_if(is_negative(v.y), y))
+}
+
+/// The lattice point of the direction of `v`: on the nearest ring the nearest point.
+#[inline(always)]
+pub fn lattice(v: Vec3, m: f32) -> Vec2 {
+    let norm = l1_norm(v);
+    let p = polar(v, norm);
+    let ring = floor(p.radius * m + 0.5);
+    let place = floor(p.turn * ring + 0.5);
+    unfolded(v, norm, p.swapped, ring, place, m)
+}
+
+/// The lattice point of the direction of `v` that is nearest in angle: the nearest one of the ring below or above.
+///
+/// The chord between points at r and phi and at R and `phi - q` has the square `(r C - R c)^2 + 4 r R c C sin^2(pi q /
+/// 4)`, with `C^2 = 2 - R^2`. With `d = R - r` and `k = r / c^2`, `C` is `c (1 - k d)` and the first summand
+/// `4 d^2 / c^2 (1 + k d)`, both but for a part of `d^2`: at most 6e-5 at 16 bits. Times `c^4 m^2 / 4` and with radii in
+/// steps of `1/m` that is a sum without cancellation, and without divisions but those in q.
+#[inline(always)]
+pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
+    let norm = l1_norm(v);
+    let p = polar(v, norm);
+    let below = floor(p.radius * m);
+    let inner = candidate(p, below, m);
+    let outer = candidate(p, below + 1.0, m);
+    let nearest = if outer.cost < inner.cost { outer } else { inner };
+    unfolded(v, norm, p.swapped, nearest.ring, nearest.place, m)
+}
+
+/// The nearest point on a ring that is at most a step from `p`.
+///
+/// `sin^2 a` is `a^2 - a^4 / 3`, to 0.1 % on ring 1 and much better on others. On ring 0, which is one point, q does
+/// not count. Ring m + 1, beyond the equator, never costs less than ring m.
+#[inline(always)]
+fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
+    const PI_2_16: f32 = 0.616_850_26;
+    const PI_2_16_TIMES_PI_2_48: f32 = 0.126_834_75;
+    let steps = p.radius * m;
+    let along = p.turn * ring;
+    let place = floor(along + 0.5);
+    let across = ring - steps;
+    let q = (along - place) / if ring > 1.0 { ring } else { 1.0 };
+
+    let c_squared = 2.0 - p.radius * p.radius;
+    let change = across * (p.radius * (1.0 / m));
+    let turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
+    let cost =
+        across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
+    Candidate { ring, place, cost }
+}
+
+/// The direction of a lattice point: unit length to within 2 ULP.
+///
+/// The rings' numbers are exact, and so are the poles and the equator; the length does not depend on the rounding of r,
+/// since z and the distance from the axis are of the same one. With `m` = 1 it takes snorm values instead.
+#[inline(always)]
+pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
+    let (x, y) = (e.x.abs(), e.y.abs());
+    let sum = x + y;
+    let below = sum > m;
+    let ring = if below { 2.0 * m - sum } else { sum };
+    let swapped = y > x;
+    let (shorter, longer) = if swapped { (x, y) } else { (y, x) };
+    let place = if below { m - longer } else { shorter };
+
+    let turn = place / if ring > 0.0 { ring } else { 1.0 };
+    let (sine, cosine) = (sin_eighth(0.5 * turn), cos_eighth(0.5 * turn));
+    let radius = ring * (1.0 / m);
+    let z = (1.0 - radius) * (1.0 + radius);
+    let horizontal = radius * sqrt(1.0 + z);
+    let (near, far) = (horizontal * cosine, horizontal * sine);
+    let (x, y) = if swapped { (far, near) } else { (near, far) };
+    Vec3::new(negate_positive(e.x < 0.0, x), negate_positive(e.y < 0.0, y), negate_if(below, z))
+}
+
+/// `radians_times_m` at this width in degrees, and what rounding in f32 adds: at most `8 2^-24` in r, which is
+/// `16 2^-24` radians at the equator, `4 2^-24` in phi, 3/2 as much in radians, and 2^-22 for the decoded vector.
+const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
+    (radians_times_m / snorm_max(bits / 2) + 26.0 / 16_777_216.0).to_degrees()
+}
+
+/// Equal-area octahedral code of `BITS` bits (16, 20, 22, 24 or 32), fast encoder.
+pub struct EaOct<const BITS: u32>;
+
+impl<const BITS: u32> Codec for EaOct<BITS> {
+    const BITS: u32 = BITS;
+    /// Half a ring out from ring s, midway between two of its points, the nearest one is
+    /// `sqrt(1/4 + 4 s (s + 1/2) sin^2(pi / 8 s))` rings away: most for s = 1, `sqrt(1/4 + 6 sin^2(pi/8))`. Rings are
+    /// farthest apart near a pole: `sqrt(2) / m`.
+    const MAX_ERROR_DEG: f32 = error_bound(1.502_6, BITS);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        pack::<BITS>(lattice(v, snorm_max(BITS / 2)))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        from_lattice(unpack::<BITS>(code), snorm_max(BITS / 2))
+    }
+}
+
+/// Equal-area octahedral code of `BITS` bits (16, 20, 22, 24 or 32), precise encoder: the format of [`EaOct`], 1 % less
+/// error in the mean, an eighth less at most.
+pub struct EaOctPrecise<const BITS: u32>;
+
+impl<const BITS: u32> Codec for EaOctPrecise<BITS> {
+    const BITS: u32 = BITS;
+    /// Half the diagonal of a cell between two rings, `sqrt(1 / c^2 + pi^2 c^2 / 16) / m`, which is greatest for c =
+    /// `sqrt(2)`, at a pole; as great only where the two rings' points lie opposite each other, next to y = 0 or x = 0.
+    const MAX_ERROR_DEG: f32 = error_bound(1.316_8, BITS);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        pack::<BITS>(lattice_precise(v, snorm_max(BITS / 2)))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        EaOct::<BITS>::decode(code)
+    }
+}

@@ -1,0 +1,69 @@
+//! Hemi-octahedral codes: the hemisphere z >= 0 on the upper half of an octahedron, turned to fill the square.
+//!
+//! Source: Cigolle et al. 2014, section 5, listing 6.
+//!
+//! The half octahedron's diamond, rotated by 45 degrees and scaled, is the whole square `[-1, 1]^2`: twice the
+//! points of [`oct`](crate::oct) for half the sphere.
+//!
+//! * Layout: u = x + y in the low half of the code, v = x - y in the high half, both snorm in two's complement.
+//! * Error: at most `sqrt(3/2) / m` radians (m the snorm's largest integer), in the middle of the octants.
+//! * Domain: z >= 0. A direction below the equator gets the code of its horizontal part, (x, y, 0); one without a
+//!   horizontal part, -Z, that of +Z.
+
+use crate::arith::{
+    mask, normalize, round_symmetric, signed_code, snorm_integer, snorm_max, without_denormal,
+};
+use crate::codec::Codec;
+use crate::direction::upper_or_z;
+use glam::{Vec2, Vec3};
+
+/// The lattice point of the direction of `v`: the nearest in the square (listing 6, then snorm rounding).
+#[inline(always)]
+pub fn lattice(v: Vec3, m: f32) -> Vec2 {
+    let (v, norm) = upper_or_z(v);
+    project(v, norm, m)
+}
+
+/// The lattice point of a vector with z >= 0 and an L1 norm of `norm`.
+///
+/// A denormal x or y counts as 0, since some devices flush it: beside another component near 2^-116, in a vector as
+/// short as may be, it might decide a rounding of their sum.
+#[inline(always)]
+pub(crate) fn project(v: Vec3, norm: f32, m: f32) -> Vec2 {
+    let scale = m / norm;
+    let (x, y) = (without_denormal(v.x), without_denormal(v.y));
+    let (u, w) = ((x + y) * scale, (x - y) * scale);
+    Vec2::new(round_symmetric(u), round_symmetric(w))
+}
+
+/// The direction of a lattice point (listing 6): unit length to within 2 ULP, z >= 0. All steps before the
+/// normalisation are exact for lattice points; with `m` = 1 it takes snorm values instead.
+#[inline(always)]
+pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
+    let (x, y) = (e.x + e.y, e.x - e.y);
+    normalize(Vec3::new(x, y, 2.0 * m - x.abs() - y.abs()))
+}
+
+/// Hemi-octahedral code of `BITS` bits (16, 24 or 32) for directions with z >= 0.
+pub struct HemiOct<const BITS: u32>;
+
+impl<const BITS: u32> Codec for HemiOct<BITS> {
+    const BITS: u32 = BITS;
+    /// For directions with z >= 0. `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32
+    /// (at most 2^-21 of the square's half side) adds.
+    const MAX_ERROR_DEG: f32 = (1.224_744_9 * (1.0 / snorm_max(BITS / 2) + 1.0 / 2_097_152.0)).to_degrees();
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let e = lattice(v, snorm_max(BITS / 2));
+        signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let u = snorm_integer(code & mask(BITS / 2), BITS / 2);
+        let v = snorm_integer(code >> (BITS / 2), BITS / 2);
+        from_lattice(Vec2::new(u, v), snorm_max(BITS / 2))
+    }
+}

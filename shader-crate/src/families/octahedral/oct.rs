@@ -1,0 +1,252 @@
+//! Octahedral codes: the sphere on an octahedron, unfolded into a square.
+//!
+//! Source: Meyer et al. 2010, section 5; Cigolle et al. 2014, sections 2 and 3, listings 1 to 5.
+//!
+//! The L1 norm maps a direction to the octahedron `|x| + |y| + |z| = 1`; seen along z, the half `z >= 0` fills the
+//! square's central diamond and the half `z < 0` is folded out over its four edges. Both coordinates are stored as
+//! snorm. Scaled by `m`, the snorm's largest integer, the codes are the whole points of the square `[-m, m]^2`: the
+//! lattice that the functions here speak of.
+//!
+//! * Layout: x in the low half of the code, y in the high half, both in two's complement. The exception is 24
+//!   bits, whose three bytes are those of listing 5: see [`snorm12x2_to_unorm8x3`].
+//! * Cost: the fast encoder takes 39 operations, divisions counted as 5; the precise one about 65, at 16 bits 90:
+//!   there the denominators of the squared tangents (see [`lattice_precise`]) count for more than rounding does.
+//! * Error: at most `3 / (sqrt(2) m)` radians (Meyer eq. 10), at most `sqrt(2) / m` with the precise encoder
+//!   (eq. 11), both largest in the middle of the octants.
+//! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror
+//!   image along that edge; the four corners are all -Z.
+
+use crate::arith::{
+    exp2, floor, is_negative, mask, max, negate_if, normalize, signed_code, snorm_integer, snorm_max,
+};
+use crate::codec::Codec;
+use crate::direction::{is_usable, l1_norm, or_z};
+use glam::{Vec2, Vec3};
+
+/// The lattice point of the direction of `v` (listing 1, then snorm rounding): the nearest one in the square.
+///
+/// Rounds in the positive octant, where all signs are equal, so that mirrored directions get mirrored codes.
+#[inline(always)]
+pub fn lattice(v: Vec3, m: f32) -> Vec2 {
+    let (v, norm) = or_z(v);
+    let scale = m / norm;
+    let (x, y) = (v.x.abs() * scale, v.y.abs() * scale);
+    let (x, y) = fold(v.z, x, y, m);
+    Vec2::new(negate_if(is_negative(v.x), floor(x + 0.5)), negate_if(is_negative(v.y), floor(y + 0.5)))
+}
+
+/// The lattice point of the direction of `v` that is nearest in angle: of the four corners of its cell, as in
+/// listing 3, which the nearest of all points is among. `m` is at least 127.
+///
+/// Components count as at least 2^-26 of the norm, so that denormals, which some devices flush and which are less, break
+/// no ties. Without a usable direction, all is computed and then dropped: to select here takes fewer operations than in
+/// `v`.
+#[inline(always)]
+pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
+    let norm = l1_norm(v);
+    let (p, least) = (v.abs() * (m / norm), m * LEAST_PART);
+    let nearest = nearest_corner(Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least)), m);
+    let (x, y) = fold(v.z, nearest.x, nearest.y, m);
+    let (x, y) = if is_usable(norm) { (x, y) } else { (0.0, 0.0) };
+    Vec2::new(negate_if(is_negative(v.x), x), negate_if(is_negative(v.y), y))
+}
+
+/// The direction of a lattice point (listing 2, in Stubbe's branch-light form): unit length to within 2 ULP.
+///
+/// All steps before the normalisation are exact for lattice points; with `m` = 1 it takes snorm values instead.
+#[inline(always)]
+pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
+    let z = m - e.x.abs() - e.y.abs();
+    let below = if z < 0.0 { -z } else { 0.0 };
+    let x = e.x + negate_if(e.x >= 0.0, below);
+    let y = e.y + negate_if(e.y >= 0.0, below);
+    normalize(Vec3::new(x, y, z))
+}
+
+/// Moves a point of the positive octant, scaled to `x + y + z = m`, to where the lower half of the octahedron is
+/// folded out if `z` is negative.
+#[inline(always)]
+pub(crate) fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
+    if is_negative(z) { (m - y, m - x) } else { (x, y) }
+}
+
+/// The corner of the lattice cell around `p` that is nearest to it in angle, for `p` in the positive octant with
+/// `x + y + z = m`.
+///
+/// A point c of the octahedron is off by the angle of `tan^2 = |c x p|^2 / (c . p)^2`. With `X = 3 p.x / m - 1`, `Y`
+/// likewise, 0 in the octant's middle, and `d = c - p` seen along z, `3 / m^2 |c x p|^2` is
+///
+/// ```text
+/// N(d) = (2 + Y^2) dx^2 + 2 (1 - X Y) dx dy + (2 + X^2) dy^2
+/// ```
+///
+/// The middle term is never negative, and no angle of the triangle right, up and near (the corners at (i + 1, j),
+/// (i, j + 1), (i, j)), or right, up and far, is obtuse. So only three of the comparisons count. With q = `p` as seen
+/// from the cell's middle, `A = (2 + Y^2) q.x + (1 - X Y) q.y`, `B = (1 - X Y) q.x + (2 + X^2) q.y` and
+/// `H = (1 - X Y) / 2`, right is nearer than up where `A > B`. If so, right is nearer than near where
+/// `A > -H`, and far nearer than right where `B > H`; if not, far is nearer than up where `A > H`, and up nearer than
+/// near where `B > -H`.
+///
+/// The lattice goes on past the octant's edge z = 0, but the octahedron does not: the far corner of a cell that this
+/// edge cuts is no candidate. It is never the nearest one.
+#[inline(always)]
+fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
+    let middle = Vec2::new(floor(p.x) + 0.5, floor(p.y) + 0.5);
+    let q = Vec2::new(p.x - middle.x, p.y - middle.y);
+    let at = Vec2::new(p.x * (3.0 / m) - 1.0, p.y * (3.0 / m) - 1.0);
+    let weighs = m < SMALL;
+    let q = if !weighs && m < LARGE { approached(q, at, m) } else { q };
+    let q = if m < WIDE { q } else { projected(q, p, middle, m) };
+
+    // A and B, with what they have in common taken out.
+    let turn = at.y * q.x - at.x * q.y;
+    let sum = q.x + q.y;
+    let a = (q.x + sum) + at.y * turn;
+    let b = (q.y + sum) - at.x * turn;
+    let cross = 1.0 - at.x * at.y;
+    let (a, b) = if weighs { weighed(a, b, cross, q, at, m) } else { (a, b) };
+
+    let half = 0.5 * cross;
+    let right_before_up = a >= b;
+    let least_b = if right_before_up { half } else { -half };
+    let x = middle.x + if a > -least_b { 0.5 } else { -0.5 };
+    let y = middle.y + if b > least_b { 0.5 } else { -0.5 };
+    Vec2::new(x, y)
+}
+
+/// 2^-26, that of the largest denormal in the shortest usable vector.
+const LEAST_PART: f32 = exp2(-26);
+
+/// Squares of fewer steps than this (16 bits) take [`weighed`], others (20, 22 and 24 bits) [`approached`].
+const SMALL: f32 = 256.0;
+
+/// In squares of this many steps and more (32 bits) the denominators change less than the rounding of `p` does.
+const LARGE: f32 = 4096.0;
+
+/// Squares of this many steps and more (beyond 32 bits) are [`projected`]. In others the rounding of the scale is at
+/// most 2^-7 of a step.
+const WIDE: f32 = 65536.0;
+
+/// `q` of where the ray of `p` meets the plane `x + y + z = m`.
+#[inline(always)]
+fn projected(q: Vec2, p: Vec3, middle: Vec2, m: f32) -> Vec2 {
+    let missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
+    let stretch = missing * (1.0 / m);
+    Vec2::new(q.x + stretch * p.x, q.y + stretch * p.y)
+}
+
+/// A and B with the denominators `(c . p)^2` taken into account.
+///
+/// From corner to corner `c . p` changes by `e . p`, a part `3 / m (e . (X, Y, Z)) / S` of itself, where `Z = -X - Y`,
+/// `S = 3 + X^2 + Y^2 + Z^2`, and e = (1, 0, -1) to the right. To first order in 1 / m that moves the line where two
+/// corners tie as if q were `q + u (X, Y)`, with `u = 3 / m N / S` and the corners' N there: A becomes
+/// `A + u (2 X + Y)`, B likewise. What is left out is 2^-14 of a step at 16 bits. N, where near or far ties
+/// with another or right with up:
+///
+/// ```text
+/// A q.x + B q.y + (2 + Z^2) / 4 - max(|A + B| - 2 H, 0)
+/// ```
+#[inline(always)]
+fn weighed(a: f32, b: f32, cross: f32, q: Vec2, at: Vec2, m: f32) -> (f32, f32) {
+    let minus_z = at.x + at.y;
+    let z_squared = minus_z * minus_z;
+    let over = (a + b).abs() - cross;
+    let over = if over > 0.0 { over } else { 0.0 };
+    let n = ((a * q.x + b * q.y) + (0.25 * z_squared + 0.5)) - over;
+    let half_s = z_squared + (0.5 + cross);
+    let u = n * ((1.5 / m) / half_s);
+    (a + u * (at.x + minus_z), b + u * (at.y + minus_z))
+}
+
+/// `q` with the denominators taken into account for the most part: as [`weighed`], with 0.1265 in place of `N / S`.
+///
+/// `N / S` is 1/12 to 1/6 in the octant's corners, where (X, Y) is largest. The constant leaves at most 0.2 / m of a
+/// step: 4e-4, 2e-4 and 1e-4 at 20, 22 and 24 bits.
+#[inline(always)]
+fn approached(q: Vec2, at: Vec2, m: f32) -> Vec2 {
+    Vec2::new(q.x + at.x * (0.3795 / m), q.y + at.y * (0.3795 / m))
+}
+
+/// Packs a lattice point of the 24-bit format (`m` = 2047) into three bytes, the first in the low bits.
+///
+/// The bytes are those of listing 5, for an RGB8 texture: with `u = x + 2047` and `v = y + 2047` of 12 bits each,
+/// `u >> 4`, `(u & 15) << 4 | v >> 8` and `v & 255`.
+#[inline(always)]
+pub fn snorm12x2_to_unorm8x3(e: Vec2) -> u32 {
+    let u = signed_code(e.x + 2047.0, 12);
+    let v = signed_code(e.y + 2047.0, 12);
+    (u >> 4) | ((u & 15) << 12) | (v & 0xf00) | ((v & 255) << 16)
+}
+
+/// The lattice point of three bytes as [`snorm12x2_to_unorm8x3`] packs them. The pattern 4095 of a component, which
+/// encoding never writes, counts as 4094 (+1).
+#[inline(always)]
+pub fn unorm8x3_to_snorm12x2(code: u32) -> Vec2 {
+    let u = ((code & 255) << 4) | ((code >> 12) & 15);
+    let v = (code & 0xf00) | ((code >> 16) & 255);
+    let (x, y) = (u as f32 - 2047.0, v as f32 - 2047.0);
+    Vec2::new(if x > 2047.0 { 2047.0 } else { x }, if y > 2047.0 { 2047.0 } else { y })
+}
+
+/// The code of a lattice point.
+#[inline(always)]
+pub(crate) fn pack<const BITS: u32>(e: Vec2) -> u32 {
+    if BITS == 24 {
+        return snorm12x2_to_unorm8x3(e);
+    }
+    signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+}
+
+/// The lattice point of a code.
+#[inline(always)]
+pub(crate) fn unpack<const BITS: u32>(code: u32) -> Vec2 {
+    if BITS == 24 {
+        return unorm8x3_to_snorm12x2(code);
+    }
+    Vec2::new(snorm_integer(code & mask(BITS / 2), BITS / 2), snorm_integer(code >> (BITS / 2), BITS / 2))
+}
+
+/// `radians_times_m` at this width in degrees, and what the rounding of the position in f32 (at most 2^-21 of the
+/// square's half side) adds.
+const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
+    (radians_times_m * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
+}
+
+/// Octahedral code of `BITS` bits (16, 20, 22, 24 or 32), fast encoder.
+pub struct Oct<const BITS: u32>;
+
+impl<const BITS: u32> Codec for Oct<BITS> {
+    const BITS: u32 = BITS;
+    const MAX_ERROR_DEG: f32 = error_bound(3.0 * core::f32::consts::FRAC_1_SQRT_2, BITS);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        pack::<BITS>(lattice(v, snorm_max(BITS / 2)))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        from_lattice(unpack::<BITS>(code), snorm_max(BITS / 2))
+    }
+}
+
+/// Octahedral code of `BITS` bits (16, 20, 22, 24 or 32), precise encoder: the format of [`Oct`], a third less
+/// error at most.
+pub struct OctPrecise<const BITS: u32>;
+
+impl<const BITS: u32> Codec for OctPrecise<BITS> {
+    const BITS: u32 = BITS;
+    const MAX_ERROR_DEG: f32 = error_bound(core::f32::consts::SQRT_2, BITS);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        pack::<BITS>(lattice_precise(v, snorm_max(BITS / 2)))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        Oct::<BITS>::decode(code)
+    }
+}

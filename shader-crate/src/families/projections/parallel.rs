@@ -1,0 +1,419 @@
+//! Parallel projections: two components stored, the third reconstructed from unit length.
+//!
+//! Source: Cigolle et al. 2014, section 5, table 3 (XYOnly); Meyer et al. 2010, section 4, eq. 6 (PP, for both
+//! hemispheres) and eq. 7 (SPP, from the six sides, the largest component reconstructed).
+//!
+//! `z = sqrt(1 - x^2 - y^2)`. Near the equator a small step of x or y is a large one of z: there the error of XYOnly and
+//! PP grows as the square root of the step, which SPP avoids.
+//!
+//! * Layout: the first component in the low bits, then the second, both snorm in two's complement; above them, PP the
+//!   sign of z (1 if negative), SPP the sextant in three bits: twice the axis (0, 1, 2), and 1 if negative. Of the
+//!   bits that are left, the first component has half, rounded up. The components of SPP are (y, z), (z, x), (x, y)
+//!   in the sextants of x, y, z; they are at most sqrt(1/2), which is their 1. Sextants 6 and 7, which `encode` never
+//!   writes, count as 4 and 5. `xyonly32f` has x in the low and y in the high half, as half floats.
+//! * Points outside: the corners of the square are no directions, but rounding gets points there that are off the
+//!   disk (for SPP: off the sextant) by part of a step. Those decode to what lies 7/16 of a step inwards along the
+//!   component that matters more; the few that this leaves outside `encode` does not write, but the point one step
+//!   inwards. Points farther out decode as the lattice point below their projection onto the border. So every code
+//!   survives decoding and encoding; normalised instead, points near the border would wander from code to code.
+//! * A vector that is of unit length to within 2^-21 is taken as it is: normalising would move its components by as
+//!   much as its own rounding did, which at 48 bits is a step.
+//! * Domain of XYOnly: z >= 0. A direction below the equator gets the code of its horizontal part, -Z that of +Z.
+//! * Error, with a and b the half steps `1/(2 m)`: XYOnly and PP at most `arccos(1 - d)`, near `sqrt(2 d)`, with
+//!   `d = sqrt(a^2 + b^2)`, on the equator: Meyer's eq. 6, where a = b; SPP `sqrt(a^2 + a b + b^2)` (a and
+//!   b of the stored integers; a step of those is sqrt(1/2) as large), in the octants' middles: eq. 7.
+//! * 48 bits: `f32` vectors have components in steps of 2^-24 to 2^-23, as wide as PP's and SPP's. The rounding of the
+//!   squares and of the length, at most 2^-20 of 1, turns a direction on the equator by up to 9.8e-4 radians where PP's
+//!   own error is 5.2e-4; measured are 6.3e-4 in all. SPP's own error is 3.2e-7; along the sextants' borders, where
+//!   the two largest components must be told apart, points move up to three steps inwards, and 1.1e-6 is measured.
+//! * Good for: tangent-space normal maps, whose normals keep near +Z: points inside decode with one square
+//!   root, from snorm values that the hardware may convert and filter; these functions add the divisions and selections
+//!   for points outside. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
+//! * Axes round-trip exactly, all six (XYOnly: the five of its domain). `xyonly32f` spends its bits around x = 0 and
+//!   y = 0, and has the largest steps at the equator, where the smallest are wanted: mean 0.0352 and maximum 1.5
+//!   degrees, hardly less than XYOnly24. (The survey's 0.07759 and 2.10047 are those of truncating conversion,
+//!   measured so: 0.0780 and 2.06.)
+
+use crate::arith::{
+    dot, face_of, floor, from_face, half_decode_magnitude, half_encode_magnitude, is_negative, mask,
+    negate_positive, scale_to_one, snorm_integer, snorm_max, sqrt, to_face, whole_to_u32,
+};
+use crate::codec::Codec;
+use crate::direction::{or_z, upper_or_z};
+use glam::{Vec2, Vec3};
+
+/// How far inwards, in steps, points outside decode.
+const INSET: f32 = 0.4375;
+
+/// What of the projection onto the border is kept, so that the lattice point below is inside: 1 - 2^-21.
+const KEPT: f32 = 0.999_999_5;
+
+/// The plane that the components are stored in.
+#[derive(Clone, Copy)]
+struct Plane {
+    /// The largest whole numbers.
+    m: Vec2,
+    /// Steps in a unit.
+    steps: Vec2,
+    /// Points are inside up to this [`extent`](Self::extent).
+    limit: f32,
+    /// How far inwards, in steps, points outside decode.
+    inset: f32,
+    /// Whether the border is that of a sextant and not of the disk.
+    sextant: bool,
+}
+
+impl Plane {
+    /// Of the disk. With 23 bits and more a component has no room for an inset, and needs none: points outside are so
+    /// by less than the length's rounding.
+    #[inline(always)]
+    fn disk(x_bits: u32, y_bits: u32) -> Self {
+        let m = Vec2::new(snorm_max(x_bits), snorm_max(y_bits));
+        let fine = x_bits > 22;
+        Self {
+            m,
+            steps: m,
+            // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
+            limit: if fine { 1.000_000_4 } else { 1.0 },
+            inset: if fine { 0.0 } else { INSET },
+            sextant: false,
+        }
+    }
+
+    /// Of a sextant. Inside leaves 2^-21, so that rounding does not turn the largest component into another.
+    #[inline(always)]
+    fn sextant(u_bits: u32, v_bits: u32) -> Self {
+        let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
+        Self {
+            m,
+            steps: m * core::f32::consts::SQRT_2,
+            limit: KEPT,
+            inset: if u_bits > 22 { 0.0 } else { INSET },
+            sextant: true,
+        }
+    }
+
+    /// 1 on the border, for a point of the positive quadrant.
+    #[inline(always)]
+    fn extent(self, p: Vec2) -> f32 {
+        let larger = if p.x >= p.y { p.x } else { p.y };
+        let disk = p.x * p.x + p.y * p.y;
+        if self.sextant { disk + larger * larger } else { disk }
+    }
+
+    #[inline(always)]
+    fn is_outside(self, e: Vec2) -> bool {
+        self.extent(e / self.steps) > self.limit
+    }
+
+    /// `e` with the component along which the border is sooner reached lessened by `by` steps.
+    #[inline(always)]
+    fn inwards(self, e: Vec2, by: f32) -> Vec2 {
+        let p = e / self.steps;
+        let (x, y) = (p.x * self.steps.y, p.y * self.steps.x);
+        let weighed_x = if p.x >= p.y { 2.0 } else { 0.5 } * x;
+        let along_x = if self.sextant { weighed_x } else { x } >= y;
+        if along_x { Vec2::new(e.x - by, e.y) } else { Vec2::new(e.x, e.y - by) }
+    }
+
+    /// The whole numbers of a point of the positive quadrant, inside or, before rounding, on the border.
+    #[inline(always)]
+    fn round(self, p: Vec2) -> Vec2 {
+        let x = floor(p.x * self.steps.x + 0.5);
+        let y = floor(p.y * self.steps.y + 0.5);
+        let e = Vec2::new(if x > self.m.x { self.m.x } else { x }, if y > self.m.y { self.m.y } else { y });
+        let unwritten = self.is_outside(e) && self.is_outside(self.inwards(e, self.inset));
+        if unwritten { self.inwards(e, 1.0) } else { e }
+    }
+
+    /// The point that whole numbers, not negative, stand for: not outside.
+    #[inline(always)]
+    fn point(self, e: Vec2) -> Vec2 {
+        let inset = if self.is_outside(e) { self.inwards(e, self.inset) } else { e };
+        let onto_border = KEPT / sqrt(self.extent(e / self.steps));
+        let below = Vec2::new(floor(e.x * onto_border), floor(e.y * onto_border));
+        (if self.is_outside(inset) { below } else { inset }) / self.steps
+    }
+}
+
+/// `v`, of any length, at unit length; as it is, or times a power of two, where that is of unit length to within 2^-21.
+#[inline(always)]
+fn unit(v: Vec3, l1_norm: f32) -> Vec3 {
+    // The L1 norms of unit vectors, 1 to 1.74, times 1.1 have one exponent.
+    let scaled = v * scale_to_one(l1_norm * 1.1);
+    let square = dot(scaled, scaled);
+    let is_unit = (square - 1.0).abs() <= 9.536_743e-7;
+    scaled * if is_unit { 1.0 } else { 1.0 / sqrt(square) }
+}
+
+/// The third component of a unit vector.
+#[inline(always)]
+fn third(p: Vec2) -> f32 {
+    let square = 1.0 - (p.x * p.x + p.y * p.y);
+    sqrt(if square > 0.0 { square } else { 0.0 })
+}
+
+/// Two's complement, in `bits` bits, of a whole number below 2^23 with a sign.
+#[inline(always)]
+fn field(negative: bool, whole: f32, bits: u32) -> u32 {
+    let magnitude = whole_to_u32(whole);
+    (if negative { 0u32.wrapping_sub(magnitude) } else { magnitude }) & mask(bits)
+}
+
+/// The words of two whole numbers with the signs of `p`, in `x_bits` and `y_bits` bits, and of the bits above them.
+#[inline(always)]
+fn pack(p: Vec3, e: Vec2, top: u32, x_bits: u32, y_bits: u32) -> [u32; 2] {
+    let (x, y) = (field(is_negative(p.x), e.x, x_bits), field(is_negative(p.y), e.y, y_bits));
+    let low = x | (y << x_bits);
+    let components = x_bits + y_bits;
+    if components < 32 {
+        [low | (top << components), 0]
+    } else {
+        [low, (y >> (32 - x_bits)) | (top << (components - 32))]
+    }
+}
+
+/// The inverse of [`pack`]: the integers, and the bits above them, of which only the lowest count.
+#[inline(always)]
+fn unpack(words: [u32; 2], x_bits: u32, y_bits: u32) -> (Vec2, u32) {
+    let components = x_bits + y_bits;
+    let (y, top) = if components < 32 {
+        (words[0] >> x_bits, words[0] >> components)
+    } else {
+        ((words[0] >> x_bits) | (words[1] << (32 - x_bits)), words[1] >> (components - 32))
+    };
+    // `snorm_integer` is exact up to 25 bits.
+    (Vec2::new(snorm_integer(words[0], x_bits), snorm_integer(y, y_bits)), top)
+}
+
+/// The unit vector with the first two components of `e` on `plane`, the third positive unless `negative`.
+#[inline(always)]
+fn from_plane(plane: Plane, e: Vec2, negative: bool) -> Vec3 {
+    let p = plane.point(e.abs());
+    Vec3::new(
+        negate_positive(is_negative(e.x), p.x),
+        negate_positive(is_negative(e.y), p.y),
+        negate_positive(negative, third(p)),
+    )
+}
+
+/// `v` with what is below the equator moved up to it, and at unit length.
+#[inline(always)]
+fn upper_unit(v: Vec3) -> Vec3 {
+    let (v, norm) = upper_or_z(v);
+    unit(v, norm)
+}
+
+#[inline(always)]
+fn pp_encode(v: Vec3, x_bits: u32, y_bits: u32) -> [u32; 2] {
+    let (v, norm) = or_z(v);
+    let n = unit(v, norm);
+    let e = Plane::disk(x_bits, y_bits).round(Vec2::new(n.x.abs(), n.y.abs()));
+    // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
+    pack(n, e, if is_negative(v.z) { 1 } else { 0 }, x_bits, y_bits)
+}
+
+#[inline(always)]
+fn pp_decode(words: [u32; 2], x_bits: u32, y_bits: u32) -> Vec3 {
+    let (e, top) = unpack(words, x_bits, y_bits);
+    from_plane(Plane::disk(x_bits, y_bits), e, (top & 1) != 0)
+}
+
+#[inline(always)]
+fn spp_encode(v: Vec3, u_bits: u32, v_bits: u32) -> [u32; 2] {
+    let (v, norm) = or_z(v);
+    let face = face_of(v);
+    let n = to_face(unit(v, norm), face);
+    let e = Plane::sextant(u_bits, v_bits).round(Vec2::new(n.x.abs(), n.y.abs()));
+    pack(n, e, face, u_bits, v_bits)
+}
+
+#[inline(always)]
+fn spp_decode(words: [u32; 2], u_bits: u32, v_bits: u32) -> Vec3 {
+    let (e, top) = unpack(words, u_bits, v_bits);
+    let n = from_plane(Plane::sextant(u_bits, v_bits), e, (top & 1) != 0);
+    from_face(n, top & 7)
+}
+
+/// x and y as snorm in `BITS` bits (16, 24 or 32), for directions with z >= 0.
+pub struct XyOnly<const BITS: u32>;
+
+impl<const BITS: u32> Codec for XyOnly<BITS> {
+    const BITS: u32 = BITS;
+    /// For directions with z >= 0. `arccos(1 - 1/(sqrt(2) m))` and what `f32` rounds, in degrees.
+    const MAX_ERROR_DEG: f32 = match BITS {
+        16 => 6.1,
+        24 => 1.52,
+        _ => 0.39,
+    };
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let n = upper_unit(v);
+        let e = Plane::disk(BITS / 2, BITS / 2).round(Vec2::new(n.x.abs(), n.y.abs()));
+        let (x, y) = (field(is_negative(n.x), e.x, BITS / 2), field(is_negative(n.y), e.y, BITS / 2));
+        x | (y << (BITS / 2))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let x = snorm_integer(code & mask(BITS / 2), BITS / 2);
+        let y = snorm_integer(code >> (BITS / 2), BITS / 2);
+        from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
+    }
+}
+
+/// x and y as half floats, for directions with z >= 0: a VK_FORMAT_R16G16_SFLOAT.
+pub struct XyOnly32F;
+
+/// The numbers of two halves without signs.
+#[inline(always)]
+fn halves(a: u32, b: u32) -> Vec2 {
+    Vec2::new(half_decode_magnitude(a), half_decode_magnitude(b))
+}
+
+#[inline(always)]
+fn is_off_disk(p: Vec2) -> bool {
+    p.x * p.x + p.y * p.y > 1.0
+}
+
+/// The numbers of two halves without signs, the larger one moved towards the next smaller half by [`INSET`].
+#[inline(always)]
+fn halves_inset(a: u32, b: u32) -> Vec2 {
+    let p = halves(a, b);
+    // Only used off the disk, where the larger is not 0.
+    let inner = halves(if a > 0 { a - 1 } else { 0 }, if b > 0 { b - 1 } else { 0 });
+    let x = p.x - INSET * (p.x - inner.x);
+    let y = p.y - INSET * (p.y - inner.y);
+    if p.x >= p.y { Vec2::new(x, p.y) } else { Vec2::new(p.x, y) }
+}
+
+/// A half not above `x`: the next one, or 0 in place of those below 2^-14.
+#[inline(always)]
+fn half_below(x: f32) -> f32 {
+    let bits = x.to_bits();
+    f32::from_bits(if bits < 0x3880_0000 { 0 } else { bits & 0xffff_e000 })
+}
+
+impl Codec for XyOnly32F {
+    const BITS: u32 = 32;
+    /// For directions with z >= 0. `arccos(1 - sqrt(2) 2^-12)`, from the halves' steps of 2^-11 below 1, is 1.506.
+    const MAX_ERROR_DEG: f32 = 1.53;
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let n = upper_unit(v);
+        let (a, b) = (half_encode_magnitude(n.x), half_encode_magnitude(n.y));
+        let unwritten = is_off_disk(halves(a, b)) && is_off_disk(halves_inset(a, b));
+        let x = a - if unwritten && a >= b { 1 } else { 0 };
+        let y = b - if unwritten && a < b { 1 } else { 0 };
+        let x_sign = if is_negative(n.x) && x != 0 { 0x8000 } else { 0 };
+        let y_sign = if is_negative(n.y) && y != 0 { 0x8000 } else { 0 };
+        (x | x_sign) | ((y | y_sign) << 16)
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let (a, b) = (code & 0x7fff, (code >> 16) & 0x7fff);
+        let p = halves(a, b);
+        let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };
+        let onto_border = KEPT / sqrt(p.x * p.x + p.y * p.y);
+        let below = Vec2::new(half_below(p.x * onto_border), half_below(p.y * onto_border));
+        let q = if is_off_disk(inset) { below } else { inset };
+        Vec3::new(
+            negate_positive((code & 0x8000) != 0, q.x),
+            negate_positive((code >> 31) != 0, q.y),
+            third(q),
+        )
+    }
+}
+
+/// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32).
+pub struct Pp<const BITS: u32>;
+
+impl<const BITS: u32> Codec for Pp<BITS> {
+    const BITS: u32 = BITS;
+    /// `arccos(1 - d)` and what `f32` rounds, in degrees.
+    const MAX_ERROR_DEG: f32 = match BITS {
+        16 => 7.7,
+        24 => 1.91,
+        _ => 0.49,
+    };
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        pp_encode(v, BITS / 2, BITS / 2 - 1)[0]
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        pp_decode([code, 0], BITS / 2, BITS / 2 - 1)
+    }
+}
+
+/// Parallel projection of 48 bits: x of 24, y of 23 and the sign of z.
+pub struct Pp48;
+
+impl Codec for Pp48 {
+    const BITS: u32 = 48;
+    /// `sqrt(2 d + 2^-20)` in degrees, rounded up: the latter is what `f32` rounds.
+    const MAX_ERROR_DEG: f32 = 0.064;
+    type Code = [u32; 2];
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> [u32; 2] {
+        pp_encode(v, 24, 23)
+    }
+
+    #[inline(always)]
+    fn decode(code: [u32; 2]) -> Vec3 {
+        pp_decode(code, 24, 23)
+    }
+}
+
+/// Sextant parallel projection: the two smaller components and the sextant in `BITS` bits (16, 24 or 32).
+pub struct Spp<const BITS: u32>;
+
+impl<const BITS: u32> Codec for Spp<BITS> {
+    const BITS: u32 = BITS;
+    /// `sqrt(a^2 + a b + b^2)`, by its terms of higher order and what `f32` rounds more, in degrees.
+    const MAX_ERROR_DEG: f32 = match BITS {
+        16 => 1.32,
+        24 => 0.077,
+        _ => 0.0048,
+    };
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        spp_encode(v, BITS / 2 - 1, BITS / 2 - 2)[0]
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        spp_decode([code, 0], BITS / 2 - 1, BITS / 2 - 2)
+    }
+}
+
+/// Sextant parallel projection of 48 bits: components of 23 and 22, the sextant of 3.
+pub struct Spp48;
+
+impl Codec for Spp48 {
+    const BITS: u32 = 48;
+    /// Meyer's bound and what `f32` rounds, in degrees: see the module's documentation.
+    const MAX_ERROR_DEG: f32 = 8.0e-5;
+    type Code = [u32; 2];
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> [u32; 2] {
+        spp_encode(v, 23, 22)
+    }
+
+    #[inline(always)]
+    fn decode(code: [u32; 2]) -> Vec3 {
+        spp_decode(code, 23, 22)
+    }
+}

@@ -1,0 +1,300 @@
+//! Whole slices of vectors, to and from densely packed codes: the functions of [`Codec`], bit for bit, several vectors at
+//! a time.
+//!
+//! * With the feature `std` the instruction set is chosen at run time: on x86-64 AVX2, SSE4.1 or what the crate was
+//!   compiled for; on AArch64 NEON is always there. Without `std` it is what the crate was compiled for.
+//! * Nothing is allocated. A slice is worked through in blocks of 64 vectors. To encode or decode fewer than 32 costs as
+//!   much as 32: for single vectors take the functions of [`Codec`].
+//! * Vectors are `[f32; 3]` or [`Vec3`].
+//! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores.
+//!
+//! ```
+//! use unitvec::slice::{decode_slice, encode_slice};
+//! use unitvec::{Codec, Oct16};
+//!
+//! let vectors = [[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]];
+//! let mut codes = [0; 2 * Oct16::BYTES];
+//! encode_slice::<Oct16>(&vectors, &mut codes)?;
+//! let mut decoded = [glam::Vec3::ZERO; 2];
+//! decode_slice::<Oct16>(&codes, &mut decoded)?;
+//! assert_eq!(decoded[1], glam::Vec3::Y);
+//! # Ok::<(), unitvec::slice::LengthMismatch>(())
+//! ```
+
+pub(crate) mod block;
+#[doc(hidden)]
+pub mod machine;
+#[cfg(feature = "rayon")]
+mod parallel;
+
+use crate::codec::{Code, Codec};
+use block::{BLOCK, Block, Decoded};
+use core::fmt;
+use core::marker::PhantomData;
+use glam::Vec3;
+use machine::{Level, Task, as_chunks, as_chunks_mut, prefetch};
+
+#[cfg(feature = "rayon")]
+#[doc(hidden)]
+pub use parallel::{DecodeAt, EncodeAt, par_decode_with, par_encode_with};
+
+/// The slice of codes and the slice of vectors are not of the same number of elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LengthMismatch {
+    /// Bytes of codes that one slice asks of the other.
+    pub expected: usize,
+    /// Bytes of codes that there are, or that there is room for.
+    pub actual: usize,
+}
+
+impl fmt::Display for LengthMismatch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the slices do not fit each other: {} bytes of codes against {}",
+            self.expected, self.actual
+        )
+    }
+}
+
+impl core::error::Error for LengthMismatch {}
+
+/// Three floats in memory: `[f32; 3]` and [`Vec3`], and no other type.
+pub trait Vector: Copy + Send + Sync + sealed::Sealed {
+    /// The vector of these components.
+    fn from_xyz(xyz: [f32; 3]) -> Self;
+
+    /// x, y and z.
+    fn xyz(self) -> [f32; 3];
+}
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for [f32; 3] {}
+    impl Sealed for glam::Vec3 {}
+}
+
+impl Vector for [f32; 3] {
+    #[inline(always)]
+    fn from_xyz(xyz: [f32; 3]) -> Self {
+        xyz
+    }
+
+    #[inline(always)]
+    fn xyz(self) -> [f32; 3] {
+        self
+    }
+}
+
+impl Vector for Vec3 {
+    #[inline(always)]
+    fn from_xyz(xyz: [f32; 3]) -> Self {
+        Self::from_array(xyz)
+    }
+
+    #[inline(always)]
+    fn xyz(self) -> [f32; 3] {
+        self.to_array()
+    }
+}
+
+/// Encodes `vectors` into `codes`: [`Codec::BYTES`] little-endian bytes each, without gaps.
+///
+/// # Errors
+/// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
+pub fn encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    encode_slice_at::<C>(Level::best(), vectors, codes)
+}
+
+/// As [`encode_slice`], with another encoder of the same format, such as one by table. One vector at a time.
+///
+/// # Errors
+/// As [`encode_slice`].
+pub fn encode_slice_with<C: Codec>(
+    vectors: &[impl Vector],
+    codes: &mut [u8],
+    encode: impl Fn(Vec3) -> C::Code,
+) -> Result<(), LengthMismatch> {
+    expect_length(vectors.len() * C::BYTES, codes.len())?;
+    for (vector, stored) in vectors.iter().zip(codes.chunks_exact_mut(C::BYTES)) {
+        store(encode(Vec3::from_array(vector.xyz())), stored);
+    }
+    Ok(())
+}
+
+/// Decodes `codes`, packed as by [`encode_slice`], into `vectors`.
+///
+/// # Errors
+/// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
+pub fn decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
+    decode_slice_at::<C>(Level::best(), codes, vectors)
+}
+
+/// Decodes `codes`, packed as by [`encode_slice`], into x, y and z as snorm of 16 bits and a fourth component of 0: a
+/// VK_FORMAT_R16G16B16A16_SNORM, two thirds of the memory of floats. The components are those that [`decode_slice`]
+/// gives, as [`snorm_encode`](crate::arith::snorm_encode) writes them.
+///
+/// # Errors
+/// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.
+pub fn decode_slice_i16x4<C: Codec>(codes: &[u8], vectors: &mut [[i16; 4]]) -> Result<(), LengthMismatch> {
+    decode_slice_i16x4_at::<C>(Level::best(), codes, vectors)
+}
+
+/// [`encode_slice`] on all cores.
+///
+/// # Errors
+/// As [`encode_slice`].
+#[cfg(feature = "rayon")]
+pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+    expect_length(vectors.len() * C::BYTES, codes.len())?;
+    par_encode_with(vectors, codes, C::BYTES, encode_slice_at::<C>)
+}
+
+/// [`decode_slice`] on all cores.
+///
+/// # Errors
+/// As [`decode_slice`].
+#[cfg(feature = "rayon")]
+pub fn par_decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
+    expect_length(codes.len(), vectors.len() * C::BYTES)?;
+    par_decode_with(codes, vectors, C::BYTES, decode_slice_at::<C>)
+}
+
+/// [`encode_slice`] with the instructions of a given level.
+#[doc(hidden)]
+pub fn encode_slice_at<C: Codec>(
+    level: Level,
+    vectors: &[impl Vector],
+    codes: &mut [u8],
+) -> Result<(), LengthMismatch> {
+    expect_length(vectors.len() * C::BYTES, codes.len())?;
+    level.run(Encode { vectors, codes, codec: PhantomData::<fn() -> C> });
+    Ok(())
+}
+
+/// [`decode_slice`] with the instructions of a given level.
+#[doc(hidden)]
+pub fn decode_slice_at<C: Codec>(
+    level: Level,
+    codes: &[u8],
+    vectors: &mut [impl Vector],
+) -> Result<(), LengthMismatch> {
+    expect_length(codes.len(), vectors.len() * C::BYTES)?;
+    level.run(Decode { codes, vectors, codec: PhantomData::<fn() -> C> });
+    Ok(())
+}
+
+/// [`decode_slice_i16x4`] with the instructions of a given level.
+#[doc(hidden)]
+pub fn decode_slice_i16x4_at<C: Codec>(
+    level: Level,
+    codes: &[u8],
+    vectors: &mut [[i16; 4]],
+) -> Result<(), LengthMismatch> {
+    expect_length(codes.len(), vectors.len() * C::BYTES)?;
+    level.run(Decode { codes, vectors, codec: PhantomData::<fn() -> C> });
+    Ok(())
+}
+
+/// Writes the low bytes of `code`, as many as `stored` has: at most 8.
+pub(crate) fn store(code: impl Code, stored: &mut [u8]) {
+    let [low, high] = code.to_words();
+    let bytes = ((u64::from(high) << 32) | u64::from(low)).to_le_bytes();
+    stored.copy_from_slice(&bytes[..stored.len()]);
+}
+
+/// The code that [`store`] wrote.
+pub(crate) fn load<T: Code>(stored: &[u8]) -> T {
+    let mut bytes = [0; 8];
+    bytes[..stored.len()].copy_from_slice(stored);
+    let code = u64::from_le_bytes(bytes);
+    T::from_words([code as u32, (code >> 32) as u32])
+}
+
+/// Fails unless the two sizes are the same.
+///
+/// # Errors
+/// [`LengthMismatch`] of the two.
+pub fn expect_length(expected: usize, actual: usize) -> Result<(), LengthMismatch> {
+    if expected == actual { Ok(()) } else { Err(LengthMismatch { expected, actual }) }
+}
+
+/// Bytes of vectors from which on memory is asked for ahead: a slice of this size does not stay in the caches nearest to
+/// the core. The processor's own foresight ends with each page, and counts for little where memory is written.
+const FAR: usize = 1 << 20;
+
+/// How many blocks ahead.
+pub(crate) const AHEAD: usize = 2;
+
+/// True where a slice of vectors of this size should be asked for ahead.
+#[inline(always)]
+pub(crate) fn is_far<T>(vectors: &[T]) -> bool {
+    size_of_val(vectors) >= FAR
+}
+
+struct Encode<'a, C, V> {
+    vectors: &'a [V],
+    codes: &'a mut [u8],
+    codec: PhantomData<C>,
+}
+
+// Whole blocks and the rest go through one loop, so that each codec is compiled once.
+impl<C: Codec, V: Vector> Task for Encode<'_, fn() -> C, V> {
+    #[inline(always)]
+    fn run(self) {
+        let far = is_far(self.vectors);
+        let (blocks, rest) = as_chunks::<_, BLOCK>(self.vectors);
+        let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * C::BYTES);
+        let mut block = Block::new();
+        for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
+            let whole = i < blocks.len();
+            if far && i + AHEAD < blocks.len() {
+                prefetch(&blocks[i + AHEAD]);
+            }
+            if whole {
+                block.load_vectors(&blocks[i])
+            } else {
+                block.load_vectors(rest)
+            }
+            block.encode::<C>(if whole { BLOCK } else { rest.len() });
+            if whole {
+                block.store_codes::<C>(&mut codes[i * BLOCK * C::BYTES..][..BLOCK * C::BYTES]);
+            } else {
+                block.store_codes::<C>(codes_of_rest);
+            }
+        }
+    }
+}
+
+struct Decode<'a, C, V> {
+    codes: &'a [u8],
+    vectors: &'a mut [V],
+    codec: PhantomData<C>,
+}
+
+impl<C: Codec, V: Decoded> Task for Decode<'_, fn() -> C, V> {
+    #[inline(always)]
+    fn run(self) {
+        let far = is_far(self.vectors);
+        let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.vectors);
+        let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * C::BYTES);
+        let mut block = Block::new();
+        for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
+            let whole = i < blocks.len();
+            if far && i + AHEAD < blocks.len() {
+                prefetch(&blocks[i + AHEAD]);
+            }
+            if C::BYTES == 2 {
+                // Of a known number of pairs of bytes the compiler makes single loads, not vectors.
+                let start = i * BLOCK * C::BYTES;
+                block.load_codes::<C>(&self.codes[start..self.codes.len().min(start + BLOCK * C::BYTES)]);
+            } else if whole {
+                block.load_codes::<C>(&codes[i * BLOCK * C::BYTES..][..BLOCK * C::BYTES]);
+            } else {
+                block.load_codes::<C>(codes_of_rest);
+            }
+            block.decode::<C>(if whole { BLOCK } else { rest.len() });
+            if whole { V::store(&block, &mut blocks[i]) } else { V::store(&block, rest) }
+        }
+    }
+}
