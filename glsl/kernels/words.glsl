@@ -12,7 +12,9 @@ struct Codes { uint w[BYTES]; };
 
 Codes pack(CODE c[4]) {
     Codes codes;
-#if BYTES == 2
+#if BYTES == 1
+    codes.w[0] = c[0] | (c[1] << 8u) | (c[2] << 16u) | (c[3] << 24u);
+#elif BYTES == 2
     codes.w[0] = c[0] | (c[1] << 16u);
     codes.w[1] = c[2] | (c[3] << 16u);
 #elif BYTES == 3
@@ -39,7 +41,9 @@ Codes pack(CODE c[4]) {
 
 CODE[4] unpack(Codes codes) {
     CODE c[4];
-#if BYTES == 2
+#if BYTES == 1
+    for (int n = 0; n < 4; ++n) c[n] = codes.w[0] >> (8 * n);
+#elif BYTES == 2
     c[0] = codes.w[0];
     c[1] = codes.w[0] >> 16u;
     c[2] = codes.w[1];

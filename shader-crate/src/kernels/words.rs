@@ -30,6 +30,19 @@ pub trait Words {
     fn unpack(&self) -> [CodeWords; 4];
 }
 
+impl Words for [u32; 1] {
+    #[inline(always)]
+    fn pack([[a, _], [b, _], [c, _], [d, _]]: [CodeWords; 4]) -> Self {
+        [a | (b << 8) | (c << 16) | (d << 24)]
+    }
+
+    #[inline(always)]
+    fn unpack(&self) -> [CodeWords; 4] {
+        let [a] = *self;
+        [[a, 0], [a >> 8, 0], [a >> 16, 0], [a >> 24, 0]]
+    }
+}
+
 impl Words for [u32; 2] {
     #[inline(always)]
     fn pack([[a, _], [b, _], [c, _], [d, _]]: [CodeWords; 4]) -> Self {

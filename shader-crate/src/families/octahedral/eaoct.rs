@@ -48,13 +48,13 @@
 //! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`, so that at 32 bits the
 //! position is good to 2^-6 of a step, and mostly to 2^-9. What that adds to the mean error does not show in four digits.
 
+use super::{fold, pack, unpack};
 use crate::arith::{
     cos_eighth, exp2, floor, is_negative, negate_if, negate_positive, scale_to_one, sin_eighth, snorm_max,
     sqrt,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
-use crate::oct::{fold, pack, unpack};
 use glam::{Vec2, Vec3};
 
 /// `2/pi atan(q) = q (TURN_0 + u (TURN_1 + ... + u TURN_7))` with `u = q^2`, for q in \[0, 1\]: absolute error 5.1e-8,

@@ -29,7 +29,7 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
 /// A denormal x or y counts as 0, since some devices flush it: beside another component near 2^-116, in a vector as
 /// short as may be, it might decide a rounding of their sum.
 #[inline(always)]
-pub(crate) fn project(v: Vec3, norm: f32, m: f32) -> Vec2 {
+pub(super) fn project(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let scale = m / norm;
     let (x, y) = (without_denormal(v.x), without_denormal(v.y));
     let (u, w) = ((x + y) * scale, (x - y) * scale);
@@ -44,14 +44,19 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     normalize(Vec3::new(x, y, 2.0 * m - x.abs() - y.abs()))
 }
 
+/// `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32 (at most 2^-21 of the square's half
+/// side) adds. The snorms have half of `bits`, rounded down.
+pub(super) const fn error_bound(bits: u32) -> f32 {
+    (1.224_744_9 * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
+}
+
 /// Hemi-octahedral code of `BITS` bits (16, 24 or 32) for directions with z >= 0.
 pub struct HemiOct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for HemiOct<BITS> {
     const BITS: u32 = BITS;
-    /// For directions with z >= 0. `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32
-    /// (at most 2^-21 of the square's half side) adds.
-    const MAX_ERROR_DEG: f32 = (1.224_744_9 * (1.0 / snorm_max(BITS / 2) + 1.0 / 2_097_152.0)).to_degrees();
+    /// For directions with z >= 0.
+    const MAX_ERROR_DEG: f32 = error_bound(BITS);
     type Code = u32;
 
     #[inline(always)]

@@ -16,9 +16,8 @@
 //! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror
 //!   image along that edge; the four corners are all -Z.
 
-use crate::arith::{
-    exp2, floor, is_negative, mask, max, negate_if, normalize, signed_code, snorm_integer, snorm_max,
-};
+use super::{fold, pack, unpack};
+use crate::arith::{exp2, floor, is_negative, max, negate_if, normalize, signed_code, snorm_max};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm, or_z};
 use glam::{Vec2, Vec3};
@@ -36,7 +35,7 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
 }
 
 /// The lattice point of the direction of `v` that is nearest in angle: of the four corners of its cell, as in
-/// listing 3, which the nearest of all points is among. `m` is at least 127.
+/// listing 3, which the nearest of all points is among.
 ///
 /// Components count as at least 2^-26 of the norm, so that denormals, which some devices flush and which are less, break
 /// no ties. Without a usable direction, all is computed and then dropped: to select here takes fewer operations than in
@@ -45,7 +44,8 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
 pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
     let norm = l1_norm(v);
     let (p, least) = (v.abs() * (m / norm), m * LEAST_PART);
-    let nearest = nearest_corner(Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least)), m);
+    let p = Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least));
+    let nearest = if m < FEW { searched_corner(p, m) } else { nearest_corner(p, m) };
     let (x, y) = fold(v.z, nearest.x, nearest.y, m);
     let (x, y) = if is_usable(norm) { (x, y) } else { (0.0, 0.0) };
     Vec2::new(negate_if(is_negative(v.x), x), negate_if(is_negative(v.y), y))
@@ -61,13 +61,6 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let x = e.x + negate_if(e.x >= 0.0, below);
     let y = e.y + negate_if(e.y >= 0.0, below);
     normalize(Vec3::new(x, y, z))
-}
-
-/// Moves a point of the positive octant, scaled to `x + y + z = m`, to where the lower half of the octahedron is
-/// folded out if `z` is negative.
-#[inline(always)]
-pub(crate) fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
-    if is_negative(z) { (m - y, m - x) } else { (x, y) }
 }
 
 /// The corner of the lattice cell around `p` that is nearest to it in angle, for `p` in the positive octant with
@@ -114,10 +107,51 @@ fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     Vec2::new(x, y)
 }
 
+/// A corner of a lattice cell, and the square of the tangent of its angle from what was sought, as a fraction.
+#[derive(Clone, Copy)]
+struct Corner {
+    at: Vec2,
+    across: f32,
+    along: f32,
+}
+
+impl Corner {
+    /// The corner (x, y), as `p` sees it. One beyond the edge z = 0 is none of the octant's, and farther than any.
+    #[inline(always)]
+    fn new(x: f32, y: f32, p: Vec3, m: f32) -> Self {
+        let z = m - x - y;
+        let a = y * p.z - z * p.y;
+        let b = z * p.x - x * p.z;
+        let c = x * p.y - y * p.x;
+        let (across, along) = ((a * a + b * b) + c * c, (x * p.x + y * p.y) + z * p.z);
+        Self { at: Vec2::new(x, y), across, along: if z < 0.0 { 0.0 } else { along * along } }
+    }
+
+    /// `other` where it is nearer, else `self`.
+    #[inline(always)]
+    fn or_nearer(self, other: Self) -> Self {
+        if other.across * self.along < self.across * other.along { other } else { self }
+    }
+}
+
+/// As [`nearest_corner`], for any `m`: the best of the four corners, as listing 3 finds it.
+#[inline(always)]
+fn searched_corner(p: Vec3, m: f32) -> Vec2 {
+    let (x, y) = (floor(p.x), floor(p.y));
+    let near = Corner::new(x, y, p, m);
+    let right = Corner::new(x + 1.0, y, p, m);
+    let up = Corner::new(x, y + 1.0, p, m);
+    let far = Corner::new(x + 1.0, y + 1.0, p, m);
+    near.or_nearer(right).or_nearer(up).or_nearer(far).at
+}
+
+/// Squares of fewer steps than this (up to 12 bits) are so coarse that [`weighed`] no longer finds the nearest corner.
+const FEW: f32 = 63.0;
+
 /// 2^-26, that of the largest denormal in the shortest usable vector.
 const LEAST_PART: f32 = exp2(-26);
 
-/// Squares of fewer steps than this (16 bits) take [`weighed`], others (20, 22 and 24 bits) [`approached`].
+/// Squares of fewer steps than this (14 to 18 bits) take [`weighed`], others (20 to 24 bits) [`approached`].
 const SMALL: f32 = 256.0;
 
 /// In squares of this many steps and more (32 bits) the denominators change less than the rounding of `p` does.
@@ -188,31 +222,13 @@ pub fn unorm8x3_to_snorm12x2(code: u32) -> Vec2 {
     Vec2::new(if x > 2047.0 { 2047.0 } else { x }, if y > 2047.0 { 2047.0 } else { y })
 }
 
-/// The code of a lattice point.
-#[inline(always)]
-pub(crate) fn pack<const BITS: u32>(e: Vec2) -> u32 {
-    if BITS == 24 {
-        return snorm12x2_to_unorm8x3(e);
-    }
-    signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
-}
-
-/// The lattice point of a code.
-#[inline(always)]
-pub(crate) fn unpack<const BITS: u32>(code: u32) -> Vec2 {
-    if BITS == 24 {
-        return unorm8x3_to_snorm12x2(code);
-    }
-    Vec2::new(snorm_integer(code & mask(BITS / 2), BITS / 2), snorm_integer(code >> (BITS / 2), BITS / 2))
-}
-
 /// `radians_times_m` at this width in degrees, and what the rounding of the position in f32 (at most 2^-21 of the
 /// square's half side) adds.
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
     (radians_times_m * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
 }
 
-/// Octahedral code of `BITS` bits (16, 20, 22, 24 or 32), fast encoder.
+/// Octahedral code of `BITS` bits (even, 4 to 32), fast encoder.
 pub struct Oct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Oct<BITS> {
@@ -231,7 +247,7 @@ impl<const BITS: u32> Codec for Oct<BITS> {
     }
 }
 
-/// Octahedral code of `BITS` bits (16, 20, 22, 24 or 32), precise encoder: the format of [`Oct`], a third less
+/// Octahedral code of `BITS` bits (even, 4 to 32), precise encoder: the format of [`Oct`], a third less
 /// error at most.
 pub struct OctPrecise<const BITS: u32>;
 

@@ -23,10 +23,10 @@
 //! * The equator has two codes of each direction, one with either sign; both decode to z = 0. Encoding gives z = 0 the
 //!   sign 0, and a small negative z that rounds to 0 the sign 1.
 
+use super::hemioct::{error_bound, from_lattice, project};
 use crate::arith::{is_negative, mask, negate_positive, signed_code, snorm_integer, snorm_max};
 use crate::codec::Codec;
 use crate::direction::or_z;
-use crate::hemioct::{from_lattice, project};
 use glam::{Vec2, Vec3};
 
 /// The codes of u and v, of `bits` bits each, and the sign, of the direction of `v`.
@@ -43,12 +43,6 @@ fn from_parts(u: u32, v: u32, sign: u32, bits: u32) -> Vec3 {
     let e = Vec2::new(snorm_integer(u, bits), snorm_integer(v, bits));
     let up = from_lattice(e, snorm_max(bits));
     Vec3::new(up.x, up.y, negate_positive(sign & 1 != 0, up.z))
-}
-
-/// `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32 (at most 2^-21 of the square's half
-/// side) adds.
-const fn error_bound(bits: u32) -> f32 {
-    (1.224_744_9 * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
 }
 
 /// Signed octahedral code of `BITS` bits (17 or 25).
