@@ -34,107 +34,19 @@
 //!   degrees, hardly less than XYOnly24. (The survey's 0.07759 and 2.10047 are those of truncating conversion,
 //!   measured so: 0.0780 and 2.06.)
 
+mod plane;
+mod xyonly;
+
+pub use xyonly::{XyOnly, XyOnly32F};
+
 use crate::arith::{
-    dot, face_of, floor, from_face, half_decode_magnitude, half_encode_magnitude, is_negative, mask,
-    negate_positive, scale_to_one, snorm_integer, snorm_max, sqrt, to_face, whole_to_u32,
+    dot, face_of, from_face, is_negative, mask, negate_positive, scale_to_one, snorm_integer, sqrt, to_face,
+    whole_to_u32,
 };
 use crate::codec::Codec;
-use crate::direction::{or_z, upper_or_z};
+use crate::direction::or_z;
 use glam::{Vec2, Vec3};
-
-/// How far inwards, in steps, points outside decode.
-const INSET: f32 = 0.4375;
-
-/// What of the projection onto the border is kept, so that the lattice point below is inside: 1 - 2^-21.
-const KEPT: f32 = 0.999_999_5;
-
-/// The plane that the components are stored in.
-#[derive(Clone, Copy)]
-struct Plane {
-    /// The largest whole numbers.
-    m: Vec2,
-    /// Steps in a unit.
-    steps: Vec2,
-    /// Points are inside up to this [`extent`](Self::extent).
-    limit: f32,
-    /// How far inwards, in steps, points outside decode.
-    inset: f32,
-    /// Whether the border is that of a sextant and not of the disk.
-    sextant: bool,
-}
-
-impl Plane {
-    /// Of the disk. With 23 bits and more a component has no room for an inset, and needs none: points outside are so
-    /// by less than the length's rounding.
-    #[inline(always)]
-    fn disk(x_bits: u32, y_bits: u32) -> Self {
-        let m = Vec2::new(snorm_max(x_bits), snorm_max(y_bits));
-        let fine = x_bits > 22;
-        Self {
-            m,
-            steps: m,
-            // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
-            limit: if fine { 1.000_000_4 } else { 1.0 },
-            inset: if fine { 0.0 } else { INSET },
-            sextant: false,
-        }
-    }
-
-    /// Of a sextant. Inside leaves 2^-21, so that rounding does not turn the largest component into another.
-    #[inline(always)]
-    fn sextant(u_bits: u32, v_bits: u32) -> Self {
-        let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
-        Self {
-            m,
-            steps: m * core::f32::consts::SQRT_2,
-            limit: KEPT,
-            inset: if u_bits > 22 { 0.0 } else { INSET },
-            sextant: true,
-        }
-    }
-
-    /// 1 on the border, for a point of the positive quadrant.
-    #[inline(always)]
-    fn extent(self, p: Vec2) -> f32 {
-        let larger = if p.x >= p.y { p.x } else { p.y };
-        let disk = p.x * p.x + p.y * p.y;
-        if self.sextant { disk + larger * larger } else { disk }
-    }
-
-    #[inline(always)]
-    fn is_outside(self, e: Vec2) -> bool {
-        self.extent(e / self.steps) > self.limit
-    }
-
-    /// `e` with the component along which the border is sooner reached lessened by `by` steps.
-    #[inline(always)]
-    fn inwards(self, e: Vec2, by: f32) -> Vec2 {
-        let p = e / self.steps;
-        let (x, y) = (p.x * self.steps.y, p.y * self.steps.x);
-        let weighed_x = if p.x >= p.y { 2.0 } else { 0.5 } * x;
-        let along_x = if self.sextant { weighed_x } else { x } >= y;
-        if along_x { Vec2::new(e.x - by, e.y) } else { Vec2::new(e.x, e.y - by) }
-    }
-
-    /// The whole numbers of a point of the positive quadrant, inside or, before rounding, on the border.
-    #[inline(always)]
-    fn round(self, p: Vec2) -> Vec2 {
-        let x = floor(p.x * self.steps.x + 0.5);
-        let y = floor(p.y * self.steps.y + 0.5);
-        let e = Vec2::new(if x > self.m.x { self.m.x } else { x }, if y > self.m.y { self.m.y } else { y });
-        let unwritten = self.is_outside(e) && self.is_outside(self.inwards(e, self.inset));
-        if unwritten { self.inwards(e, 1.0) } else { e }
-    }
-
-    /// The point that whole numbers, not negative, stand for: not outside.
-    #[inline(always)]
-    fn point(self, e: Vec2) -> Vec2 {
-        let inset = if self.is_outside(e) { self.inwards(e, self.inset) } else { e };
-        let onto_border = KEPT / sqrt(self.extent(e / self.steps));
-        let below = Vec2::new(floor(e.x * onto_border), floor(e.y * onto_border));
-        (if self.is_outside(inset) { below } else { inset }) / self.steps
-    }
-}
+use plane::Plane;
 
 /// `v`, of any length, at unit length; as it is, or times a power of two, where that is of unit length to within 2^-21.
 #[inline(always)]
@@ -197,13 +109,6 @@ fn from_plane(plane: Plane, e: Vec2, negative: bool) -> Vec3 {
     )
 }
 
-/// `v` with what is below the equator moved up to it, and at unit length.
-#[inline(always)]
-fn upper_unit(v: Vec3) -> Vec3 {
-    let (v, norm) = upper_or_z(v);
-    unit(v, norm)
-}
-
 #[inline(always)]
 fn pp_encode(v: Vec3, x_bits: u32, y_bits: u32) -> [u32; 2] {
     let (v, norm) = or_z(v);
@@ -233,101 +138,6 @@ fn spp_decode(words: [u32; 2], u_bits: u32, v_bits: u32) -> Vec3 {
     let (e, top) = unpack(words, u_bits, v_bits);
     let n = from_plane(Plane::sextant(u_bits, v_bits), e, (top & 1) != 0);
     from_face(n, top & 7)
-}
-
-/// x and y as snorm in `BITS` bits (16, 24 or 32), for directions with z >= 0.
-pub struct XyOnly<const BITS: u32>;
-
-impl<const BITS: u32> Codec for XyOnly<BITS> {
-    const BITS: u32 = BITS;
-    /// For directions with z >= 0. `arccos(1 - 1/(sqrt(2) m))` and what `f32` rounds, in degrees.
-    const MAX_ERROR_DEG: f32 = match BITS {
-        16 => 6.1,
-        24 => 1.52,
-        _ => 0.39,
-    };
-    type Code = u32;
-
-    #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
-        let n = upper_unit(v);
-        let e = Plane::disk(BITS / 2, BITS / 2).round(Vec2::new(n.x.abs(), n.y.abs()));
-        let (x, y) = (field(is_negative(n.x), e.x, BITS / 2), field(is_negative(n.y), e.y, BITS / 2));
-        x | (y << (BITS / 2))
-    }
-
-    #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
-        let x = snorm_integer(code & mask(BITS / 2), BITS / 2);
-        let y = snorm_integer(code >> (BITS / 2), BITS / 2);
-        from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
-    }
-}
-
-/// x and y as half floats, for directions with z >= 0: a VK_FORMAT_R16G16_SFLOAT.
-pub struct XyOnly32F;
-
-/// The numbers of two halves without signs.
-#[inline(always)]
-fn halves(a: u32, b: u32) -> Vec2 {
-    Vec2::new(half_decode_magnitude(a), half_decode_magnitude(b))
-}
-
-#[inline(always)]
-fn is_off_disk(p: Vec2) -> bool {
-    p.x * p.x + p.y * p.y > 1.0
-}
-
-/// The numbers of two halves without signs, the larger one moved towards the next smaller half by [`INSET`].
-#[inline(always)]
-fn halves_inset(a: u32, b: u32) -> Vec2 {
-    let p = halves(a, b);
-    // Only used off the disk, where the larger is not 0.
-    let inner = halves(if a > 0 { a - 1 } else { 0 }, if b > 0 { b - 1 } else { 0 });
-    let x = p.x - INSET * (p.x - inner.x);
-    let y = p.y - INSET * (p.y - inner.y);
-    if p.x >= p.y { Vec2::new(x, p.y) } else { Vec2::new(p.x, y) }
-}
-
-/// A half not above `x`: the next one, or 0 in place of those below 2^-14.
-#[inline(always)]
-fn half_below(x: f32) -> f32 {
-    let bits = x.to_bits();
-    f32::from_bits(if bits < 0x3880_0000 { 0 } else { bits & 0xffff_e000 })
-}
-
-impl Codec for XyOnly32F {
-    const BITS: u32 = 32;
-    /// For directions with z >= 0. `arccos(1 - sqrt(2) 2^-12)`, from the halves' steps of 2^-11 below 1, is 1.506.
-    const MAX_ERROR_DEG: f32 = 1.53;
-    type Code = u32;
-
-    #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
-        let n = upper_unit(v);
-        let (a, b) = (half_encode_magnitude(n.x), half_encode_magnitude(n.y));
-        let unwritten = is_off_disk(halves(a, b)) && is_off_disk(halves_inset(a, b));
-        let x = a - if unwritten && a >= b { 1 } else { 0 };
-        let y = b - if unwritten && a < b { 1 } else { 0 };
-        let x_sign = if is_negative(n.x) && x != 0 { 0x8000 } else { 0 };
-        let y_sign = if is_negative(n.y) && y != 0 { 0x8000 } else { 0 };
-        (x | x_sign) | ((y | y_sign) << 16)
-    }
-
-    #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
-        let (a, b) = (code & 0x7fff, (code >> 16) & 0x7fff);
-        let p = halves(a, b);
-        let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };
-        let onto_border = KEPT / sqrt(p.x * p.x + p.y * p.y);
-        let below = Vec2::new(half_below(p.x * onto_border), half_below(p.y * onto_border));
-        let q = if is_off_disk(inset) { below } else { inset };
-        Vec3::new(
-            negate_positive((code & 0x8000) != 0, q.x),
-            negate_positive((code >> 31) != 0, q.y),
-            third(q),
-        )
-    }
 }
 
 /// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32).

@@ -1,0 +1,216 @@
+//! Best fit codes: three snorm components of a vector whose length is chosen so that it points as it should.
+//!
+//! Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light" (best fit normals); Cigolle et al. 2014,
+//! section 2.2.
+//!
+//! Rounded unit vectors are but a shell of the cube of whole vectors `[-m, m]^3`. As the decoder's caller normalises,
+//! any whole vector will do, and one of them points nearest. Its length is told by its largest component, the whole
+//! number `k`: with `u = |v| / max`, the candidates are the `round(k u)`. A vector and its double point alike, so the
+//! `k` above `m / 2` are all there is to try: 64 for `m` = 127.
+//!
+//! * [`CrytekBfn24`] is the original method: one length for all directions of a cell of a table.
+//! * [`SnormBest8`] (snorm8x3P) is the survey's: the best of a cell's four lengths. One direction in eleven has a better
+//!   length.
+//! * [`SnormNearest8`] tries the 64, and a few scales in between: no whole vector points nearer.
+//! * The first two work out the lengths of cells; [`EncodeByTable`] looks them up. Their codes are the same. The compute kernels and the `unitvec` program take the table.
+//! * [`SnormBest16`] (snorm16x3P) tries the 64 longest of the 16384 lengths, and the unit vector.
+//!
+//! The table ([`fill_table`], 805 KiB): a direction's column and row are `mid / max` and `min / max` of its magnitudes
+//! in order of size, times 640. By symmetry that covers the sphere, and a row is at most its column. A cell is a word,
+//! the bytes of which are four of the lengths 64 to 127; to a shader, a texel of VK_FORMAT_R8G8B8A8_UINT. The low byte
+//! has the length that fits nine directions of the cell, three by three, best in the mean; each byte above it the one
+//! that helps most where the ones before may be taken too. The word of a cell is number
+//! `4 (g (2 g + 1) + row) + column`, `g = column / 4` rounded down: four columns side by side have their rows one after
+//! the other, so that a line of a cache has 4 x 4 cells, and half a square is not stored.
+//!
+//! * Layout: x in the low component, then y, z, in two's complement, as in VK_FORMAT_R8G8B8_SNORM and
+//!   VK_FORMAT_R16G16B16_SNORM. A component's pattern of `-2^(b-1)`, never written, counts as -1. The zero vector,
+//!   never written either, decodes to (0, 0, 0).
+//! * Decoding gives the components as stored, **not normalised**: the longest is at least 0.5. The format is that of
+//!   plain snorm components, so that best fit and plain codes can be mixed.
+//! * Error in degrees, mean and largest over uniform directions, with the survey's in brackets:
+//!   snorm8x3P 0.0308, 0.319 (0.03164, 0.33443), nearest of all 0.0305, 0.319; CrytekBFN24 0.0402, 0.31 seen (0.04027,
+//!   4.78260); snorm16x3P 0.000088, 0.00124 (0.00060, 0.00149).
+//! * Why less than the survey's maximum: an error of 4.78 degrees would be half a step at a length of 6, read where it
+//!   does not fit; here no length is under 64, since short ones gain nothing over their multiples. At 16 bits the survey
+//!   tries five lengths, and the mean falls with the square root of their number.
+//! * Why that table: an encoder by table spends half its time waiting for the table, the longer the larger what is in
+//!   use of it. Four lengths that together fit a cell do as well as those of the four closest of 1024 x 1024 texels, and
+//!   one read has them all; a table of such texels with one read for all four would be five times as large.
+//! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error
+//!   is that of plain components, ten times the mean.
+//! * Cost: the scan of 64 lengths takes some 1900 operations, 40 times those of an octahedral encoder (oct24: 48), and
+//!   SnormNearest8 2200. By table snorm8x3P takes 146 (3 times as many), CrytekBFN24 58, and one read each.
+//!   Decoding is next to free.
+//! * Axes and diagonals (components of 0 and one magnitude) round-trip exactly, but for length; the axes have length 1
+//!   with snorm8x3P and snorm16x3P. Mirrored or permuted, a vector gets the mirrored or permuted code.
+
+mod scan;
+mod table;
+
+pub use table::{TABLE_COLUMNS, TABLE_WORDS, fill_table, table_word};
+
+use crate::arith::{signed_code, snorm_decode, snorm_max, sqrt};
+use crate::codec::Codec;
+use crate::direction::or_z;
+use glam::Vec3;
+use scan::{Fit, at_scale, best_scale, by_size, on_cube, pack8};
+use table::{best_of, cell_lengths, cell_of, code_at_length, lengths_in, parts_and_reciprocal, table_index};
+
+/// A codec whose encoder can look lengths up in the table of [`fill_table`]: a few operations in place of many, for the
+/// same codes.
+pub trait EncodeByTable: Codec {
+    /// [`Codec::encode`], with `word` to look up a word of the table: its index is below [`TABLE_WORDS`].
+    fn encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> Self::Code;
+
+    /// [`Codec::encode`] by the table of [`fill_table`]. Another table, or one that is too short, costs accuracy only.
+    #[inline(always)]
+    fn encode_by_table(v: Vec3, table: &[u32]) -> Self::Code {
+        Self::encode_by(v, |index| {
+            let index = index as usize;
+            // 0 stands for lengths of 64.
+            if index < table.len() { table[index] } else { 0 }
+        })
+    }
+}
+
+impl EncodeByTable for SnormBest8 {
+    #[inline(always)]
+    fn encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> u32 {
+        let (v, _) = or_z(v);
+        let (parts, reciprocal) = parts_and_reciprocal(v);
+        code_at_length(v, reciprocal, best_of(parts, lengths_in(word(table_index(cell_of(parts))))))
+    }
+}
+
+impl EncodeByTable for CrytekBfn24 {
+    #[inline(always)]
+    fn encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> u32 {
+        let (v, _) = or_z(v);
+        let (parts, reciprocal) = parts_and_reciprocal(v);
+        let [length, ..] = lengths_in(word(table_index(cell_of(parts))));
+        code_at_length(v, reciprocal, length)
+    }
+}
+
+/// The largest angle, in degrees, that rounding at this length leaves: half the diagonal of a square of whole points in
+/// the plane where the largest component is `length`. The angle is at most the distance over `length`. `rounding` is
+/// what `f32` adds to the distance.
+const fn error_bound(length: f32, rounding: f32) -> f32 {
+    ((core::f32::consts::FRAC_1_SQRT_2 + rounding) / length).to_degrees()
+}
+
+/// snorm8x3P, 24 bits: the best of a cell's four lengths. A VK_FORMAT_R8G8B8_SNORM.
+///
+/// This works the lengths out, 576 trials: with more than a few vectors to encode, take [`EncodeByTable`].
+/// Keeps the axes. Decodes to a vector that is not normalised.
+pub struct SnormBest8;
+
+impl Codec for SnormBest8 {
+    const BITS: u32 = 24;
+    const IS_UNIT: bool = false;
+    /// That of a length of 120. 127, which leaves 0.319 at most, need not be among a cell's lengths: found by trial of
+    /// the cells, in directions 1/8 of a cell apart, that none leaves more. The rest is for those in between.
+    const MAX_ERROR_DEG: f32 = error_bound(120.0, 1.0 / 16_384.0);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let (v, _) = or_z(v);
+        let (parts, reciprocal) = parts_and_reciprocal(v);
+        let (column, row) = cell_of(parts);
+        code_at_length(v, reciprocal, best_of(parts, cell_lengths(column, row)))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        Vec3::new(snorm_decode(code, 8), snorm_decode(code >> 8, 8), snorm_decode(code >> 16, 8))
+    }
+}
+
+/// The format of [`SnormBest8`], 24 bits, with an encoder that misses nothing: of all whole vectors the one that points
+/// nearest.
+///
+/// Keeps the direction of any code. Decodes to a vector that is not normalised.
+pub struct SnormNearest8;
+
+impl Codec for SnormNearest8 {
+    const BITS: u32 = 24;
+    const IS_UNIT: bool = false;
+    /// 127 is a length that fits no worse than that, and is among those tried. Positions are off by 2^-17 at most.
+    const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let (v, _) = or_z(v);
+        let u = on_cube(v);
+        pack8(at_scale(v, u, best_scale(by_size(u))))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        SnormBest8::decode(code)
+    }
+}
+
+/// CrytekBFN24, 24 bits: Kaplanyan's method, one length for all directions of a cell. A VK_FORMAT_R8G8B8_SNORM.
+///
+/// This works the length out; with a table at hand, take [`EncodeByTable`].
+/// Decodes to a vector that is not normalised.
+pub struct CrytekBfn24;
+
+impl Codec for CrytekBfn24 {
+    const BITS: u32 = 24;
+    const IS_UNIT: bool = false;
+    /// No length is below 64. The largest error seen is half of that, 0.31.
+    const MAX_ERROR_DEG: f32 = error_bound(64.0, 1.0 / 16_384.0);
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let (v, _) = or_z(v);
+        let (parts, reciprocal) = parts_and_reciprocal(v);
+        let (column, row) = cell_of(parts);
+        let [length, ..] = cell_lengths(column, row);
+        code_at_length(v, reciprocal, length)
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        SnormBest8::decode(code)
+    }
+}
+
+/// snorm16x3P, 48 bits: the best of the lengths 32704 to 32767 and of the unit vector. A VK_FORMAT_R16G16B16_SNORM.
+///
+/// Never further off than plain snorm16x3, but by what `f32` rounds: where it does not turn the rounding of the unit
+/// vector, by less than 0.00003 degrees.
+/// Decodes to a vector that is not normalised.
+pub struct SnormBest16;
+
+impl Codec for SnormBest16 {
+    const BITS: u32 = 48;
+    const IS_UNIT: bool = false;
+    /// 32767 is a length that fits no worse than that. Positions are off by 2^-9 at most along each axis, both in the
+    /// choice and in what is chosen.
+    const MAX_ERROR_DEG: f32 = error_bound(snorm_max(16), 1.0 / 128.0);
+    type Code = [u32; 2];
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> [u32; 2] {
+        let (v, _) = or_z(v);
+        let u = on_cube(v);
+        let parts = by_size(u);
+        let longest = snorm_max(16);
+        let unit = longest / sqrt((1.0 + parts.mid * parts.mid) + parts.min * parts.min);
+        let best = Fit::of_scale(parts, unit).or_scanned(parts, longest);
+        let q = at_scale(v, u, best.scale);
+        [signed_code(q.x, 16) | (signed_code(q.y, 16) << 16), signed_code(q.z, 16)]
+    }
+
+    #[inline(always)]
+    fn decode([low, high]: [u32; 2]) -> Vec3 {
+        Vec3::new(snorm_decode(low, 16), snorm_decode(low >> 16, 16), snorm_decode(high, 16))
+    }
+}

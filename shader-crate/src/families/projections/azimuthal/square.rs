@@ -1,0 +1,173 @@
+//! The disk on the square.
+
+use super::disk::Disk;
+#[cfg(doc)]
+use super::disk::Projection;
+use crate::arith::{atan_octant_ratio, sin_cos_half_turns, sqrt};
+#[cfg(doc)]
+use crate::codec::Codec;
+use glam::Vec2;
+
+/// A way to lay the disk on the square, on the quadrant of positive coordinates.
+pub trait SquareMap {
+    /// Which one: 0, 1, 2.
+    const INDEX: u32;
+
+    /// The K of [`Codec::MAX_ERROR_DEG`] with each projection, by [`Projection::INDEX`]: the greatest length of
+    /// `k a/2 + b/2` and `k a/2 - b/2`, where a and b are the derivatives of the direction by u and v, and k, at
+    /// most 64/127, is u's step over v's. Rounded up.
+    const STRETCH: [f32; 3];
+
+    /// The point on the square of a disk point.
+    fn to_square(disk: Disk) -> Vec2;
+
+    /// The lattice point to write where `e` is the one that rounding gave. `m` has the largest integers.
+    fn settle(e: Vec2, m: Vec2) -> Vec2;
+
+    /// The disk point of a lattice point.
+    fn to_disk(e: Vec2, m: Vec2) -> Disk;
+}
+
+/// No map: the disk lies in the square, whose corners, a part of `1 - pi/4`, are spare.
+///
+/// Rounding takes points near the rim to lattice points beyond it. Such a point stands for a point of the rim: it
+/// is moved to the rim along the coordinate in which a step counts for more, or, where that takes more than half
+/// a step, along the other one for the rest. So it stays in its cell, and rounding takes it back to the same
+/// lattice point. As the rim's slope is taken as constant, the point comes to lie outside by up to 2^-7 of a
+/// step, of which the projections make a direction on the equator.
+///
+/// A lattice point is remote where the disk covers nothing of its cell, or only the last 64th of a step at the
+/// corner that points to the middle. Remote ones are never written, so that whatever is written comes back: where
+/// rounding gives one, which takes a position in that last 64th, the next point inward is written. Remote codes
+/// decode to +-X or +-Y, whichever is nearer.
+pub struct Plain;
+
+/// How far, in steps, points beyond the rim are moved at most: a 64th less than half a step, which is twice what the
+/// rounding of a position in `f32` comes to at 32 bits.
+pub const REACH: f32 = 0.484375;
+
+impl SquareMap for Plain {
+    const INDEX: u32 = 0;
+    const STRETCH: [f32; 3] = [1.12, 1.1549, 0.9071];
+
+    #[inline(always)]
+    fn to_square(disk: Disk) -> Vec2 {
+        disk.point
+    }
+
+    #[inline(always)]
+    fn settle(e: Vec2, m: Vec2) -> Vec2 {
+        let p = e / m;
+        let inward = if p.x / m.x > p.y / m.y { Vec2::X } else { Vec2::Y };
+        if is_remote(e, m) { e - inward } else { e }
+    }
+
+    #[inline(always)]
+    fn to_disk(e: Vec2, m: Vec2) -> Disk {
+        let p = e / m;
+        let rim = 1.0 - (p.x * p.x + p.y * p.y);
+        let onto_rim = move_to_rim(p, m, -0.5 * rim);
+        let axis = if p.x > p.y { Vec2::X } else { Vec2::Y };
+        let on_rim = if is_remote(e, m) { axis } else { onto_rim };
+        let rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
+        if rim > 0.0 {
+            Disk { point: p, radius: 0.0, rim }
+        } else {
+            Disk { point: on_rim, radius: 0.0, rim: if rest < 0.0 { rest } else { 0.0 } }
+        }
+    }
+}
+
+/// True for lattice points of whose cell the disk covers nothing, or next to nothing.
+#[inline(always)]
+fn is_remote(e: Vec2, m: Vec2) -> bool {
+    let corner = (e - REACH) / m;
+    corner.x * corner.x + corner.y * corner.y > 1.0
+}
+
+/// The point on the rim for a point `p` beyond it, where `excess` is `(|p|^2 - 1) / 2`.
+#[inline(always)]
+fn move_to_rim(p: Vec2, m: Vec2, excess: f32) -> Vec2 {
+    // What one step on each axis takes off the excess.
+    let slope = p / m;
+    let along_u = slope.x > slope.y;
+    let (steep, gentle) = if along_u { (slope.x, slope.y) } else { (slope.y, slope.x) };
+    let alone = excess / steep;
+    let remainder = (excess - REACH * steep) / gentle;
+    let (first, second) = if alone < REACH { (alone, 0.0) } else { (REACH, remainder) };
+    let moved = if along_u { Vec2::new(first, second) } else { Vec2::new(second, first) };
+    p - moved / m
+}
+
+/// Shirley and Chiu's concentric map: keeps relative areas; circles become squares. It creases at the diagonals.
+pub struct Concentric;
+
+impl SquareMap for Concentric {
+    const INDEX: u32 = 1;
+    const STRETCH: [f32; 3] = [1.5478, 1.162, 1.2157];
+
+    #[inline(always)]
+    fn to_square(disk: Disk) -> Vec2 {
+        let p = disk.point;
+        let steep = p.y > p.x;
+        let (shorter, longer) = if steep { (p.x, p.y) } else { (p.y, p.x) };
+        let across = disk.radius * atan_octant_ratio(shorter, longer);
+        if steep { Vec2::new(across, disk.radius) } else { Vec2::new(disk.radius, across) }
+    }
+
+    #[inline(always)]
+    fn settle(e: Vec2, _: Vec2) -> Vec2 {
+        e
+    }
+
+    #[inline(always)]
+    fn to_disk(e: Vec2, m: Vec2) -> Disk {
+        let s = e / m;
+        let steep = s.y > s.x;
+        let (shorter, radius) = if steep { (s.x, s.y) } else { (s.y, s.x) };
+        let quotient = shorter / radius;
+        let octant = if radius > 0.0 { quotient } else { 0.0 };
+        let turn = sin_cos_half_turns(0.25 * octant);
+        let (across, along) = (radius * turn.y, radius * turn.x);
+        let point = if steep { Vec2::new(across, along) } else { Vec2::new(along, across) };
+        Disk { point, radius, rim: 1.0 - radius * radius }
+    }
+}
+
+/// The elliptical grid map: lines of the square become ellipses. Smooth but for the corners.
+///
+/// From square (s, t) to disk (x, y): `x = s sqrt(1 - t^2/2)`, `y = t sqrt(1 - s^2/2)`. Then `1 - x^2 - y^2 = (1
+/// - s^2)(1 - t^2)`.
+///
+/// Back: with `d = x^2 - y^2 = s^2 - t^2` the first equation is a quadratic one of s^2, the solution of which is
+/// `s^2 = 4 x^2 / (2 + d + root)` where `root^2 = (2 + d)^2 - 8 x^2 = d^2 + 4 rim`; and `t^2 = 4 y^2 / (2 - d +
+/// root)`. Only sums of positive terms occur, and `d`, which the root passes on at most as it is: so if `rim` has
+/// a small relative error the result has.
+pub struct Ellipse;
+
+impl SquareMap for Ellipse {
+    const INDEX: u32 = 2;
+    const STRETCH: [f32; 3] = [1.12, 1.022, 0.8796];
+
+    #[inline(always)]
+    fn to_square(disk: Disk) -> Vec2 {
+        let p = disk.point;
+        let difference = (p.x - p.y) * (p.x + p.y);
+        let sum = 2.0 + sqrt(difference * difference + 4.0 * disk.rim);
+        Vec2::new(2.0 * p.x / sqrt(sum + difference), 2.0 * p.y / sqrt(sum - difference))
+    }
+
+    #[inline(always)]
+    fn settle(e: Vec2, _: Vec2) -> Vec2 {
+        e
+    }
+
+    #[inline(always)]
+    fn to_disk(e: Vec2, m: Vec2) -> Disk {
+        let s = e / m;
+        let point = Vec2::new(s.x * sqrt(1.0 - 0.5 * s.y * s.y), s.y * sqrt(1.0 - 0.5 * s.x * s.x));
+        // (1 - s^2) (1 - t^2), with one rounding less near the middle.
+        let factor = 1.0 - s.x * s.x;
+        Disk { point, radius: 0.0, rim: factor - factor * (s.y * s.y) }
+    }
+}

@@ -1,0 +1,98 @@
+//! The plane that the components are stored in, and what is done with points outside its border.
+
+use crate::arith::{floor, snorm_max, sqrt};
+use glam::Vec2;
+
+/// How far inwards, in steps, points outside decode.
+pub(super) const INSET: f32 = 0.4375;
+
+/// What of the projection onto the border is kept, so that the lattice point below is inside: 1 - 2^-21.
+pub(super) const KEPT: f32 = 0.999_999_5;
+
+/// The plane that the components are stored in.
+#[derive(Clone, Copy)]
+pub(super) struct Plane {
+    /// The largest whole numbers.
+    m: Vec2,
+    /// Steps in a unit.
+    steps: Vec2,
+    /// Points are inside up to this [`extent`](Self::extent).
+    limit: f32,
+    /// How far inwards, in steps, points outside decode.
+    inset: f32,
+    /// Whether the border is that of a sextant and not of the disk.
+    sextant: bool,
+}
+
+impl Plane {
+    /// Of the disk. With 23 bits and more a component has no room for an inset, and needs none: points outside are so
+    /// by less than the length's rounding.
+    #[inline(always)]
+    pub(super) fn disk(x_bits: u32, y_bits: u32) -> Self {
+        let m = Vec2::new(snorm_max(x_bits), snorm_max(y_bits));
+        let fine = x_bits > 22;
+        Self {
+            m,
+            steps: m,
+            // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
+            limit: if fine { 1.000_000_4 } else { 1.0 },
+            inset: if fine { 0.0 } else { INSET },
+            sextant: false,
+        }
+    }
+
+    /// Of a sextant. Inside leaves 2^-21, so that rounding does not turn the largest component into another.
+    #[inline(always)]
+    pub(super) fn sextant(u_bits: u32, v_bits: u32) -> Self {
+        let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
+        Self {
+            m,
+            steps: m * core::f32::consts::SQRT_2,
+            limit: KEPT,
+            inset: if u_bits > 22 { 0.0 } else { INSET },
+            sextant: true,
+        }
+    }
+
+    /// 1 on the border, for a point of the positive quadrant.
+    #[inline(always)]
+    fn extent(self, p: Vec2) -> f32 {
+        let larger = if p.x >= p.y { p.x } else { p.y };
+        let disk = p.x * p.x + p.y * p.y;
+        if self.sextant { disk + larger * larger } else { disk }
+    }
+
+    #[inline(always)]
+    fn is_outside(self, e: Vec2) -> bool {
+        self.extent(e / self.steps) > self.limit
+    }
+
+    /// `e` with the component along which the border is sooner reached lessened by `by` steps.
+    #[inline(always)]
+    fn inwards(self, e: Vec2, by: f32) -> Vec2 {
+        let p = e / self.steps;
+        let (x, y) = (p.x * self.steps.y, p.y * self.steps.x);
+        let weighed_x = if p.x >= p.y { 2.0 } else { 0.5 } * x;
+        let along_x = if self.sextant { weighed_x } else { x } >= y;
+        if along_x { Vec2::new(e.x - by, e.y) } else { Vec2::new(e.x, e.y - by) }
+    }
+
+    /// The whole numbers of a point of the positive quadrant, inside or, before rounding, on the border.
+    #[inline(always)]
+    pub(super) fn round(self, p: Vec2) -> Vec2 {
+        let x = floor(p.x * self.steps.x + 0.5);
+        let y = floor(p.y * self.steps.y + 0.5);
+        let e = Vec2::new(if x > self.m.x { self.m.x } else { x }, if y > self.m.y { self.m.y } else { y });
+        let unwritten = self.is_outside(e) && self.is_outside(self.inwards(e, self.inset));
+        if unwritten { self.inwards(e, 1.0) } else { e }
+    }
+
+    /// The point that whole numbers, not negative, stand for: not outside.
+    #[inline(always)]
+    pub(super) fn point(self, e: Vec2) -> Vec2 {
+        let inset = if self.is_outside(e) { self.inwards(e, self.inset) } else { e };
+        let onto_border = KEPT / sqrt(self.extent(e / self.steps));
+        let below = Vec2::new(floor(e.x * onto_border), floor(e.y * onto_border));
+        (if self.is_outside(inset) { below } else { inset }) / self.steps
+    }
+}

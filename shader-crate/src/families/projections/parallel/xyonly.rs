@@ -1,0 +1,112 @@
+//! x and y alone, for the hemisphere z >= 0.
+
+use super::plane::{INSET, KEPT, Plane};
+use super::{field, from_plane, third, unit};
+use crate::arith::{
+    half_decode_magnitude, half_encode_magnitude, is_negative, mask, negate_positive, snorm_integer, sqrt,
+};
+use crate::codec::Codec;
+use crate::direction::upper_or_z;
+use glam::{Vec2, Vec3};
+
+/// `v` with what is below the equator moved up to it, and at unit length.
+#[inline(always)]
+fn upper_unit(v: Vec3) -> Vec3 {
+    let (v, norm) = upper_or_z(v);
+    unit(v, norm)
+}
+
+/// x and y as snorm in `BITS` bits (16, 24 or 32), for directions with z >= 0.
+pub struct XyOnly<const BITS: u32>;
+
+impl<const BITS: u32> Codec for XyOnly<BITS> {
+    const BITS: u32 = BITS;
+    /// For directions with z >= 0. `arccos(1 - 1/(sqrt(2) m))` and what `f32` rounds, in degrees.
+    const MAX_ERROR_DEG: f32 = match BITS {
+        16 => 6.1,
+        24 => 1.52,
+        _ => 0.39,
+    };
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let n = upper_unit(v);
+        let e = Plane::disk(BITS / 2, BITS / 2).round(Vec2::new(n.x.abs(), n.y.abs()));
+        let (x, y) = (field(is_negative(n.x), e.x, BITS / 2), field(is_negative(n.y), e.y, BITS / 2));
+        x | (y << (BITS / 2))
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let x = snorm_integer(code & mask(BITS / 2), BITS / 2);
+        let y = snorm_integer(code >> (BITS / 2), BITS / 2);
+        from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
+    }
+}
+
+/// x and y as half floats, for directions with z >= 0: a VK_FORMAT_R16G16_SFLOAT.
+pub struct XyOnly32F;
+
+/// The numbers of two halves without signs.
+#[inline(always)]
+fn halves(a: u32, b: u32) -> Vec2 {
+    Vec2::new(half_decode_magnitude(a), half_decode_magnitude(b))
+}
+
+#[inline(always)]
+fn is_off_disk(p: Vec2) -> bool {
+    p.x * p.x + p.y * p.y > 1.0
+}
+
+/// The numbers of two halves without signs, the larger one moved towards the next smaller half by [`INSET`].
+#[inline(always)]
+fn halves_inset(a: u32, b: u32) -> Vec2 {
+    let p = halves(a, b);
+    // Only used off the disk, where the larger is not 0.
+    let inner = halves(if a > 0 { a - 1 } else { 0 }, if b > 0 { b - 1 } else { 0 });
+    let x = p.x - INSET * (p.x - inner.x);
+    let y = p.y - INSET * (p.y - inner.y);
+    if p.x >= p.y { Vec2::new(x, p.y) } else { Vec2::new(p.x, y) }
+}
+
+/// A half not above `x`: the next one, or 0 in place of those below 2^-14.
+#[inline(always)]
+fn half_below(x: f32) -> f32 {
+    let bits = x.to_bits();
+    f32::from_bits(if bits < 0x3880_0000 { 0 } else { bits & 0xffff_e000 })
+}
+
+impl Codec for XyOnly32F {
+    const BITS: u32 = 32;
+    /// For directions with z >= 0. `arccos(1 - sqrt(2) 2^-12)`, from the halves' steps of 2^-11 below 1, is 1.506.
+    const MAX_ERROR_DEG: f32 = 1.53;
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> u32 {
+        let n = upper_unit(v);
+        let (a, b) = (half_encode_magnitude(n.x), half_encode_magnitude(n.y));
+        let unwritten = is_off_disk(halves(a, b)) && is_off_disk(halves_inset(a, b));
+        let x = a - if unwritten && a >= b { 1 } else { 0 };
+        let y = b - if unwritten && a < b { 1 } else { 0 };
+        let x_sign = if is_negative(n.x) && x != 0 { 0x8000 } else { 0 };
+        let y_sign = if is_negative(n.y) && y != 0 { 0x8000 } else { 0 };
+        (x | x_sign) | ((y | y_sign) << 16)
+    }
+
+    #[inline(always)]
+    fn decode(code: u32) -> Vec3 {
+        let (a, b) = (code & 0x7fff, (code >> 16) & 0x7fff);
+        let p = halves(a, b);
+        let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };
+        let onto_border = KEPT / sqrt(p.x * p.x + p.y * p.y);
+        let below = Vec2::new(half_below(p.x * onto_border), half_below(p.y * onto_border));
+        let q = if is_off_disk(inset) { below } else { inset };
+        Vec3::new(
+            negate_positive((code & 0x8000) != 0, q.x),
+            negate_positive((code >> 31) != 0, q.y),
+            third(q),
+        )
+    }
+}
