@@ -17,7 +17,7 @@ const FRAC_1_PI_F32: f64 = std::f32::consts::FRAC_1_PI as f64;
 /// 2^-12: from here to 1 floats are tried densely.
 const SMALL: f32 = 1.0 / 4096.0;
 /// 2^-100: what is less counts as 0.
-const TINY: f32 = unitvec::direction::MIN_NORM;
+const TINY: f32 = math::NEGLIGIBLE;
 
 const SIN: [f32; 4] = [math::SIN_0, math::SIN_1, math::SIN_2, math::SIN_3];
 const COS: [f32; 4] = [math::COS_0, math::COS_1, math::COS_2, math::COS_3];
@@ -121,7 +121,7 @@ fn half_pi_is_split() {
 /// The GLSL mirror has the same constants.
 #[test]
 fn glsl_constants_are_the_crates() {
-    let text = include_str!("../glsl/unitvec/math.glsl");
+    let text = include_str!("../glsl/unitvec/arith.glsl");
     let numbered = |name: &str, values: &[f32]| -> Vec<(String, f32)> {
         values.iter().enumerate().map(|(i, &value)| (format!("{name}_{i}"), value)).collect()
     };
@@ -143,13 +143,18 @@ fn glsl_constants_are_the_crates() {
         ("PI", std::f32::consts::PI),
         ("FRAC_1_PI", std::f32::consts::FRAC_1_PI),
         ("FRAC_2_PI", std::f32::consts::FRAC_2_PI),
-        ("MIN_NORM", TINY),
+        ("NEGLIGIBLE", math::NEGLIGIBLE),
+        ("ENORMOUS", math::ENORMOUS),
+        ("MAX_RADIANS", math::MAX_RADIANS),
+        ("MIN_NORM", unitvec::direction::MIN_NORM),
+        ("MAX_NORM", unitvec::direction::MAX_NORM),
         ("MIN_POSITIVE", f32::MIN_POSITIVE),
+        ("ONE_AND_A_HALF_2_23", 1.5 * 8_388_608.0),
     ];
     constants.extend(others.map(|(name, value)| (name.to_owned(), value)));
 
     let lines: Vec<&str> = text.lines().filter(|line| line.starts_with("const float")).collect();
-    assert_eq!(lines.len(), constants.len(), "constants of math.glsl");
+    assert_eq!(lines.len(), constants.len(), "constants of arith.glsl");
     for (name, value) in constants {
         let start = format!("const float UNITVEC_{name} = ");
         let literal = lines.iter().find_map(|line| line.strip_prefix(&start)?.strip_suffix(';'));

@@ -17,26 +17,26 @@
 #ifndef UNITVEC_AZIMUTHAL_GLSL
 #define UNITVEC_AZIMUTHAL_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
-#ifndef UNITVEC_MATH_GLSL
-#include "math.glsl"
-#endif
+
+// The projections, and the maps of the disk to the square.
+const int AZIMUTHAL_STEREO = 0;
+const int AZIMUTHAL_EQAREA = 1;
+const int AZIMUTHAL_EQDIST = 2;
+const int AZIMUTHAL_PLAIN = 0;
+const int AZIMUTHAL_CONCENTRIC = 1;
+const int AZIMUTHAL_ELLIPSE = 2;
 
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
-
-float azimuthal_horizontal(vec3 v) {
-    UNITVEC_PRECISE float rho = sqrt(v.x * v.x + v.y * v.y);
-    return rho;
-}
 
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 stereo_to_disk(vec3 v) {
     UNITVEC_PRECISE float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
     UNITVEC_PRECISE vec2 point = v.xy * scale;
-    UNITVEC_PRECISE float radius = azimuthal_horizontal(v) * scale;
+    UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
     UNITVEC_PRECISE float rim = 2.0 * v.z * scale;
     return vec4(point, radius, rim);
 }
@@ -52,7 +52,7 @@ vec4 eqarea_to_disk(vec3 v) {
     UNITVEC_PRECISE float norm = sqrt(unitvec_dot(v, v));
     UNITVEC_PRECISE float scale = 1.0 / sqrt(norm * (norm + v.z));
     UNITVEC_PRECISE vec2 point = v.xy * scale;
-    UNITVEC_PRECISE float radius = azimuthal_horizontal(v) * scale;
+    UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
     UNITVEC_PRECISE float rim = v.z / norm;
     return vec4(point, radius, rim);
 }
@@ -65,7 +65,7 @@ vec3 disk_to_eqarea(vec2 point, float rim) {
 
 // The smaller of radius and 1 - radius is found first, so that both have a small relative error.
 vec4 eqdist_to_disk(vec3 v) {
-    float rho = azimuthal_horizontal(v);
+    float rho = unitvec_horizontal_length(v);
     bool low = rho > v.z;
     float shorter = low ? v.z : rho;
     float longer = low ? rho : v.z;
@@ -74,39 +74,39 @@ vec4 eqdist_to_disk(vec3 v) {
     float radius = low ? rest : part;
     float inside = low ? part : rest;
     UNITVEC_PRECISE float quotient = radius / rho;
-    float scale = rho > UNITVEC_MIN_NORM ? quotient : 0.0;
+    float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
     UNITVEC_PRECISE vec2 point = v.xy * scale;
     UNITVEC_PRECISE float rim = inside * (1.0 + radius);
     return vec4(point, radius, rim);
 }
 
 // Minimax polynomials of sin(pi r / 2) / r in c = 1 - r^2 and of cos(pi r / 2) / (1 - r^2) in w = r^2.
-const float UNITVEC_SINC_0 = 0.49999976;
-const float UNITVEC_SINC_1 = 0.066577174;
-const float UNITVEC_SINC_2 = 0.0040679215;
-const float UNITVEC_SINC_3 = 0.00015146394;
+const float AZIMUTHAL_SINC_0 = 0.49999976;
+const float AZIMUTHAL_SINC_1 = 0.066577174;
+const float AZIMUTHAL_SINC_2 = 0.0040679215;
+const float AZIMUTHAL_SINC_3 = 0.00015146394;
 
-const float UNITVEC_COSC_0 = -0.23370051;
-const float UNITVEC_COSC_1 = 0.019968653;
-const float UNITVEC_COSC_2 = -0.0008935995;
-const float UNITVEC_COSC_3 = 2.3629505e-5;
+const float AZIMUTHAL_COSC_0 = -0.23370051;
+const float AZIMUTHAL_COSC_1 = 0.019968653;
+const float AZIMUTHAL_COSC_2 = -0.0008935995;
+const float AZIMUTHAL_COSC_3 = 2.3629505e-5;
 
 vec3 disk_to_eqdist(vec2 point, float c) {
     UNITVEC_PRECISE float scale =
-        1.0 + c * (UNITVEC_SINC_0 + c * (UNITVEC_SINC_1 + c * (UNITVEC_SINC_2 + c * UNITVEC_SINC_3)));
+        1.0 + c * (AZIMUTHAL_SINC_0 + c * (AZIMUTHAL_SINC_1 + c * (AZIMUTHAL_SINC_2 + c * AZIMUTHAL_SINC_3)));
     UNITVEC_PRECISE float w = 1.0 - c;
-    UNITVEC_PRECISE float low = UNITVEC_COSC_0 + w * (UNITVEC_COSC_1 + w * (UNITVEC_COSC_2 + w * UNITVEC_COSC_3));
+    UNITVEC_PRECISE float low = AZIMUTHAL_COSC_0 + w * (AZIMUTHAL_COSC_1 + w * (AZIMUTHAL_COSC_2 + w * AZIMUTHAL_COSC_3));
     UNITVEC_PRECISE float z = c + c * (w * low);
     UNITVEC_PRECISE vec2 horizontal = point * scale;
     return vec3(horizontal, z);
 }
 
 // How far, in steps, lattice points beyond the rim are moved at most.
-const float UNITVEC_REACH = 0.484375;
+const float AZIMUTHAL_REACH = 0.484375;
 
 // True for lattice points e of whose cell the disk covers nothing, or next to nothing. m has the largest integers.
 bool plain_is_remote(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 corner = (e - UNITVEC_REACH) / m;
+    UNITVEC_PRECISE vec2 corner = (e - AZIMUTHAL_REACH) / m;
     UNITVEC_PRECISE float square = corner.x * corner.x + corner.y * corner.y;
     return square > 1.0;
 }
@@ -125,9 +125,9 @@ vec2 plain_move_to_rim(vec2 p, vec2 m, float excess) {
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     UNITVEC_PRECISE float alone = excess / steep;
-    UNITVEC_PRECISE float remainder = (excess - UNITVEC_REACH * steep) / gentle;
-    float first = alone < UNITVEC_REACH ? alone : UNITVEC_REACH;
-    float second = alone < UNITVEC_REACH ? 0.0 : remainder;
+    UNITVEC_PRECISE float remainder = (excess - AZIMUTHAL_REACH * steep) / gentle;
+    float first = alone < AZIMUTHAL_REACH ? alone : AZIMUTHAL_REACH;
+    float second = alone < AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
     UNITVEC_PRECISE vec2 on_rim = p - moved / m;
     return on_rim;
@@ -189,246 +189,103 @@ vec2 azimuthal_largest(uint bits) {
     return vec2(snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
 }
 
-// |v|, scaled to the L1 norm 1. v must have a direction.
-vec3 azimuthal_octant(vec3 v) {
-    UNITVEC_PRECISE vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
-    return octant;
-}
-
-// Lattice point nearest to a point of the square.
-vec2 azimuthal_round(vec2 s, uint bits) {
-    UNITVEC_PRECISE vec2 position = s * azimuthal_largest(bits) + 0.5;
-    return floor(position);
-}
-
-// Code of a lattice point with the signs of v.
-uint azimuthal_pack(vec2 e, vec3 v, uint bits) {
-    bool back = unitvec_is_negative(v.y);
-    bool flag = e.y < azimuthal_largest(bits).y ? unitvec_is_negative(v.z) : !back;
-    uint u_code = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(v.x), e.x), bits / 2u);
-    uint v_code = unitvec_signed_code(unitvec_negate_if(back, e.y), bits / 2u - 1u);
-    return u_code | (v_code << (bits / 2u)) | (flag ? 1u << (bits - 1u) : 0u);
-}
-
-// Integers of u and v, v without regard to the highest bit.
-vec2 azimuthal_unpack(uint code, uint bits) {
-    int v = int(code << 1u << (32u - bits)) >> int(33u - bits / 2u);
-    return vec2(unitvec_snorm_integer(code, bits / 2u), float(v));
-}
-
 // -x where negative; 0 where x is not positive.
 float azimuthal_signed(bool negative, float x) {
     return x > 0.0 ? unitvec_negate_if(negative, x) : 0.0;
 }
 
-// Direction of a code, n being that of the magnitudes of its integers.
-vec3 azimuthal_mirror(vec3 n, uint code, uint bits) {
-    vec2 e = azimuthal_unpack(code, bits);
+// Code of the direction of v at any width, for one of the projections and one of the maps.
+uint azimuthal_encode(vec3 v, int projection, int map, uint bits) {
+    v = unitvec_or_z(v);
+    UNITVEC_PRECISE vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
+    vec4 disk = projection == AZIMUTHAL_STEREO ? stereo_to_disk(octant)
+        : (projection == AZIMUTHAL_EQAREA ? eqarea_to_disk(octant) : eqdist_to_disk(octant));
+    vec2 s = map == AZIMUTHAL_PLAIN ? disk.xy
+        : (map == AZIMUTHAL_CONCENTRIC ? concentric_to_square(disk) : ellipse_to_square(disk));
+    vec2 m = azimuthal_largest(bits);
+    UNITVEC_PRECISE vec2 position = s * m + 0.5;
+    vec2 e = floor(position);
+    if (map == AZIMUTHAL_PLAIN) e = plain_settle(e, m);
+
+    bool back = unitvec_is_negative(v.y);
+    bool flag = e.y < m.y ? unitvec_is_negative(v.z) : !back;
+    uint u_code = unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(v.x), e.x), bits / 2u);
+    uint v_code = unitvec_signed_code(unitvec_negate_if(back, e.y), bits / 2u - 1u);
+    return u_code | (v_code << (bits / 2u)) | (flag ? 1u << (bits - 1u) : 0u);
+}
+
+vec3 azimuthal_decode(uint code, int projection, int map, uint bits) {
+    // v without regard to the highest bit.
+    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_signed_integer(code >> (bits / 2u), bits / 2u - 1u));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
-    bool back = e.y < 0.0 && !(flag && e.y <= -azimuthal_largest(bits).y);
+    vec2 m = azimuthal_largest(bits);
+    vec4 disk = map == AZIMUTHAL_PLAIN ? plain_to_disk(abs(e), m)
+        : (map == AZIMUTHAL_CONCENTRIC ? concentric_to_disk(abs(e), m) : ellipse_to_disk(abs(e), m));
+    vec3 n = projection == AZIMUTHAL_STEREO ? disk_to_stereo(disk.xy, disk.w)
+        : (projection == AZIMUTHAL_EQAREA ? disk_to_eqarea(disk.xy, disk.w) : disk_to_eqdist(disk.xy, disk.w));
+    bool back = e.y < 0.0 && !(flag && e.y <= -m.y);
     return vec3(azimuthal_signed(e.x < 0.0, n.x), azimuthal_signed(back, n.y), azimuthal_signed(flag, n.z));
 }
 
-// Every projection with every map, at any width.
-uint stereo_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    vec2 e = azimuthal_round(stereo_to_disk(azimuthal_octant(v)).xy, bits);
-    return azimuthal_pack(plain_settle(e, azimuthal_largest(bits)), v, bits);
-}
+// GLSL ES 3.00 cannot join names in a macro: hence both.
+#define AZIMUTHAL_CODEC(encode, decode, projection, map, bits) \
+    uint encode(vec3 v) { return azimuthal_encode(v, projection, map, bits); } \
+    vec3 decode(uint code) { return azimuthal_decode(code, projection, map, bits); }
 
-vec3 stereo_decode(uint code, uint bits) {
-    vec4 disk = plain_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_stereo(disk.xy, disk.w), code, bits);
-}
+AZIMUTHAL_CODEC(stereo16_encode, stereo16_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 16u)
+AZIMUTHAL_CODEC(stereo20_encode, stereo20_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 20u)
+AZIMUTHAL_CODEC(stereo22_encode, stereo22_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 22u)
+AZIMUTHAL_CODEC(stereo24_encode, stereo24_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 24u)
+AZIMUTHAL_CODEC(stereo32_encode, stereo32_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 32u)
 
-uint stereo_concentric_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    return azimuthal_pack(azimuthal_round(concentric_to_square(stereo_to_disk(azimuthal_octant(v))), bits), v, bits);
-}
+AZIMUTHAL_CODEC(stereo_concentric16_encode, stereo_concentric16_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 16u)
+AZIMUTHAL_CODEC(stereo_concentric20_encode, stereo_concentric20_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 20u)
+AZIMUTHAL_CODEC(stereo_concentric22_encode, stereo_concentric22_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 22u)
+AZIMUTHAL_CODEC(stereo_concentric24_encode, stereo_concentric24_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 24u)
+AZIMUTHAL_CODEC(stereo_concentric32_encode, stereo_concentric32_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 32u)
 
-vec3 stereo_concentric_decode(uint code, uint bits) {
-    vec4 disk = concentric_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_stereo(disk.xy, disk.w), code, bits);
-}
+AZIMUTHAL_CODEC(stereo_ellipse16_encode, stereo_ellipse16_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 16u)
+AZIMUTHAL_CODEC(stereo_ellipse20_encode, stereo_ellipse20_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 20u)
+AZIMUTHAL_CODEC(stereo_ellipse22_encode, stereo_ellipse22_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 22u)
+AZIMUTHAL_CODEC(stereo_ellipse24_encode, stereo_ellipse24_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 24u)
+AZIMUTHAL_CODEC(stereo_ellipse32_encode, stereo_ellipse32_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 32u)
 
-uint stereo_ellipse_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    return azimuthal_pack(azimuthal_round(ellipse_to_square(stereo_to_disk(azimuthal_octant(v))), bits), v, bits);
-}
+AZIMUTHAL_CODEC(eqarea16_encode, eqarea16_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 16u)
+AZIMUTHAL_CODEC(eqarea20_encode, eqarea20_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 20u)
+AZIMUTHAL_CODEC(eqarea22_encode, eqarea22_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 22u)
+AZIMUTHAL_CODEC(eqarea24_encode, eqarea24_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 24u)
+AZIMUTHAL_CODEC(eqarea32_encode, eqarea32_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 32u)
 
-vec3 stereo_ellipse_decode(uint code, uint bits) {
-    vec4 disk = ellipse_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_stereo(disk.xy, disk.w), code, bits);
-}
+AZIMUTHAL_CODEC(eqarea_concentric16_encode, eqarea_concentric16_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 16u)
+AZIMUTHAL_CODEC(eqarea_concentric20_encode, eqarea_concentric20_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 20u)
+AZIMUTHAL_CODEC(eqarea_concentric22_encode, eqarea_concentric22_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 22u)
+AZIMUTHAL_CODEC(eqarea_concentric24_encode, eqarea_concentric24_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 24u)
+AZIMUTHAL_CODEC(eqarea_concentric32_encode, eqarea_concentric32_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 32u)
 
-uint eqarea_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    vec2 e = azimuthal_round(eqarea_to_disk(azimuthal_octant(v)).xy, bits);
-    return azimuthal_pack(plain_settle(e, azimuthal_largest(bits)), v, bits);
-}
+AZIMUTHAL_CODEC(eqarea_ellipse16_encode, eqarea_ellipse16_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 16u)
+AZIMUTHAL_CODEC(eqarea_ellipse20_encode, eqarea_ellipse20_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 20u)
+AZIMUTHAL_CODEC(eqarea_ellipse22_encode, eqarea_ellipse22_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 22u)
+AZIMUTHAL_CODEC(eqarea_ellipse24_encode, eqarea_ellipse24_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 24u)
+AZIMUTHAL_CODEC(eqarea_ellipse32_encode, eqarea_ellipse32_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 32u)
 
-vec3 eqarea_decode(uint code, uint bits) {
-    vec4 disk = plain_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_eqarea(disk.xy, disk.w), code, bits);
-}
+AZIMUTHAL_CODEC(eqdist16_encode, eqdist16_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 16u)
+AZIMUTHAL_CODEC(eqdist20_encode, eqdist20_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 20u)
+AZIMUTHAL_CODEC(eqdist22_encode, eqdist22_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 22u)
+AZIMUTHAL_CODEC(eqdist24_encode, eqdist24_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 24u)
+AZIMUTHAL_CODEC(eqdist32_encode, eqdist32_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 32u)
 
-uint eqarea_concentric_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    return azimuthal_pack(azimuthal_round(concentric_to_square(eqarea_to_disk(azimuthal_octant(v))), bits), v, bits);
-}
+AZIMUTHAL_CODEC(eqdist_concentric16_encode, eqdist_concentric16_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 16u)
+AZIMUTHAL_CODEC(eqdist_concentric20_encode, eqdist_concentric20_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 20u)
+AZIMUTHAL_CODEC(eqdist_concentric22_encode, eqdist_concentric22_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 22u)
+AZIMUTHAL_CODEC(eqdist_concentric24_encode, eqdist_concentric24_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 24u)
+AZIMUTHAL_CODEC(eqdist_concentric32_encode, eqdist_concentric32_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 32u)
 
-vec3 eqarea_concentric_decode(uint code, uint bits) {
-    vec4 disk = concentric_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_eqarea(disk.xy, disk.w), code, bits);
-}
+AZIMUTHAL_CODEC(eqdist_ellipse16_encode, eqdist_ellipse16_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 16u)
+AZIMUTHAL_CODEC(eqdist_ellipse20_encode, eqdist_ellipse20_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 20u)
+AZIMUTHAL_CODEC(eqdist_ellipse22_encode, eqdist_ellipse22_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 22u)
+AZIMUTHAL_CODEC(eqdist_ellipse24_encode, eqdist_ellipse24_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 24u)
+AZIMUTHAL_CODEC(eqdist_ellipse32_encode, eqdist_ellipse32_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 32u)
 
-uint eqarea_ellipse_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    return azimuthal_pack(azimuthal_round(ellipse_to_square(eqarea_to_disk(azimuthal_octant(v))), bits), v, bits);
-}
-
-vec3 eqarea_ellipse_decode(uint code, uint bits) {
-    vec4 disk = ellipse_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_eqarea(disk.xy, disk.w), code, bits);
-}
-
-uint eqdist_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    vec2 e = azimuthal_round(eqdist_to_disk(azimuthal_octant(v)).xy, bits);
-    return azimuthal_pack(plain_settle(e, azimuthal_largest(bits)), v, bits);
-}
-
-vec3 eqdist_decode(uint code, uint bits) {
-    vec4 disk = plain_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_eqdist(disk.xy, disk.w), code, bits);
-}
-
-uint eqdist_concentric_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    return azimuthal_pack(azimuthal_round(concentric_to_square(eqdist_to_disk(azimuthal_octant(v))), bits), v, bits);
-}
-
-vec3 eqdist_concentric_decode(uint code, uint bits) {
-    vec4 disk = concentric_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_eqdist(disk.xy, disk.w), code, bits);
-}
-
-uint eqdist_ellipse_encode(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    return azimuthal_pack(azimuthal_round(ellipse_to_square(eqdist_to_disk(azimuthal_octant(v))), bits), v, bits);
-}
-
-vec3 eqdist_ellipse_decode(uint code, uint bits) {
-    vec4 disk = ellipse_to_disk(abs(azimuthal_unpack(code, bits)), azimuthal_largest(bits));
-    return azimuthal_mirror(disk_to_eqdist(disk.xy, disk.w), code, bits);
-}
-
-uint stereo16_encode(vec3 v) { return stereo_encode(v, 16u); }
-uint stereo20_encode(vec3 v) { return stereo_encode(v, 20u); }
-uint stereo22_encode(vec3 v) { return stereo_encode(v, 22u); }
-uint stereo24_encode(vec3 v) { return stereo_encode(v, 24u); }
-uint stereo32_encode(vec3 v) { return stereo_encode(v, 32u); }
-
-vec3 stereo16_decode(uint code) { return stereo_decode(code, 16u); }
-vec3 stereo20_decode(uint code) { return stereo_decode(code, 20u); }
-vec3 stereo22_decode(uint code) { return stereo_decode(code, 22u); }
-vec3 stereo24_decode(uint code) { return stereo_decode(code, 24u); }
-vec3 stereo32_decode(uint code) { return stereo_decode(code, 32u); }
-
-uint stereo_concentric16_encode(vec3 v) { return stereo_concentric_encode(v, 16u); }
-uint stereo_concentric20_encode(vec3 v) { return stereo_concentric_encode(v, 20u); }
-uint stereo_concentric22_encode(vec3 v) { return stereo_concentric_encode(v, 22u); }
-uint stereo_concentric24_encode(vec3 v) { return stereo_concentric_encode(v, 24u); }
-uint stereo_concentric32_encode(vec3 v) { return stereo_concentric_encode(v, 32u); }
-
-vec3 stereo_concentric16_decode(uint code) { return stereo_concentric_decode(code, 16u); }
-vec3 stereo_concentric20_decode(uint code) { return stereo_concentric_decode(code, 20u); }
-vec3 stereo_concentric22_decode(uint code) { return stereo_concentric_decode(code, 22u); }
-vec3 stereo_concentric24_decode(uint code) { return stereo_concentric_decode(code, 24u); }
-vec3 stereo_concentric32_decode(uint code) { return stereo_concentric_decode(code, 32u); }
-
-uint stereo_ellipse16_encode(vec3 v) { return stereo_ellipse_encode(v, 16u); }
-uint stereo_ellipse20_encode(vec3 v) { return stereo_ellipse_encode(v, 20u); }
-uint stereo_ellipse22_encode(vec3 v) { return stereo_ellipse_encode(v, 22u); }
-uint stereo_ellipse24_encode(vec3 v) { return stereo_ellipse_encode(v, 24u); }
-uint stereo_ellipse32_encode(vec3 v) { return stereo_ellipse_encode(v, 32u); }
-
-vec3 stereo_ellipse16_decode(uint code) { return stereo_ellipse_decode(code, 16u); }
-vec3 stereo_ellipse20_decode(uint code) { return stereo_ellipse_decode(code, 20u); }
-vec3 stereo_ellipse22_decode(uint code) { return stereo_ellipse_decode(code, 22u); }
-vec3 stereo_ellipse24_decode(uint code) { return stereo_ellipse_decode(code, 24u); }
-vec3 stereo_ellipse32_decode(uint code) { return stereo_ellipse_decode(code, 32u); }
-
-uint eqarea16_encode(vec3 v) { return eqarea_encode(v, 16u); }
-uint eqarea20_encode(vec3 v) { return eqarea_encode(v, 20u); }
-uint eqarea22_encode(vec3 v) { return eqarea_encode(v, 22u); }
-uint eqarea24_encode(vec3 v) { return eqarea_encode(v, 24u); }
-uint eqarea32_encode(vec3 v) { return eqarea_encode(v, 32u); }
-
-vec3 eqarea16_decode(uint code) { return eqarea_decode(code, 16u); }
-vec3 eqarea20_decode(uint code) { return eqarea_decode(code, 20u); }
-vec3 eqarea22_decode(uint code) { return eqarea_decode(code, 22u); }
-vec3 eqarea24_decode(uint code) { return eqarea_decode(code, 24u); }
-vec3 eqarea32_decode(uint code) { return eqarea_decode(code, 32u); }
-
-uint eqarea_concentric16_encode(vec3 v) { return eqarea_concentric_encode(v, 16u); }
-uint eqarea_concentric20_encode(vec3 v) { return eqarea_concentric_encode(v, 20u); }
-uint eqarea_concentric22_encode(vec3 v) { return eqarea_concentric_encode(v, 22u); }
-uint eqarea_concentric24_encode(vec3 v) { return eqarea_concentric_encode(v, 24u); }
-uint eqarea_concentric32_encode(vec3 v) { return eqarea_concentric_encode(v, 32u); }
-
-vec3 eqarea_concentric16_decode(uint code) { return eqarea_concentric_decode(code, 16u); }
-vec3 eqarea_concentric20_decode(uint code) { return eqarea_concentric_decode(code, 20u); }
-vec3 eqarea_concentric22_decode(uint code) { return eqarea_concentric_decode(code, 22u); }
-vec3 eqarea_concentric24_decode(uint code) { return eqarea_concentric_decode(code, 24u); }
-vec3 eqarea_concentric32_decode(uint code) { return eqarea_concentric_decode(code, 32u); }
-
-uint eqarea_ellipse16_encode(vec3 v) { return eqarea_ellipse_encode(v, 16u); }
-uint eqarea_ellipse20_encode(vec3 v) { return eqarea_ellipse_encode(v, 20u); }
-uint eqarea_ellipse22_encode(vec3 v) { return eqarea_ellipse_encode(v, 22u); }
-uint eqarea_ellipse24_encode(vec3 v) { return eqarea_ellipse_encode(v, 24u); }
-uint eqarea_ellipse32_encode(vec3 v) { return eqarea_ellipse_encode(v, 32u); }
-
-vec3 eqarea_ellipse16_decode(uint code) { return eqarea_ellipse_decode(code, 16u); }
-vec3 eqarea_ellipse20_decode(uint code) { return eqarea_ellipse_decode(code, 20u); }
-vec3 eqarea_ellipse22_decode(uint code) { return eqarea_ellipse_decode(code, 22u); }
-vec3 eqarea_ellipse24_decode(uint code) { return eqarea_ellipse_decode(code, 24u); }
-vec3 eqarea_ellipse32_decode(uint code) { return eqarea_ellipse_decode(code, 32u); }
-
-uint eqdist16_encode(vec3 v) { return eqdist_encode(v, 16u); }
-uint eqdist20_encode(vec3 v) { return eqdist_encode(v, 20u); }
-uint eqdist22_encode(vec3 v) { return eqdist_encode(v, 22u); }
-uint eqdist24_encode(vec3 v) { return eqdist_encode(v, 24u); }
-uint eqdist32_encode(vec3 v) { return eqdist_encode(v, 32u); }
-
-vec3 eqdist16_decode(uint code) { return eqdist_decode(code, 16u); }
-vec3 eqdist20_decode(uint code) { return eqdist_decode(code, 20u); }
-vec3 eqdist22_decode(uint code) { return eqdist_decode(code, 22u); }
-vec3 eqdist24_decode(uint code) { return eqdist_decode(code, 24u); }
-vec3 eqdist32_decode(uint code) { return eqdist_decode(code, 32u); }
-
-uint eqdist_concentric16_encode(vec3 v) { return eqdist_concentric_encode(v, 16u); }
-uint eqdist_concentric20_encode(vec3 v) { return eqdist_concentric_encode(v, 20u); }
-uint eqdist_concentric22_encode(vec3 v) { return eqdist_concentric_encode(v, 22u); }
-uint eqdist_concentric24_encode(vec3 v) { return eqdist_concentric_encode(v, 24u); }
-uint eqdist_concentric32_encode(vec3 v) { return eqdist_concentric_encode(v, 32u); }
-
-vec3 eqdist_concentric16_decode(uint code) { return eqdist_concentric_decode(code, 16u); }
-vec3 eqdist_concentric20_decode(uint code) { return eqdist_concentric_decode(code, 20u); }
-vec3 eqdist_concentric22_decode(uint code) { return eqdist_concentric_decode(code, 22u); }
-vec3 eqdist_concentric24_decode(uint code) { return eqdist_concentric_decode(code, 24u); }
-vec3 eqdist_concentric32_decode(uint code) { return eqdist_concentric_decode(code, 32u); }
-
-uint eqdist_ellipse16_encode(vec3 v) { return eqdist_ellipse_encode(v, 16u); }
-uint eqdist_ellipse20_encode(vec3 v) { return eqdist_ellipse_encode(v, 20u); }
-uint eqdist_ellipse22_encode(vec3 v) { return eqdist_ellipse_encode(v, 22u); }
-uint eqdist_ellipse24_encode(vec3 v) { return eqdist_ellipse_encode(v, 24u); }
-uint eqdist_ellipse32_encode(vec3 v) { return eqdist_ellipse_encode(v, 32u); }
-
-vec3 eqdist_ellipse16_decode(uint code) { return eqdist_ellipse_decode(code, 16u); }
-vec3 eqdist_ellipse20_decode(uint code) { return eqdist_ellipse_decode(code, 20u); }
-vec3 eqdist_ellipse22_decode(uint code) { return eqdist_ellipse_decode(code, 22u); }
-vec3 eqdist_ellipse24_decode(uint code) { return eqdist_ellipse_decode(code, 24u); }
-vec3 eqdist_ellipse32_decode(uint code) { return eqdist_ellipse_decode(code, 32u); }
+#undef AZIMUTHAL_CODEC
 
 #endif

@@ -21,30 +21,20 @@
 #ifndef UNITVEC_BEST_FIT_GLSL
 #define UNITVEC_BEST_FIT_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 // Cells from 0 to 1: a little less than the table's 640 columns, so that 1 itself is in the last.
 const float BEST_FIT_CELLS = 639.9990234375;
 // A length counts as better than a longer one where it leaves less than this part of the error.
 const float BEST_FIT_CLEARLY_LESS = 0.99993896484375;
-// Added to a number, it rounds that to a whole one and leaves the two's complement in the low 22 bits.
-const float BEST_FIT_ONE_AND_A_HALF_2_23 = 12582912.0;
 // Lengths that a scan tries.
 const float BEST_FIT_SCANNED = 64.0;
 // Directions whose least component is a larger part of the largest one are near the middle of an octant.
 const float BEST_FIT_MIDDLE_OF_OCTANT = 0.75;
 // 2^-24: smaller parts of the largest component count as 0.
 const float BEST_FIT_LEAST_PART = 5.9604644775390625e-8;
-
-float best_fit_lesser(float a, float b) {
-    return a < b ? a : b;
-}
-
-float best_fit_greater(float a, float b) {
-    return a < b ? b : a;
-}
 
 float best_fit_part(float a, float largest) {
     UNITVEC_PRECISE float part = a / largest;
@@ -54,15 +44,15 @@ float best_fit_part(float a, float largest) {
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 vec3 best_fit_on_cube(vec3 v) {
     vec3 a = abs(v);
-    float largest = best_fit_greater(best_fit_greater(a.x, a.y), a.z);
+    float largest = max(max(a.x, a.y), a.z);
     return vec3(best_fit_part(a.x, largest), best_fit_part(a.y, largest), best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
 vec2 best_fit_by_size(vec3 u) {
-    float low = best_fit_lesser(u.x, u.y);
-    float high = best_fit_greater(u.x, u.y);
-    return vec2(best_fit_greater(low, best_fit_lesser(high, u.z)), best_fit_lesser(low, u.z));
+    float low = min(u.x, u.y);
+    float high = max(u.x, u.y);
+    return vec2(max(low, min(high, u.z)), min(low, u.z));
 }
 
 // A candidate is a scale (x) and the squared sine of its angle to the direction, up to a factor, as a fraction (y / z).
@@ -133,18 +123,18 @@ uint best_fit_pack8(vec3 q) {
 
 // The low byte of the two's complement of the nearest whole number, the even one of two.
 uint best_fit_nearest_byte(float x) {
-    UNITVEC_PRECISE float sum = x + BEST_FIT_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & 255u;
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(8u);
 }
 
 // The parts of v as in best_fit_by_size, and the reciprocal of its largest magnitude (z).
 vec3 best_fit_parts_and_reciprocal(vec3 v) {
     vec3 a = abs(v);
-    float low = best_fit_lesser(a.x, a.y);
-    float high = best_fit_greater(a.x, a.y);
-    UNITVEC_PRECISE float reciprocal = 1.0 / best_fit_greater(high, a.z);
-    UNITVEC_PRECISE float mid = best_fit_greater(low, best_fit_lesser(high, a.z)) * reciprocal;
-    UNITVEC_PRECISE float least = best_fit_lesser(low, a.z) * reciprocal;
+    float low = min(a.x, a.y);
+    float high = max(a.x, a.y);
+    UNITVEC_PRECISE float reciprocal = 1.0 / max(high, a.z);
+    UNITVEC_PRECISE float mid = max(low, min(high, a.z)) * reciprocal;
+    UNITVEC_PRECISE float least = min(low, a.z) * reciprocal;
     return vec3(mid < BEST_FIT_LEAST_PART ? 0.0 : mid, least < BEST_FIT_LEAST_PART ? 0.0 : least, reciprocal);
 }
 
@@ -159,7 +149,7 @@ uint best_fit_code_at_length(vec3 v, float reciprocal, float size) {
 // vector counts as `size` long, and the square of d x u as dy^2 - least dy dz + (1 + mid - least) dz^2, times a factor.
 vec2 best_fit_candidate(vec2 u, float weight, float size) {
     UNITVEC_PRECISE vec2 p = u * size;
-    UNITVEC_PRECISE vec2 d = ((p + BEST_FIT_ONE_AND_A_HALF_2_23) - BEST_FIT_ONE_AND_A_HALF_2_23) - p;
+    UNITVEC_PRECISE vec2 d = unitvec_nearest_whole(p) - p;
     UNITVEC_PRECISE float cost = (d.x - u.y * d.y) * d.x + weight * (d.y * d.y);
     return vec2(size, cost);
 }
@@ -184,14 +174,13 @@ float best_fit_best_of(vec2 u, vec4 lengths) {
 // The column and the row of a direction's cell.
 uvec2 best_fit_cell_of(vec2 u) {
     UNITVEC_PRECISE vec2 cell = u * BEST_FIT_CELLS;
-    // By way of int, for which more processors have an instruction. Truncates.
-    return uvec2(ivec2(cell));
+    return uvec2(unitvec_whole_to_u32(cell.x), unitvec_whole_to_u32(cell.y));
 }
 
 // The sine of the error that a length leaves, up to a factor that is nearly the same for all lengths.
 float best_fit_sine(vec2 u, float size) {
     UNITVEC_PRECISE vec2 p = u * size;
-    UNITVEC_PRECISE vec2 d = ((p + BEST_FIT_ONE_AND_A_HALF_2_23) - BEST_FIT_ONE_AND_A_HALF_2_23) - p;
+    UNITVEC_PRECISE vec2 d = unitvec_nearest_whole(p) - p;
     UNITVEC_PRECISE float cx = d.x * u.y - d.y * u.x;
     UNITVEC_PRECISE float sine = sqrt(((cx * cx + d.x * d.x) + d.y * d.y) * (1.0 / (size * size)));
     return sine;
@@ -221,7 +210,7 @@ vec4 best_fit_cell_lengths(uvec2 cell) {
         for (UNITVEC_PRECISE float size = 127.0; size > 127.0 - BEST_FIT_SCANNED; size -= 1.0) {
             UNITVEC_PRECISE float total = 0.0;
             for (int i = 0; i < 9; i += 1) {
-                total += best_fit_lesser(best_fit_sine(best_fit_sample(cell, i), size), left[i]);
+                total += min(best_fit_sine(best_fit_sample(cell, i), size), left[i]);
             }
             UNITVEC_PRECISE float limit = least * BEST_FIT_CLEARLY_LESS;
             if (size == 127.0 || total < limit) {
@@ -231,7 +220,7 @@ vec4 best_fit_cell_lengths(uvec2 cell) {
         }
         lengths[n] = best;
         for (int i = 0; i < 9; i += 1) {
-            left[i] = best_fit_lesser(best_fit_sine(best_fit_sample(cell, i), best), left[i]);
+            left[i] = min(best_fit_sine(best_fit_sample(cell, i), best), left[i]);
         }
     }
     return lengths;

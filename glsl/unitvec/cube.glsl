@@ -11,33 +11,9 @@
 #ifndef UNITVEC_CUBE_GLSL
 #define UNITVEC_CUBE_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
-#ifndef UNITVEC_MATH_GLSL
-#include "math.glsl"
-#endif
-
-uint unitvec_face_of(vec3 v) {
-    vec3 a = abs(v);
-    bool z_above = a.z >= a.x && a.z >= a.y;
-    bool y_above = a.y >= a.x;
-    uint axis = z_above ? 2u : (y_above ? 1u : 0u);
-    float component = z_above ? v.z : (y_above ? v.y : v.x);
-    return 2u * axis + (unitvec_is_negative(component) ? 1u : 0u);
-}
-
-// Components in the order that the face has them: u, v, and that of its axis.
-vec3 unitvec_to_face(vec3 v, uint face) {
-    uint axis = face >> 1u;
-    return axis >= 2u ? v : (axis == 0u ? v.yzx : v.zxy);
-}
-
-// The inverse. Faces 6 and 7 count as 4 and 5.
-vec3 unitvec_from_face(vec3 p, uint face) {
-    uint axis = face >> 1u;
-    return axis >= 2u ? p : (axis == 0u ? p.zxy : p.yzx);
-}
 
 float cube_round(bool negative, float magnitude, float m) {
     UNITVEC_PRECISE float position = magnitude * (m + 0.5) + 0.5;
@@ -45,71 +21,78 @@ float cube_round(bool negative, float magnitude, float m) {
     return unitvec_negate_if(negative, rounded > m ? m : rounded);
 }
 
-uint cube_pack(vec2 e, uint face, uint n, uint k) {
-    return unitvec_signed_code(e.x, n) | (unitvec_signed_code(e.y, k) << n) | (face << (n + k));
+// The bits of u and of v in a code of `bits` bits.
+uvec2 cube_widths(uint bits) {
+    return uvec2((bits - 2u) / 2u, (bits - 3u) / 2u);
 }
 
-vec2 cube_unpack(uint code, uint n, uint k) {
-    return vec2(unitvec_snorm_integer(code, n), unitvec_snorm_integer(code >> n, k));
-}
-
-uint cube_encode(vec3 v, uint n, uint k) {
+uint cube_encode_on_face(vec3 v, uint bits, bool warped) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(v, face);
     UNITVEC_PRECISE float scale = 1.0 / abs(p.z);
     UNITVEC_PRECISE vec2 t = abs(p.xy) * scale;
-    vec2 e = vec2(cube_round(unitvec_is_negative(p.x), t.x, snorm_max(n)),
-        cube_round(unitvec_is_negative(p.y), t.y, snorm_max(k)));
-    return cube_pack(e, face, n, k);
+    if (warped) t = vec2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
+    uvec2 widths = cube_widths(bits);
+    float x = cube_round(unitvec_is_negative(p.x), t.x, snorm_max(widths.x));
+    float y = cube_round(unitvec_is_negative(p.y), t.y, snorm_max(widths.y));
+    return unitvec_signed_code(x, widths.x) | (unitvec_signed_code(y, widths.y) << widths.x) | (face << (bits - 3u));
 }
 
-vec3 cube_decode(uint code, uint n, uint k) {
-    uint face = (code >> (n + k)) & 7u;
-    vec2 e = cube_unpack(code, n, k);
+uint cube_unpack_face(uint code, uint bits) {
+    return (code >> (bits - 3u)) & 7u;
+}
+
+vec2 cube_unpack(uint code, uint bits) {
+    uvec2 widths = cube_widths(bits);
+    return vec2(unitvec_snorm_integer(code, widths.x), unitvec_snorm_integer(code >> widths.x, widths.y));
+}
+
+uint cube_encode(vec3 v, uint bits) {
+    return cube_encode_on_face(v, bits, false);
+}
+
+vec3 cube_decode(uint code, uint bits) {
+    uint face = cube_unpack_face(code, bits);
+    vec2 e = cube_unpack(code, bits);
+    uvec2 widths = cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
-    UNITVEC_PRECISE float side = snorm_max(n) + 0.5;
-    UNITVEC_PRECISE float v_step = side / (snorm_max(k) + 0.5);
+    UNITVEC_PRECISE float side = snorm_max(widths.x) + 0.5;
+    UNITVEC_PRECISE float v_step = side / (snorm_max(widths.y) + 0.5);
     UNITVEC_PRECISE float y = e.y * v_step;
     return unitvec_from_face(unitvec_normalize(vec3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
 
-uint warpedcube_encode(vec3 v, uint n, uint k) {
-    v = unitvec_or_z(v);
-    uint face = unitvec_face_of(v);
-    vec3 p = unitvec_to_face(v, face);
-    UNITVEC_PRECISE float scale = 1.0 / abs(p.z);
-    UNITVEC_PRECISE vec2 t = abs(p.xy) * scale;
-    vec2 e = vec2(cube_round(unitvec_is_negative(p.x), unitvec_atan_octant(t.x), snorm_max(n)),
-        cube_round(unitvec_is_negative(p.y), unitvec_atan_octant(t.y), snorm_max(k)));
-    return cube_pack(e, face, n, k);
+uint warpedcube_encode(vec3 v, uint bits) {
+    return cube_encode_on_face(v, bits, true);
 }
 
-vec3 warpedcube_decode(uint code, uint n, uint k) {
-    uint face = (code >> (n + k)) & 7u;
-    vec2 e = cube_unpack(code, n, k);
-    UNITVEC_PRECISE float s = abs(e.x) / (snorm_max(n) + 0.5);
-    UNITVEC_PRECISE float t = abs(e.y) / (snorm_max(k) + 0.5);
+vec3 warpedcube_decode(uint code, uint bits) {
+    uint face = cube_unpack_face(code, bits);
+    vec2 e = cube_unpack(code, bits);
+    uvec2 widths = cube_widths(bits);
+    UNITVEC_PRECISE float s = abs(e.x) / (snorm_max(widths.x) + 0.5);
+    UNITVEC_PRECISE float t = abs(e.y) / (snorm_max(widths.y) + 0.5);
     vec3 p = vec3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)),
         unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);
 }
 
-uint cube16_encode(vec3 v) { return cube_encode(v, 7u, 6u); }
-uint cube24_encode(vec3 v) { return cube_encode(v, 11u, 10u); }
-uint cube32_encode(vec3 v) { return cube_encode(v, 15u, 14u); }
+uint cube16_encode(vec3 v) { return cube_encode(v, 16u); }
+uint cube24_encode(vec3 v) { return cube_encode(v, 24u); }
+uint cube32_encode(vec3 v) { return cube_encode(v, 32u); }
 
-vec3 cube16_decode(uint code) { return cube_decode(code, 7u, 6u); }
-vec3 cube24_decode(uint code) { return cube_decode(code, 11u, 10u); }
-vec3 cube32_decode(uint code) { return cube_decode(code, 15u, 14u); }
+vec3 cube16_decode(uint code) { return cube_decode(code, 16u); }
+vec3 cube24_decode(uint code) { return cube_decode(code, 24u); }
+vec3 cube32_decode(uint code) { return cube_decode(code, 32u); }
 
-uint warpedcube16_encode(vec3 v) { return warpedcube_encode(v, 7u, 6u); }
-uint warpedcube24_encode(vec3 v) { return warpedcube_encode(v, 11u, 10u); }
-uint warpedcube32_encode(vec3 v) { return warpedcube_encode(v, 15u, 14u); }
+uint warpedcube16_encode(vec3 v) { return warpedcube_encode(v, 16u); }
+uint warpedcube24_encode(vec3 v) { return warpedcube_encode(v, 24u); }
+uint warpedcube32_encode(vec3 v) { return warpedcube_encode(v, 32u); }
 
-vec3 warpedcube16_decode(uint code) { return warpedcube_decode(code, 7u, 6u); }
-vec3 warpedcube24_decode(uint code) { return warpedcube_decode(code, 11u, 10u); }
-vec3 warpedcube32_decode(uint code) { return warpedcube_decode(code, 15u, 14u); }
+vec3 warpedcube16_decode(uint code) { return warpedcube_decode(code, 16u); }
+vec3 warpedcube24_decode(uint code) { return warpedcube_decode(code, 24u); }
+vec3 warpedcube32_decode(uint code) { return warpedcube_decode(code, 32u); }
 
 #endif

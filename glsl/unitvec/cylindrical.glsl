@@ -10,19 +10,19 @@
 #ifndef UNITVEC_CYLINDRICAL_GLSL
 #define UNITVEC_CYLINDRICAL_GLSL
 
-#ifndef UNITVEC_SPHERICAL_GLSL
-#include "spherical.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 // The snorm integers of the direction of v: phi / pi and z. m is the snorm's largest.
 vec2 cylindrical_lattice(vec3 v, float m) {
-    v = spherical_scaled(v);
+    v = unitvec_angles_scaled(v);
     UNITVEC_PRECISE float height = v.z * (1.0 / sqrt(unitvec_dot(v, v))) * m;
     UNITVEC_PRECISE float angle = unitvec_atan2_half_turns(v.y, v.x) * m;
-    float z = spherical_round(height);
+    float z = unitvec_round_symmetric(height);
     // An inexact reciprocal could take z beyond m.
     vec2 pole = vec2(0.0, unitvec_negate_if(unitvec_is_negative(z), m));
-    return abs(z) < m ? vec2(spherical_round(angle), z) : pole;
+    return abs(z) < m ? vec2(unitvec_round_symmetric(angle), z) : pole;
 }
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
@@ -30,26 +30,26 @@ vec3 cylindrical_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float step_size = 1.0 / m;
     UNITVEC_PRECISE float radius = sqrt((m - e.y) * (m + e.y)) * step_size;
     UNITVEC_PRECISE vec2 values = e * step_size;
-    return spherical_around_z(radius, values.y, values.x);
+    return unitvec_angles_around_z(radius, values.y, values.x);
 }
 
-uint cylindrical_encode(vec3 v, uint bits, float m) {
-    vec2 e = cylindrical_lattice(v, m);
+uint cylindrical_encode(vec3 v, uint bits) {
+    vec2 e = cylindrical_lattice(v, snorm_max(bits / 2u));
     return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
 }
 
-vec3 cylindrical_decode(uint code, uint bits, float m) {
+vec3 cylindrical_decode(uint code, uint bits) {
     float phi = unitvec_snorm_integer(code, bits / 2u);
     float z = unitvec_snorm_integer(code >> (bits / 2u), bits / 2u);
-    return cylindrical_from_lattice(vec2(phi, z), m);
+    return cylindrical_from_lattice(vec2(phi, z), snorm_max(bits / 2u));
 }
 
-uint cylindrical16_encode(vec3 v) { return cylindrical_encode(v, 16u, 127.0); }
-uint cylindrical24_encode(vec3 v) { return cylindrical_encode(v, 24u, 2047.0); }
-uint cylindrical32_encode(vec3 v) { return cylindrical_encode(v, 32u, 32767.0); }
+uint cylindrical16_encode(vec3 v) { return cylindrical_encode(v, 16u); }
+uint cylindrical24_encode(vec3 v) { return cylindrical_encode(v, 24u); }
+uint cylindrical32_encode(vec3 v) { return cylindrical_encode(v, 32u); }
 
-vec3 cylindrical16_decode(uint code) { return cylindrical_decode(code, 16u, 127.0); }
-vec3 cylindrical24_decode(uint code) { return cylindrical_decode(code, 24u, 2047.0); }
-vec3 cylindrical32_decode(uint code) { return cylindrical_decode(code, 32u, 32767.0); }
+vec3 cylindrical16_decode(uint code) { return cylindrical_decode(code, 16u); }
+vec3 cylindrical24_decode(uint code) { return cylindrical_decode(code, 24u); }
+vec3 cylindrical32_decode(uint code) { return cylindrical_decode(code, 32u); }
 
 #endif

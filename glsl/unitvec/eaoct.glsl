@@ -13,9 +13,6 @@
 #ifndef UNITVEC_EAOCT_GLSL
 #define UNITVEC_EAOCT_GLSL
 
-#ifndef UNITVEC_MATH_GLSL
-#include "math.glsl"
-#endif
 #ifndef UNITVEC_OCT_GLSL
 #include "oct.glsl"
 #endif
@@ -59,7 +56,7 @@ float eaoct_raised(float x, float scale) {
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
 // Without a usable direction, anything.
 EaoctPolar eaoct_polar(vec3 v, float norm) {
-    float scale = uintBitsToFloat((254u << 23u) - (floatBitsToUint(norm) & 0x7f800000u));
+    float scale = unitvec_scale_to_one(norm);
     bool swapped = abs(v.y) > abs(v.x);
     float shorter = swapped ? abs(v.x) : abs(v.y);
     float longer = swapped ? abs(v.y) : abs(v.x);
@@ -147,10 +144,8 @@ vec3 eaoct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float off_axis = horizontal * sine;
     float x = swapped ? off_axis : near_axis;
     float y = swapped ? near_axis : off_axis;
-    // Not where x or y is 0, which would become -0.
     return vec3(
-        unitvec_negate_if(e.x < 0.0 && x > 0.0, x), unitvec_negate_if(e.y < 0.0 && y > 0.0, y),
-        unitvec_negate_if(below, z));
+        unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y), unitvec_negate_if(below, z));
 }
 
 // The projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds: a mean error 8 % and a
@@ -167,23 +162,35 @@ vec3 eaoct_to_float32x3(vec2 e) {
     return eaoct_from_lattice(e, 1.0);
 }
 
-uint eaoct16_encode(vec3 v) { return oct_pack(eaoct_lattice(v, 127.0), 16u); }
-uint eaoct20_encode(vec3 v) { return oct_pack(eaoct_lattice(v, 511.0), 20u); }
-uint eaoct22_encode(vec3 v) { return oct_pack(eaoct_lattice(v, 1023.0), 22u); }
-uint eaoct24_encode(vec3 v) { return oct_pack_unorm8x3(eaoct_lattice(v, 2047.0)); }
-uint eaoct32_encode(vec3 v) { return oct_pack(eaoct_lattice(v, 32767.0), 32u); }
+uint eaoct_encode(vec3 v, uint bits) {
+    return oct_pack(eaoct_lattice(v, snorm_max(bits / 2u)), bits);
+}
 
-uint eaoct16p_encode(vec3 v) { return oct_pack(eaoct_lattice_precise(v, 127.0), 16u); }
-uint eaoct20p_encode(vec3 v) { return oct_pack(eaoct_lattice_precise(v, 511.0), 20u); }
-uint eaoct22p_encode(vec3 v) { return oct_pack(eaoct_lattice_precise(v, 1023.0), 22u); }
-uint eaoct24p_encode(vec3 v) { return oct_pack_unorm8x3(eaoct_lattice_precise(v, 2047.0)); }
-uint eaoct32p_encode(vec3 v) { return oct_pack(eaoct_lattice_precise(v, 32767.0), 32u); }
+uint eaoct_encode_precise(vec3 v, uint bits) {
+    return oct_pack(eaoct_lattice_precise(v, snorm_max(bits / 2u)), bits);
+}
 
-vec3 eaoct16_decode(uint code) { return eaoct_from_lattice(oct_unpack(code, 16u), 127.0); }
-vec3 eaoct20_decode(uint code) { return eaoct_from_lattice(oct_unpack(code, 20u), 511.0); }
-vec3 eaoct22_decode(uint code) { return eaoct_from_lattice(oct_unpack(code, 22u), 1023.0); }
-vec3 eaoct24_decode(uint code) { return eaoct_from_lattice(oct_unpack_unorm8x3(code), 2047.0); }
-vec3 eaoct32_decode(uint code) { return eaoct_from_lattice(oct_unpack(code, 32u), 32767.0); }
+vec3 eaoct_decode(uint code, uint bits) {
+    return eaoct_from_lattice(oct_unpack(code, bits), snorm_max(bits / 2u));
+}
+
+uint eaoct16_encode(vec3 v) { return eaoct_encode(v, 16u); }
+uint eaoct20_encode(vec3 v) { return eaoct_encode(v, 20u); }
+uint eaoct22_encode(vec3 v) { return eaoct_encode(v, 22u); }
+uint eaoct24_encode(vec3 v) { return eaoct_encode(v, 24u); }
+uint eaoct32_encode(vec3 v) { return eaoct_encode(v, 32u); }
+
+uint eaoct16p_encode(vec3 v) { return eaoct_encode_precise(v, 16u); }
+uint eaoct20p_encode(vec3 v) { return eaoct_encode_precise(v, 20u); }
+uint eaoct22p_encode(vec3 v) { return eaoct_encode_precise(v, 22u); }
+uint eaoct24p_encode(vec3 v) { return eaoct_encode_precise(v, 24u); }
+uint eaoct32p_encode(vec3 v) { return eaoct_encode_precise(v, 32u); }
+
+vec3 eaoct16_decode(uint code) { return eaoct_decode(code, 16u); }
+vec3 eaoct20_decode(uint code) { return eaoct_decode(code, 20u); }
+vec3 eaoct22_decode(uint code) { return eaoct_decode(code, 22u); }
+vec3 eaoct24_decode(uint code) { return eaoct_decode(code, 24u); }
+vec3 eaoct32_decode(uint code) { return eaoct_decode(code, 32u); }
 
 vec3 eaoct16p_decode(uint code) { return eaoct16_decode(code); }
 vec3 eaoct20p_decode(uint code) { return eaoct20_decode(code); }

@@ -11,8 +11,8 @@
 #ifndef UNITVEC_FIB_GLSL
 #define UNITVEC_FIB_GLSL
 
-#ifndef UNITVEC_SPHERICAL_GLSL
-#include "spherical.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 // (sqrt(5) - 1) / 2 in 64 bits, rounded.
@@ -56,11 +56,6 @@ struct FibCandidate {
     float cost;
 };
 
-// 2 to the power `exponent`, -126 to 127.
-float fib_exp2(int exponent) {
-    return uintBitsToFloat(uint(127 + exponent) << 23u);
-}
-
 // Number of the last point.
 uint fib_last(uint bits) {
     return 0xffffffffu >> (32u - bits);
@@ -83,7 +78,7 @@ uint fib_turn_of_step(uint i) {
 }
 
 float fib_signed_turn(uint turn) {
-    UNITVEC_PRECISE float signed_turn = float(int(turn)) * fib_exp2(-32);
+    UNITVEC_PRECISE float signed_turn = float(int(turn)) * unitvec_exp2(-32);
     return signed_turn;
 }
 
@@ -98,13 +93,13 @@ uint fib_split(float x, out float rest) {
 // Azimuth of (x, y) in turns, a fraction of 32 bits: 0 beside the z axis.
 uint fib_azimuth(float x, float y) {
     UNITVEC_PRECISE float norm = abs(x) + abs(y);
-    bool usable = norm >= UNITVEC_MIN_NORM;
+    bool usable = norm >= UNITVEC_NEGLIGIBLE;
     x = usable ? x : 1.0;
     y = usable ? y : 0.0;
     bool steep = abs(y) > abs(x);
     float shorter = steep ? abs(x) : abs(y);
     float longer = steep ? abs(y) : abs(x);
-    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter, longer) * fib_exp2(29);
+    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter, longer) * unitvec_exp2(29);
     float rest;
     uint octant = fib_split(part, rest);
     uint quarter = steep ? 0x40000000u - octant : octant;
@@ -133,7 +128,7 @@ FibPlace fib_place(vec3 v, uint bits) {
     UNITVEC_PRECISE float from_top = 1.0 - height;
     bool is_polar = height > 0.5;
 
-    UNITVEC_PRECISE float position = (is_polar ? from_pole : height) * fib_exp2(int(bits) - 1);
+    UNITVEC_PRECISE float position = (is_polar ? from_pole : height) * unitvec_exp2(int(bits) - 1);
     float rest;
     uint whole = fib_split(position, rest);
     UNITVEC_PRECISE float fraction = unitvec_negate_if(!is_polar, rest) - 0.5;
@@ -145,10 +140,10 @@ FibPlace fib_place(vec3 v, uint bits) {
 FibBasis fib_basis(float radius_squared, uint bits) {
     // The bits of a float, taken as a number, are about its logarithm.
     UNITVEC_PRECISE float offset = float(bits) + -124.125;
-    UNITVEC_PRECISE float logarithm = float(floatBitsToUint(radius_squared) >> 8u) * fib_exp2(-15) + offset;
+    UNITVEC_PRECISE float logarithm = float(floatBitsToUint(radius_squared) >> 8u) * unitvec_exp2(-15) + offset;
     UNITVEC_PRECISE float zone = 0.7202101 * logarithm;
     float lower = floor(zone);
-    uint k = uint(lower > 2.0 ? lower : 2.0);
+    uint k = unitvec_whole_to_u32(max(lower, 2.0));
     float power = fib_golden_power(k);
     UNITVEC_PRECISE float turn = 1.0 / power;
     UNITVEC_PRECISE float next_turn = turn * 0.618034;
@@ -160,7 +155,7 @@ FibBasis fib_basis(float radius_squared, uint bits) {
 // Point i, which the place is `turn` around from. The cost is half the square of the distance, without cancellation.
 FibCandidate fib_candidate(FibPlace place, uint i, uint turn, uint bits) {
     UNITVEC_PRECISE float steps = float(int(place.whole - i)) + place.fraction;
-    UNITVEC_PRECISE float difference = steps * fib_exp2(1 - int(bits));
+    UNITVEC_PRECISE float difference = steps * unitvec_exp2(1 - int(bits));
     UNITVEC_PRECISE float signed_depth = place.depth - difference;
     bool is_point = signed_depth > 0.0;
     float depth = abs(signed_depth);
@@ -184,11 +179,7 @@ FibCandidate fib_cheaper(FibCandidate a, FibCandidate b) {
 // Number of the point of 2^bits that is nearest to the direction of v.
 uint fib_nearest(vec3 v, uint bits) {
     v = unitvec_or_z(v);
-    // A power of two, by which the L1 norm becomes 1 to 2, exactly.
-    float scale = uintBitsToFloat((254u << 23u) - (floatBitsToUint(unitvec_l1_norm(v)) & 0x7f800000u));
-    vec3 normal = vec3(
-        spherical_without_denormal(v.x), spherical_without_denormal(v.y), spherical_without_denormal(v.z));
-    UNITVEC_PRECISE vec3 scaled = normal * scale;
+    vec3 scaled = unitvec_scaled_to_one(v, unitvec_l1_norm(v));
     bool is_mirrored = unitvec_is_negative(scaled.z);
     uint azimuth = fib_azimuth(scaled.x, scaled.y);
     uint turn_to = is_mirrored ? fib_turn(fib_last(bits)) - azimuth : azimuth;
@@ -197,12 +188,12 @@ uint fib_nearest(vec3 v, uint bits) {
 
     // The coordinates of the place in the basis, whose determinant is 1 or -1.
     float across = unitvec_negate_if(basis.is_even, fib_signed_turn(turn_to));
-    UNITVEC_PRECISE float number = place.depth * fib_exp2(int(bits) - 1) - 0.5;
+    UNITVEC_PRECISE float number = place.depth * unitvec_exp2(int(bits) - 1) - 0.5;
     UNITVEC_PRECISE float a = across * basis.next_step + number * basis.next_turn;
     UNITVEC_PRECISE float b = number * basis.turn - across * basis.step_size;
 
-    uint step_size = uint(basis.step_size);
-    uint next_step = uint(basis.next_step);
+    uint step_size = unitvec_whole_to_u32(basis.step_size);
+    uint next_step = unitvec_whole_to_u32(basis.next_step);
     uint turn_step = fib_turn_of_step(step_size);
     uint next_turn_step = fib_turn_of_step(next_step);
     uint i = uint(int(floor(a))) * step_size + uint(int(floor(b))) * next_step;
@@ -223,14 +214,14 @@ vec3 fib_point(uint i, uint bits) {
     i = i & fib_last(bits);
     bool is_mirrored = (i >> (bits - 1u)) != 0u;
     uint from_pole = is_mirrored ? fib_last(bits) - i : i;
-    float unit = fib_exp2(1 - int(bits));
+    float unit = unitvec_exp2(1 - int(bits));
     UNITVEC_PRECISE float depth = (float(int(from_pole)) + 0.5) * unit;
     UNITVEC_PRECISE float height = (float(int(fib_last(bits - 1u) - from_pole)) + 0.5) * unit;
     UNITVEC_PRECISE float radius = sqrt(depth * (2.0 - depth));
 
     uint azimuth = fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;
-    UNITVEC_PRECISE float half_turns = float(2 * int(azimuth - (quarter << 30u)) + 1) * fib_exp2(-32);
+    UNITVEC_PRECISE float half_turns = float(2 * int(azimuth - (quarter << 30u)) + 1) * unitvec_exp2(-32);
     UNITVEC_PRECISE float sine = radius * unitvec_sin_eighth(half_turns);
     UNITVEC_PRECISE float cosine = radius * unitvec_cos_eighth(half_turns);
     bool is_odd = (quarter & 1u) != 0u;

@@ -15,9 +15,6 @@
 #ifndef UNITVEC_FRAME_GLSL
 #define UNITVEC_FRAME_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
-#endif
 #ifndef UNITVEC_OCT_GLSL
 #include "oct.glsl"
 #endif
@@ -61,20 +58,11 @@ float frame_unwarp(float w, uint angle_bits) {
     return nearer;
 }
 
-// x, or 0 where that is a denormal, which some devices flush.
-float frame_flushed(float x) {
-    return abs(x) < 1.1754943508222875e-38 ? 0.0 : x;
-}
-
 // v scaled by a power of two to an L1 norm of 1 to 2; 0 where it has no usable direction.
 vec3 frame_scaled(vec3 v) {
     float norm = unitvec_l1_norm(v);
     bool usable = unitvec_is_usable(norm);
-    uint bits = floatBitsToUint(usable ? norm : 1.0);
-    float scale = uintBitsToFloat((254u << 23u) - (bits & 0x7f800000u));
-    vec3 flushed = vec3(frame_flushed(v.x), frame_flushed(v.y), frame_flushed(v.z));
-    UNITVEC_PRECISE vec3 scaled = (usable ? flushed : vec3(0.0)) * scale;
-    return scaled;
+    return unitvec_scaled_to_one(usable ? v : vec3(0.0), usable ? norm : 1.0);
 }
 
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
@@ -101,13 +89,13 @@ uint frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
     UNITVEC_PRECISE float place = floor(position + 0.5);
     uint quarters = ((below ? 2u : 0u) + (odd ? 1u : 0u)) << (angle_bits - 2u);
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    uint code = (quarters + uint(place)) & ((1u << angle_bits) - 1u);
+    uint code = (quarters + unitvec_whole_to_u32(place)) & unitvec_mask(angle_bits);
     return usable ? code : 0u;
 }
 
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 vec2 frame_diamond_point(uint code, uint angle_bits) {
-    float place = float(code & ((1u << (angle_bits - 2u)) - 1u));
+    float place = float(code & unitvec_mask(angle_bits - 2u));
     UNITVEC_PRECISE float v = place * (1.0 / float(1u << (angle_bits - 3u))) - 1.0;
 
     bool odd = (code & (1u << (angle_bits - 2u))) != 0u;
@@ -135,12 +123,12 @@ uint frame_handedness_code(float handedness) {
 
 // +1 for an even code, -1 for an odd one.
 float frame_handedness(uint code) {
-    return (code & 1u) != 0u ? -1.0 : 1.0;
+    return unitvec_negate_if((code & 1u) != 0u, 1.0);
 }
 
 // Unit vector of a normal's lattice point, given in 21 bits each.
 vec3 frame64_normal(uint x, uint y) {
-    return oct_from_lattice(vec2(unitvec_snorm_integer(x, 21u), unitvec_snorm_integer(y, 21u)), 1048575.0);
+    return oct_from_lattice(vec2(unitvec_snorm_integer(x, 21u), unitvec_snorm_integer(y, 21u)), snorm_max(21u));
 }
 
 uint frame32_encode(vec3 normal, vec4 tangent) {
@@ -150,7 +138,7 @@ uint frame32_encode(vec3 normal, vec4 tangent) {
 }
 
 uvec2 frame64_encode(vec3 normal, vec4 tangent) {
-    vec2 e = oct_lattice_precise(normal, 1048575.0);
+    vec2 e = oct_lattice_precise(normal, snorm_max(21u));
     uint x = unitvec_signed_code(e.x, 21u);
     uint y = unitvec_signed_code(e.y, 21u);
     uint angle = frame_angle_code(frame64_normal(x, y), tangent.xyz, 21u, 3.814697265625e-6);

@@ -11,32 +11,20 @@
 #ifndef UNITVEC_HEMIOCT_GLSL
 #define UNITVEC_HEMIOCT_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
-
-// Nearest whole number, ties away from zero.
-float hemioct_round(float x) {
-    UNITVEC_PRECISE float position = abs(x) + 0.5;
-    return unitvec_negate_if(unitvec_is_negative(x), floor(position));
-}
-
-// x, or 0 where that is a denormal, which some devices flush.
-float hemioct_without_denormal(float x) {
-    return unitvec_is_negative(-abs(x)) ? x : 0.0;
-}
 
 // Lattice point of a vector with z >= 0 and an L1 norm of `norm`, m the snorm's largest integer.
 vec2 hemioct_project(vec3 v, float norm, float m) {
-    float x = hemioct_without_denormal(v.x), y = hemioct_without_denormal(v.y);
+    float x = unitvec_without_denormal(v.x), y = unitvec_without_denormal(v.y);
     UNITVEC_PRECISE vec2 p = vec2(x + y, x - y) * (m / norm);
-    return vec2(hemioct_round(p.x), hemioct_round(p.y));
+    return vec2(unitvec_round_symmetric(p.x), unitvec_round_symmetric(p.y));
 }
 
 // Lattice point of the direction of v (listing 6, then snorm rounding), m the snorm's largest integer.
 vec2 hemioct_lattice(vec3 v, float m) {
-    v = unitvec_or_z(v);
-    v = unitvec_or_z(vec3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
+    v = unitvec_upper_or_z(v);
     return hemioct_project(v, unitvec_l1_norm(v), m);
 }
 

@@ -15,8 +15,8 @@
 #ifndef UNITVEC_ICO_GLSL
 #define UNITVEC_ICO_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 // The golden ratio and its reciprocal.
@@ -152,15 +152,11 @@ uint ico_encode(vec3 v, IcoLattice lattice) {
         ICO_GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
         ICO_GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y));
     // By reflection: the vertices across a side have the sum of the side's two, divided by p.
-    float least_xy = flat_part.x < flat_part.y ? flat_part.x : flat_part.y;
-    float least_part = flat_part.z < least_xy ? flat_part.z : least_xy;
-    float beyond = least_part < 0.0 ? least_part : 0.0;
+    float beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
     UNITVEC_PRECISE float shared_part = ICO_GOLDEN_LESS_1 * beyond;
     UNITVEC_PRECISE float sum = ICO_TWICE_GOLDEN_LESS_1 * norm - ICO_ADDED_BY_REFLECTION * beyond;
     UNITVEC_PRECISE vec3 on_side = flat_part + shared_part;
-    vec3 i = ico_nearest(vec3(
-        on_side.x > -flat_part.x ? on_side.x : -flat_part.x, on_side.y > -flat_part.y ? on_side.y : -flat_part.y,
-        on_side.z > -flat_part.z ? on_side.z : -flat_part.z), sum, lattice);
+    vec3 i = ico_nearest(max(on_side, -flat_part), sum, lattice);
 
     // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
     // they are equal, it is the one whose base ends there.
@@ -192,13 +188,13 @@ uint ico_encode(vec3 v, IcoLattice lattice) {
     column = usable ? column : 0.5 * n;
     uint first = is_octant ? ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    return first + uint(int(line)) * row_length + uint(int(column));
+    return first + unitvec_whole_to_u32(line) * row_length + unitvec_whole_to_u32(column);
 }
 
 // Unit length to within 2 ULP.
 vec3 ico_decode(uint code, IcoLattice lattice) {
     float n = float(lattice.n);
-    code = code < ico_last(lattice) ? code : ico_last(lattice);
+    code = min(code, ico_last(lattice));
     bool is_octant = code >= ico_octants(lattice);
     uint first = is_octant ? ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
@@ -211,7 +207,7 @@ vec3 ico_decode(uint code, IcoLattice lattice) {
     uint index = code - first;
     UNITVEC_PRECISE float quotient = float(int(index >> 1u)) * per_length + 0.05;
     float line = floor(quotient);
-    uint rest = index - uint(int(line)) * row_length;
+    uint rest = index - unitvec_whole_to_u32(line) * row_length;
     bool is_next = rest >= row_length;
     line = is_next ? line - 1.0 : line;
     float column = float(int(is_next ? rest + row_length : rest));
@@ -231,7 +227,7 @@ vec3 ico_decode(uint code, IcoLattice lattice) {
     float to_z = is_octant ? 0.0 : w.y;
     float y_of_y = is_octant ? ICO_GOLDEN : -1.0;
     UNITVEC_PRECISE vec3 v = vec3(ICO_GOLDEN * w.z + to_x, w.x + y_of_y * w.y, ICO_GOLDEN * (w.x + to_z) + w.z);
-    uint block = uint(int(block_number));
+    uint block = unitvec_whole_to_u32(block_number);
     uint odd = block << 31u;
     uint upper = (block << 30u) & 0x80000000u;
     v = unitvec_normalize(v);
@@ -246,8 +242,8 @@ uint ico16_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_16); }
 uint ico24_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_24); }
 uint ico32_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_32); }
 
-vec3 ico16_decode(uint code) { return ico_decode(code & 0xffffu, ICO_LATTICE_16); }
-vec3 ico24_decode(uint code) { return ico_decode(code & 0xffffffu, ICO_LATTICE_24); }
+vec3 ico16_decode(uint code) { return ico_decode(code & unitvec_mask(16u), ICO_LATTICE_16); }
+vec3 ico24_decode(uint code) { return ico_decode(code & unitvec_mask(24u), ICO_LATTICE_24); }
 vec3 ico32_decode(uint code) { return ico_decode(code, ICO_LATTICE_32); }
 
 #endif

@@ -13,27 +13,27 @@
 #ifndef UNITVEC_LATLONG_GLSL
 #define UNITVEC_LATLONG_GLSL
 
-#ifndef UNITVEC_SPHERICAL_GLSL
-#include "spherical.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 uint latlong_grid_encode(vec3 v, uint half_bits) {
-    v = spherical_scaled(v);
+    v = unitvec_angles_scaled(v);
     float rings = float(1u << half_bits);
-    UNITVEC_PRECISE float colatitude = unitvec_atan2_half_turns(spherical_horizontal_length(v), v.z) * rings;
+    UNITVEC_PRECISE float colatitude = unitvec_atan2_half_turns(unitvec_horizontal_length(v), v.z) * rings;
     UNITVEC_PRECISE float azimuth = unitvec_atan2_half_turns(v.y, v.x) * (0.5 * rings);
     float ring = floor(colatitude);
     float last = rings - 1.0;
-    return unitvec_signed_code(floor(azimuth), half_bits) | (uint(ring < last ? ring : last) << half_bits);
+    return unitvec_signed_code(floor(azimuth), half_bits) | (unitvec_whole_to_u32(min(ring, last)) << half_bits);
 }
 
 vec3 latlong_grid_decode(uint code, uint half_bits) {
     float step_size = 1.0 / float(1u << half_bits);
-    float ring = float((code >> half_bits) & ((1u << half_bits) - 1u));
+    float ring = float((code >> half_bits) & unitvec_mask(half_bits));
     UNITVEC_PRECISE float colatitude = (ring + 0.5) * step_size;
-    UNITVEC_PRECISE float azimuth = (spherical_signed_integer(code, half_bits) + 0.5) * (2.0 * step_size);
+    UNITVEC_PRECISE float azimuth = (unitvec_signed_integer(code, half_bits) + 0.5) * (2.0 * step_size);
     vec2 meridian = unitvec_sin_cos_half_turns(colatitude);
-    return spherical_around_z(meridian.y, meridian.x, azimuth);
+    return unitvec_angles_around_z(meridian.y, meridian.x, azimuth);
 }
 
 // Rings 0 (the pole) to n (the equator): S, which gives their first patch, and its inverse, lowest power first.
@@ -74,7 +74,7 @@ float latlong_inverse(LatlongRings rings, float index) {
 
 // An index as the sum of two floats: from 25 bits on a single one need not hold it.
 vec2 latlong_in_parts(uint index, uint bits) {
-    uint low = bits <= 24u ? 0u : index & 0xfffu;
+    uint low = bits <= 24u ? 0u : index & unitvec_mask(12u);
     return vec2(float(int(index - low)), float(int(low)));
 }
 
@@ -84,8 +84,8 @@ float latlong_negate_by(uint sign_bit, float x) {
 }
 
 uint latlong_patch_encode(vec3 v, LatlongRings rings, uint index_bits) {
-    v = spherical_scaled(v);
-    float colatitude = unitvec_atan2_half_turns(spherical_horizontal_length(v), abs(v.z));
+    v = unitvec_angles_scaled(v);
+    float colatitude = unitvec_atan2_half_turns(unitvec_horizontal_length(v), abs(v.z));
     UNITVEC_PRECISE float ring = colatitude * (2.0 * rings.n) + 0.5;
     float i = floor(ring);
     UNITVEC_PRECISE vec2 h = vec2(i - 0.5, i + 0.5);
@@ -106,13 +106,13 @@ uint latlong_patch_encode(vec3 v, LatlongRings rings, uint index_bits) {
     uint carried = along < count ? quarter : (quarter + 1u) & 3u;
     float from_start = along < count ? along : 0.0;
 
-    uint place = uint(int(start)) + uint(int(from_start)) + (carried << index_bits);
+    uint place = unitvec_whole_to_u32(start) + unitvec_whole_to_u32(from_start) + (carried << index_bits);
     uint below = unitvec_is_negative(v.z) ? 4u << index_bits : 0u;
     return below | (i > 0.0 ? place : 0u);
 }
 
 vec3 latlong_patch_decode(uint code, LatlongRings rings, uint index_bits) {
-    uint index = code & ((1u << index_bits) - 1u);
+    uint index = code & unitvec_mask(index_bits);
     vec2 parts = latlong_in_parts(index, index_bits);
 
     // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.

@@ -13,8 +13,8 @@
 #ifndef UNITVEC_OCT_GLSL
 #define UNITVEC_OCT_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 // Moves a point of the positive octant, scaled to x + y + z = m, to where the lower half of the octahedron is folded
@@ -101,7 +101,8 @@ vec2 oct_lattice_precise(vec3 v, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
     // 2^-26 of the norm: denormals, which some devices flush, are less, and so break no ties.
     p = max(p, m * 1.490116119384765625e-8);
-    vec2 e = oct_fold(v.z, oct_nearest_corner(p, m), m);
+    vec2 corner = oct_nearest_corner(p, m);
+    vec2 e = oct_fold(v.z, corner, m);
     return oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
 }
 
@@ -152,15 +153,6 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
     return clamp(s, vec2(-1.0), vec2(1.0));
 }
 
-// Code of a lattice point, `bits` bits in all.
-uint oct_pack(vec2 e, uint bits) {
-    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
-}
-
-vec2 oct_unpack(uint code, uint bits) {
-    return vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
-}
-
 // Code of a lattice point with m = 2047: the bytes of listing 5, the first in the low bits.
 uint oct_pack_unorm8x3(vec2 e) {
     UNITVEC_PRECISE vec2 biased = e + 2047.0;
@@ -174,26 +166,49 @@ vec2 oct_unpack_unorm8x3(uint code) {
     float u = float(((code & 255u) << 4u) | ((code >> 12u) & 15u));
     float v = float((code & 0xf00u) | ((code >> 16u) & 255u));
     UNITVEC_PRECISE vec2 e = vec2(u, v) - 2047.0;
-    return min(e, vec2(2047.0));
+    return min(e, 2047.0);
 }
 
-uint oct16_encode(vec3 v) { return oct_pack(oct_lattice(v, 127.0), 16u); }
-uint oct20_encode(vec3 v) { return oct_pack(oct_lattice(v, 511.0), 20u); }
-uint oct22_encode(vec3 v) { return oct_pack(oct_lattice(v, 1023.0), 22u); }
-uint oct24_encode(vec3 v) { return oct_pack_unorm8x3(oct_lattice(v, 2047.0)); }
-uint oct32_encode(vec3 v) { return oct_pack(oct_lattice(v, 32767.0), 32u); }
+// Code of a lattice point, `bits` bits in all.
+uint oct_pack(vec2 e, uint bits) {
+    if (bits == 24u) return oct_pack_unorm8x3(e);
+    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+}
 
-uint oct16p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 127.0), 16u); }
-uint oct20p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 511.0), 20u); }
-uint oct22p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 1023.0), 22u); }
-uint oct24p_encode(vec3 v) { return oct_pack_unorm8x3(oct_lattice_precise(v, 2047.0)); }
-uint oct32p_encode(vec3 v) { return oct_pack(oct_lattice_precise(v, 32767.0), 32u); }
+vec2 oct_unpack(uint code, uint bits) {
+    if (bits == 24u) return oct_unpack_unorm8x3(code);
+    return vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
+}
 
-vec3 oct16_decode(uint code) { return oct_from_lattice(oct_unpack(code, 16u), 127.0); }
-vec3 oct20_decode(uint code) { return oct_from_lattice(oct_unpack(code, 20u), 511.0); }
-vec3 oct22_decode(uint code) { return oct_from_lattice(oct_unpack(code, 22u), 1023.0); }
-vec3 oct24_decode(uint code) { return oct_from_lattice(oct_unpack_unorm8x3(code), 2047.0); }
-vec3 oct32_decode(uint code) { return oct_from_lattice(oct_unpack(code, 32u), 32767.0); }
+uint oct_encode(vec3 v, uint bits) {
+    return oct_pack(oct_lattice(v, snorm_max(bits / 2u)), bits);
+}
+
+uint oct_encode_precise(vec3 v, uint bits) {
+    return oct_pack(oct_lattice_precise(v, snorm_max(bits / 2u)), bits);
+}
+
+vec3 oct_decode(uint code, uint bits) {
+    return oct_from_lattice(oct_unpack(code, bits), snorm_max(bits / 2u));
+}
+
+uint oct16_encode(vec3 v) { return oct_encode(v, 16u); }
+uint oct20_encode(vec3 v) { return oct_encode(v, 20u); }
+uint oct22_encode(vec3 v) { return oct_encode(v, 22u); }
+uint oct24_encode(vec3 v) { return oct_encode(v, 24u); }
+uint oct32_encode(vec3 v) { return oct_encode(v, 32u); }
+
+uint oct16p_encode(vec3 v) { return oct_encode_precise(v, 16u); }
+uint oct20p_encode(vec3 v) { return oct_encode_precise(v, 20u); }
+uint oct22p_encode(vec3 v) { return oct_encode_precise(v, 22u); }
+uint oct24p_encode(vec3 v) { return oct_encode_precise(v, 24u); }
+uint oct32p_encode(vec3 v) { return oct_encode_precise(v, 32u); }
+
+vec3 oct16_decode(uint code) { return oct_decode(code, 16u); }
+vec3 oct20_decode(uint code) { return oct_decode(code, 20u); }
+vec3 oct22_decode(uint code) { return oct_decode(code, 22u); }
+vec3 oct24_decode(uint code) { return oct_decode(code, 24u); }
+vec3 oct32_decode(uint code) { return oct_decode(code, 32u); }
 
 vec3 oct16p_decode(uint code) { return oct16_decode(code); }
 vec3 oct20p_decode(uint code) { return oct20_decode(code); }

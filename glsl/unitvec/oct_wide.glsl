@@ -13,8 +13,8 @@
 #ifndef UNITVEC_OCT_WIDE_GLSL
 #define UNITVEC_OCT_WIDE_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 // A direction in the positive octant, on the octahedron x + y + z = m: the whole numbers of its x and y, how far it
@@ -29,45 +29,16 @@ struct OctWidePosition {
 
 // Largest integer of an snorm of `bits` bits (2 to 31).
 int oct_wide_max(uint bits) {
-    return int((1u << (bits - 1u)) - 1u);
-}
-
-// 2 to the power `exponent`, -126 to 127.
-float oct_wide_exp2(int exponent) {
-    return uintBitsToFloat(uint(127 + exponent) << 23u);
-}
-
-// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
-float oct_wide_upper_half(float x) {
-    return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
-}
-
-// a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
-vec2 oct_wide_two_sum(float a, float b) {
-    UNITVEC_PRECISE float sum = a + b;
-    UNITVEC_PRECISE float b_in_sum = sum - a;
-    UNITVEC_PRECISE float rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
-    return vec2(sum, rest);
-}
-
-// What the rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
-float oct_wide_product_rest(float a, float b, float product) {
-    float a_upper = oct_wide_upper_half(a);
-    float b_upper = oct_wide_upper_half(b);
-    UNITVEC_PRECISE float a_lower = a - a_upper;
-    UNITVEC_PRECISE float b_lower = b - b_upper;
-    UNITVEC_PRECISE float rest =
-        (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
-    return rest;
+    return int(unitvec_mask(bits - 1u));
 }
 
 // The coordinate (2^(bits-1) - 1) x / (sum.x + sum.y), 0 <= x <= sum.x; the quotient's first float is returned.
 float oct_wide_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int integer, out float fraction) {
     UNITVEC_PRECISE float quotient = x * reciprocal;
     UNITVEC_PRECISE float product = quotient * sum.x;
-    UNITVEC_PRECISE float product_rest = oct_wide_product_rest(quotient, sum.x, product);
+    UNITVEC_PRECISE float product_rest = unitvec_product_rest(quotient, sum.x, product);
     UNITVEC_PRECISE float remainder = ((x - product) - product_rest) - quotient * sum.y;
-    float steps = oct_wide_exp2(int(bits) - 1);
+    float steps = unitvec_exp2(int(bits) - 1);
 
     UNITVEC_PRECISE float first = quotient * steps;
     int whole = int(first);
@@ -80,18 +51,11 @@ float oct_wide_coordinate(float x, vec2 sum, float reciprocal, uint bits, out in
     return quotient;
 }
 
-// |x|, or 0 where that is a denormal, which some devices flush.
-float oct_wide_magnitude(float x) {
-    return abs(x) < 1.1754943508222875e-38 ? 0.0 : abs(x);
-}
-
 // Where v, which has a direction, lies in the positive octant, after mirroring.
 OctWidePosition oct_wide_position(vec3 v, uint bits) {
-    uint norm = floatBitsToUint(unitvec_l1_norm(v));
-    vec3 size = vec3(oct_wide_magnitude(v.x), oct_wide_magnitude(v.y), oct_wide_magnitude(v.z));
-    UNITVEC_PRECISE vec3 scaled = size * uintBitsToFloat((254u << 23u) - (norm & 0x7f800000u));
-    vec2 sum_xy = oct_wide_two_sum(scaled.x, scaled.y);
-    vec2 sum_z = oct_wide_two_sum(sum_xy.x, scaled.z);
+    vec3 scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
+    vec2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
+    vec2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     UNITVEC_PRECISE vec2 sum = vec2(sum_z.x, sum_xy.y + sum_z.y);
     UNITVEC_PRECISE float reciprocal = 1.0 / sum.x;
 
@@ -115,7 +79,7 @@ OctWidePosition oct_wide_position(vec3 v, uint bits) {
 vec3 oct_wide_decode_octant(ivec3 p, uint bits) {
     uint low_bits = bits - 13u;
     vec3 upper = vec3(p >> low_bits);
-    UNITVEC_PRECISE vec3 lower = vec3(p & ((1 << low_bits) - 1)) * oct_wide_exp2(-int(low_bits));
+    UNITVEC_PRECISE vec3 lower = vec3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits));
 
     float squares = unitvec_dot(upper, upper);
     UNITVEC_PRECISE float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
@@ -123,8 +87,8 @@ vec3 oct_wide_decode_octant(ivec3 p, uint bits) {
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     UNITVEC_PRECISE float scale = reciprocal * reciprocal;
-    float scale_upper = oct_wide_upper_half(scale);
-    float squares_upper = oct_wide_upper_half(squares);
+    float scale_upper = unitvec_upper_half(scale);
+    float squares_upper = unitvec_upper_half(squares);
     UNITVEC_PRECISE float scale_lower = scale - scale_upper;
     UNITVEC_PRECISE float squares_lower = squares - squares_upper;
     UNITVEC_PRECISE float t =
@@ -172,9 +136,8 @@ ivec2 oct_wide_nearest_corner(OctWidePosition p, uint bits) {
 // negative, gives it the signs of v.x and v.y, and packs it.
 uvec2 oct_wide_pack(vec3 v, ivec2 p, uint bits) {
     ivec2 e = unitvec_is_negative(v.z) ? oct_wide_max(bits) - p.yx : p;
-    uint mask = (1u << bits) - 1u;
-    uint x = uint(unitvec_is_negative(v.x) ? -e.x : e.x) & mask;
-    uint y = uint(unitvec_is_negative(v.y) ? -e.y : e.y) & mask;
+    uint x = uint(unitvec_is_negative(v.x) ? -e.x : e.x) & unitvec_mask(bits);
+    uint y = uint(unitvec_is_negative(v.y) ? -e.y : e.y) & unitvec_mask(bits);
     return uvec2(x | (y << bits), y >> (32u - bits));
 }
 

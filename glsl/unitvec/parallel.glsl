@@ -8,27 +8,21 @@
 // Any v: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for what has no direction.
 // Layout: the first component in the low bits, then the second, snorm in two's complement, then the sign of z, or the
 // sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust crate's module
-// `projection`, whose every operation these repeat.
+// `parallel`, whose every operation these repeat.
 
 #ifndef UNITVEC_PARALLEL_GLSL
 #define UNITVEC_PARALLEL_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
-#endif
-#ifndef UNITVEC_CUBE_GLSL
-#include "cube.glsl"
-#endif
-#ifndef UNITVEC_FLOAT_GLSL
-#include "float.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
-const float PROJECTION_INSET = 0.4375;
+const float PARALLEL_INSET = 0.4375;
 // 1 - 2^-21.
-const float PROJECTION_KEPT = 0.9999995;
+const float PARALLEL_KEPT = 0.9999995;
 
 // The plane that the components are stored in.
-struct ProjectionPlane {
+struct ParallelPlane {
     vec2 m;
     vec2 steps;
     float limit;
@@ -36,33 +30,33 @@ struct ProjectionPlane {
     bool sextant;
 };
 
-ProjectionPlane projection_disk(uint x_bits, uint y_bits) {
+ParallelPlane parallel_disk(uint x_bits, uint y_bits) {
     vec2 m = vec2(snorm_max(x_bits), snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    return ProjectionPlane(m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : PROJECTION_INSET, false);
+    return ParallelPlane(m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : PARALLEL_INSET, false);
 }
 
-ProjectionPlane projection_sextant(uint u_bits, uint v_bits) {
+ParallelPlane parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(snorm_max(u_bits), snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    return ProjectionPlane(m, steps, PROJECTION_KEPT, u_bits > 22u ? 0.0 : PROJECTION_INSET, true);
+    return ParallelPlane(m, steps, PARALLEL_KEPT, u_bits > 22u ? 0.0 : PARALLEL_INSET, true);
 }
 
 // 1 on the border.
-float projection_extent(ProjectionPlane plane, vec2 p) {
-    float larger = p.x >= p.y ? p.x : p.y;
+float parallel_extent(ParallelPlane plane, vec2 p) {
+    float larger = max(p.x, p.y);
     UNITVEC_PRECISE float disk = p.x * p.x + p.y * p.y;
     UNITVEC_PRECISE float sextant = disk + larger * larger;
     return plane.sextant ? sextant : disk;
 }
 
-bool projection_is_outside(ProjectionPlane plane, vec2 e) {
+bool parallel_is_outside(ParallelPlane plane, vec2 e) {
     UNITVEC_PRECISE vec2 p = e / plane.steps;
-    return projection_extent(plane, p) > plane.limit;
+    return parallel_extent(plane, p) > plane.limit;
 }
 
 // e with the component along which the border is sooner reached lessened by `by` steps.
-vec2 projection_inwards(ProjectionPlane plane, vec2 e, float by) {
+vec2 parallel_inwards(ParallelPlane plane, vec2 e, float by) {
     UNITVEC_PRECISE vec2 p = e / plane.steps;
     UNITVEC_PRECISE float x = p.x * plane.steps.y;
     UNITVEC_PRECISE float y = p.y * plane.steps.x;
@@ -73,31 +67,29 @@ vec2 projection_inwards(ProjectionPlane plane, vec2 e, float by) {
 }
 
 // Whole numbers of a point of the positive quadrant.
-vec2 projection_round(ProjectionPlane plane, vec2 p) {
+vec2 parallel_round(ParallelPlane plane, vec2 p) {
     UNITVEC_PRECISE vec2 position = p * plane.steps + 0.5;
-    vec2 rounded = floor(position);
-    vec2 e = vec2(rounded.x > plane.m.x ? plane.m.x : rounded.x, rounded.y > plane.m.y ? plane.m.y : rounded.y);
-    bool unwritten = projection_is_outside(plane, e)
-        && projection_is_outside(plane, projection_inwards(plane, e, plane.inset));
-    return unwritten ? projection_inwards(plane, e, 1.0) : e;
+    vec2 e = min(floor(position), plane.m);
+    bool unwritten = parallel_is_outside(plane, e)
+        && parallel_is_outside(plane, parallel_inwards(plane, e, plane.inset));
+    return unwritten ? parallel_inwards(plane, e, 1.0) : e;
 }
 
 // Point that whole numbers, not negative, stand for: not outside.
-vec2 projection_point(ProjectionPlane plane, vec2 e) {
-    vec2 inset = projection_is_outside(plane, e) ? projection_inwards(plane, e, plane.inset) : e;
+vec2 parallel_point(ParallelPlane plane, vec2 e) {
+    vec2 inset = parallel_is_outside(plane, e) ? parallel_inwards(plane, e, plane.inset) : e;
     UNITVEC_PRECISE vec2 p = e / plane.steps;
-    UNITVEC_PRECISE float onto_border = PROJECTION_KEPT / sqrt(projection_extent(plane, p));
+    UNITVEC_PRECISE float onto_border = PARALLEL_KEPT / sqrt(parallel_extent(plane, p));
     UNITVEC_PRECISE vec2 projected = e * onto_border;
-    vec2 chosen = projection_is_outside(plane, inset) ? floor(projected) : inset;
+    vec2 chosen = parallel_is_outside(plane, inset) ? floor(projected) : inset;
     UNITVEC_PRECISE vec2 point = chosen / plane.steps;
     return point;
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
-vec3 projection_unit(vec3 v) {
+vec3 parallel_unit(vec3 v) {
     UNITVEC_PRECISE float raised = unitvec_l1_norm(v) * 1.1;
-    uint exponent = floatBitsToUint(raised) & 0x7f800000u;
-    UNITVEC_PRECISE vec3 scaled = v * uintBitsToFloat(0x7f000000u - exponent);
+    UNITVEC_PRECISE vec3 scaled = v * unitvec_scale_to_one(raised);
     float square = unitvec_dot(scaled, scaled);
     UNITVEC_PRECISE float off = square - 1.0;
     UNITVEC_PRECISE float inverse = 1.0 / sqrt(square);
@@ -105,25 +97,21 @@ vec3 projection_unit(vec3 v) {
     return n;
 }
 
-float projection_third(vec2 p) {
+float parallel_third(vec2 p) {
     UNITVEC_PRECISE float square = 1.0 - (p.x * p.x + p.y * p.y);
     UNITVEC_PRECISE float root = sqrt(square > 0.0 ? square : 0.0);
     return root;
 }
 
-float projection_with_sign(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-
 // Two's complement, in `bits` bits, of a whole number with a sign.
-uint projection_field(bool negative, float whole, uint bits) {
-    uint magnitude = uint(int(whole));
-    return (negative ? 0u - magnitude : magnitude) & ((1u << bits) - 1u);
+uint parallel_field(bool negative, float whole, uint bits) {
+    uint magnitude = unitvec_whole_to_u32(whole);
+    return (negative ? 0u - magnitude : magnitude) & unitvec_mask(bits);
 }
 
-uvec2 projection_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
-    uint x = projection_field(unitvec_is_negative(p.x), e.x, x_bits);
-    uint y = projection_field(unitvec_is_negative(p.y), e.y, y_bits);
+uvec2 parallel_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
+    uint x = parallel_field(unitvec_is_negative(p.x), e.x, x_bits);
+    uint y = parallel_field(unitvec_is_negative(p.y), e.y, y_bits);
     uint low = x | (y << x_bits);
     uint components = x_bits + y_bits;
     if (components < 32u) {
@@ -132,8 +120,8 @@ uvec2 projection_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
     return uvec2(low, (y >> (32u - x_bits)) | (top << (components - 32u)));
 }
 
-// The integers in xy; the bits above them are taken by projection_top.
-vec2 projection_unpack(uvec2 code, uint x_bits, uint y_bits) {
+// The integers in xy; the bits above them are taken by parallel_top.
+vec2 parallel_unpack(uvec2 code, uint x_bits, uint y_bits) {
     uint y = code.x >> x_bits;
     if (x_bits + y_bits >= 32u) {
         y |= code.y << (32u - x_bits);
@@ -141,64 +129,61 @@ vec2 projection_unpack(uvec2 code, uint x_bits, uint y_bits) {
     return vec2(unitvec_snorm_integer(code.x, x_bits), unitvec_snorm_integer(y, y_bits));
 }
 
-uint projection_top(uvec2 code, uint components) {
+uint parallel_top(uvec2 code, uint components) {
     if (components < 32u) {
         return code.x >> components;
     }
     return code.y >> (components - 32u);
 }
 
-vec3 projection_from_plane(ProjectionPlane plane, vec2 e, bool negative) {
-    vec2 p = projection_point(plane, abs(e));
-    return vec3(projection_with_sign(unitvec_is_negative(e.x), p.x),
-        projection_with_sign(unitvec_is_negative(e.y), p.y), projection_with_sign(negative, projection_third(p)));
+vec3 parallel_from_plane(ParallelPlane plane, vec2 e, bool negative) {
+    vec2 p = parallel_point(plane, abs(e));
+    return vec3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative, parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.
-vec3 projection_upper_unit(vec3 v) {
-    v = unitvec_or_z(v);
-    v = unitvec_or_z(vec3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
-    return projection_unit(v);
+vec3 parallel_upper_unit(vec3 v) {
+    return parallel_unit(unitvec_upper_or_z(v));
 }
 
 uint xyonly_encode(vec3 v, uint bits) {
-    vec3 n = projection_upper_unit(v);
-    vec2 e = projection_round(projection_disk(bits, bits), abs(n.xy));
-    return projection_field(unitvec_is_negative(n.x), e.x, bits)
-        | (projection_field(unitvec_is_negative(n.y), e.y, bits) << bits);
+    vec3 n = parallel_upper_unit(v);
+    vec2 e = parallel_round(parallel_disk(bits, bits), abs(n.xy));
+    return parallel_pack(n, e, 0u, bits, bits).x;
 }
 
 vec3 xyonly_decode(uint code, uint bits) {
-    vec2 e = vec2(unitvec_snorm_integer(code, bits), unitvec_snorm_integer(code >> bits, bits));
-    return projection_from_plane(projection_disk(bits, bits), e, false);
+    vec2 e = parallel_unpack(uvec2(code, 0u), bits, bits);
+    return parallel_from_plane(parallel_disk(bits, bits), e, false);
 }
 
 uvec2 pp_encode(vec3 v, uint x_bits, uint y_bits) {
     v = unitvec_or_z(v);
-    vec3 n = projection_unit(v);
-    vec2 e = projection_round(projection_disk(x_bits, y_bits), abs(n.xy));
+    vec3 n = parallel_unit(v);
+    vec2 e = parallel_round(parallel_disk(x_bits, y_bits), abs(n.xy));
     // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
-    return projection_pack(n, e, unitvec_is_negative(v.z) ? 1u : 0u, x_bits, y_bits);
+    return parallel_pack(n, e, unitvec_is_negative(v.z) ? 1u : 0u, x_bits, y_bits);
 }
 
 vec3 pp_decode(uvec2 code, uint x_bits, uint y_bits) {
-    vec2 e = projection_unpack(code, x_bits, y_bits);
-    uint top = projection_top(code, x_bits + y_bits);
-    return projection_from_plane(projection_disk(x_bits, y_bits), e, (top & 1u) != 0u);
+    vec2 e = parallel_unpack(code, x_bits, y_bits);
+    uint top = parallel_top(code, x_bits + y_bits);
+    return parallel_from_plane(parallel_disk(x_bits, y_bits), e, (top & 1u) != 0u);
 }
 
 uvec2 spp_encode(vec3 v, uint u_bits, uint v_bits) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
-    vec3 n = unitvec_to_face(projection_unit(v), face);
-    vec2 e = projection_round(projection_sextant(u_bits, v_bits), abs(n.xy));
-    return projection_pack(n, e, face, u_bits, v_bits);
+    vec3 n = unitvec_to_face(parallel_unit(v), face);
+    vec2 e = parallel_round(parallel_sextant(u_bits, v_bits), abs(n.xy));
+    return parallel_pack(n, e, face, u_bits, v_bits);
 }
 
 vec3 spp_decode(uvec2 code, uint u_bits, uint v_bits) {
-    vec2 e = projection_unpack(code, u_bits, v_bits);
-    uint top = projection_top(code, u_bits + v_bits);
-    vec3 n = projection_from_plane(projection_sextant(u_bits, v_bits), e, (top & 1u) != 0u);
+    vec2 e = parallel_unpack(code, u_bits, v_bits);
+    uint top = parallel_top(code, u_bits + v_bits);
+    vec3 n = parallel_from_plane(parallel_sextant(u_bits, v_bits), e, (top & 1u) != 0u);
     return unitvec_from_face(n, top & 7u);
 }
 
@@ -215,7 +200,7 @@ bool xyonly32f_is_off_disk(vec2 p) {
 vec2 xyonly32f_halves_inset(uint a, uint b) {
     vec2 p = xyonly32f_halves(a, b);
     vec2 inner = xyonly32f_halves(a > 0u ? a - 1u : 0u, b > 0u ? b - 1u : 0u);
-    UNITVEC_PRECISE vec2 q = p - PROJECTION_INSET * (p - inner);
+    UNITVEC_PRECISE vec2 q = p - PARALLEL_INSET * (p - inner);
     return p.x >= p.y ? vec2(q.x, p.y) : vec2(p.x, q.y);
 }
 
@@ -226,7 +211,7 @@ float xyonly32f_half_below(float x) {
 }
 
 uint xyonly32f_encode(vec3 v) {
-    vec3 n = projection_upper_unit(v);
+    vec3 n = parallel_upper_unit(v);
     uint a = unitvec_half_encode_magnitude(n.x);
     uint b = unitvec_half_encode_magnitude(n.y);
     bool unwritten = xyonly32f_is_off_disk(xyonly32f_halves(a, b))
@@ -244,12 +229,12 @@ vec3 xyonly32f_decode(uint code) {
     vec2 p = xyonly32f_halves(a, b);
     vec2 inset = xyonly32f_is_off_disk(p) ? xyonly32f_halves_inset(a, b) : p;
     UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
-    UNITVEC_PRECISE float onto_border = PROJECTION_KEPT / sqrt(square);
+    UNITVEC_PRECISE float onto_border = PARALLEL_KEPT / sqrt(square);
     UNITVEC_PRECISE vec2 projected = p * onto_border;
     vec2 below = vec2(xyonly32f_half_below(projected.x), xyonly32f_half_below(projected.y));
     vec2 q = xyonly32f_is_off_disk(inset) ? below : inset;
-    return vec3(projection_with_sign((code & 0x8000u) != 0u, q.x), projection_with_sign((code >> 31u) != 0u, q.y),
-        projection_third(q));
+    return vec3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x), unitvec_negate_positive((code >> 31u) != 0u, q.y),
+        parallel_third(q));
 }
 
 uint xyonly16_encode(vec3 v) { return xyonly_encode(v, 8u); }

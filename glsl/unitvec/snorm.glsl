@@ -10,20 +10,20 @@
 #ifndef UNITVEC_SNORM_GLSL
 #define UNITVEC_SNORM_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 uint snorm3_encode(vec3 v, uint xy_bits, uint z_bits) {
     v = unitvec_or_z(v);
     uint code = snorm_encode(v.x, xy_bits) | (snorm_encode(v.y, xy_bits) << xy_bits)
         | (snorm_encode(v.z, z_bits) << (2u * xy_bits));
-    return code == 0u ? ((1u << (z_bits - 1u)) - 1u) << (2u * xy_bits) : code;
+    return code == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
 }
 
 vec3 snorm3_decode(uint code, uint xy_bits, uint z_bits) {
     uint used = code << (32u - 2u * xy_bits - z_bits);
-    code = used == 0u ? ((1u << (z_bits - 1u)) - 1u) << (2u * xy_bits) : code;
+    code = used == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
     return vec3(snorm_decode(code, xy_bits), snorm_decode(code >> xy_bits, xy_bits),
         snorm_decode(code >> (2u * xy_bits), z_bits));
 }
@@ -32,12 +32,12 @@ uvec2 snorm16x3_encode(vec3 v) {
     v = unitvec_or_z(v);
     uint low = snorm_encode(v.x, 16u) | (snorm_encode(v.y, 16u) << 16u);
     uint z = snorm_encode(v.z, 16u);
-    return uvec2(low, (low | z) == 0u ? 0x7fffu : z);
+    return uvec2(low, (low | z) == 0u ? unitvec_mask(15u) : z);
 }
 
 vec3 snorm16x3_decode(uvec2 code) {
-    uint z = code.y & 0xffffu;
-    z = (code.x | z) == 0u ? 0x7fffu : z;
+    uint z = code.y & unitvec_mask(16u);
+    z = (code.x | z) == 0u ? unitvec_mask(15u) : z;
     return vec3(snorm_decode(code.x, 16u), snorm_decode(code.x >> 16u, 16u), snorm_decode(z, 16u));
 }
 

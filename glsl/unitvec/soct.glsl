@@ -11,9 +11,6 @@
 #ifndef UNITVEC_SOCT_GLSL
 #define UNITVEC_SOCT_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
-#endif
 #ifndef UNITVEC_HEMIOCT_GLSL
 #include "hemioct.glsl"
 #endif
@@ -30,8 +27,7 @@ uvec3 soct_parts(vec3 v, uint bits) {
 vec3 soct_from_parts(uint u, uint v, uint negative, uint bits) {
     vec2 e = vec2(unitvec_snorm_integer(u, bits), unitvec_snorm_integer(v, bits));
     vec3 up = hemioct_from_lattice(e, snorm_max(bits));
-    // Not on the equator, where z would become -0.
-    return vec3(up.xy, unitvec_negate_if((negative & 1u) != 0u && up.z > 0.0, up.z));
+    return vec3(up.xy, unitvec_negate_positive((negative & 1u) != 0u, up.z));
 }
 
 uint soct_encode(vec3 v, uint bits) {
@@ -40,7 +36,7 @@ uint soct_encode(vec3 v, uint bits) {
 }
 
 vec3 soct_decode(uint code, uint bits) {
-    uint half_mask = (1u << (bits / 2u)) - 1u;
+    uint half_mask = unitvec_mask(bits / 2u);
     return soct_from_parts(
         code & half_mask, (code >> (bits / 2u)) & half_mask, code >> (bits - 1u), bits / 2u);
 }
@@ -55,6 +51,6 @@ uvec2 soct33_encode(vec3 v) {
 
 vec3 soct17_decode(uint code) { return soct_decode(code, 17u); }
 vec3 soct25_decode(uint code) { return soct_decode(code, 25u); }
-vec3 soct33_decode(uvec2 code) { return soct_from_parts(code.x & 0xffffu, code.x >> 16u, code.y, 16u); }
+vec3 soct33_decode(uvec2 code) { return soct_from_parts(code.x & unitvec_mask(16u), code.x >> 16u, code.y, 16u); }
 
 #endif

@@ -1,7 +1,6 @@
-// unitvec: all codec families. See the family's file for its functions.
+// unitvec: all codec families, in the order of the list of codecs. See the family's file for its functions.
 
-#include "scalar.glsl"
-#include "math.glsl"
+#include "arith.glsl"
 #include "oct.glsl"
 #include "hemioct.glsl"
 #include "eaoct.glsl"
@@ -14,9 +13,9 @@
 #include "ico.glsl"
 #include "best_fit.glsl"
 #include "azimuthal.glsl"
-#include "cube.glsl"
-#include "float.glsl"
-#include "frame.glsl"
-#include "parallel.glsl"
 #include "snorm.glsl"
 #include "unorm.glsl"
+#include "float.glsl"
+#include "cube.glsl"
+#include "parallel.glsl"
+#include "frame.glsl"

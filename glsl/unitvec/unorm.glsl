@@ -9,8 +9,8 @@
 #ifndef UNITVEC_UNORM_GLSL
 #define UNITVEC_UNORM_GLSL
 
-#ifndef UNITVEC_SCALAR_GLSL
-#include "scalar.glsl"
+#ifndef UNITVEC_ARITH_GLSL
+#include "arith.glsl"
 #endif
 
 uint unorm8x3_encode_component(float r) {
@@ -19,7 +19,7 @@ uint unorm8x3_encode_component(float r) {
 }
 
 float unorm8x3_decode_component(uint code) {
-    UNITVEC_PRECISE float r = (2.0 * float(code & 255u) - 255.0) / 255.0;
+    UNITVEC_PRECISE float r = (2.0 * float(code & unitvec_mask(8u)) - 255.0) / 255.0;
     return r;
 }
 

@@ -1,0 +1,573 @@
+// unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
+//
+// Needs GLSL 4.50 or GLSL ES 3.00 (highp float and int). Use it by #include (GL_GOOGLE_include_directive) or paste it.
+//
+// The functions are those of the Rust crate's modules `arith` and `direction`, in their order. They repeat the crate's
+// operations, so that all devices give the same bits: the built-in trigonometry does not. `floor`, `max`, `min` and
+// `sqrt` are GLSL's own.
+//
+//   unorm_encode(r, bits), snorm_encode(r, bits)       normalised fixed point (Cigolle et al. 2014, section 1.2)
+//   unorm_decode(code, bits), snorm_decode(code, bits)
+//   unitvec_half_encode(x), unitvec_half_decode(code)  half floats: nearest, ties to even
+//   unitvec_sin_cos_half_turns(t)      vec2(cos(pi t), sin(pi t)), any finite t
+//   unitvec_from_diagonal(d)           vec2(cos(d pi/2), sin(d pi/2)) / sqrt(2), d in [-1/2, 1/2]
+//   unitvec_atan2_half_turns(y, x)     angle of (x, y), -1 to 1; 0 without a direction
+//   unitvec_atan_octant_ratio(y, x)    4/pi atan(y/x), 0 <= y <= x
+//   unitvec_atan_octant(r)             4/pi atan(r), r in [0, 1]
+//   unitvec_tan_octant(t)              tan(pi t / 4), t in [0, 1]
+//   unitvec_asin_half_turns(x)         asin(x) / pi, x clamped to [-1, 1]
+//   unitvec_acos_half_turns(x)         acos(x) / pi, x clamped to [-1, 1]
+//   unitvec_sin_cos(x), unitvec_sin, unitvec_cos, unitvec_atan2, unitvec_asin, unitvec_acos    in radians
+//
+// Angles are in half turns of pi radians: reduction to the first octant is exact, the axes and diagonals are exact, and
+// -1 to 1 is what an snorm holds. Magnitudes below 2^-100 count as 0; no result is -0 or denormal. The Rust crate's
+// documentation has the errors, and what becomes of bad input.
+
+#ifndef UNITVEC_ARITH_GLSL
+#define UNITVEC_ARITH_GLSL
+
+// `precise` keeps compilers from fusing and reordering, so that all devices agree on the codes. GLSL ES 3.00 lacks it.
+#ifndef UNITVEC_PRECISE
+#ifdef GL_ES
+#define UNITVEC_PRECISE
+#else
+#define UNITVEC_PRECISE precise
+#endif
+#endif
+
+// The least normal number, 2^-126.
+const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+
+// sign: signs that do not depend on how a device treats denormals and -0.
+
+// True where x is below zero by at least the least normal number. A comparison with zero would depend on whether the
+// device flushes denormals.
+bool unitvec_is_negative(float x) {
+    return x <= -UNITVEC_MIN_POSITIVE;
+}
+
+float unitvec_negate_if(bool negative, float x) {
+    return negative ? -x : x;
+}
+
+// -x where negative, else x, for x of at least 0; 0 stays +0.
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+
+// round: rounding to whole numbers, and whole numbers as integers.
+
+// Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+
+// The integer part of a number from 0 to 2^31. By way of int, for which more processors have an instruction.
+uint unitvec_whole_to_u32(float whole) {
+    return uint(int(whole));
+}
+
+// The nearest whole numbers, the even one of two, for magnitudes up to 2^21.
+vec2 unitvec_nearest_whole(vec2 x) {
+    UNITVEC_PRECISE vec2 whole = (x + UNITVEC_ONE_AND_A_HALF_2_23) - UNITVEC_ONE_AND_A_HALF_2_23;
+    return whole;
+}
+
+// The nearest whole number, ties away from zero.
+float unitvec_round_symmetric(float x) {
+    UNITVEC_PRECISE float position = abs(x) + 0.5;
+    return unitvec_negate_if(unitvec_is_negative(x), floor(position));
+}
+
+// scale: powers of two, and vectors scaled by them.
+
+// 2^-100: angles and parts of a vector of about unit length that are less count as 0.
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+// 2^100: what is larger has no meaning as an angle or a part.
+const float UNITVEC_ENORMOUS = 1.2676506002282294e30;
+
+// 2 to the power `exponent`, -126 to 127.
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
+
+// True where x is `least` or more and below `end`, both positive. False for NaN: the comparison is one of integers,
+// since a GPU need not compare NaN as IEEE 754 says.
+bool unitvec_is_within(float x, float least, float end) {
+    uint first = floatBitsToUint(least);
+    return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+
+// The power of two that scales a usable L1 norm to 1 to 2, exactly. The result for other norms has no meaning.
+float unitvec_scale_to_one(float l1_norm) {
+    return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
+}
+
+// x, or 0 where that is a denormal, which some devices flush.
+float unitvec_without_denormal(float x) {
+    return abs(x) < UNITVEC_MIN_POSITIVE ? 0.0 : x;
+}
+
+// v with denormal components as 0: scaled up they could be large beside the others of a short vector.
+vec3 unitvec_without_denormals(vec3 v) {
+    return vec3(unitvec_without_denormal(v.x), unitvec_without_denormal(v.y), unitvec_without_denormal(v.z));
+}
+
+// v, denormal components as 0, scaled by a power of two that takes its L1 norm to 1 to 2.
+vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
+    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
+    return scaled;
+}
+
+// pack: integers in the low bits of words.
+
+// The low `bits` bits (1 to 31) set.
+uint unitvec_mask(uint bits) {
+    return (1u << bits) - 1u;
+}
+
+// Two's complement, in `bits` bits, of a whole number.
+uint unitvec_signed_code(float whole, uint bits) {
+    return uint(int(whole)) & unitvec_mask(bits);
+}
+
+// Integer of the low `bits` bits (2 to 25) of a code, in two's complement.
+float unitvec_signed_integer(uint code, uint bits) {
+    return float(int(code << (32u - bits)) >> int(32u - bits));
+}
+
+// snorm: normalised fixed point.
+
+// Largest integer of a unorm of `bits` bits (1 to 23).
+float unorm_max(uint bits) {
+    return float(unitvec_mask(bits));
+}
+
+// Largest integer of an snorm of `bits` bits (2 to 24).
+float snorm_max(uint bits) {
+    return float(unitvec_mask(bits - 1u));
+}
+
+// Eq. 1, for up to 23 bits. Ties go up. NaN gives 0 where the device compares as IEEE 754 says.
+uint unorm_encode(float r, uint bits) {
+    float positive = r > 0.0 ? r : 0.0;
+    float clamped = positive < 1.0 ? positive : 1.0;
+    UNITVEC_PRECISE float position = clamped * unorm_max(bits) + 0.5;
+    return unitvec_whole_to_u32(position);
+}
+
+// Eq. 2. Bits above `bits` are ignored.
+float unorm_decode(uint code, uint bits) {
+    UNITVEC_PRECISE float r = float(code & unitvec_mask(bits)) / unorm_max(bits);
+    return r;
+}
+
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go away from zero.
+uint snorm_encode(float r, uint bits) {
+    float magnitude = abs(r) > 0.0 ? abs(r) : 0.0;
+    float clamped = magnitude < 1.0 ? magnitude : 1.0;
+    UNITVEC_PRECISE float position = clamped * snorm_max(bits) + 0.5;
+    return unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(r), floor(position)), bits);
+}
+
+// Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
+float unitvec_snorm_integer(uint code, uint bits) {
+    return max(unitvec_signed_integer(code, bits), -snorm_max(bits));
+}
+
+// clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
+float snorm_decode(uint code, uint bits) {
+    UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / snorm_max(bits);
+    return r;
+}
+
+// half: half floats (IEEE 754 binary16), converted with integers.
+
+// The half of 65504, the largest, and that of 1.0.
+const uint UNITVEC_HALF_MAX = 0x7bffu;
+const uint UNITVEC_HALF_ONE = 0x3c00u;
+
+// Half nearest to |x|, ties to even.
+uint unitvec_half_encode_magnitude(float x) {
+    uint bits = floatBitsToUint(x) & 0x7fffffffu;
+    uint exponent = bits >> 23u;
+
+    // From 2^-14 on: 13 bits less of the significand, 112 less of the exponent; a carry is right in both.
+    uint normal = (bits - 0x38000000u + 0xfffu + ((bits >> 13u) & 1u)) >> 13u;
+
+    // From 2^-25 to 2^-14: whole multiples of 2^-24. Below, `shift` stands in for one that is larger.
+    uint shift = exponent >= 102u ? (126u - exponent) & 31u : 25u;
+    uint significand = (bits & 0x007fffffu) | 0x00800000u;
+    uint whole = significand >> shift;
+    uint rest = significand & ((1u << shift) - 1u);
+    uint middle = (1u << shift) >> 1u;
+    uint subnormal = whole + (rest + (whole & 1u) > middle ? 1u : 0u);
+
+    uint rounded = bits >= 0x38800000u ? normal : subnormal;
+    return bits >= 0x477ff000u ? UNITVEC_HALF_MAX : rounded;
+}
+
+// The half nearest to x, ties to even. What is too large gives +-65504, infinity and NaN too; 0 is +0, of either sign.
+uint unitvec_half_encode(float x) {
+    uint magnitude = unitvec_half_encode_magnitude(x);
+    return magnitude | (unitvec_is_negative(x) && magnitude != 0u ? 0x8000u : 0u);
+}
+
+// Number of a half without its sign.
+float unitvec_half_decode_magnitude(uint code) {
+    uint finite = min(code, UNITVEC_HALF_MAX);
+    UNITVEC_PRECISE float subnormal = float(finite) * 5.9604645e-8;
+    float normal = uintBitsToFloat((finite << 13u) + 0x38000000u);
+    return finite < 0x400u ? subnormal : normal;
+}
+
+// Number of the half in the low 16 bits. Infinity and NaN count as +-65504, -0 as 0.
+float unitvec_half_decode(uint code) {
+    float magnitude = unitvec_half_decode_magnitude(code & 0x7fffu);
+    return unitvec_negate_positive((code & 0x8000u) != 0u, magnitude);
+}
+
+// vector: vectors, with sums in a stated order.
+
+float unitvec_dot(vec3 a, vec3 b) {
+    UNITVEC_PRECISE float d = (a.x * b.x + a.y * b.y) + a.z * b.z;
+    return d;
+}
+
+// v at unit length, to within 2 ULP.
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    return n;
+}
+
+// Distance of v from the z axis.
+float unitvec_horizontal_length(vec3 v) {
+    UNITVEC_PRECISE float distance_from_z = sqrt(v.x * v.x + v.y * v.y);
+    return distance_from_z;
+}
+
+// face: the faces of a cube, which one a direction meets, and the components as it has them.
+
+// Twice the axis of the component of largest magnitude, the last one if several are equal, and 1 if it is negative.
+uint unitvec_face_of(vec3 v) {
+    vec3 a = abs(v);
+    bool z_above = a.z >= a.x && a.z >= a.y;
+    bool y_above = a.y >= a.x;
+    uint axis = z_above ? 2u : (y_above ? 1u : 0u);
+    float component = z_above ? v.z : (y_above ? v.y : v.x);
+    return 2u * axis + (unitvec_is_negative(component) ? 1u : 0u);
+}
+
+// Components in the order that the face has them: u, v, and that of its axis.
+vec3 unitvec_to_face(vec3 v, uint face) {
+    uint axis = face >> 1u;
+    return axis >= 2u ? v : (axis == 0u ? v.yzx : v.zxy);
+}
+
+// The inverse. Faces 6 and 7 count as 4 and 5.
+vec3 unitvec_from_face(vec3 p, uint face) {
+    uint axis = face >> 1u;
+    return axis >= 2u ? p : (axis == 0u ? p.zxy : p.yzx);
+}
+
+// two_float: sums and products as two floats, exactly, without fused multiplication.
+
+// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
+float unitvec_upper_half(float x) {
+    return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
+}
+
+// a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
+vec2 unitvec_two_sum(float a, float b) {
+    UNITVEC_PRECISE float sum = a + b;
+    UNITVEC_PRECISE float b_in_sum = sum - a;
+    UNITVEC_PRECISE float rest = (a - (sum - b_in_sum)) + (b - b_in_sum);
+    return vec2(sum, rest);
+}
+
+// What the rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
+float unitvec_product_rest(float a, float b, float product) {
+    float a_upper = unitvec_upper_half(a);
+    float b_upper = unitvec_upper_half(b);
+    UNITVEC_PRECISE float a_lower = a - a_upper;
+    UNITVEC_PRECISE float b_lower = b - b_upper;
+    UNITVEC_PRECISE float rest =
+        (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
+    return rest;
+}
+
+// trig: trigonometry that gives the same bits on every device.
+
+// Minimax polynomials, lowest power first: in the square of the argument d, of 1/4 - d^2 for the two of the diagonal.
+const float UNITVEC_SIN_0 = -9.759589e-8;
+const float UNITVEC_SIN_1 = -5.167708;
+const float UNITVEC_SIN_2 = 2.549761;
+const float UNITVEC_SIN_3 = -0.5890122;
+
+const float UNITVEC_COS_0 = -4.934802;
+const float UNITVEC_COS_1 = 4.0586963;
+const float UNITVEC_COS_2 = -1.3347237;
+const float UNITVEC_COS_3 = 0.22859502;
+
+const float UNITVEC_ATAN_0 = 0.27323955;
+const float UNITVEC_ATAN_1 = -0.15117298;
+const float UNITVEC_ATAN_2 = 0.103452094;
+const float UNITVEC_ATAN_3 = -0.078128025;
+const float UNITVEC_ATAN_4 = 0.06114309;
+const float UNITVEC_ATAN_5 = -0.04537342;
+const float UNITVEC_ATAN_6 = 0.027637284;
+const float UNITVEC_ATAN_7 = -0.0113028735;
+const float UNITVEC_ATAN_8 = 0.0021957082;
+
+const float UNITVEC_TAN_0 = -0.21460184;
+const float UNITVEC_TAN_1 = -0.053110685;
+const float UNITVEC_TAN_2 = -0.013266972;
+const float UNITVEC_TAN_3 = -0.0032981238;
+const float UNITVEC_TAN_4 = -0.00088685006;
+const float UNITVEC_TAN_5 = -0.00011413961;
+const float UNITVEC_TAN_6 = -0.00011944919;
+
+const float UNITVEC_ASIN_0 = 1.14357475e-8;
+const float UNITVEC_ASIN_1 = 0.05305204;
+const float UNITVEC_ASIN_2 = 0.023855526;
+const float UNITVEC_ASIN_3 = 0.014499074;
+const float UNITVEC_ASIN_4 = 0.0075942916;
+const float UNITVEC_ASIN_5 = 0.013571346;
+
+const float UNITVEC_DIAGONAL_COS_0 = 0.7853982;
+const float UNITVEC_DIAGONAL_COS_1 = 0.16854808;
+const float UNITVEC_DIAGONAL_COS_2 = 0.014111487;
+const float UNITVEC_DIAGONAL_COS_3 = 0.00063868886;
+
+const float UNITVEC_DIAGONAL_SIN_0 = 0.42920387;
+const float UNITVEC_DIAGONAL_SIN_1 = 0.053904664;
+const float UNITVEC_DIAGONAL_SIN_2 = 0.003245287;
+
+const float UNITVEC_HALF_PI_HIGH = 1.5703125;
+const float UNITVEC_HALF_PI_MIDDLE = 0.0004837513;
+const float UNITVEC_HALF_PI_LOW = 7.54979e-8;
+
+const float UNITVEC_PI = 3.1415927;
+const float UNITVEC_FRAC_1_PI = 0.31830987;
+const float UNITVEC_FRAC_2_PI = 0.63661975;
+// Angles in radians from here on count as 0: 2^13.
+const float UNITVEC_MAX_RADIANS = 8192.0;
+
+// sin(pi r), r in [0, 1/4].
+float unitvec_sin_eighth(float r) {
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low = UNITVEC_SIN_0 + u * (UNITVEC_SIN_1 + u * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3));
+    UNITVEC_PRECISE float sine = r * (UNITVEC_PI + low);
+    return sine;
+}
+
+// cos(pi r), r in [0, 1/4].
+float unitvec_cos_eighth(float r) {
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low = UNITVEC_COS_0 + u * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
+    UNITVEC_PRECISE float cosine = 1.0 + u * low;
+    return cosine;
+}
+
+// (cos(pi t), sin(pi t)). Infinity and NaN count as 0.
+vec2 unitvec_sin_cos_half_turns(float t) {
+    float a = unitvec_is_within(abs(t), UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS) ? abs(t) : 0.0;
+    UNITVEC_PRECISE float turn = a - 2.0 * floor(0.5 * a);
+    UNITVEC_PRECISE float rest_of_turn = 2.0 - turn;
+    float halved = turn > 1.0 ? rest_of_turn : turn;
+    UNITVEC_PRECISE float rest_of_half = 1.0 - halved;
+    float quarter = halved > 0.5 ? rest_of_half : halved;
+    UNITVEC_PRECISE float rest_of_quarter = 0.5 - quarter;
+    bool swapped = quarter > 0.25;
+    float eighth = swapped ? rest_of_quarter : quarter;
+
+    float sine = unitvec_sin_eighth(eighth);
+    float cosine = unitvec_cos_eighth(eighth);
+    float x = swapped ? sine : cosine;
+    float y = swapped ? cosine : sine;
+    bool below = unitvec_is_negative(t) != (turn > 1.0);
+    return vec2(unitvec_negate_if(halved > 0.5, x), unitvec_negate_positive(below, y));
+}
+
+// x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
+vec2 unitvec_from_diagonal(float d) {
+    UNITVEC_PRECISE float w = 0.25 - d * d;
+    UNITVEC_PRECISE float cosine = UNITVEC_DIAGONAL_COS_0 +
+        w * (UNITVEC_DIAGONAL_COS_1 + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
+    UNITVEC_PRECISE float sine = UNITVEC_DIAGONAL_SIN_0 + w * (UNITVEC_DIAGONAL_SIN_1 + w * UNITVEC_DIAGONAL_SIN_2);
+    UNITVEC_PRECISE vec2 halves = vec2(0.5 + w * cosine, d + (d * w) * sine);
+    return halves;
+}
+
+// 4/pi atan(r), r in [0, 1]. Both ends are exact.
+float unitvec_atan_octant(float r) {
+    r = r < UNITVEC_NEGLIGIBLE ? 0.0 : r;
+    UNITVEC_PRECISE float u = r * r;
+    UNITVEC_PRECISE float low =
+        UNITVEC_ATAN_4 + u * (UNITVEC_ATAN_5 + u * (UNITVEC_ATAN_6 + u * (UNITVEC_ATAN_7 + u * UNITVEC_ATAN_8)));
+    UNITVEC_PRECISE float polynomial =
+        UNITVEC_ATAN_0 + u * (UNITVEC_ATAN_1 + u * (UNITVEC_ATAN_2 + u * (UNITVEC_ATAN_3 + u * low)));
+    UNITVEC_PRECISE float octants = r + r * ((1.0 - u) * polynomial);
+    return octants;
+}
+
+// 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
+float unitvec_atan_octant_ratio(float y, float x) {
+    UNITVEC_PRECISE float divided = y / x;
+    float quotient = y < x ? divided : 1.0;
+    return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
+}
+
+// tan(pi t / 4), t in [0, 1]. Both ends are exact.
+float unitvec_tan_octant(float t) {
+    t = t < UNITVEC_NEGLIGIBLE ? 0.0 : t;
+    UNITVEC_PRECISE float u = t * t;
+    UNITVEC_PRECISE float low = UNITVEC_TAN_3 + u * (UNITVEC_TAN_4 + u * (UNITVEC_TAN_5 + u * UNITVEC_TAN_6));
+    UNITVEC_PRECISE float polynomial = UNITVEC_TAN_0 + u * (UNITVEC_TAN_1 + u * (UNITVEC_TAN_2 + u * low));
+    UNITVEC_PRECISE float tangent = t + t * ((1.0 - u) * polynomial);
+    return tangent;
+}
+
+// Angle of (x, y) from +X towards +Y. Its sign is that of y, where 0, -0 and denormals are not negative.
+float unitvec_atan2_half_turns(float y, float x) {
+    UNITVEC_PRECISE float norm = abs(x) + abs(y);
+    bool usable = unitvec_is_within(norm, UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS);
+    x = usable ? x : 1.0;
+    y = usable ? y : 0.0;
+    bool steep = abs(y) > abs(x);
+    float shorter = steep ? abs(x) : abs(y);
+    float longer = steep ? abs(y) : abs(x);
+    UNITVEC_PRECISE float part = 0.25 * unitvec_atan_octant_ratio(shorter, longer);
+
+    bool left = unitvec_is_negative(x);
+    float flat_base = left ? 1.0 : 0.0;
+    float base = steep ? 0.5 : flat_base;
+    UNITVEC_PRECISE float angle = base + unitvec_negate_if(steep != left, part);
+    return unitvec_negate_positive(unitvec_is_negative(y), angle);
+}
+
+// |x|, at most 1; of NaN 1.
+float unitvec_clamped_magnitude(float x) {
+    float a = abs(x);
+    return floatBitsToUint(a) < 0x3f800000u ? a : 1.0;
+}
+
+// asin(a)/pi for a in [0, 1/2], half of acos(a)/pi for a in (1/2, 1].
+float unitvec_asin_small(float a) {
+    bool outer_part = a > 0.5;
+    UNITVEC_PRECISE float half_chord_squared = 0.5 * (1.0 - a);
+    UNITVEC_PRECISE float squared = a * a;
+    float u = outer_part ? half_chord_squared : squared;
+    UNITVEC_PRECISE float root = sqrt(u);
+    float w = outer_part ? root : a;
+    UNITVEC_PRECISE float low = UNITVEC_ASIN_2 + u * (UNITVEC_ASIN_3 + u * (UNITVEC_ASIN_4 + u * UNITVEC_ASIN_5));
+    UNITVEC_PRECISE float angle = w * (UNITVEC_FRAC_1_PI + (UNITVEC_ASIN_0 + u * (UNITVEC_ASIN_1 + u * low)));
+    return angle;
+}
+
+// asin(x) / pi. NaN counts as 1.
+float unitvec_asin_half_turns(float x) {
+    float magnitude = unitvec_clamped_magnitude(x);
+    float a = magnitude < UNITVEC_NEGLIGIBLE ? 0.0 : magnitude;
+    float part = unitvec_asin_small(a);
+    UNITVEC_PRECISE float outer_angle = 0.5 - 2.0 * part;
+    float angle = a > 0.5 ? outer_angle : part;
+    return unitvec_negate_positive(unitvec_is_negative(x), angle);
+}
+
+// acos(x) / pi. NaN counts as 1.
+float unitvec_acos_half_turns(float x) {
+    float a = unitvec_clamped_magnitude(x);
+    bool negative = unitvec_is_negative(x);
+    bool outer_part = a > 0.5;
+    float outer_base = negative ? 1.0 : 0.0;
+    float base = outer_part ? outer_base : 0.5;
+    float part = unitvec_asin_small(a);
+    UNITVEC_PRECISE float doubled = 2.0 * part;
+    UNITVEC_PRECISE float angle = base + unitvec_negate_if(outer_part == negative, outer_part ? doubled : part);
+    return angle;
+}
+
+// (cos(x), sin(x)) of x radians, |x| < 2^13; other x count as 0.
+vec2 unitvec_sin_cos(float x) {
+    bool usable = unitvec_is_within(abs(x), UNITVEC_NEGLIGIBLE, UNITVEC_MAX_RADIANS);
+    float a = usable ? abs(x) : 0.0;
+    // Cody and Waite 1980: all but the last product is exact.
+    UNITVEC_PRECISE float k = floor(a * UNITVEC_FRAC_2_PI + 0.5);
+    UNITVEC_PRECISE float rest =
+        ((a - k * UNITVEC_HALF_PI_HIGH) - k * UNITVEC_HALF_PI_MIDDLE) - k * UNITVEC_HALF_PI_LOW;
+    UNITVEC_PRECISE float r = rest * UNITVEC_FRAC_1_PI;
+    uint quadrant = unitvec_whole_to_u32(k);
+
+    float sine = unitvec_sin_eighth(r);
+    float cosine = unitvec_cos_eighth(r);
+    bool swapped = (quadrant & 1u) != 0u;
+    float horizontal = swapped ? sine : cosine;
+    float vertical = swapped ? cosine : sine;
+    bool left = ((quadrant + 1u) & 2u) != 0u;
+    bool below = unitvec_is_negative(x) != ((quadrant & 2u) != 0u);
+    return vec2(unitvec_negate_if(left, horizontal), unitvec_negate_if(below && vertical != 0.0, vertical));
+}
+
+float unitvec_sin(float x) { return unitvec_sin_cos(x).y; }
+float unitvec_cos(float x) { return unitvec_sin_cos(x).x; }
+
+float unitvec_atan2(float y, float x) {
+    UNITVEC_PRECISE float angle = unitvec_atan2_half_turns(y, x) * UNITVEC_PI;
+    return angle;
+}
+
+float unitvec_asin(float x) {
+    UNITVEC_PRECISE float angle = unitvec_asin_half_turns(x) * UNITVEC_PI;
+    return angle;
+}
+
+float unitvec_acos(float x) {
+    UNITVEC_PRECISE float angle = unitvec_acos_half_turns(x) * UNITVEC_PI;
+    return angle;
+}
+
+// direction: what counts as a direction.
+
+// Least L1 norm that a direction is taken from, 2^-64: far enough above the denormals that whether a device flushes
+// them changes no code.
+const float UNITVEC_MIN_NORM = 5.421010862427522e-20;
+// L1 norms from 2^100 on do not give a direction.
+const float UNITVEC_MAX_NORM = 1.2676506002282294e30;
+
+float unitvec_l1_norm(vec3 v) {
+    UNITVEC_PRECISE float norm = (abs(v.x) + abs(v.y)) + abs(v.z);
+    return norm;
+}
+
+// False for zero, infinity and NaN.
+bool unitvec_is_usable(float l1_norm) {
+    return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
+}
+
+// v, or +Z where v has no usable direction.
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
+}
+
+// v with what is below the equator moved up to it, or +Z where that has no usable direction.
+vec3 unitvec_upper_or_z(vec3 v) {
+    v = unitvec_or_z(v);
+    return unitvec_or_z(vec3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
+}
+
+// angles: what the codecs of longitude and latitude or height share; the Rust crate has it in their folder.
+
+// v at an L1 norm of 1, denormal components as 0, or +Z where it has no usable direction.
+vec3 unitvec_angles_scaled(vec3 v) {
+    v = unitvec_or_z(v);
+    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * (1.0 / unitvec_l1_norm(v));
+    return scaled;
+}
+
+// Unit vector of a cylinder's radius and height at the angle phi, in half turns, about +Z.
+vec3 unitvec_angles_around_z(float radius, float z, float phi) {
+    vec2 turned = unitvec_sin_cos_half_turns(radius > 0.0 ? phi : 0.0);
+    UNITVEC_PRECISE vec2 horizontal = radius * turned;
+    return vec3(horizontal, z);
+}
+
+#endif
