@@ -94,6 +94,36 @@ vec2 oct_nearest_corner(vec3 p, float m) {
     return corner;
 }
 
+// A corner of a lattice cell: x, y, and the square of the tangent of its angle from p as a fraction, z / w. One beyond the
+// edge z = 0 of the octant is farther than any.
+vec4 oct_corner(float x, float y, vec3 p, float m) {
+    UNITVEC_PRECISE float z = m - x - y;
+    UNITVEC_PRECISE float a = y * p.z - z * p.y;
+    UNITVEC_PRECISE float b = z * p.x - x * p.z;
+    UNITVEC_PRECISE float c = x * p.y - y * p.x;
+    UNITVEC_PRECISE float across = (a * a + b * b) + c * c;
+    UNITVEC_PRECISE float along = (x * p.x + y * p.y) + z * p.z;
+    UNITVEC_PRECISE float squared = along * along;
+    return vec4(x, y, across, z < 0.0 ? 0.0 : squared);
+}
+
+// b where it is nearer, else a.
+vec4 oct_nearer(vec4 a, vec4 b) {
+    UNITVEC_PRECISE float of_b = b.z * a.w;
+    UNITVEC_PRECISE float of_a = a.z * b.w;
+    return of_b < of_a ? b : a;
+}
+
+// As oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
+vec2 oct_searched_corner(vec3 p, float m) {
+    float x = floor(p.x), y = floor(p.y);
+    vec4 near = oct_corner(x, y, p, m);
+    vec4 right = oct_corner(x + 1.0, y, p, m);
+    vec4 up = oct_corner(x, y + 1.0, p, m);
+    vec4 far = oct_corner(x + 1.0, y + 1.0, p, m);
+    return oct_nearer(oct_nearer(oct_nearer(near, right), up), far).xy;
+}
+
 // Lattice point of the direction of v that is nearest in angle. Without a usable direction, all is computed and then
 // dropped: to select here takes fewer operations than in v.
 vec2 oct_lattice_precise(vec3 v, float m) {
@@ -101,7 +131,8 @@ vec2 oct_lattice_precise(vec3 v, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
     // 2^-26 of the norm: denormals, which some devices flush, are less, and so break no ties.
     p = max(p, m * 1.490116119384765625e-8);
-    vec2 corner = oct_nearest_corner(p, m);
+    // Squares of fewer steps than 63 (up to 12 bits) are too coarse for oct_weighed.
+    vec2 corner = m < 63.0 ? oct_searched_corner(p, m) : oct_nearest_corner(p, m);
     vec2 e = oct_fold(v.z, corner, m);
     return oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
 }
