@@ -1,21 +1,22 @@
 //! The program's commands, run as a user runs them.
 
+use base64::Engine;
 use serde_json::Value;
 use std::path::Path;
-use unitvec_host::catalogue::{CATALOGUE, Domain};
+use unitvec_host::catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
 use unitvec_host::measure::angle_deg;
 use unitvec_host::{mesh, sampling};
 use unitvec_tests::program::{run, run_with_input, stderr, stdout};
 use unitvec_tests::{BACKENDS, repository};
 
-fn raw(vectors: &[[f32; 3]]) -> Vec<u8> {
-    vectors.iter().flatten().flat_map(|component| component.to_le_bytes()).collect()
+fn raw<const N: usize>(elements: &[[f32; N]]) -> Vec<u8> {
+    elements.iter().flatten().flat_map(|component| component.to_le_bytes()).collect()
 }
 
-fn vectors(raw: &[u8]) -> Vec<[f32; 3]> {
+fn elements<const N: usize>(raw: &[u8]) -> Vec<[f32; N]> {
     let components: Vec<f32> =
         raw.chunks_exact(4).map(|bytes| f32::from_le_bytes(bytes.try_into().unwrap())).collect();
-    components.chunks_exact(3).map(|vector| vector.try_into().unwrap()).collect()
+    components.chunks_exact(N).map(|element| element.try_into().unwrap()).collect()
 }
 
 fn path(path: &Path) -> &str {
@@ -26,11 +27,13 @@ fn path(path: &Path) -> &str {
 fn codecs_lists_the_catalogue() {
     let table = stdout(&run(["codecs"]));
     let json: Value = serde_json::from_slice(&run(["codecs", "--json"]).stdout).unwrap();
-    assert_eq!(json.as_array().unwrap().len(), CATALOGUE.len());
-    for (codec, entry) in CATALOGUE.iter().zip(json.as_array().unwrap()) {
+    assert_eq!(json.as_array().unwrap().len(), formats().count());
+    for (codec, entry) in formats().zip(json.as_array().unwrap()) {
         assert!(table.lines().any(|line| line.starts_with(codec.id)), "{}", codec.id);
         assert_eq!(entry["id"], codec.id);
         assert_eq!(entry["bits"], codec.bits);
+        assert_eq!(entry["element"], if codec.element == Element::Frame { "frame" } else { "vector" });
+        assert_eq!(entry["encode_function"], codec.function(Operation::Encode));
         assert_eq!(entry["bytes"], codec.bytes);
     }
 }
@@ -43,6 +46,30 @@ fn devices_marks_the_one_that_would_be_used() {
     assert!(text.lines().any(|line| line.starts_with('*') && line.contains("llvmpipe")), "{text}");
 }
 
+/// The codes of a file and what they decode to, which are the same on every backend.
+fn convert(codec: &str, folder: &Path, input: &Path) -> (Vec<u8>, Vec<u8>) {
+    let [codes, back] = ["codes", "back"].map(|name| folder.join(name));
+    let mut results = BACKENDS.iter().map(|&backend| {
+        let validate: &[&str] = if backend == "cpu" { &[] } else { &["--validate"] };
+        let arguments = [validate, &["--codec", codec, "--backend", backend]].concat();
+        for (command, from, to) in [("encode", input, &codes), ("decode", &codes, &back)] {
+            let output = run([&[command], &arguments[..], &[path(from), path(to)]].concat());
+            assert!(output.status.success(), "{}", stderr(&output));
+        }
+        (std::fs::read(&codes).unwrap(), std::fs::read(&back).unwrap())
+    });
+    let first = results.next().unwrap();
+    assert!(results.all(|result| result == first), "{codec}");
+    first
+}
+
+/// The largest angle between vectors at `at` in the elements.
+fn worst<const N: usize>(original: &[[f32; N]], back: &[[f32; N]], at: usize) -> f64 {
+    assert_eq!(back.len(), original.len());
+    let vector = |element: &[f32; N]| [element[at], element[at + 1], element[at + 2]];
+    original.iter().zip(back).map(|(a, b)| angle_deg(vector(a), vector(b))).fold(0.0, f64::max)
+}
+
 /// All backends write the same files, and decoding gives the directions back within the codec's error.
 #[test]
 fn files_round_trip_on_every_backend() {
@@ -53,24 +80,55 @@ fn files_round_trip_on_every_backend() {
     let input = folder.path().join("normals.bin");
     std::fs::write(&input, raw(&original)).unwrap();
     for codec in CATALOGUE.iter().filter(|codec| ["oct16", "oct24p", "hemioct32"].contains(&codec.id)) {
-        let mut results = Vec::new();
-        for &backend in BACKENDS {
-            let (codes, back) = (folder.path().join("codes"), folder.path().join("back"));
-            let validate: &[&str] = if backend == "cpu" { &[] } else { &["--validate"] };
-            let arguments = [validate, &["--codec", codec.id, "--backend", backend]].concat();
-            let encoded = run([&["encode"], &arguments[..], &[path(&input), path(&codes)]].concat());
-            assert!(encoded.status.success(), "{}", stderr(&encoded));
-            let decoded = run([&["decode"], &arguments[..], &[path(&codes), path(&back)]].concat());
-            assert!(decoded.status.success(), "{}", stderr(&decoded));
-            results.push((std::fs::read(&codes).unwrap(), std::fs::read(&back).unwrap()));
-        }
-        assert!(results.iter().all(|result| *result == results[0]), "{}", codec.id);
-        let (codes, back) = &results[0];
+        let (codes, back) = convert(codec.id, folder.path(), &input);
         assert_eq!(codes.len(), original.len() * codec.bytes);
-        let back = vectors(back);
-        assert_eq!(back.len(), original.len());
-        let worst = original.iter().zip(&back).map(|(a, b)| angle_deg(*a, *b)).fold(0.0, f64::max);
+        let worst = worst(&original, &elements(&back), 0);
         assert!(worst <= f64::from(codec.max_error_deg), "{}: {worst}", codec.id);
+    }
+}
+
+/// A glTF file of points with normals and tangents, its buffer inside.
+fn gltf(frames: &[[f32; 7]]) -> String {
+    let part = |range: std::ops::Range<usize>| -> Vec<u8> {
+        frames
+            .iter()
+            .flat_map(|frame| raw(&frame[range.clone()].iter().map(|&c| [c]).collect::<Vec<_>>()))
+            .collect()
+    };
+    let (normals, tangents) = (part(0..3), part(3..7));
+    let (count, middle, end) = (frames.len(), normals.len(), normals.len() + tangents.len());
+    let uri = base64::engine::general_purpose::STANDARD.encode([normals, tangents].concat());
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":[{{"mode":0,"attributes":
+        {{"POSITION":0,"NORMAL":0,"TANGENT":1}}}}]}}],
+        "buffers":[{{"byteLength":{end},"uri":"data:;base64,{uri}"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":{middle}}},
+        {{"buffer":0,"byteOffset":{middle},"byteLength":{}}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":{count},"type":"VEC3","min":[-1,-1,-1],"max":[1,1,1]}},
+        {{"bufferView":1,"componentType":5126,"count":{count},"type":"VEC4"}}]}}"#,
+        end - middle
+    )
+}
+
+/// Raw frames and those of a glTF file get the same codes from every backend, and come back within the codec's errors.
+#[test]
+fn frames_round_trip_on_every_backend() {
+    let folder = tempfile::tempdir().unwrap();
+    let original: Vec<[f32; 7]> = sampling::random_frames(12).take(100_003).collect();
+    let [file, mesh] = ["frames.bin", "frames.gltf"].map(|name| folder.path().join(name));
+    std::fs::write(&file, raw(&original)).unwrap();
+    std::fs::write(&mesh, gltf(&original)).unwrap();
+    for codec in FRAMES {
+        let (codes, back) = convert(codec.id, folder.path(), &file);
+        let of_mesh = convert(codec.id, folder.path(), &mesh);
+        assert!((&codes, &back) == (&of_mesh.0, &of_mesh.1), "{}", codec.id);
+        assert_eq!(codes.len(), original.len() * codec.bytes);
+        let back: Vec<[f32; 7]> = elements(&back);
+        for (at, bound) in [(0, codec.max_normal_error_deg), (3, codec.max_tangent_error_deg)] {
+            let worst = worst(&original, &back, at);
+            assert!(worst <= f64::from(bound), "{}: {worst}", codec.id);
+        }
+        assert!(original.iter().zip(&back).all(|(a, b)| a[6] == b[6]), "{}", codec.id);
     }
 }
 
@@ -81,7 +139,7 @@ fn standard_streams_are_a_pipe() {
     assert!(encoded.status.success(), "{}", stderr(&encoded));
     assert_eq!(encoded.stdout.len(), 4000);
     let decoded = run_with_input(["decode", "--codec", "oct32", "-", "-"], &encoded.stdout);
-    let back = vectors(&decoded.stdout);
+    let back: Vec<[f32; 3]> = elements(&decoded.stdout);
     assert!(original.iter().zip(&back).all(|(a, b)| angle_deg(*a, *b) < 0.0026));
     let nothing = run_with_input(["encode", "--codec", "oct16", "-", "-"], &[]);
     assert!(nothing.status.success() && nothing.stdout.is_empty());
@@ -127,7 +185,7 @@ fn conform_reports_in_words_and_json() {
         assert!(row["max_deg"].as_f64().unwrap() > row["mean_deg"].as_f64().unwrap());
         for half in ["encode_mismatches", "decode_mismatches"] {
             let glsl = if cfg!(feature = "glsl") { Value::from(0) } else { Value::Null };
-            assert_eq!((&row[half]["spirv"], &row[half]["glsl"]), (&Value::from(0), &glsl));
+            assert_eq!((&row[half]["rust"], &row[half]["glsl"]), (&Value::from(0), &glsl));
         }
     }
     assert_eq!(rows[0]["bits"], 16);
@@ -199,9 +257,9 @@ fn choose_gives_the_cheapest_that_meets_the_demand() {
 fn choose_goes_by_the_costs_it_is_given() {
     let folder = tempfile::tempdir().unwrap();
     let costs = folder.path().join("costs.json");
-    let row = |id: &str, direction: &str| {
+    let row = |id: &str, operation: &str| {
         format!(
-            r#"{{"id": "{id}", "direction": "{direction}", "source": "rust", "alu_ratio_to_oct32": 0.1}}"#
+            r#"{{"id": "{id}", "operation": "{operation}", "backend": "rust", "alu_ratio_to_oct32": 0.1}}"#
         )
     };
     let rows = [row("ico24", "encode"), row("ico24", "decode")].join(", ");
@@ -214,10 +272,10 @@ fn choose_goes_by_the_costs_it_is_given() {
     assert!(stderr(&refused).contains("is not a report of `unitvec bench --json`"), "{}", stderr(&refused));
 }
 
-/// A row for each direction and source, with figures that can be; and a CSV of the same rows.
+/// A row for each operation and backend, with figures that can be; and a CSV of the same rows.
 #[cfg(feature = "glsl")]
 #[test]
-fn bench_reports_every_direction_and_source() {
+fn bench_reports_every_operation_and_backend() {
     let folder = tempfile::tempdir().unwrap();
     let [json, csv, markdown] =
         ["json", "csv", "md"].map(|kind| folder.path().join(format!("report.{kind}")));
@@ -249,20 +307,22 @@ fn bench_reports_every_direction_and_source() {
     let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
     assert_eq!(report["device"]["kind"], "software");
     let rows = report["rows"].as_array().unwrap();
-    let named = |row: &Value| ["id", "direction", "source"].map(|key| row[key].as_str().unwrap().to_owned());
+    let named = |row: &Value| ["id", "operation", "backend"].map(|key| row[key].as_str().unwrap().to_owned());
     let names: Vec<String> = rows.iter().map(|row| named(row).join(" ")).collect();
     for id in ["oct16", "snorm8x3p", "frame64"] {
         for kind in ["encode rust", "encode glsl", "decode rust", "decode glsl"] {
             assert!(names.contains(&format!("{id} {kind}")), "{id} {kind}");
         }
     }
-    assert!(names.contains(&"oct16 decode rust-table".to_owned()));
+    let by_table = |row: &&Value| row["by_table"] == true;
+    let by_table: Vec<String> = rows.iter().filter(by_table).map(|row| named(row).join(" ")).collect();
+    assert_eq!(by_table, ["oct16 decode rust"]);
     assert_eq!(rows.len(), 13);
     for row in rows {
         assert!(
             row["vectors_per_s"].as_f64().unwrap() > 0.0 && row["copy_bytes_per_s"].as_f64().unwrap() > 0.0
         );
-        assert_eq!(row["alu_ns_per_vector"].is_number(), row["source"] != "rust-table", "{row}");
+        assert_eq!(row["alu_ns_per_vector"].is_number(), row["by_table"] == false, "{row}");
     }
     assert_eq!(rows[0]["survey_ns_per_vector"].as_f64(), Some(0.023132));
     assert_eq!(std::fs::read_to_string(&csv).unwrap().lines().count(), 14);

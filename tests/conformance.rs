@@ -2,9 +2,9 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use unitvec_host::backend::{Backend, Cpu, Gpu, KernelSource};
-use unitvec_host::catalogue::{self, CATALOGUE, Coding, Direction, Domain, FRAMES, find};
-use unitvec_host::conform::{self, Gpus, Options, Subject};
+use unitvec_host::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
+use unitvec_host::catalogue::{self, Domain, Operation, find, find_format, formats};
+use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan};
 use unitvec_host::manifest::sha256_hex;
 use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Device, Error, Runner};
@@ -12,15 +12,16 @@ use unitvec_host::{glsl, mesh, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, repository};
 
 fn embedded() -> KernelSource {
-    KernelSource::Spirv(Modules::open(None).unwrap())
+    KernelSource::Rust(Modules::open(None).unwrap())
 }
 
 fn from_glsl() -> KernelSource {
     KernelSource::Glsl(glsl::Compiler::new().unwrap())
 }
 
-fn gpus(device: &Arc<Device>, spirv: KernelSource) -> unitvec_host::Result<Gpus> {
-    Ok(Gpus { spirv: Gpu::new(device, spirv, true)?, glsl: Some(Gpu::new(device, from_glsl(), true)?) })
+fn backends(device: &Arc<Device>, rust: KernelSource) -> Backends {
+    let gpu = |source| -> Box<dyn Backend> { Box::new(Gpu::new(device, source, true).unwrap()) };
+    Backends::from([(BackendKind::Rust, gpu(rust)), (BackendKind::Glsl, gpu(from_glsl()))])
 }
 
 fn options(count: usize) -> Options {
@@ -35,19 +36,18 @@ fn the_three_agree_to_the_bit() {
     let device = lavapipe();
     let options = options(1 << 18);
     assert!(options.normals.len() > 1000);
-    let frames = FRAMES.iter().map(Subject::Frame);
-    let subjects: Vec<Subject> = CATALOGUE.iter().map(Subject::Codec).chain(frames).collect();
-    let work: u64 = subjects.iter().map(|subject| subject.work(&options)).sum();
+    let plans: Vec<Plan<'_>> = formats().map(|format| Plan::new(format, &options)).collect();
+    let work: u64 = plans.iter().map(Plan::work).sum();
     let (mut done, mut rows) = (0, Vec::new());
-    let open = || gpus(&device, embedded());
-    conform::run(&subjects, &options, open, &mut |more| done += more, &mut |row| {
+    let open = || Ok(backends(&device, embedded()));
+    conform::run(plans, open, &mut |more| done += more, &mut |row| {
         rows.push(row);
         Ok(())
     })
     .unwrap();
     assert_eq!(done, work);
     let ids: Vec<&str> = rows.iter().map(|row| row.id).collect();
-    assert_eq!(ids, subjects.iter().map(|subject| subject.id()).collect::<Vec<_>>());
+    assert_eq!(ids, formats().map(|format| format.id).collect::<Vec<_>>());
     for row in &rows {
         assert!(row.agrees(), "{row:#?}");
         assert!(row.codes >= if row.bits <= 16 { 1 << row.bits } else { 1 << 18 }, "{row:#?}");
@@ -65,33 +65,83 @@ fn the_three_agree_to_the_bit() {
 /// A backend that cannot be opened ends the run with its error.
 #[test]
 fn conform_ends_where_a_backend_does_not_open() {
-    let subjects = [Subject::Codec(find("oct16").unwrap())];
+    let options = options(1);
+    let plans = vec![Plan::new(find_format("oct16").unwrap(), &options)];
     let open = || Err(unitvec_host::Error::Usage("no such backend".to_owned()));
-    let error = conform::run(&subjects, &options(1), open, &mut |_| (), &mut |_| Ok(())).unwrap_err();
+    let error = conform::run(plans, open, &mut |_| (), &mut |_| Ok(())).unwrap_err();
     assert_eq!(error.to_string(), "no such backend");
 }
 
 /// The last invocation's group may be incomplete, and a dispatch's last workgroup: every count around those sizes.
 #[test]
-fn any_number_of_vectors_can_be_dispatched() {
+fn any_number_of_elements_can_be_dispatched() {
     let device = lavapipe();
-    let vectors: Vec<[f32; 3]> = sampling::random_directions(Domain::Sphere, 3).take(1030).collect();
     for source in [embedded(), from_glsl()] {
         let mut gpu = Gpu::new(&device, source, true).unwrap();
-        for codec in ["oct16", "oct24p", "oct32", "oct48", "oct52p"].map(|id| find(id).unwrap()) {
+        for id in ["oct16", "oct24p", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
+            let format = find_format(id).unwrap();
+            let floats = format.element.floats();
+            let random = sampling::random_elements(format.element, Domain::Sphere, 3);
+            let elements: Vec<f32> = random.take(1030 * floats).collect();
             for count in (0..20).chain(250..260).chain(1020..1030) {
-                let mut expected = vec![0; count * codec.bytes];
+                let elements = &elements[..count * floats];
+                let mut expected = vec![0; count * format.bytes];
                 let mut actual = expected.clone();
-                Cpu.encode(codec, &vectors[..count], &mut expected).unwrap();
-                gpu.encode(codec, &vectors[..count], &mut actual).unwrap();
-                assert_eq!(actual, expected, "{count} vectors");
+                Cpu.encode(format, elements, &mut expected).unwrap();
+                gpu.encode(format, elements, &mut actual).unwrap();
+                assert_eq!(actual, expected, "{count} elements");
 
-                let (mut expected_vectors, mut actual_vectors) =
-                    (vec![[0.0; 3]; count], vec![[0.0; 3]; count]);
-                Cpu.decode(codec, &expected, &mut expected_vectors).unwrap();
-                gpu.decode(codec, &expected, &mut actual_vectors).unwrap();
-                assert_eq!(actual_vectors, expected_vectors, "{count} codes");
+                let mut expected_elements = vec![0.0; count * floats];
+                let mut actual_elements = expected_elements.clone();
+                Cpu.decode(format, &expected, &mut expected_elements).unwrap();
+                gpu.decode(format, &expected, &mut actual_elements).unwrap();
+                assert_eq!(actual_elements, expected_elements, "{count} codes");
             }
+        }
+    }
+    assert_no_validation_messages(device);
+}
+
+/// Slices of different numbers of elements, or that end within one, are an error on every backend.
+#[test]
+fn backends_refuse_wrong_lengths() {
+    let device = lavapipe();
+    let gpu = |source| -> Box<dyn Backend> { Box::new(Gpu::new(&device, source, true).unwrap()) };
+    for mut backend in [Box::new(Cpu), gpu(embedded()), gpu(from_glsl())] {
+        for (id, floats, bytes) in [("oct24", 6, 3), ("oct24", 5, 6), ("oct24", 6, 7), ("frame64", 6, 8)] {
+            let format = find_format(id).unwrap();
+            let (mut elements, mut codes) = (vec![0.0; floats], vec![0; bytes]);
+            let encoded = backend.encode(format, &elements, &mut codes);
+            let decoded = backend.decode(format, &codes, &mut elements);
+            for result in [encoded, decoded] {
+                assert!(
+                    matches!(result, Err(unitvec_host::Error::LengthMismatch(_))),
+                    "{id} {floats} {bytes}"
+                );
+            }
+        }
+    }
+}
+
+/// The kernels that decode by a table give what the CPU decodes, for all codes.
+#[test]
+fn decoding_by_table_agrees() {
+    let device = lavapipe();
+    let codes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
+    for source in [embedded(), from_glsl()] {
+        let mut runner = Runner::new(&device, 1 << 16, true).unwrap();
+        for id in ["oct16", "fib16", "hemioct16"] {
+            let expected: Vec<u8> = decode_table(find(id).unwrap())
+                .unwrap()
+                .iter()
+                .flatten()
+                .flat_map(|c| c.to_ne_bytes())
+                .collect();
+            let table = runner.table(&expected).unwrap();
+            let kernel = source.decode_by_table(&runner, &table).unwrap();
+            let mut actual = vec![0; expected.len()];
+            runner.run(&kernel, 1 << 16, &codes, &mut actual).unwrap();
+            assert!(actual == expected, "{id}");
         }
     }
     assert_no_validation_messages(device);
@@ -104,8 +154,7 @@ fn output_that_a_kernel_does_not_write_is_noticed() {
     let compiler = glsl::Compiler::new().unwrap();
     let idle = "#version 450\nlayout(local_size_x = 64) in;\nvoid main() {}\n";
     let idle = compiler.compile("idle.comp", idle, &[]).unwrap();
-    let codec = find("oct16").unwrap();
-    let working = compiler.kernel(codec.format(), Direction::Decode).unwrap();
+    let working = compiler.kernel(find_format("oct16").unwrap(), Operation::Decode).unwrap();
 
     let mut runner = Runner::new(&device, 8, true).unwrap();
     let (mut first, mut second) = ([0; 24], [0; 24]);
@@ -124,8 +173,8 @@ fn runners_refuse_what_they_cannot_run() {
     assert!(matches!(Runner::new(&device, 0, false), Err(Error::BadCount { .. })));
     assert!(matches!(Runner::new(&device, usize::MAX, false), Err(Error::BadCount { .. })));
     let (mut one, other) = (Runner::new(&device, 8, false).unwrap(), Runner::new(&device, 8, false).unwrap());
-    let module =
-        glsl::Compiler::new().unwrap().kernel(find("oct16").unwrap().format(), Direction::Decode).unwrap();
+    let compiler = glsl::Compiler::new().unwrap();
+    let module = compiler.kernel(find_format("oct16").unwrap(), Operation::Decode).unwrap();
     let foreign = other.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     assert!(matches!(one.run(&foreign, 1, &[0; 2], &mut [0; 12]), Err(Error::ForeignKernel)));
     let kernel = one.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
@@ -141,15 +190,16 @@ fn a_kernel_that_computes_something_else_is_noticed() {
     let folder = tempfile::tempdir().unwrap();
     swap_encoder(folder.path());
     let device = lavapipe();
-    let source = KernelSource::Spirv(Modules::open(Some(folder.path())).unwrap());
-    let mut gpus = gpus(&device, source).unwrap();
-    let codec = find("oct16").unwrap();
-    let row = conform::run_codec(codec, &options(10_000), &mut gpus, &mut |_| ()).unwrap();
+    let source = KernelSource::Rust(Modules::open(Some(folder.path())).unwrap());
+    let options = options(10_000);
+    let plan = Plan::new(find_format("oct16").unwrap(), &options);
+    let row = plan.run(&mut backends(&device, source), &mut |_| ()).unwrap();
     assert!(!row.agrees());
-    assert!(row.encode_mismatches.spirv > 1000);
-    assert_eq!(row.encode_mismatches.glsl, Some(0));
-    assert_eq!(row.decode_mismatches, conform::Mismatches { spirv: 0, glsl: Some(0) });
-    assert!(!row.examples.is_empty());
+    assert!(row.encode_mismatches[&BackendKind::Rust] > 1000);
+    assert_eq!(row.encode_mismatches[&BackendKind::Glsl], 0);
+    let none = Mismatches::from([(BackendKind::Rust, 0), (BackendKind::Glsl, 0)]);
+    assert_eq!(row.decode_mismatches, none);
+    assert!(row.examples[0].contains("cpu [") && row.examples[0].contains("rust ["), "{:?}", row.examples);
 }
 
 /// Copies the modules to `folder`, with oct16p_encode's code under the name of oct16_encode.

@@ -99,6 +99,9 @@ fn truncated_input() {
             &["in.bin", &format!("{left} bytes of another")],
         );
     }
+    let input = file(&folder, "in.bin", &[0; 28 + 12]);
+    let frame = ["1 whole frames of 28 bytes", "12 bytes of another"];
+    assert_fails(&mut encode("frame64", &input, &output), 1, &frame);
     let codes = file(&folder, "codes", &[0; 10]);
     let mut decode = command(["decode", "--codec", "oct24"]);
     assert_fails(decode.args([&codes, &output]), 1, &["codes", "3 whole codes of 3 bytes", "1 bytes"]);
@@ -144,6 +147,20 @@ fn a_mesh_that_is_none() {
         assert_fails(&mut encode("oct16", &input, &folder.path().join("out")), 1, &[name]);
         assert_fails(&mut command(["conform".as_ref(), input.as_os_str()]), 1, &[name]);
     }
+}
+
+/// A mesh without tangents, or in a format that has none, does not give frames.
+#[test]
+fn a_mesh_without_tangents() {
+    let folder = folder();
+    let bare = r#"{"asset":{"version":"2.0"}}"#;
+    let inputs = [file(&folder, "bare.gltf", bare.as_bytes()), repository().join("host/data/bunny.obj")];
+    for input in inputs {
+        let name = input.file_name().unwrap().to_str().unwrap();
+        let mut encode = encode("frame32", &input, &folder.path().join("out"));
+        assert_fails(&mut encode, 1, &[name, "a normal and a tangent", ".glb"]);
+    }
+    assert_eq!(names(&folder), ["bare.gltf"]);
 }
 
 /// Root may write to a read-only folder, so for root it is one that nobody can make files in.
@@ -205,7 +222,7 @@ fn assert_modules_fail(modules: &TempDir, words: &[&str]) {
     let folder = folder();
     let input = file(&folder, "in.bin", &[0; 12]);
     let mut command = encode("oct16", &input, &folder.path().join("out"));
-    command.args(["--backend", "spirv", "--spirv"]).arg(modules.path());
+    command.args(["--backend", "rust", "--spirv"]).arg(modules.path());
     assert_fails(&mut command, 1, words);
     assert_eq!(names(&folder), ["in.bin"]);
 }
@@ -247,7 +264,7 @@ fn options_that_do_not_go_together() {
     let input = file(&folder, "in.bin", &[0; 12]);
     for option in [&["--device", "0"][..], &["--validate"], &["--spirv", "."]] {
         let mut on_cpu = encode("oct16", &input, &folder.path().join("out"));
-        assert_fails(on_cpu.args(option), 2, &["--backend spirv"]);
+        assert_fails(on_cpu.args(option), 2, &["--backend rust"]);
     }
     let bunny = repository().join("host/data/bunny.obj");
     let mut decode = command(["decode", "--codec", "oct16"]);
@@ -268,6 +285,7 @@ fn unknown_codecs_get_suggestions() {
         2,
         &["did you mean cube16, cube24, cube32?"],
     );
+    assert_fails(&mut command(["conform", "--codec", "frame16"]), 2, &["did you mean frame32, frame64?"]);
     assert_fails(&mut command(["conform", "--codec", "zzz"]), 2, &["`unitvec codecs` lists them all"]);
 }
 

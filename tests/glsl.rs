@@ -2,8 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::process::Command;
-use unitvec_host::backend::{Backend, Cpu};
-use unitvec_host::catalogue::{CATALOGUE, Domain, find};
+use unitvec_host::catalogue::{CATALOGUE, Coding, Domain, find};
 use unitvec_host::glsl::{self, Compiler};
 use unitvec_host::sampling::random_directions;
 use unitvec_host::vulkan::Runner;
@@ -172,7 +171,7 @@ fn float32x3_to_octn_precise_is_the_precise_code() {
         let results = evaluate(&format!("vec3(float32x3_to_octn_precise(v, {bits}), 0.0)"), &inputs);
         let codec = find(id).unwrap();
         let mut codes = vec![0; inputs.len() * codec.bytes];
-        Cpu.encode(codec, &inputs, &mut codes).unwrap();
+        codec.encode_cpu(&inputs, &mut codes).unwrap();
         let half = bits / 2;
         for (code, result) in codes.chunks_exact(codec.bytes).zip(&results) {
             let code = code.iter().rev().fold(0u32, |code, byte| (code << 8) | u32::from(*byte));

@@ -3,7 +3,7 @@
 use std::collections::{BTreeSet, HashSet};
 use std::process::Command;
 use unitvec::best_fit;
-use unitvec_host::catalogue::{Direction, formats};
+use unitvec_host::catalogue::{Operation, formats};
 #[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;
 use unitvec_host::manifest::{BEST_FIT_TABLE, DECODE_BY_TABLE, Manifest, sha256_hex, sources_sha256};
@@ -30,7 +30,7 @@ fn modules_are_built_from_the_sources_as_they_are() {
 fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
     let manifest = manifest("spirv");
     for codec in formats() {
-        for direction in [Direction::Encode, Direction::Decode] {
+        for direction in [Operation::Encode, Operation::Decode] {
             let name = codec.function(direction);
             let module = manifest.modules.iter().find(|module| module.entry_point == name).unwrap();
             assert_eq!(module.codec.as_deref(), Some(codec.id), "{name}");
@@ -38,11 +38,11 @@ fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
             let sizes: Vec<Option<u32>> =
                 module.bindings.iter().map(|binding| binding.bytes_per_vector).collect();
             let (element, code) = (Some(codec.element.bytes() as u32), Some(codec.bytes as u32));
-            let in_and_out = if direction == Direction::Encode { [element, code] } else { [code, element] };
+            let in_and_out = if direction == Operation::Encode { [element, code] } else { [code, element] };
             assert_eq!(sizes[..2], in_and_out, "{name}");
             let tables: Vec<_> =
                 module.bindings[2..].iter().map(|binding| binding.table.as_deref()).collect();
-            let by_table = direction == Direction::Encode && codec.encodes_by_table;
+            let by_table = direction == Operation::Encode && codec.encodes_by_table;
             assert_eq!(tables, if by_table { vec![Some(BEST_FIT_TABLE)] } else { vec![] }, "{name}");
         }
     }
@@ -117,7 +117,7 @@ fn every_float_result_is_marked_no_contraction() {
 fn every_float_result_of_the_glsl_is_marked_no_contraction() {
     let compiler = Compiler::new().unwrap();
     let unmarked: Vec<String> = formats()
-        .flat_map(|format| [(format, Direction::Encode), (format, Direction::Decode)])
+        .flat_map(|format| [(format, Operation::Encode), (format, Operation::Decode)])
         .filter(|(format, direction)| {
             let instructions = parse(&compiler.kernel(*format, *direction).unwrap());
             unmarked_results(&format.function(*direction), &instructions, &FLOAT_ARITHMETIC[1..], 3) > 0

@@ -22,6 +22,13 @@ pub struct Functions<const N: usize> {
     encode: EncodeAt<[f32; N]>,
 }
 
+/// Those of a codec of vectors or of frames.
+#[derive(Clone, Copy, Debug)]
+pub enum AnyFunctions {
+    Vector(Functions<3>),
+    Frame(Functions<7>),
+}
+
 impl Functions<3> {
     pub const fn of_vectors<C: Codec>() -> Self {
         Self {

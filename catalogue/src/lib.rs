@@ -14,15 +14,15 @@
 //! ```
 //!
 //! A program that knows its codec when it is written needs only [`unitvec`]. This crate compiles all of them, which takes
-//! about a minute on two cores. With the feature `serde`, [`CodecInfo`], [`FrameInfo`] and [`Direction`] can be
-//! serialised.
+//! about a minute on two cores. With the feature `serde`, [`CodecInfo`], [`FrameInfo`], [`Element`] and [`Operation`] can
+//! be serialised.
 
 mod cpu;
 mod list;
 
-use cpu::Functions;
+use cpu::{AnyFunctions, Functions};
 use unitvec::slice::machine::Level;
-use unitvec::slice::{EncodeAt, LengthMismatch};
+use unitvec::slice::{EncodeAt, LengthMismatch, expect_length};
 #[cfg(doc)]
 use unitvec::{Codec, FrameCodec};
 use unitvec::{Listed, ListedFrame};
@@ -90,9 +90,9 @@ impl CodecInfo {
         Self { encodes_by_table: true, functions: self.functions.by_table(encode), ..self }
     }
 
-    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
-    pub fn function(&self, direction: Direction) -> String {
-        self.format().function(direction)
+    /// Entry point of the kernel, and name of the GLSL function, of this operation: `oct16_encode`.
+    pub fn function(&self, operation: Operation) -> String {
+        self.format().function(operation)
     }
 }
 
@@ -125,6 +125,11 @@ pub struct FrameInfo {
 }
 
 impl FrameInfo {
+    /// The GLSL include file with its functions.
+    pub fn glsl_file(&self) -> &'static str {
+        "frame.glsl"
+    }
+
     const fn of<F: ListedFrame>() -> Self {
         Self {
             id: F::NAME,
@@ -138,8 +143,8 @@ impl FrameInfo {
     }
 }
 
-/// What kernels need to know of a codec.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What runs a codec, of vectors or of frames, needs to know of it.
+#[derive(Clone, Copy, Debug)]
 pub struct Format {
     /// Identifier.
     pub id: &'static str,
@@ -151,31 +156,84 @@ pub struct Format {
     pub element: Element,
     /// As in [`CodecInfo`].
     pub encodes_by_table: bool,
+    functions: AnyFunctions,
 }
 
 /// What is encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
 pub enum Element {
     /// Vectors of three floats.
     Vector,
-    /// Tangent frames of seven.
+    /// Tangent frames of seven: normal, tangent, handedness.
     Frame,
 }
 
 impl Element {
-    /// Its size as packed f32.
-    pub fn bytes(self) -> usize {
+    /// Its number of f32.
+    pub const fn floats(self) -> usize {
         match self {
-            Self::Vector => 12,
-            Self::Frame => 28,
+            Self::Vector => 3,
+            Self::Frame => 7,
+        }
+    }
+
+    /// Its size as packed f32.
+    pub const fn bytes(self) -> usize {
+        4 * self.floats()
+    }
+
+    /// `vectors` or `frames`.
+    pub const fn plural(self) -> &'static str {
+        match self {
+            Self::Vector => "vectors",
+            Self::Frame => "frames",
         }
     }
 }
 
 impl Format {
-    /// Entry point of the kernel, and name of the GLSL function, of this codec and direction: `oct16_encode`.
-    pub fn function(&self, direction: Direction) -> String {
-        format!("{}_{direction}", self.id)
+    /// Entry point of the kernel, and name of the GLSL function, of this operation: `oct16_encode`.
+    pub fn function(&self, operation: Operation) -> String {
+        format!("{}_{operation}", self.id)
+    }
+
+    /// The number of elements, where slices of these lengths hold equally many.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where they do not, or where one ends within an element.
+    pub fn count(&self, floats: usize, code_bytes: usize) -> Result<usize, LengthMismatch> {
+        let count = floats / self.element.floats();
+        expect_length(count * self.bytes, code_bytes)?;
+        // Floats beyond the last whole element ask for one code more.
+        expect_length(floats.div_ceil(self.element.floats()) * self.bytes, code_bytes)?;
+        Ok(count)
+    }
+
+    /// As [`Coding::encode_cpu`], of elements whose floats follow each other.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn encode_cpu(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        match self.functions {
+            AnyFunctions::Vector(codec) => codec.encode(self.bytes, bytemuck::cast_slice(elements), codes),
+            AnyFunctions::Frame(codec) => codec.encode(self.bytes, bytemuck::cast_slice(elements), codes),
+        }
+    }
+
+    /// As [`Coding::decode_cpu`], to elements whose floats follow each other.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn decode_cpu(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        match self.functions {
+            AnyFunctions::Vector(codec) => {
+                codec.decode(self.bytes, codes, bytemuck::cast_slice_mut(elements))
+            }
+            AnyFunctions::Frame(codec) => codec.decode(self.bytes, codes, bytemuck::cast_slice_mut(elements)),
+        }
     }
 }
 
@@ -186,7 +244,7 @@ pub fn formats() -> impl Iterator<Item = Format> {
 
 /// A codec of elements of `N` floats.
 pub trait Coding<const N: usize> {
-    /// What kernels need to know of it.
+    /// What runs it needs to know.
     fn format(&self) -> Format;
 
     #[doc(hidden)]
@@ -243,8 +301,9 @@ pub trait Coding<const N: usize> {
 
 impl Coding<3> for CodecInfo {
     fn format(&self) -> Format {
-        let Self { id, bits, bytes, encodes_by_table, .. } = *self;
-        Format { id, bits, bytes, element: Element::Vector, encodes_by_table }
+        let Self { id, bits, bytes, encodes_by_table, functions, .. } = *self;
+        let functions = AnyFunctions::Vector(functions);
+        Format { id, bits, bytes, element: Element::Vector, encodes_by_table, functions }
     }
 
     fn functions(&self) -> &Functions<3> {
@@ -254,8 +313,9 @@ impl Coding<3> for CodecInfo {
 
 impl Coding<7> for FrameInfo {
     fn format(&self) -> Format {
-        let Self { id, bits, bytes, .. } = *self;
-        Format { id, bits, bytes, element: Element::Frame, encodes_by_table: false }
+        let Self { id, bits, bytes, functions, .. } = *self;
+        let functions = AnyFunctions::Frame(functions);
+        Format { id, bits, bytes, element: Element::Frame, encodes_by_table: false, functions }
     }
 
     fn functions(&self) -> &Functions<7> {
@@ -263,28 +323,28 @@ impl Coding<7> for FrameInfo {
     }
 }
 
-/// The two halves of a codec.
+/// What a codec does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
-pub enum Direction {
-    /// Vectors to codes.
+pub enum Operation {
+    /// Vectors or frames to codes.
     Encode,
-    /// Codes to vectors.
+    /// Codes to vectors or frames.
     Decode,
 }
 
-impl std::fmt::Display for Direction {
+impl Operation {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Encode, Self::Decode];
+}
+
+impl std::fmt::Display for Operation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Self::Encode => "encode",
             Self::Decode => "decode",
         })
     }
-}
-
-/// The codec of frames with this identifier.
-pub fn find_frame(id: &str) -> Option<&'static FrameInfo> {
-    FRAMES.iter().find(|codec| codec.id == id)
 }
 
 /// No codec has this identifier.
@@ -299,20 +359,36 @@ pub struct UnknownCodec {
 fn suggestion(id: &str) -> String {
     let letters =
         |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
-    let same =
-        |codec: &&CodecInfo| codec.id.eq_ignore_ascii_case(id) || codec.survey_name.eq_ignore_ascii_case(id);
-    let mut close: Vec<&str> = CATALOGUE.iter().filter(same).map(|codec| codec.id).collect();
-    if close.is_empty() {
-        close =
-            CATALOGUE.iter().map(|codec| codec.id).filter(|other| letters(other) == letters(id)).collect();
+    let codecs = CATALOGUE.iter().map(|codec| (codec.id, codec.survey_name));
+    let names: Vec<_> = codecs.chain(FRAMES.iter().map(|codec| (codec.id, codec.id))).collect();
+    let close = |is_close: &dyn Fn(&str, &str) -> bool| -> Vec<&str> {
+        names.iter().filter(|(id, survey_name)| is_close(id, survey_name)).map(|(id, _)| *id).collect()
+    };
+    let mut found =
+        close(&|other, survey_name| [other, survey_name].iter().any(|name| name.eq_ignore_ascii_case(id)));
+    if found.is_empty() {
+        found = close(&|other, _| letters(other) == letters(id));
     }
-    if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
+    if found.is_empty() { String::new() } else { format!("did you mean {}? ", found.join(", ")) }
 }
 
-/// The codec with this identifier.
+/// The codec of vectors with this identifier.
 ///
 /// # Errors
 /// [`UnknownCodec`] where there is none.
 pub fn find(id: &str) -> Result<&'static CodecInfo, UnknownCodec> {
     CATALOGUE.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
+}
+
+/// The codec of frames with this identifier.
+pub fn find_frame(id: &str) -> Option<&'static FrameInfo> {
+    FRAMES.iter().find(|codec| codec.id == id)
+}
+
+/// The format of the codec, of vectors or of frames, with this identifier.
+///
+/// # Errors
+/// [`UnknownCodec`] where there is none.
+pub fn find_format(id: &str) -> Result<Format, UnknownCodec> {
+    formats().find(|format| format.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
 }

@@ -1,72 +1,95 @@
 //! Three ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust or from GLSL.
 
-use crate::Result;
-use crate::catalogue::{CodecInfo, Coding, Direction, Format, best_fit_table};
+use crate::catalogue::{CodecInfo, Coding, Format, Operation, best_fit_table};
 use crate::modules::Modules;
 use crate::vulkan::{Device, Kernel, Runner, Table};
-use crate::{glsl, manifest};
+use crate::{Result, glsl, manifest, sampling};
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::fmt;
 use std::sync::Arc;
-use unitvec::slice::expect_length;
 
-/// Vectors that are processed at a time: 12 MiB of them, so that any amount of data streams through.
+/// Vectors or frames that are processed at a time: 12 or 28 MiB, so that any amount of data streams through.
 pub const CHUNK: usize = 1 << 20;
 
-/// Something that encodes and decodes.
+/// What runs a codec.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum BackendKind {
+    /// The crate, on the CPU.
+    Cpu,
+    /// SPIR-V from Rust, on a Vulkan device.
+    Rust,
+    /// SPIR-V from GLSL, on a Vulkan device.
+    Glsl,
+}
+
+impl fmt::Display for BackendKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Cpu => "cpu",
+            Self::Rust => "rust",
+            Self::Glsl => "glsl",
+        })
+    }
+}
+
+/// Something that encodes and decodes. The floats of vectors or frames follow each other.
 pub trait Backend {
-    /// Encodes up to [`CHUNK`] vectors into dense codes. Returns the device's nanoseconds where it tells them.
+    /// Encodes up to [`CHUNK`] elements into dense codes.
     ///
     /// # Errors
     /// What the backend meets: a wrong size, a missing module, a failed Vulkan call.
-    fn encode(
-        &mut self,
-        codec: &'static CodecInfo,
-        vectors: &[[f32; 3]],
-        codes: &mut [u8],
-    ) -> Result<Option<f64>>;
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()>;
 
-    /// Decodes up to [`CHUNK`] dense codes. Returns the device's nanoseconds where it tells them.
+    /// Decodes up to [`CHUNK`] dense codes.
     ///
     /// # Errors
     /// As [`encode`](Self::encode).
-    fn decode(
-        &mut self,
-        codec: &'static CodecInfo,
-        codes: &[u8],
-        vectors: &mut [[f32; 3]],
-    ) -> Result<Option<f64>>;
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()>;
+}
+
+/// Encodes and decodes the first `count` of `elements`, and hands on each with what it came back as.
+///
+/// # Errors
+/// What the backend meets.
+pub fn round_trip<const N: usize>(
+    backend: &mut dyn Backend,
+    format: Format,
+    elements: impl Iterator<Item = [f32; N]>,
+    count: usize,
+    mut each: impl FnMut([f32; N], [f32; N]),
+) -> Result<()> {
+    let mut codes = vec![0; CHUNK.min(count) * format.bytes];
+    let mut decoded = vec![[0.0; N]; CHUNK.min(count)];
+    sampling::in_chunks(elements, count, CHUNK, |elements| {
+        let (codes, decoded) = (&mut codes[..elements.len() * format.bytes], &mut decoded[..elements.len()]);
+        backend.encode(format, elements.as_flattened(), codes)?;
+        backend.decode(format, codes, decoded.as_flattened_mut())?;
+        elements.iter().zip(decoded).for_each(|(element, decoded)| each(*element, *decoded));
+        Ok(())
+    })
 }
 
 /// The crate's functions on this machine's CPU.
 pub struct Cpu;
 
 impl Backend for Cpu {
-    fn encode(
-        &mut self,
-        codec: &'static CodecInfo,
-        vectors: &[[f32; 3]],
-        codes: &mut [u8],
-    ) -> Result<Option<f64>> {
-        codec.encode_cpu(vectors, codes)?;
-        Ok(None)
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        Ok(format.encode_cpu(elements, codes)?)
     }
 
-    fn decode(
-        &mut self,
-        codec: &'static CodecInfo,
-        codes: &[u8],
-        vectors: &mut [[f32; 3]],
-    ) -> Result<Option<f64>> {
-        codec.decode_cpu(codes, vectors)?;
-        Ok(None)
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+        Ok(format.decode_cpu(codes, elements)?)
     }
 }
 
 /// Where a GPU backend's kernels come from.
 pub enum KernelSource {
     /// SPIR-V that rust-gpu compiled from the crate.
-    Spirv(Modules),
+    Rust(Modules),
     /// SPIR-V that glslang compiles from the GLSL now.
     Glsl(glsl::Compiler),
 }
@@ -76,36 +99,41 @@ impl KernelSource {
         &self,
         runner: &Runner,
         format: Format,
-        direction: Direction,
+        operation: Operation,
         table: Option<&Table>,
     ) -> Result<Kernel> {
-        Ok(match self {
-            Self::Spirv(modules) => {
-                let (module, entry_point) = modules.load(&format.function(direction))?;
-                runner.kernel(&module, entry_point, table)?
-            }
-            Self::Glsl(compiler) => {
-                runner.kernel(&compiler.kernel(format, direction)?, glsl::ENTRY_POINT, table)?
-            }
-        })
+        self.load(runner, &format.function(operation), table, |compiler| compiler.kernel(format, operation))
     }
 
-    pub(crate) fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
+    /// The kernel that decodes two-byte codes by `table`, of the vectors of all codes.
+    ///
+    /// # Errors
+    /// What loading, compiling or Vulkan meets.
+    pub fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
+        self.load(runner, manifest::DECODE_BY_TABLE, Some(table), glsl::Compiler::decode_by_table)
+    }
+
+    /// The kernel with this name among the modules, or as it is compiled now.
+    pub(crate) fn load(
+        &self,
+        runner: &Runner,
+        name: &str,
+        table: Option<&Table>,
+        compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
+    ) -> Result<Kernel> {
         Ok(match self {
-            Self::Spirv(modules) => {
-                let (module, entry_point) = modules.load(manifest::DECODE_BY_TABLE)?;
-                runner.kernel(&module, entry_point, Some(table))?
+            Self::Rust(modules) => {
+                let (module, entry_point) = modules.load(name)?;
+                runner.kernel(&module, entry_point, table)?
             }
-            Self::Glsl(compiler) => {
-                runner.kernel(&compiler.decode_by_table()?, glsl::ENTRY_POINT, Some(table))?
-            }
+            Self::Glsl(compiler) => runner.kernel(&compile(compiler)?, glsl::ENTRY_POINT, table)?,
         })
     }
 
     /// The bytes of the table of [`unitvec::best_fit`]: those shipped beside the modules, or computed.
     fn best_fit_table(&self) -> Result<Cow<'static, [u8]>> {
         Ok(match self {
-            Self::Spirv(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
+            Self::Rust(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
             Self::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
         })
     }
@@ -115,8 +143,7 @@ impl KernelSource {
 pub struct Gpu {
     runner: Runner,
     source: KernelSource,
-    kernels: HashMap<(&'static str, Direction), Kernel>,
-    decoders_by_table: HashMap<&'static str, Kernel>,
+    kernels: HashMap<(&'static str, Operation), Kernel>,
     best_fit_table: Option<Table>,
 }
 
@@ -126,79 +153,30 @@ impl Gpu {
     /// # Errors
     /// A failed Vulkan call.
     pub fn new(device: &Arc<Device>, source: KernelSource, fill_output: bool) -> Result<Self> {
-        Ok(Self {
-            runner: Runner::new(device, CHUNK, fill_output)?,
-            source,
-            kernels: HashMap::new(),
-            decoders_by_table: HashMap::new(),
-            best_fit_table: None,
-        })
-    }
-
-    /// As [`Backend::encode`], of vectors or frames.
-    ///
-    /// # Errors
-    /// As [`Backend::encode`].
-    pub fn encode_elements<const N: usize>(
-        &mut self,
-        codec: &impl Coding<N>,
-        elements: &[[f32; N]],
-        codes: &mut [u8],
-    ) -> Result<Option<f64>> {
-        let format = codec.format();
-        expect_length(elements.len() * format.bytes, codes.len())?;
-        self.run(
-            format,
-            Direction::Encode,
-            elements.len(),
-            bytemuck::cast_slice(elements.as_flattened()),
-            codes,
-        )
-    }
-
-    /// As [`Backend::decode`], of vectors or frames.
-    ///
-    /// # Errors
-    /// As [`Backend::encode`].
-    pub fn decode_elements<const N: usize>(
-        &mut self,
-        codec: &impl Coding<N>,
-        codes: &[u8],
-        elements: &mut [[f32; N]],
-    ) -> Result<Option<f64>> {
-        let format = codec.format();
-        expect_length(codes.len(), elements.len() * format.bytes)?;
-        self.run(
-            format,
-            Direction::Decode,
-            elements.len(),
-            codes,
-            bytemuck::cast_slice_mut(elements.as_flattened_mut()),
-        )
+        let runner = Runner::new(device, CHUNK, fill_output)?;
+        Ok(Self { runner, source, kernels: HashMap::new(), best_fit_table: None })
     }
 
     fn run(
         &mut self,
         format: Format,
-        direction: Direction,
-        elements: usize,
+        operation: Operation,
+        count: usize,
         input: &[u8],
         output: &mut [u8],
-    ) -> Result<Option<f64>> {
-        if elements == 0 {
-            return Ok(None);
+    ) -> Result<()> {
+        if count == 0 {
+            return Ok(());
         }
-        let key = (format.id, direction);
+        let key = (format.id, operation);
         if !self.kernels.contains_key(&key) {
-            let table = if direction == Direction::Encode && format.encodes_by_table {
-                Some(self.best_fit_table()?)
-            } else {
-                None
-            };
-            let kernel = self.source.kernel(&self.runner, format, direction, table.as_ref())?;
+            let by_table = operation == Operation::Encode && format.encodes_by_table;
+            let table = if by_table { Some(self.best_fit_table()?) } else { None };
+            let kernel = self.source.kernel(&self.runner, format, operation, table.as_ref())?;
             self.kernels.insert(key, kernel);
         }
-        Ok(self.runner.run(&self.kernels[&key], elements, input, output)?)
+        self.runner.run(&self.kernels[&key], count, input, output)?;
+        Ok(())
     }
 
     fn best_fit_table(&mut self) -> Result<Table> {
@@ -208,53 +186,25 @@ impl Gpu {
         let table = self.runner.table(&self.source.best_fit_table()?)?;
         Ok(self.best_fit_table.insert(table).clone())
     }
-
-    /// Decodes by looking up the vectors of all codes, which the CPU decodes once. For codecs of two-byte codes.
-    ///
-    /// # Errors
-    /// As [`Backend::decode`]; [`LengthMismatch`](unitvec::slice::LengthMismatch) for codecs of more bytes.
-    pub fn decode_by_table(
-        &mut self,
-        codec: &'static CodecInfo,
-        codes: &[u8],
-        vectors: &mut [[f32; 3]],
-    ) -> Result<Option<f64>> {
-        expect_length(vectors.len() * 2, codes.len())?;
-        if vectors.is_empty() {
-            return Ok(None);
-        }
-        if !self.decoders_by_table.contains_key(codec.id) {
-            let table = self.runner.table(bytemuck::cast_slice(&decode_table(codec)?))?;
-            let kernel = self.source.decode_by_table(&self.runner, &table)?;
-            self.decoders_by_table.insert(codec.id, kernel);
-        }
-        let kernel = &self.decoders_by_table[codec.id];
-        Ok(self.runner.run(kernel, vectors.len(), codes, bytemuck::cast_slice_mut(vectors))?)
-    }
 }
 
 impl Backend for Gpu {
-    fn encode(
-        &mut self,
-        codec: &'static CodecInfo,
-        vectors: &[[f32; 3]],
-        codes: &mut [u8],
-    ) -> Result<Option<f64>> {
-        self.encode_elements(codec, vectors, codes)
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        let count = format.count(elements.len(), codes.len())?;
+        self.run(format, Operation::Encode, count, bytemuck::cast_slice(elements), codes)
     }
 
-    fn decode(
-        &mut self,
-        codec: &'static CodecInfo,
-        codes: &[u8],
-        vectors: &mut [[f32; 3]],
-    ) -> Result<Option<f64>> {
-        self.decode_elements(codec, codes, vectors)
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+        let count = format.count(elements.len(), codes.len())?;
+        self.run(format, Operation::Decode, count, codes, bytemuck::cast_slice_mut(elements))
     }
 }
 
-/// The vectors of all codes of two bytes.
-pub(crate) fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
+/// The vectors of all codes of a codec of two bytes.
+///
+/// # Errors
+/// [`LengthMismatch`](unitvec::slice::LengthMismatch) for a codec of more bytes.
+pub fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
     let codes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
     let mut vectors = vec![[0.0; 3]; codes.len() / 2];
     codec.decode_cpu(&codes, &mut vectors)?;

@@ -1,8 +1,8 @@
 //! What encoding and decoding cost on a device: arithmetic by the survey's method, and how close to memory speed the
 //! shipped kernels run.
 
-use crate::backend::{KernelSource, decode_table};
-use crate::catalogue::{self, CATALOGUE, Coding, Direction, Domain, Element, Format};
+use crate::backend::{BackendKind, KernelSource, decode_table};
+use crate::catalogue::{self, CATALOGUE, Coding, Domain, Element, Format, Operation};
 use crate::modules::Modules;
 use crate::vulkan::{self, Device, DeviceInfo, Kernel, Runner, Table};
 use crate::{Result, glsl, sampling};
@@ -27,29 +27,6 @@ pub struct Options {
     pub throughput_samples: usize,
 }
 
-/// What a kernel was compiled from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Source {
-    /// Rust, by rust-gpu.
-    Rust,
-    /// GLSL, by glslang.
-    Glsl,
-    /// The Rust kernel that looks two-byte codes up in a table of their vectors: throughput alone.
-    RustTable,
-}
-
-impl Source {
-    /// Its name in reports.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rust => "rust",
-            Self::Glsl => "glsl",
-            Self::RustTable => "rust-table",
-        }
-    }
-}
-
 /// All that was measured.
 #[derive(Debug, Serialize)]
 pub struct Report {
@@ -59,7 +36,7 @@ pub struct Report {
     pub count: usize,
     /// Times that cost kernels encode or decode each of them.
     pub repetitions: u32,
-    /// One row a codec, direction and source.
+    /// One row a codec, operation and backend; decoding by table besides.
     pub rows: Vec<Row>,
 }
 
@@ -70,15 +47,17 @@ pub struct Row {
     pub id: &'static str,
     /// Its bits.
     pub bits: u32,
-    /// Half of the codec.
-    pub direction: Direction,
-    /// What the kernel was compiled from.
-    pub source: Source,
+    /// What the kernel does.
+    pub operation: Operation,
+    /// What it was compiled from.
+    pub backend: BackendKind,
+    /// True of the kernel that looks two-byte codes up in a table of their vectors: throughput alone.
+    pub by_table: bool,
     /// Nanoseconds of arithmetic a vector, less the baseline's: the median over the dispatches.
     pub alu_ns_per_vector: Option<f64>,
     /// The largest less the smallest of them.
     pub alu_spread_ns: Option<f64>,
-    /// Their ratio to those of `oct32`, of the same direction and source, measured beside it: the median.
+    /// Their ratio to those of `oct32`, of the same operation and backend, measured beside it: the median.
     pub alu_ratio_to_oct32: Option<f64>,
     /// For SPIR-V from Rust, their ratio to those of SPIR-V from GLSL, measured beside it: the median.
     pub alu_ratio_to_glsl: Option<f64>,
@@ -101,27 +80,28 @@ struct Published {
 }
 
 /// The survey's figure for a codec, in nanoseconds.
-pub fn survey_ns(id: &str, direction: Direction) -> Option<f64> {
+pub fn survey_ns(id: &str, operation: Operation) -> Option<f64> {
     let name = CATALOGUE.iter().find(|codec| codec.id == id)?.survey_name;
     let mut rows = csv::Reader::from_reader(survey::TABLE_2.as_bytes());
     let row = rows.deserialize::<Published>().filter_map(|row| row.ok()).find(|row| row.name == name)?;
-    Some(match direction {
-        Direction::Encode => row.gpu_encode_ns_per_vector,
-        Direction::Decode => row.gpu_decode_ns_per_vector,
+    Some(match operation {
+        Operation::Encode => row.gpu_encode_ns_per_vector,
+        Operation::Decode => row.gpu_decode_ns_per_vector,
     })
 }
 
 /// Measures on one device.
 pub struct Bench {
     runner: Runner,
-    modules: KernelSource,
-    glsl: KernelSource,
-    cost_modules: Modules,
+    /// Of the shipped kernels.
+    sources: [KernelSource; 2],
+    /// Of those that measure arithmetic.
+    cost_sources: [KernelSource; 2],
     compiler: glsl::Compiler,
     best_fit_table: Table,
-    baselines: HashMap<(Direction, Source), Kernel>,
+    baselines: HashMap<(Operation, BackendKind), Kernel>,
     /// Those of [`REFERENCE`].
-    references: HashMap<(Direction, Source), Kernel>,
+    references: HashMap<(Operation, BackendKind), Kernel>,
     options: Options,
     vectors: Vec<[f32; 3]>,
     codes: Vec<u64>,
@@ -142,9 +122,8 @@ impl Bench {
         let best_fit_table = runner.table(bytemuck::cast_slice(catalogue::best_fit_table()))?;
         let mut bench = Self {
             runner,
-            modules: KernelSource::Spirv(modules),
-            glsl: KernelSource::Glsl(glsl::Compiler::new()?),
-            cost_modules,
+            sources: [KernelSource::Rust(modules), KernelSource::Glsl(glsl::Compiler::new()?)],
+            cost_sources: [KernelSource::Rust(cost_modules), KernelSource::Glsl(glsl::Compiler::new()?)],
             compiler: glsl::Compiler::new()?,
             best_fit_table,
             baselines: HashMap::new(),
@@ -153,12 +132,14 @@ impl Bench {
             codes: sampling::random_codes(1).take(options.count).collect(),
             options,
         };
-        for direction in DIRECTIONS {
-            for source in SOURCES {
-                let baseline = bench.baseline(direction, source)?;
-                bench.baselines.insert((direction, source), baseline);
-                let reference = bench.cost_kernel(catalogue::find(REFERENCE)?.format(), direction, source)?;
-                bench.references.insert((direction, source), reference);
+        for operation in Operation::ALL {
+            for (backend, source) in BACKENDS.into_iter().zip(&bench.cost_sources) {
+                let name = format!("baseline_{operation}");
+                let compile = |compiler: &glsl::Compiler| compiler.baseline_kernel(operation);
+                let baseline = source.load(&bench.runner, &name, None, compile)?;
+                bench.baselines.insert((operation, backend), baseline);
+                let reference = bench.cost_kernel(source, catalogue::find(REFERENCE)?.format(), operation)?;
+                bench.references.insert((operation, backend), reference);
             }
         }
         Ok(bench)
@@ -170,86 +151,64 @@ impl Bench {
         Report { device, count: self.options.count, repetitions: REPETITIONS, rows }
     }
 
-    /// Measures both directions of a codec.
+    /// Measures both operations of a codec.
     ///
     /// # Errors
     /// What the kernels meet.
     pub fn measure(&mut self, format: Format) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
-        for direction in DIRECTIONS {
-            let [rust, glsl] = self.cost(format, direction)?;
-            let speeds = self.throughput(format, direction)?;
+        for operation in Operation::ALL {
+            let [rust, glsl] = self.cost(format, operation)?;
+            let speeds = self.throughput(format, operation)?;
             let traffic = (format.element.bytes() + format.bytes) as f64;
-            for (source, vectors_per_s) in speeds.kernels {
-                let costs = match source {
-                    Source::Rust => Some(&rust),
-                    Source::Glsl => Some(&glsl),
-                    Source::RustTable => None,
-                };
+            for (backend, by_table, vectors_per_s) in speeds.kernels {
+                let costs = if backend == BackendKind::Rust { &rust } else { &glsl };
+                let costs = (!by_table).then_some(costs);
                 let to_glsl = || ratio(&rust.codec, &glsl.codec);
                 rows.push(Row {
                     id: format.id,
                     bits: format.bits,
-                    direction,
-                    source,
+                    operation,
+                    backend,
+                    by_table,
                     alu_ns_per_vector: costs.map(|costs| median(costs.codec.clone())),
                     alu_spread_ns: costs.map(|costs| spread(&costs.codec)),
                     alu_ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
-                    alu_ratio_to_glsl: (source == Source::Rust).then(to_glsl),
+                    alu_ratio_to_glsl: (backend == BackendKind::Rust && !by_table).then(to_glsl),
                     vectors_per_s,
                     bytes_per_s: vectors_per_s * traffic,
                     copy_bytes_per_s: speeds.copy * traffic,
-                    survey_ns_per_vector: survey_ns(format.id, direction),
+                    survey_ns_per_vector: survey_ns(format.id, operation),
                 });
             }
         }
         Ok(rows)
     }
 
-    fn baseline(&self, direction: Direction, source: Source) -> Result<Kernel> {
-        let name = format!("baseline_{direction}");
-        Ok(match source {
-            Source::Glsl => {
-                self.runner.kernel(&self.compiler.baseline_kernel(direction)?, glsl::ENTRY_POINT, None)?
-            }
-            _ => {
-                let (module, entry_point) = self.cost_modules.load(&name)?;
-                self.runner.kernel(&module, entry_point, None)?
-            }
-        })
+    fn cost_kernel(&self, source: &KernelSource, format: Format, operation: Operation) -> Result<Kernel> {
+        let table = self.table_of(format, operation);
+        let compile = |compiler: &glsl::Compiler| compiler.cost_kernel(format, operation);
+        source.load(&self.runner, &format.function(operation), table, compile)
     }
 
-    fn cost_kernel(&self, format: Format, direction: Direction, source: Source) -> Result<Kernel> {
-        let table = self.table_of(format, direction);
-        Ok(match source {
-            Source::Glsl => {
-                let module = self.compiler.cost_kernel(format, direction)?;
-                self.runner.kernel(&module, glsl::ENTRY_POINT, table)?
-            }
-            _ => {
-                let (module, entry_point) = self.cost_modules.load(&format.function(direction))?;
-                self.runner.kernel(&module, entry_point, table)?
-            }
-        })
-    }
-
-    fn table_of(&self, format: Format, direction: Direction) -> Option<&Table> {
-        (direction == Direction::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
+    fn table_of(&self, format: Format, operation: Operation) -> Option<&Table> {
+        (operation == Operation::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
     }
 
     /// Costs of the kernels from Rust and from GLSL.
-    fn cost(&mut self, format: Format, direction: Direction) -> Result<[Costs; 2]> {
-        let [rust, glsl] = SOURCES.map(|source| self.cost_kernel(format, direction, source));
-        let (rust, glsl) = (rust?, glsl?);
-        let input: Vec<u8> = match direction {
-            Direction::Encode => bytemuck::cast_slice(&self.vectors).to_vec(),
-            Direction::Decode => {
+    fn cost(&mut self, format: Format, operation: Operation) -> Result<[Costs; 2]> {
+        let [rust, glsl] = &self.cost_sources;
+        let rust = self.cost_kernel(rust, format, operation)?;
+        let glsl = self.cost_kernel(glsl, format, operation)?;
+        let input: Vec<u8> = match operation {
+            Operation::Encode => bytemuck::cast_slice(&self.vectors).to_vec(),
+            Operation::Decode => {
                 let words = |code: &u64| [*code as u32, (*code >> 32) as u32, 0];
                 let words: Vec<[u32; 3]> = self.codes.iter().map(words).collect();
                 bytemuck::cast_slice(&words).to_vec()
             }
         };
-        let [of_rust, of_glsl] = SOURCES.map(|source| (direction, source));
+        let [of_rust, of_glsl] = BACKENDS.map(|backend| (operation, backend));
         // What is compared is side by side.
         let kernels = [
             &self.baselines[&of_rust],
@@ -283,26 +242,28 @@ impl Bench {
     }
 
     /// Vectors a second of the shipped kernels and of one that copies.
-    fn throughput(&mut self, format: Format, direction: Direction) -> Result<Speeds> {
+    fn throughput(&mut self, format: Format, operation: Operation) -> Result<Speeds> {
         let count = self.options.count;
-        let copy = self.compiler.copy_kernel(format, direction)?;
-        let table = self.table_of(format, direction).cloned();
-        let kernel = |source: &KernelSource, runner| source.kernel(runner, format, direction, table.as_ref());
+        let copy = self.compiler.copy_kernel(format, operation)?;
+        let table = self.table_of(format, operation).cloned();
+        let kernel = |source: &KernelSource, runner| source.kernel(runner, format, operation, table.as_ref());
+        let [rust, glsl] = &self.sources;
         let mut kernels = vec![
             (None, self.runner.kernel(&copy, glsl::ENTRY_POINT, None)?),
-            (Some(Source::Rust), kernel(&self.modules, &self.runner)?),
-            (Some(Source::Glsl), kernel(&self.glsl, &self.runner)?),
+            (Some((BackendKind::Rust, false)), kernel(rust, &self.runner)?),
+            (Some((BackendKind::Glsl, false)), kernel(glsl, &self.runner)?),
         ];
         let codec = CATALOGUE.iter().find(|codec| codec.id == format.id && codec.bytes == 2);
-        if let (Some(codec), Direction::Decode) = (codec, direction) {
+        if let (Some(codec), Operation::Decode) = (codec, operation) {
             let table = self.runner.table(bytemuck::cast_slice(&decode_table(codec)?))?;
-            kernels.push((Some(Source::RustTable), self.modules.decode_by_table(&self.runner, &table)?));
+            let kernel = rust.decode_by_table(&self.runner, &table)?;
+            kernels.push((Some((BackendKind::Rust, true)), kernel));
         }
 
         let (element, code) = (count * format.element.bytes(), count * format.bytes);
-        let (input, mut output) = match direction {
-            Direction::Encode => (self.elements(format.element), vec![0; code]),
-            Direction::Decode => {
+        let (input, mut output) = match operation {
+            Operation::Encode => (self.elements(format.element), vec![0; code]),
+            Operation::Decode => {
                 let bytes =
                     self.codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(format.bytes));
                 (bytes.collect(), vec![0; element])
@@ -320,10 +281,10 @@ impl Bench {
             }
         }
         let mut speeds = Speeds { copy: 0.0, kernels: Vec::new() };
-        for ((source, _), times) in kernels.iter().zip(times) {
+        for ((kind, _), times) in kernels.iter().zip(times) {
             let vectors_per_s = count as f64 / (median(times) * 1e-9);
-            match source {
-                Some(source) => speeds.kernels.push((*source, vectors_per_s)),
+            match kind {
+                Some((backend, by_table)) => speeds.kernels.push((*backend, *by_table, vectors_per_s)),
                 None => speeds.copy = vectors_per_s,
             }
         }
@@ -360,13 +321,12 @@ impl Costs {
 /// Vectors a second.
 struct Speeds {
     copy: f64,
-    kernels: Vec<(Source, f64)>,
+    /// Of each kernel: its backend, and whether it decodes by table.
+    kernels: Vec<(BackendKind, bool, f64)>,
 }
 
-const DIRECTIONS: [Direction; 2] = [Direction::Encode, Direction::Decode];
-
-/// The sources with cost kernels.
-const SOURCES: [Source; 2] = [Source::Rust, Source::Glsl];
+/// What is measured, in the order of a [`Bench`]'s sources.
+const BACKENDS: [BackendKind; 2] = [BackendKind::Rust, BackendKind::Glsl];
 
 /// 0 to n - 1, backwards every other time: so a device that slows down or speeds up does so for all alike.
 fn alternating(sample: usize, n: usize) -> impl Iterator<Item = usize> {
@@ -405,9 +365,9 @@ mod tests {
     /// The survey's 17 rows are read and belong to codecs of the catalogue.
     #[test]
     fn the_published_table_is_whole() {
-        let known = CATALOGUE.iter().filter(|codec| survey_ns(codec.id, Direction::Decode).is_some()).count();
+        let known = CATALOGUE.iter().filter(|codec| survey_ns(codec.id, Operation::Decode).is_some()).count();
         assert_eq!(known, 17);
-        assert_eq!(survey_ns("oct32", Direction::Encode), Some(0.023160));
+        assert_eq!(survey_ns("oct32", Operation::Encode), Some(0.023160));
     }
 
     #[test]

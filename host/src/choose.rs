@@ -1,8 +1,8 @@
 //! Which codec meets a demand at the least cost.
 
 use crate::accuracy::measure;
-use crate::backend::Cpu;
-use crate::catalogue::{CATALOGUE, CodecInfo, Direction, Domain};
+use crate::backend::{BackendKind, Cpu};
+use crate::catalogue::{CATALOGUE, CodecInfo, Domain, Operation};
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -23,7 +23,7 @@ pub struct Demand {
     pub hemisphere: bool,
 }
 
-/// What codecs cost: their arithmetic as multiples of `oct32`'s, of both directions.
+/// What codecs cost: their arithmetic as multiples of `oct32`'s, of both operations.
 pub struct Costs {
     device: String,
     by_codec: HashMap<String, [f64; 2]>,
@@ -44,8 +44,8 @@ struct ReportDevice {
 #[derive(Deserialize)]
 struct ReportRow {
     id: String,
-    direction: Direction,
-    source: String,
+    operation: Operation,
+    backend: BackendKind,
     alu_ratio_to_oct32: Option<f64>,
 }
 
@@ -66,9 +66,9 @@ impl Costs {
         let report: Report = serde_json::from_slice(json)
             .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: error.to_string() })?;
         let mut by_codec: HashMap<String, [f64; 2]> = HashMap::new();
-        for row in report.rows.into_iter().filter(|row| row.source == "rust") {
+        for row in report.rows.into_iter().filter(|row| row.backend == BackendKind::Rust) {
             if let Some(ratio) = row.alu_ratio_to_oct32 {
-                by_codec.entry(row.id).or_insert([f64::NAN; 2])[row.direction as usize] = ratio;
+                by_codec.entry(row.id).or_insert([f64::NAN; 2])[row.operation as usize] = ratio;
             }
         }
         Ok(Self { device: report.device.name, by_codec })
@@ -115,11 +115,11 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
         if demand.mean_error_deg.is_some_and(|limit| mean_error_deg > limit) {
             continue;
         }
-        let cost = |direction: Direction| {
+        let cost = |operation: Operation| {
             costs
                 .by_codec
                 .get(codec.id)
-                .map(|costs| costs[direction as usize])
+                .map(|costs| costs[operation as usize])
                 .filter(|cost| cost.is_finite())
         };
         candidates.push(Candidate {
@@ -128,8 +128,8 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
             bytes: codec.bytes,
             max_error_deg: f64::from(codec.max_error_deg),
             mean_error_deg,
-            encode_cost: cost(Direction::Encode),
-            decode_cost: cost(Direction::Decode),
+            encode_cost: cost(Operation::Encode),
+            decode_cost: cost(Operation::Decode),
         });
     }
     candidates.sort_by(|a, b| {
@@ -142,7 +142,7 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
 }
 
 impl Candidate {
-    /// Of both directions; infinite where it was not measured.
+    /// Of both operations; infinite where it was not measured.
     fn cost(&self) -> f64 {
         self.encode_cost.zip(self.decode_cost).map_or(f64::INFINITY, |(encode, decode)| encode + decode)
     }

@@ -7,7 +7,7 @@ mod glslang;
 #[path = "glsl/no_glslang.rs"]
 mod glslang;
 
-use crate::catalogue::{Direction, Element, Format};
+use crate::catalogue::{Element, Format, Operation};
 use crate::manifest;
 use glslang::Glslang;
 
@@ -57,38 +57,38 @@ impl Compiler {
     ///
     /// # Errors
     /// [`Error::NoSource`] or [`Error::Rejected`].
-    pub fn kernel(&self, format: Format, direction: Direction) -> Result<Vec<u8>, Error> {
-        let function = format.function(direction);
+    pub fn kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        let function = format.function(operation);
         let file = match format.element {
-            Element::Vector => format!("{direction}.comp"),
-            Element::Frame => format!("frame_{direction}.comp"),
+            Element::Vector => format!("{operation}.comp"),
+            Element::Frame => format!("frame_{operation}.comp"),
         };
-        self.kernel_file(&file, &function, &macros(format, direction))
+        self.kernel_file(&file, &function, &macros(format, operation))
     }
 
     /// The SPIR-V of the kernel that measures a codec's arithmetic.
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn cost_kernel(&self, format: Format, direction: Direction) -> Result<Vec<u8>, Error> {
-        let function = format.function(direction);
-        self.kernel_file(&format!("{direction}_cost.comp"), &function, &macros(format, direction))
+    pub fn cost_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        let function = format.function(operation);
+        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation))
     }
 
     /// The SPIR-V of the kernel that measures what the others do besides encoding or decoding.
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn baseline_kernel(&self, direction: Direction) -> Result<Vec<u8>, Error> {
-        self.kernel_file(&format!("{direction}_cost.comp"), "baseline", &[])
+    pub fn baseline_kernel(&self, operation: Operation) -> Result<Vec<u8>, Error> {
+        self.kernel_file(&format!("{operation}_cost.comp"), "baseline", &[])
     }
 
     /// The SPIR-V of a kernel that reads and writes as many bytes as a codec's, and does nothing else.
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn copy_kernel(&self, format: Format, direction: Direction) -> Result<Vec<u8>, Error> {
-        self.kernel_file("copy.comp", "copy", &macros(format, direction))
+    pub fn copy_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        self.kernel_file("copy.comp", "copy", &macros(format, operation))
     }
 
     /// The SPIR-V of the kernel that decodes two-byte codes by a table.
@@ -119,15 +119,15 @@ impl Compiler {
 }
 
 /// The macros that the kernel files are compiled with.
-fn macros(format: Format, direction: Direction) -> Vec<(String, String)> {
+fn macros(format: Format, operation: Operation) -> Vec<(String, String)> {
     let mut macros = vec![
-        (direction.to_string().to_uppercase(), format.function(direction)),
+        (operation.to_string().to_uppercase(), format.function(operation)),
         ("BYTES".into(), format.bytes.to_string()),
     ];
     if format.element == Element::Frame {
         macros.push(("FRAME".into(), "1".into()));
     }
-    if direction == Direction::Encode && format.encodes_by_table {
+    if operation == Operation::Encode && format.encodes_by_table {
         macros.push(("TABLE".into(), "1".into()));
     }
     macros

@@ -1,6 +1,6 @@
 //! `spirv/manifest.json`: what the committed modules are and which sources they came from.
 
-use crate::catalogue::Direction;
+use crate::catalogue::Operation;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::path::{Path, PathBuf};
@@ -41,7 +41,7 @@ pub struct Module {
     /// Codec identifier; none for kernels that serve several.
     pub codec: Option<String>,
     /// Half of the codec.
-    pub direction: Direction,
+    pub direction: Operation,
     /// Name of the entry point, a compute shader.
     pub entry_point: String,
     /// Size of a workgroup.

@@ -1,13 +1,12 @@
 //! Angular error, by the survey's method (Cigolle et al. 2014, section 4.1) in float64.
 
+use glam::Vec3;
+
 /// The angle between two directions in degrees: `atan2(|a x b|, a . b)`, which unlike the arc cosine of `a . b` is
 /// exact for small angles. The lengths do not matter.
 pub fn angle_deg(a: [f32; 3], b: [f32; 3]) -> f64 {
-    let [a, b] = [a, b].map(|v| v.map(f64::from));
-    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    let dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    let sine = cross.iter().map(|c| c * c).sum::<f64>().sqrt();
-    sine.atan2(dot).to_degrees()
+    let [a, b] = [a, b].map(|v| Vec3::from(v).as_dvec3());
+    a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
 /// Mean and maximum of a series of errors.
@@ -44,6 +43,26 @@ impl ErrorStats {
     /// Maximum in degrees.
     pub fn max_deg(&self) -> f64 {
         self.max
+    }
+}
+
+/// Errors of the vectors in elements: of a vector, itself; of a frame, its normal and its tangent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElementErrors {
+    /// Of the vectors or normals.
+    pub normal: ErrorStats,
+    /// Of the tangents; empty for vectors.
+    pub tangent: ErrorStats,
+}
+
+impl ElementErrors {
+    /// Takes in the errors between an element and what it was decoded to.
+    pub fn add(&mut self, original: &[f32], decoded: &[f32]) {
+        let vector = |v: &[f32]| [v[0], v[1], v[2]];
+        let vectors = original.chunks_exact(3).map(vector).zip(decoded.chunks_exact(3).map(vector));
+        for (errors, (original, decoded)) in [&mut self.normal, &mut self.tangent].into_iter().zip(vectors) {
+            errors.add(original, decoded);
+        }
     }
 }
 

@@ -1,8 +1,28 @@
 //! Directions to test and measure with.
 
-use crate::catalogue::Domain;
+use crate::catalogue::{Domain, Element};
+use glam::{DVec3, Vec3};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
+use std::sync::LazyLock;
+
+/// The floats of random vectors of the domain, or of random frames, without end.
+pub fn random_elements(element: Element, domain: Domain, seed: u64) -> Box<dyn Iterator<Item = f32> + Send> {
+    match element {
+        Element::Vector => Box::new(random_directions(domain, seed).flatten()),
+        Element::Frame => Box::new(random_frames(seed).flatten()),
+    }
+}
+
+/// The floats of [`special_vectors`], or of [`special_frames`].
+pub fn special_elements(element: Element) -> &'static [f32] {
+    static VECTORS: LazyLock<Vec<[f32; 3]>> = LazyLock::new(special_vectors);
+    static FRAMES: LazyLock<Vec<[f32; 7]>> = LazyLock::new(special_frames);
+    match element {
+        Element::Vector => VECTORS.as_flattened(),
+        Element::Frame => FRAMES.as_flattened(),
+    }
+}
 
 /// Directions without end, uniform over the domain, rounded to f32. The same seed gives the same directions.
 pub fn random_directions(domain: Domain, seed: u64) -> impl Iterator<Item = [f32; 3]> {
@@ -25,25 +45,20 @@ fn direction(random: &mut impl Rng, domain: Domain) -> [f32; 3] {
 /// uniform about them, both rounded to f32.
 pub fn random_frames(seed: u64) -> impl Iterator<Item = [f32; 7]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed ^ 1);
-    random_directions(Domain::Sphere, seed).map(move |n| {
-        let [nx, ny, nz] = n.map(f64::from);
+    random_directions(Domain::Sphere, seed).map(move |normal| {
+        let n = Vec3::from(normal).as_dvec3();
         // Any vector that is not along the normal gives a first tangent, and the cross product a second.
-        let first = normalize(if nx.abs() < 0.5 { [0.0, nz, -ny] } else { [nz, 0.0, -nx] });
-        let second = cross([nx, ny, nz], first);
+        let first = unit(n.cross(if n.x.abs() < 0.5 { DVec3::X } else { DVec3::NEG_Y }));
         let (sin, cos) = random.random_range(0.0..std::f64::consts::TAU).sin_cos();
-        let tangent = normalize([0, 1, 2].map(|i| cos * first[i] + sin * second[i]));
-        let [tx, ty, tz] = tangent.map(|c| c as f32);
-        [n[0], n[1], n[2], tx, ty, tz, if random.random() { 1.0 } else { -1.0 }]
+        let tangent = unit(cos * first + sin * n.cross(first)).as_vec3();
+        let handedness = if random.random() { 1.0 } else { -1.0 };
+        [normal[0], normal[1], normal[2], tangent.x, tangent.y, tangent.z, handedness]
     })
 }
 
-fn cross([a, b, c]: [f64; 3], [d, e, f]: [f64; 3]) -> [f64; 3] {
-    [b * f - c * e, c * d - a * f, a * e - b * d]
-}
-
-fn normalize(v: [f64; 3]) -> [f64; 3] {
-    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-    v.map(|c| c / length)
+/// By division: glam's `normalize` multiplies by the reciprocal, which rounds once more.
+fn unit(v: DVec3) -> DVec3 {
+    v / v.length()
 }
 
 /// Frames of [`special_vectors`]: as normals, with their own components in another order as tangents and one of them
@@ -114,18 +129,16 @@ pub fn special_vectors() -> Vec<[f32; 3]> {
 }
 
 /// Directions of points halfway between lattice points of an octahedron with `m` steps an edge, where rounding has to
-/// break ties; on all eight faces.
-pub fn halfway_vectors(m: u32, count: usize, seed: u64) -> Vec<[f32; 3]> {
+/// break ties; on all eight faces, without end.
+pub fn halfway_vectors(m: u32, seed: u64) -> impl Iterator<Item = [f32; 3]> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
-    (0..count)
-        .map(|_| {
-            let x = random.random_range(0..m);
-            let y = random.random_range(0..m - x);
-            let halves: u32 = random.random_range(1..4);
-            let [dx, dy] = [halves & 1, halves >> 1].map(|half| half as f32 / 2.0);
-            let (x, y) = (x as f32 + dx, y as f32 + dy);
-            let point = [x, y, m as f32 - x - y];
-            point.map(|c| if random.random() { -c } else { c })
-        })
-        .collect()
+    std::iter::repeat_with(move || {
+        let x = random.random_range(0..m);
+        let y = random.random_range(0..m - x);
+        let halves: u32 = random.random_range(1..4);
+        let [dx, dy] = [halves & 1, halves >> 1].map(|half| half as f32 / 2.0);
+        let (x, y) = (x as f32 + dx, y as f32 + dy);
+        let point = [x, y, m as f32 - x - y];
+        point.map(|c| if random.random() { -c } else { c })
+    })
 }

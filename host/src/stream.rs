@@ -1,13 +1,10 @@
-//! Files of vectors and codes, converted chunk by chunk.
+//! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
 
 use crate::backend::{Backend, CHUNK};
-use crate::catalogue::CodecInfo;
+use crate::catalogue::Format;
 use crate::{Error, Result};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
-
-/// Bytes of a raw vector: three little-endian f32.
-pub const VECTOR_BYTES: usize = 12;
 
 /// An input or an output with the path that its errors name.
 pub struct Named<'a, S: ?Sized> {
@@ -34,93 +31,72 @@ pub type Input<'a> = Named<'a, dyn Read + 'a>;
 /// Where bytes go to.
 pub type Sink<'a> = Named<'a, dyn Write + 'a>;
 
-/// Encodes raw vectors until the input ends, in bounded memory. `progress` is told the vectors done so far. Returns
-/// their number.
+/// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` is told the elements done so far.
+/// Returns their number.
 ///
 /// # Errors
-/// [`Error::Truncated`] if the input ends within a vector, and whatever reading, encoding or writing meets.
+/// [`Error::Truncated`] if the input ends within an element, and whatever reading, encoding or writing meets.
 pub fn encode(
     backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
+    format: Format,
     mut input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
 ) -> Result<u64> {
-    let mut bytes = vec![0; CHUNK * VECTOR_BYTES];
-    let mut vectors = vec![[0.0; 3]; CHUNK];
-    let mut codes = vec![0; CHUNK * codec.bytes];
+    let (floats, unit) = (format.element.floats(), format.element.plural());
+    let mut elements = vec![0.0; CHUNK * floats];
+    let mut codes = vec![0; CHUNK * format.bytes];
     let mut done = 0;
     loop {
-        let count = read_elements(&mut input, &mut bytes, VECTOR_BYTES, "vectors", done)?;
+        let bytes = bytemuck::cast_slice_mut(&mut elements);
+        let count = read_elements(&mut input, bytes, format.element.bytes(), unit, done)?;
         if count == 0 {
             return Ok(done);
         }
-        from_bytes(&bytes[..count * VECTOR_BYTES], &mut vectors[..count]);
-        encode_chunk(backend, codec, &vectors[..count], &mut codes[..count * codec.bytes], &mut output)?;
+        let (elements, codes) = (&mut elements[..count * floats], &mut codes[..count * format.bytes]);
+        swap_if_big_endian(elements);
+        backend.encode(format, elements, codes)?;
+        write(&mut output, codes)?;
         done += count as u64;
         progress(done);
     }
 }
 
-/// Encodes vectors from memory. `progress` is told the vectors done so far.
-///
-/// # Errors
-/// Whatever encoding or writing meets.
-pub fn encode_vectors(
-    backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
-    vectors: &[[f32; 3]],
-    mut output: Sink<'_>,
-    progress: &mut dyn FnMut(u64),
-) -> Result<u64> {
-    let mut codes = vec![0; CHUNK.min(vectors.len()) * codec.bytes];
-    let mut done = 0;
-    for chunk in vectors.chunks(CHUNK) {
-        encode_chunk(backend, codec, chunk, &mut codes[..chunk.len() * codec.bytes], &mut output)?;
-        done += chunk.len() as u64;
-        progress(done);
-    }
-    Ok(done)
-}
-
-/// Decodes dense codes into raw vectors until the input ends, in bounded memory. `progress` is told the vectors done
-/// so far. Returns their number.
+/// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory. `progress` is told the
+/// elements done so far. Returns their number.
 ///
 /// # Errors
 /// [`Error::Truncated`] if the input ends within a code, and whatever reading, decoding or writing meets.
 pub fn decode(
     backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
+    format: Format,
     mut input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
 ) -> Result<u64> {
-    let mut codes = vec![0; CHUNK * codec.bytes];
-    let mut vectors = vec![[0.0; 3]; CHUNK];
-    let mut bytes = vec![0; CHUNK * VECTOR_BYTES];
+    let floats = format.element.floats();
+    let mut codes = vec![0; CHUNK * format.bytes];
+    let mut elements = vec![0.0; CHUNK * floats];
     let mut done = 0;
     loop {
-        let count = read_elements(&mut input, &mut codes, codec.bytes, "codes", done)?;
+        let count = read_elements(&mut input, &mut codes, format.bytes, "codes", done)?;
         if count == 0 {
             return Ok(done);
         }
-        backend.decode(codec, &codes[..count * codec.bytes], &mut vectors[..count])?;
-        to_bytes(&vectors[..count], &mut bytes[..count * VECTOR_BYTES]);
-        write(&mut output, &bytes[..count * VECTOR_BYTES])?;
+        let elements = &mut elements[..count * floats];
+        backend.decode(format, &codes[..count * format.bytes], elements)?;
+        swap_if_big_endian(elements);
+        write(&mut output, bytemuck::cast_slice(elements))?;
         done += count as u64;
         progress(done);
     }
 }
 
-fn encode_chunk(
-    backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
-    vectors: &[[f32; 3]],
-    codes: &mut [u8],
-    output: &mut Sink<'_>,
-) -> Result<()> {
-    backend.encode(codec, vectors, codes)?;
-    write(output, codes)
+/// From little endian to the byte order of this machine, or back.
+fn swap_if_big_endian(floats: &mut [f32]) {
+    if cfg!(target_endian = "big") {
+        floats.iter_mut().for_each(|float| *float = f32::from_bits(float.to_bits().swap_bytes()));
+    }
 }
 
 fn write(output: &mut Sink<'_>, bytes: &[u8]) -> Result<()> {
@@ -159,24 +135,11 @@ fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize>
     Ok(filled)
 }
 
-fn from_bytes(bytes: &[u8], vectors: &mut [[f32; 3]]) {
-    let component = |b: &[u8]| f32::from_le_bytes([b[0], b[1], b[2], b[3]]);
-    for (bytes, vector) in bytes.chunks_exact(VECTOR_BYTES).zip(vectors) {
-        *vector = [component(&bytes[..4]), component(&bytes[4..8]), component(&bytes[8..])];
-    }
-}
-
-fn to_bytes(vectors: &[[f32; 3]], bytes: &mut [u8]) {
-    for (component, bytes) in vectors.as_flattened().iter().zip(bytes.chunks_exact_mut(4)) {
-        bytes.copy_from_slice(&component.to_le_bytes());
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::backend::Cpu;
-    use crate::catalogue::find;
+    use crate::catalogue::find_format;
 
     /// Hands out its bytes a few at a time, as a pipe may.
     struct Trickle<'a>(&'a [u8]);
@@ -203,7 +166,7 @@ mod tests {
     }
 
     fn run_encode(input: &[u8], output: &mut dyn Write) -> Result<u64> {
-        let codec = find("oct24").unwrap();
+        let codec = find_format("oct24").unwrap();
         let (from, to) = (Path::new("in"), Path::new("out"));
         encode(&mut Cpu, codec, Named::new(from, &mut Trickle(input)), Named::new(to, output), &mut |_| ())
     }

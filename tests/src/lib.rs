@@ -11,7 +11,7 @@ use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 
 /// The backends that the tested program has: that of the GLSL needs its compiler.
 pub const BACKENDS: &[&str] =
-    if cfg!(feature = "glsl") { &["cpu", "spirv", "glsl"] } else { &["cpu", "spirv"] };
+    if cfg!(feature = "glsl") { &["cpu", "rust", "glsl"] } else { &["cpu", "rust"] };
 
 /// The repository's root.
 pub fn repository() -> PathBuf {

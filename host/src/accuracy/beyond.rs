@@ -2,9 +2,9 @@
 
 use super::{Published, Row, Table, measure, meyer};
 use crate::Result;
-use crate::backend::{Backend, CHUNK};
+use crate::backend::{Backend, round_trip};
 use crate::catalogue::{CATALOGUE, CodecInfo, Coding, FRAMES, FrameInfo};
-use crate::measure::ErrorStats;
+use crate::measure::{ElementErrors, ErrorStats};
 use crate::sampling;
 
 /// The families that the survey does not have.
@@ -49,27 +49,19 @@ pub fn measure_row(
 /// then of the tangent.
 const PUBLISHED_FRAME: [(f64, f64); 2] = [(0.0272, 0.1136), (0.1691, 0.4485)];
 
-/// Measures a codec of frames over `count` random ones, on the CPU: a row for the normals and one for the tangents.
+/// Measures a codec of frames over `count` random ones: a row for the normals and one for the tangents.
 ///
 /// # Errors
-/// [`LengthMismatch`](unitvec::slice::LengthMismatch), which would be a fault of this crate.
-pub fn measure_frame(codec: &'static FrameInfo, count: usize, seed: u64) -> Result<[Row; 2]> {
-    let (mut normals, mut tangents) = (ErrorStats::default(), ErrorStats::default());
-    let mut codes = vec![0; CHUNK.min(count) * codec.bytes];
-    let mut decoded = vec![[0.0; 7]; CHUNK.min(count)];
-    sampling::in_chunks(sampling::random_frames(seed), count, CHUNK, |frames| {
-        let (codes, decoded) = (&mut codes[..frames.len() * codec.bytes], &mut decoded[..frames.len()]);
-        codec.encode_cpu(frames, codes)?;
-        codec.decode_cpu(codes, decoded)?;
-        for (original, decoded) in frames.iter().zip(decoded) {
-            let vectors = |[a, b, c, d, e, f, _]: [f32; 7]| ([a, b, c], [d, e, f]);
-            let ((normal, tangent), (decoded_normal, decoded_tangent)) =
-                (vectors(*original), vectors(*decoded));
-            normals.add(normal, decoded_normal);
-            tangents.add(tangent, decoded_tangent);
-        }
-        Ok::<(), crate::Error>(())
-    })?;
+/// What the backend meets.
+pub fn measure_frame(
+    backend: &mut dyn Backend,
+    codec: &'static FrameInfo,
+    count: usize,
+    seed: u64,
+) -> Result<[Row; 2]> {
+    let mut errors = ElementErrors::default();
+    let frames = sampling::random_frames(seed);
+    round_trip(backend, codec.format(), frames, count, |frame, decoded| errors.add(&frame, &decoded))?;
     let row = |part: &str, errors: &ErrorStats, published: (f64, f64)| {
         let published = (codec.bits == 32).then_some(published);
         Row {
@@ -90,7 +82,7 @@ pub fn measure_frame(codec: &'static FrameInfo, count: usize, seed: u64) -> Resu
         }
     };
     let [normal, tangent] = PUBLISHED_FRAME;
-    Ok([row("normal", &normals, normal), row("tangent", &tangents, tangent)])
+    Ok([row("normal", &errors.normal, normal), row("tangent", &errors.tangent, tangent)])
 }
 
 /// Of the rows measured, the codec of this many bits that has a lower maximum than any row of the survey's table 1, as

@@ -1,10 +1,11 @@
 //! Table 1 of Meyer et al. 2010 (*On Floating-Point Normal Vectors*): error bounds, and the largest errors found.
 
 use crate::Result;
-use crate::backend::{Backend, CHUNK};
-use crate::catalogue::{CATALOGUE, CodecInfo, Domain};
+use crate::backend::{Backend, round_trip};
+use crate::catalogue::{CATALOGUE, CodecInfo, Coding, Domain};
 use crate::measure::angle_deg;
 use crate::sampling;
+use glam::{DVec3, Vec3};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, SQRT_2};
@@ -129,11 +130,10 @@ fn known_places(random: &mut impl Rng) -> Vec<[f32; 3]> {
 
 /// A direction up to about `reach` radians from `v`, in the domain.
 fn moved(v: [f32; 3], reach: f64, domain: Domain, random: &mut impl Rng) -> [f32; 3] {
-    let v = v.map(f64::from);
-    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let w = v.map(|c| c / length + random.random_range(-reach..reach));
-    let length = w.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let [x, y, z] = w.map(|c| (c / length) as f32);
+    let v = Vec3::from(v).as_dvec3();
+    let by = DVec3::from_array(std::array::from_fn(|_| random.random_range(-reach..reach)));
+    let w = v / v.length() + by;
+    let [x, y, z] = (w / w.length()).as_vec3().to_array();
     if domain == Domain::Hemisphere { [x, y, z.abs()] } else { [x, y, z] }
 }
 
@@ -143,13 +143,9 @@ fn errors(
     vectors: &[[f32; 3]],
 ) -> Result<Vec<(f64, [f32; 3])>> {
     let mut errors = Vec::with_capacity(vectors.len());
-    for chunk in vectors.chunks(CHUNK) {
-        let mut codes = vec![0; chunk.len() * codec.bytes];
-        let mut decoded = vec![[0.0; 3]; chunk.len()];
-        backend.encode(codec, chunk, &mut codes)?;
-        backend.decode(codec, &codes, &mut decoded)?;
-        errors.extend(chunk.iter().zip(&decoded).map(|(v, d)| (angle_deg(*v, *d), *v)));
-    }
+    round_trip(backend, codec.format(), vectors.iter().copied(), vectors.len(), |v, decoded| {
+        errors.push((angle_deg(v, decoded), v));
+    })?;
     Ok(errors)
 }
 

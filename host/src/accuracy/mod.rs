@@ -5,8 +5,8 @@ pub mod chart;
 pub mod meyer;
 
 use crate::Result;
-use crate::backend::{Backend, CHUNK};
-use crate::catalogue::{CATALOGUE, CodecInfo, Domain};
+use crate::backend::{Backend, round_trip};
+use crate::catalogue::{CATALOGUE, CodecInfo, Coding, Domain};
 use crate::measure::ErrorStats;
 use crate::sampling;
 use serde::{Deserialize, Serialize};
@@ -130,15 +130,8 @@ pub fn measure(
     seed: u64,
 ) -> Result<ErrorStats> {
     let mut errors = ErrorStats::default();
-    let mut codes = vec![0; CHUNK.min(count) * codec.bytes];
-    let mut decoded = vec![[0.0; 3]; CHUNK.min(count)];
-    sampling::in_chunks(sampling::random_directions(domain, seed), count, CHUNK, |vectors| {
-        let (codes, decoded) = (&mut codes[..vectors.len() * codec.bytes], &mut decoded[..vectors.len()]);
-        backend.encode(codec, vectors, codes)?;
-        backend.decode(codec, codes, decoded)?;
-        vectors.iter().zip(decoded).for_each(|(original, decoded)| errors.add(*original, *decoded));
-        Ok::<(), crate::Error>(())
-    })?;
+    let directions = sampling::random_directions(domain, seed);
+    round_trip(backend, codec.format(), directions, count, |v, decoded| errors.add(v, decoded))?;
     Ok(errors)
 }
 

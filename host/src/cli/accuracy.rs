@@ -1,4 +1,4 @@
-use super::{BackendName, Vulkan, counts, print, reports_to_stdout, to_csv, to_json};
+use super::{OpenBackend, Vulkan, counts, print, reports_to_stdout, to_csv, to_json};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_host::accuracy::{self, Row, Table, beyond, chart};
+use unitvec_host::backend::BackendKind;
 use unitvec_host::catalogue::CodecInfo;
 use unitvec_host::{Error, Result, output};
 
@@ -22,7 +23,7 @@ pub struct Arguments {
     seed: u64,
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]
-    backend: BackendName,
+    backend: BackendKind,
     /// Measure all but Meyer's table and frames with float64 intermediates too, as the survey did; minutes more.
     #[arg(long)]
     float64: bool,
@@ -81,7 +82,7 @@ struct Report {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
-    let mut open = arguments.backend.open(&arguments.vulkan)?;
+    let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
     let published: Vec<_> = arguments
         .table
         .tables()
@@ -92,13 +93,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let beyond: Vec<_> = beyond::codecs().filter(|_| arguments.table.has_beyond()).collect();
     let frames: Vec<_> = beyond::frames().filter(|_| arguments.table.has_beyond()).collect();
     let bar = progress_bar((published.len() + methods.len() + beyond.len() + frames.len()) as u64);
+    let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
     let (mut rows, mut missing) = (Vec::new(), Vec::new());
     for (table, row) in published {
         bar.set_message(row.name.clone());
         match row.codec() {
             Some(codec) => {
-                let (backend, count, seed) =
-                    (open.backend.as_mut(), arguments.count as usize, arguments.seed);
                 let mut measured = accuracy::measure_row(backend, table, &row, codec, count, seed)?;
                 if arguments.float64 {
                     let errors = accuracy::measure_float64(codec, table.domain(), count, seed);
@@ -112,19 +112,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     for (method, codec) in methods {
         bar.set_message(codec.id);
-        let backend = open.backend.as_mut();
-        rows.push(accuracy::measure_meyer_row(
-            backend,
-            method,
-            codec,
-            arguments.count as usize,
-            arguments.seed,
-        )?);
+        rows.push(accuracy::measure_meyer_row(backend, method, codec, count, seed)?);
         bar.inc(1);
     }
     for codec in beyond {
         bar.set_message(codec.id);
-        let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
         let mut measured = beyond::measure_row(backend, codec, count, seed)?;
         if arguments.float64 {
             let errors = accuracy::measure_float64(codec, codec.domain, count, seed);
@@ -135,7 +127,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     for codec in frames {
         bar.set_message(codec.id);
-        rows.extend(beyond::measure_frame(codec, arguments.count as usize, arguments.seed)?);
+        rows.extend(beyond::measure_frame(backend, codec, count, seed)?);
         bar.inc(1);
     }
     bar.finish_and_clear();

@@ -1,11 +1,12 @@
-use super::{Vulkan, print, reports_to_stdout, status_after_validation, to_csv, to_json};
+use super::{Vulkan, chosen_formats, print, reports_to_stdout, status_after_validation, to_csv, to_json};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_host::bench::{Bench, Options, Report, Row, Source};
-use unitvec_host::catalogue::{self, Direction, Format, formats};
+use unitvec_host::backend::BackendKind;
+use unitvec_host::bench::{Bench, Options, Report, Row};
+use unitvec_host::catalogue::{self, Operation};
 use unitvec_host::vulkan::{DeviceInfo, DeviceKind};
 use unitvec_host::{Result, output};
 
@@ -80,17 +81,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     Ok(status_after_validation(&instance.validation_messages(), true))
 }
 
-fn chosen_formats(ids: &[String]) -> Result<Vec<Format>> {
-    if ids.is_empty() {
-        return Ok(formats().collect());
-    }
-    let find = |id: &String| match formats().find(|format| format.id == *id) {
-        Some(format) => Ok(format),
-        None => Err(catalogue::UnknownCodec { id: id.clone() }.into()),
-    };
-    ids.iter().map(find).collect()
-}
-
 fn progress_bar(length: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left")
         .unwrap_or_else(|_| ProgressStyle::default_bar());
@@ -151,16 +141,21 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
 
 fn lines(rows: &[Row]) -> String {
     let mut text = String::new();
-    for direction in [Direction::Encode, Direction::Decode] {
-        let of = |source| rows.iter().find(|row| row.direction == direction && row.source == source);
-        let (Some(rust), Some(glsl)) = (of(Source::Rust), of(Source::Glsl)) else { continue };
-        let table = of(Source::RustTable).map(|row| row.vectors_per_s / 1e6);
+    for operation in Operation::ALL {
+        let of = |backend, by_table| {
+            let wanted = (operation, backend, by_table);
+            rows.iter().find(|row| (row.operation, row.backend, row.by_table) == wanted)
+        };
+        let (Some(rust), Some(glsl)) = (of(BackendKind::Rust, false), of(BackendKind::Glsl, false)) else {
+            continue;
+        };
+        let table = of(BackendKind::Rust, true).map(|row| row.vectors_per_s / 1e6);
         // Writing to a String cannot fail.
         let _ = writeln!(
             text,
             "{:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8.1} {:>8.1} {:>8.0} {:>7}",
             rust.id,
-            direction,
+            operation,
             number(rust.alu_ns_per_vector, 4),
             number(rust.alu_spread_ns, 4),
             number(glsl.alu_ns_per_vector, 4),
@@ -177,7 +172,7 @@ fn lines(rows: &[Row]) -> String {
     text
 }
 
-/// The arithmetic of both directions as multiples of `oct32`'s, and the kernels' part of the copy's speed.
+/// The arithmetic of both operations as multiples of `oct32`'s, and the kernels' part of the copy's speed.
 fn markdown(report: &Report) -> String {
     let device = &report.device;
     let mut text = format!(
@@ -186,8 +181,8 @@ fn markdown(report: &Report) -> String {
          decode: rust / glsl | encode, % of copy | decode, % of copy |\n|---|---|---|---|---|---|---|---|---|\n",
         device.name, device.driver, device.api_version, report.count, report.repetitions
     );
-    for encode in of_rust(report, Direction::Encode) {
-        let Some(decode) = of_rust(report, Direction::Decode).find(|row| row.id == encode.id) else {
+    for encode in of_rust(report, Operation::Encode) {
+        let Some(decode) = of_rust(report, Operation::Decode).find(|row| row.id == encode.id) else {
             continue;
         };
         let of_copy = |row: &Row| 100.0 * row.bytes_per_s / row.copy_bytes_per_s;
@@ -209,8 +204,10 @@ fn markdown(report: &Report) -> String {
     text
 }
 
-fn of_rust(report: &Report, direction: Direction) -> impl Iterator<Item = &Row> {
-    report.rows.iter().filter(move |row| row.direction == direction && row.source == Source::Rust)
+fn of_rust(report: &Report, operation: Operation) -> impl Iterator<Item = &Row> {
+    let is_wanted =
+        move |row: &&Row| row.operation == operation && row.backend == BackendKind::Rust && !row.by_table;
+    report.rows.iter().filter(is_wanted)
 }
 
 /// Of a frame, its normal's and its tangent's.
@@ -234,11 +231,11 @@ fn summary(report: &Report) -> String {
         .rows
         .iter()
         .filter_map(|row| Some((row, row.alu_ratio_to_glsl.filter(|ratio| *ratio > 1.05)?)))
-        .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.direction))
+        .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
         .collect();
     let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };
     format!(
         "\nbench: {} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n",
-        of_rust(report, Direction::Encode).count()
+        of_rust(report, Operation::Encode).count()
     )
 }

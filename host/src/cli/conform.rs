@@ -1,22 +1,21 @@
-use super::{Vulkan, counts, print, status_after_validation, to_json};
+use super::{Vulkan, chosen_formats, counts, print, status_after_validation, to_json};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_host::backend::{Gpu, KernelSource};
-use unitvec_host::catalogue::{self, CATALOGUE, FRAMES};
-use unitvec_host::conform::{self, Gpus, Mismatches, Options, Report, Row, Subject};
+use unitvec_host::backend::{Backend, BackendKind, Gpu, KernelSource};
+use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Row};
 use unitvec_host::vulkan::DeviceInfo;
-use unitvec_host::{Result, glsl, mesh, output};
+use unitvec_host::{Error, Result, glsl, mesh, output};
 
 #[derive(Args)]
 pub struct Arguments {
     /// Codec to run, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID")]
     codec: Vec<String>,
-    /// Random directions for each codec, and random codes for those whose codes are not all decoded; 2^18 if not given,
-    /// 10^6 with --exhaustive.
+    /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded; 2^18 if not
+    /// given, 10^6 with --exhaustive.
     #[arg(long, value_name = "N", value_parser = counts())]
     count: Option<u64>,
     /// Decode all codes of up to 24 bits instead of up to 16. Takes several times as long.
@@ -44,7 +43,7 @@ const COUNT: u64 = 1 << 18;
 const EXHAUSTIVE_COUNT: u64 = 1_000_000;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let subjects = subjects(&arguments.codec)?;
+    let formats = chosen_formats(&arguments.codec)?;
     let default_count = if arguments.exhaustive { EXHAUSTIVE_COUNT } else { COUNT };
     let options = Options {
         count: arguments.count.unwrap_or(default_count) as usize,
@@ -54,22 +53,25 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     };
     let device = arguments.vulkan.device()?;
     let open = || {
-        let spirv = Gpu::new(&device, KernelSource::Spirv(arguments.vulkan.modules()?), true)?;
-        let glsl = match glsl::Compiler::new() {
-            Ok(compiler) => Some(Gpu::new(&device, KernelSource::Glsl(compiler), true)?),
-            Err(glsl::Error::NotBuiltIn) => None,
+        let gpu = |source| Ok::<Box<dyn Backend>, Error>(Box::new(Gpu::new(&device, source, true)?));
+        let rust = gpu(KernelSource::Rust(arguments.vulkan.modules()?))?;
+        let mut backends = Backends::from([(BackendKind::Rust, rust)]);
+        match glsl::Compiler::new() {
+            Ok(compiler) => drop(backends.insert(BackendKind::Glsl, gpu(KernelSource::Glsl(compiler))?)),
+            Err(glsl::Error::NotBuiltIn) => {}
             Err(error) => return Err(error.into()),
-        };
-        Ok(Gpus { spirv, glsl })
+        }
+        Ok(backends)
     };
 
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     if !to_stdout {
         print(&heading(device.info(), &options))?;
     }
-    let bar = progress_bar(subjects.iter().map(|subject| subject.work(&options)).sum());
+    let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
+    let bar = progress_bar(plans.iter().map(Plan::work).sum());
     let mut rows = Vec::new();
-    conform::run(&subjects, &options, open, &mut |done| bar.inc(done), &mut |row| {
+    conform::run(plans, open, &mut |done| bar.inc(done), &mut |row| {
         bar.set_message(row.id);
         if !to_stdout {
             bar.suspend(|| print(&line(&row)))?;
@@ -100,19 +102,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     Ok(status_after_validation(&messages, report.agreed))
 }
 
-/// The codecs of vectors and of frames that these are; all if there are none.
-fn subjects(ids: &[String]) -> Result<Vec<Subject>> {
-    if ids.is_empty() {
-        let frames = FRAMES.iter().map(Subject::Frame);
-        return Ok(CATALOGUE.iter().map(Subject::Codec).chain(frames).collect());
-    }
-    let subject = |id: &String| match catalogue::find_frame(id) {
-        Some(frame) => Ok(Subject::Frame(frame)),
-        None => Ok(Subject::Codec(catalogue::find(id)?)),
-    };
-    ids.iter().map(subject).collect()
-}
-
 fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
     if meshes.is_empty() {
         return Ok(mesh::read_obj(Path::new("bunny.obj"), BUNNY)?.normals);
@@ -134,7 +123,7 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
     format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), {} mesh normals, special vectors; {}\n\
-         diff: codes and vectors that are not the CPU's to the bit, with SPIR-V from Rust / from GLSL\n\n\
+         diff: codes and vectors that are not the CPU's to the bit: SPIR-V from Rust / SPIR-V from GLSL\n\n\
          {:<20} {:>4} {:>10} {:>10}  {:>13} {:>13}\n\
          {:<20} {:>4} {:>10} {:>10}  {:>13} {:>13}\n",
         device.name,
@@ -166,8 +155,10 @@ fn codes_covered(all_up_to: u32, count: usize) -> String {
 }
 
 fn line(row: &Row) -> String {
-    let pair = |Mismatches { spirv, glsl }: Mismatches| {
-        format!("{spirv} / {}", glsl.map_or_else(|| "-".to_owned(), |count| count.to_string()))
+    let pair = |mismatches: &Mismatches| {
+        [BackendKind::Rust, BackendKind::Glsl]
+            .map(|kind| mismatches.get(&kind).map_or_else(|| "-".to_owned(), u64::to_string))
+            .join(" / ")
     };
     let mut text = format!(
         "{:<20} {:>4} {:>10.6} {:>10.6}  {:>13} {:>13}\n",
@@ -175,8 +166,8 @@ fn line(row: &Row) -> String {
         row.bits,
         row.mean_deg,
         row.max_deg,
-        pair(row.encode_mismatches),
-        pair(row.decode_mismatches),
+        pair(&row.encode_mismatches),
+        pair(&row.decode_mismatches),
     );
     // Writing to a String cannot fail.
     if let (Some(mean), Some(max)) = (row.tangent_mean_deg, row.tangent_max_deg) {

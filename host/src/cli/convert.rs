@@ -1,12 +1,14 @@
-use super::{BackendName, Vulkan};
+use super::{OpenBackend, Vulkan};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::Read;
+use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use unitvec_host::backend::{Backend, BackendKind};
+use unitvec_host::catalogue::{Element, Format, find_format};
 use unitvec_host::output::{Output, open_input};
 use unitvec_host::stream::{self, Input, Named, Sink};
-use unitvec_host::{Error, Result, catalogue, mesh};
+use unitvec_host::{Error, Result, mesh};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -15,77 +17,76 @@ pub struct Arguments {
     codec: String,
     /// What runs it.
     #[arg(long, value_enum, default_value = "cpu")]
-    backend: BackendName,
+    backend: BackendKind,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// Input file, - for the standard input. To encode: raw f32 triples, or a mesh, known by its ending (obj, ply, gltf,
-    /// glb). To decode: codes.
+    /// Input file, - for the standard input. To encode: raw f32, or a mesh, known by its ending (obj, ply, gltf, glb). A
+    /// frame is normal, tangent and handedness. To decode: codes.
     r#in: PathBuf,
     /// Output file, - for the standard output. A file is replaced only once the new one is complete.
     out: PathBuf,
 }
 
 pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
-    let codec = catalogue::find(&arguments.codec)?;
-    let mut open = arguments.backend.open(&arguments.vulkan)?;
-    let path = arguments.r#in.as_path();
-    let bar = progress_bar(path, stream::VECTOR_BYTES);
-    let mut progress = |done| bar.set_position(done);
-    if mesh::is_mesh(path) {
-        let mesh = mesh::read(path)?;
-        bar.set_length(mesh.normals.len() as u64);
-        let mut output = Output::create(&arguments.out)?;
-        let to = writer(&arguments.out, &mut output);
-        stream::encode_vectors(open.backend.as_mut(), codec, &mesh.normals, to, &mut progress)?;
-        output.finish()?;
-    } else {
-        let mut input = open_input(path)?;
-        let mut output = Output::create(&arguments.out)?;
-        let (from, to) = (reader(path, &mut input), writer(&arguments.out, &mut output));
-        stream::encode(open.backend.as_mut(), codec, from, to, &mut progress)?;
-        output.finish()?;
+    let format = find_format(&arguments.codec)?;
+    let (path, size) = (arguments.r#in.as_path(), format.element.bytes());
+    if !mesh::is_mesh(path) {
+        return convert(arguments, format, open_input(path)?, elements(path, size), stream::encode);
     }
-    bar.finish_and_clear();
-    Ok(open.close())
+    let floats = match format.element {
+        Element::Vector => mesh::read(path)?.normals.into_flattened(),
+        Element::Frame => mesh::read_frames(path)?.into_flattened(),
+    };
+    let bytes: Vec<u8> = floats.into_iter().flat_map(f32::to_le_bytes).collect();
+    let count = (bytes.len() / size) as u64;
+    convert(arguments, format, Box::new(Cursor::new(bytes)), Some(count), stream::encode)
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
-    if mesh::is_mesh(&arguments.r#in) {
-        let path = arguments.r#in.display();
+    let path = arguments.r#in.as_path();
+    if mesh::is_mesh(path) {
+        let path = path.display();
         return Err(Error::Usage(format!("{path} is a mesh, not codes; `unitvec encode` makes codes of it")));
     }
-    let codec = catalogue::find(&arguments.codec)?;
-    let mut open = arguments.backend.open(&arguments.vulkan)?;
-    let path = arguments.r#in.as_path();
-    let bar = progress_bar(path, codec.bytes);
-    let mut input = open_input(path)?;
+    let format = find_format(&arguments.codec)?;
+    convert(arguments, format, open_input(path)?, elements(path, format.bytes), stream::decode)
+}
+
+/// [`stream::encode`] or [`stream::decode`].
+type Conversion = fn(&mut dyn Backend, Format, Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<u64>;
+
+fn convert(
+    arguments: &Arguments,
+    format: Format,
+    mut input: Box<dyn Read>,
+    count: Option<u64>,
+    conversion: Conversion,
+) -> Result<ExitCode> {
+    let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
+    let bar = progress_bar(count, format.element.plural());
     let mut output = Output::create(&arguments.out)?;
-    let (from, to) = (reader(path, &mut input), writer(&arguments.out, &mut output));
-    stream::decode(open.backend.as_mut(), codec, from, to, &mut |done| bar.set_position(done))?;
+    let from: Input<'_> = Named::new(&arguments.r#in, &mut input);
+    let to: Sink<'_> = Named::new(&arguments.out, &mut output);
+    conversion(open.backend.as_mut(), format, from, to, &mut |done| bar.set_position(done))?;
     output.finish()?;
     bar.finish_and_clear();
     Ok(open.close())
 }
 
-fn reader<'a>(path: &'a Path, input: &'a mut Box<dyn Read>) -> Input<'a> {
-    Named::new(path, input.as_mut())
+/// Elements of `size` bytes in a file; `None` where the length is unknown.
+fn elements(path: &Path, size: usize) -> Option<u64> {
+    path.metadata().ok().filter(|file| file.is_file()).map(|file| file.len() / size as u64)
 }
 
-fn writer<'a>(path: &'a Path, output: &'a mut Output) -> Sink<'a> {
-    Named::new(path, output)
-}
-
-/// A bar on a terminal; its length is the file's elements, or unknown.
-fn progress_bar(input: &Path, element_bytes: usize) -> ProgressBar {
-    let elements =
-        input.metadata().ok().filter(|file| file.is_file()).map(|file| file.len() / element_bytes as u64);
-    match elements {
-        Some(elements) => ProgressBar::new(elements)
-            .with_style(style("{wide_bar} {human_pos} of {human_len} vectors, {per_sec}")),
-        None => ProgressBar::no_length().with_style(style("{spinner} {human_pos} vectors, {per_sec}")),
+/// A bar on a terminal.
+fn progress_bar(count: Option<u64>, unit: &str) -> ProgressBar {
+    let style = |template: &str| {
+        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+    };
+    match count {
+        Some(count) => ProgressBar::new(count)
+            .with_style(style(&format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{per_sec}}"))),
+        None => ProgressBar::no_length()
+            .with_style(style(&format!("{{spinner}} {{human_pos}} {unit}, {{per_sec}}"))),
     }
-}
-
-fn style(template: &str) -> ProgressStyle {
-    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }

@@ -8,12 +8,13 @@ mod conform;
 mod convert;
 mod devices;
 
-use clap::{Args, Parser, Subcommand, ValueEnum};
+use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use unitvec_host::backend::{Backend, Cpu, Gpu, KernelSource};
+use unitvec_host::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
+use unitvec_host::catalogue::{Format, find_format, formats};
 use unitvec_host::glsl;
 use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
@@ -31,19 +32,20 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// List the codecs.
+    /// List the codecs, of vectors and of tangent frames.
     Codecs(codecs::Arguments),
     /// List the Vulkan devices, and which one would be used.
     Devices(Vulkan),
-    /// Encode vectors: raw little-endian f32 triples, or the normals of a mesh (obj, ply, gltf, glb).
+    /// Encode raw little-endian f32: three a vector, seven a tangent frame; or the normals of a mesh (obj, ply, gltf,
+    /// glb), or its normals and tangents (gltf, glb).
     Encode(convert::Arguments),
-    /// Decode dense codes into raw little-endian f32 triples.
+    /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
     Decode(convert::Arguments),
     /// Measure the survey's error tables again, beside the published figures.
     Accuracy(accuracy::Arguments),
     /// Measure what encoding and decoding cost on a device, beside the survey's figures.
     Bench(bench::Arguments),
-    /// Find the cheapest codecs that meet a demand.
+    /// Find the cheapest codecs of vectors that meet a demand.
     Choose(choose::Arguments),
     /// Show that the CPU and a device agree to the bit: with the SPIR-V from Rust and, where it can be compiled, from GLSL.
     Conform(conform::Arguments),
@@ -112,7 +114,7 @@ impl Vulkan {
             && self.device.as_deref() != std::env::var("UNITVEC_DEVICE").ok().as_deref();
         if named || self.validate || self.spirv.is_some() {
             let options =
-                "--device, --validate and --spirv need a Vulkan backend; add --backend spirv or glsl";
+                "--device, --validate and --spirv need a Vulkan backend; add --backend rust or glsl";
             return Err(Error::Usage(options.to_owned()));
         }
         Ok(())
@@ -124,32 +126,6 @@ fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|value| !value.is_empty())
 }
 
-/// What runs a codec.
-#[derive(Clone, Copy, ValueEnum)]
-pub enum BackendName {
-    /// The crate, on the CPU.
-    Cpu,
-    /// SPIR-V from Rust, on a Vulkan device.
-    Spirv,
-    /// SPIR-V from GLSL, on a Vulkan device.
-    Glsl,
-}
-
-impl BackendName {
-    fn open(self, vulkan: &Vulkan) -> Result<OpenBackend> {
-        let source = match self {
-            Self::Cpu => {
-                vulkan.refuse_for_cpu()?;
-                return Ok(OpenBackend { backend: Box::new(Cpu), device: None });
-            }
-            Self::Spirv => KernelSource::Spirv(vulkan.modules()?),
-            Self::Glsl => KernelSource::Glsl(glsl::Compiler::new()?),
-        };
-        let device = vulkan.device()?;
-        Ok(OpenBackend { backend: Box::new(Gpu::new(&device, source, false)?), device: Some(device) })
-    }
-}
-
 /// A backend and, where it has one, its device.
 struct OpenBackend {
     backend: Box<dyn Backend>,
@@ -157,6 +133,19 @@ struct OpenBackend {
 }
 
 impl OpenBackend {
+    fn open(kind: BackendKind, vulkan: &Vulkan) -> Result<Self> {
+        let source = match kind {
+            BackendKind::Cpu => {
+                vulkan.refuse_for_cpu()?;
+                return Ok(Self { backend: Box::new(Cpu), device: None });
+            }
+            BackendKind::Rust => KernelSource::Rust(vulkan.modules()?),
+            BackendKind::Glsl => KernelSource::Glsl(glsl::Compiler::new()?),
+        };
+        let device = vulkan.device()?;
+        Ok(Self { backend: Box::new(Gpu::new(&device, source, false)?), device: Some(device) })
+    }
+
     /// Closes both; the exit status tells of validation messages, those of closing too.
     fn close(self) -> ExitCode {
         let instance = self.device.as_ref().map(|device| device.instance().clone());
@@ -182,6 +171,14 @@ fn status_after_validation(messages: &[String], success: bool) -> ExitCode {
         let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
     }
     if success && messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The codecs, of vectors and of frames, with these identifiers; all if there are none.
+fn chosen_formats(ids: &[String]) -> Result<Vec<Format>> {
+    if ids.is_empty() {
+        return Ok(formats().collect());
+    }
+    Ok(ids.iter().map(|id| find_format(id)).collect::<Result<_, _>>()?)
 }
 
 /// Counts of random directions: at least one, and what a day's run could use.

@@ -12,6 +12,9 @@ use base64::Engine;
 use base64::alphabet;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
+use glam::{DVec3, Vec3};
+use percent_encoding::percent_decode_str;
+
 use super::{Mesh, MeshError, area_weighted, check_finite, finish, parse_error};
 
 const FORMAT: &str = "glTF";
@@ -20,15 +23,14 @@ const FORMAT: &str = "glTF";
 ///
 /// They are as the accessors have them: neither nodes nor skins nor morph targets are applied.
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let (document, blob) = load(path, bytes)?;
-    let file = File { path, buffers: read_buffers(path, &document, blob.as_deref())? };
+    let (document, file) = load(path, bytes)?;
     let (mut normals, mut computed, mut seen) = (Vec::new(), false, HashSet::new());
     for primitive in document.meshes().flat_map(|mesh| mesh.primitives()) {
         match primitive.get(&Semantic::Normals) {
             Some(accessor) if !seen.insert(accessor.index()) => {}
-            Some(accessor) => {
+            Some(_) => {
                 check_finite(path, &file.positions(&primitive)?)?;
-                normals.extend(file.normals(&primitive, &accessor)?);
+                normals.extend(file.normals(&primitive)?);
             }
             None => {
                 normals.extend(file.computed_normals(&primitive)?);
@@ -39,8 +41,30 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     finish(path, normals, computed)
 }
 
+/// Reads the tangent frames of all primitives of all meshes, each pair of accessors once, as [`parse`].
+pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Vec<[f32; 7]>, MeshError> {
+    let (document, file) = load(path, bytes)?;
+    let (mut frames, mut seen) = (Vec::new(), HashSet::new());
+    for primitive in document.meshes().flat_map(|mesh| mesh.primitives()) {
+        let [Some(normals), Some(tangents)] =
+            [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
+        else {
+            return Err(MeshError::NoTangents { path: path.into() });
+        };
+        if normals.count() != tangents.count() {
+            return Err(file.error("a primitive has normals and tangents of different number"));
+        }
+        if seen.insert((normals.index(), tangents.index())) {
+            check_finite(path, &file.positions(&primitive)?)?;
+            let frames_of_it = file.normals(&primitive)?.into_iter().zip(file.tangents(&primitive)?);
+            frames.extend(frames_of_it.map(|([x, y, z], [a, b, c, d])| [x, y, z, a, b, c, d]));
+        }
+    }
+    if frames.is_empty() { Err(MeshError::NoTangents { path: path.into() }) } else { Ok(frames) }
+}
+
 /// Parses and validates the parts that hold geometry.
-fn load(path: &Path, bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>), MeshError> {
+fn load<'p>(path: &'p Path, bytes: &[u8]) -> Result<(Document, File<'p>), MeshError> {
     let error = |error: gltf::Error| parse_error(path, FORMAT, error);
     // The parser subtracts the header's size from this length unchecked.
     let glb_length = bytes.strip_prefix(b"glTF").and_then(|rest| rest.get(4..8)).map(u32_from_le);
@@ -50,14 +74,16 @@ fn load(path: &Path, bytes: &[u8]) -> Result<(Document, Option<Vec<u8>>), MeshEr
     let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(error)?;
     let root = geometry_of(document.into_json());
     check_position_indices(path, &root)?;
-    Ok((Document::from_json(root).map_err(error)?, blob))
+    let document = Document::from_json(root).map_err(error)?;
+    let buffers = read_buffers(path, &document, blob.as_deref())?;
+    Ok((document, File { path, buffers }))
 }
 
 fn u32_from_le(bytes: &[u8]) -> u32 {
     bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
 }
 
-/// Keeps what normals depend on, so that an unknown extension of a material, or an attribute of the
+/// Keeps what normals and tangents depend on, so that an unknown extension of a material, or an attribute of the
 /// application's own, does not fail the validation of a mesh that can be read.
 fn geometry_of(root: json::Root) -> json::Root {
     const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
@@ -67,7 +93,7 @@ fn geometry_of(root: json::Root) -> json::Root {
     for primitive in meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
         primitive.attributes.retain(|semantic, _| {
             use json::validation::Checked::Valid;
-            matches!(semantic, Valid(Semantic::Positions | Semantic::Normals))
+            matches!(semantic, Valid(Semantic::Positions | Semantic::Normals | Semantic::Tangents))
         });
         primitive.material = None;
         primitive.targets = None;
@@ -106,11 +132,11 @@ fn read_uri(path: &Path, uri: &str) -> Result<Vec<u8>, String> {
     if let Some(data) = uri.strip_prefix("data:") {
         return decode_data(data);
     }
-    let name = percent_decode(uri);
-    if uri.contains(':') || Path::new(&name).is_absolute() {
+    let name = percent_decode_str(uri).decode_utf8_lossy();
+    if uri.contains(':') || Path::new(name.as_ref()).is_absolute() {
         return Err("its URI is neither a relative file name nor base64 data".into());
     }
-    let file = path.with_file_name(&name);
+    let file = path.with_file_name(name.as_ref());
     std::fs::read(&file).map_err(|error| format!("cannot read {}: {error}", file.display()))
 }
 
@@ -123,26 +149,6 @@ fn decode_data(data: &str) -> Result<Vec<u8>, String> {
     engine.decode(encoded).map_err(|error| format!("its data URI is not in base64: {error}"))
 }
 
-fn percent_decode(uri: &str) -> String {
-    let mut bytes = Vec::with_capacity(uri.len());
-    let mut rest = uri.as_bytes();
-    while let Some((&byte, tail)) = rest.split_first() {
-        let code = tail.get(..2).and_then(|digits| std::str::from_utf8(digits).ok());
-        let code = code.and_then(|digits| u8::from_str_radix(digits, 16).ok());
-        match code.filter(|_| byte == b'%') {
-            Some(code) => {
-                bytes.push(code);
-                rest = &tail[2..];
-            }
-            None => {
-                bytes.push(byte);
-                rest = tail;
-            }
-        }
-    }
-    String::from_utf8_lossy(&bytes).into_owned()
-}
-
 /// A document's buffers, at least as long as it declares them.
 struct File<'p> {
     path: &'p Path,
@@ -150,18 +156,23 @@ struct File<'p> {
 }
 
 impl File<'_> {
-    fn normals(&self, primitive: &Primitive, accessor: &Accessor) -> Result<Vec<[f32; 3]>, MeshError> {
-        self.check_vectors(accessor)?;
+    fn positions(&self, primitive: &Primitive) -> Result<Vec<DVec3>, MeshError> {
+        self.check(primitive, &Semantic::Positions, Dimensions::Vec3)?;
+        let positions = primitive.reader(|buffer| self.data(buffer)).read_positions();
+        let positions = positions.ok_or_else(|| self.error("unreadable positions"))?;
+        Ok(positions.map(|position| Vec3::from(position).as_dvec3()).collect())
+    }
+
+    fn normals(&self, primitive: &Primitive) -> Result<Vec<[f32; 3]>, MeshError> {
+        self.check(primitive, &Semantic::Normals, Dimensions::Vec3)?;
         let normals = primitive.reader(|buffer| self.data(buffer)).read_normals();
         Ok(normals.ok_or_else(|| self.error("unreadable normals"))?.collect())
     }
 
-    fn positions(&self, primitive: &Primitive) -> Result<Vec<[f64; 3]>, MeshError> {
-        let accessor = primitive.get(&Semantic::Positions);
-        self.check_vectors(&accessor.ok_or_else(|| self.error("a primitive has no positions"))?)?;
-        let positions = primitive.reader(|buffer| self.data(buffer)).read_positions();
-        let positions = positions.ok_or_else(|| self.error("unreadable positions"))?;
-        Ok(positions.map(|position| position.map(f64::from)).collect())
+    fn tangents(&self, primitive: &Primitive) -> Result<Vec<[f32; 4]>, MeshError> {
+        self.check(primitive, &Semantic::Tangents, Dimensions::Vec4)?;
+        let tangents = primitive.reader(|buffer| self.data(buffer)).read_tangents();
+        Ok(tangents.ok_or_else(|| self.error("unreadable tangents"))?.collect())
     }
 
     fn computed_normals(&self, primitive: &Primitive) -> Result<Vec<[f32; 3]>, MeshError> {
@@ -183,11 +194,20 @@ impl File<'_> {
         Ok(indices.ok_or_else(|| self.error("unreadable indices"))?.into_u32().map(i64::from).collect())
     }
 
-    fn check_vectors(&self, accessor: &Accessor) -> Result<(), MeshError> {
-        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, Dimensions::Vec3) {
-            return Err(self.error(format!("accessor {} has no three-vectors of floats", accessor.index())));
+    /// Checks that a primitive has this attribute, in floats of these dimensions.
+    fn check(
+        &self,
+        primitive: &Primitive,
+        semantic: &Semantic,
+        dimensions: Dimensions,
+    ) -> Result<(), MeshError> {
+        let accessor = primitive.get(semantic);
+        let accessor = accessor.ok_or_else(|| self.error(format!("a primitive has no {semantic:?}")))?;
+        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, dimensions) {
+            let index = accessor.index();
+            return Err(self.error(format!("accessor {index} does not have {dimensions:?} of floats")));
         }
-        self.check_extents(accessor)
+        self.check_extents(&accessor)
     }
 
     /// Checks that all parts of an accessor lie in their buffers: the reader takes that for granted.
@@ -257,7 +277,7 @@ mod tests {
         parse(Path::new("a.glb"), bytes)
     }
 
-    fn floats(vectors: &[[f32; 3]]) -> Vec<u8> {
+    fn floats<const N: usize>(vectors: &[[f32; N]]) -> Vec<u8> {
         vectors.iter().flatten().flat_map(|c| c.to_le_bytes()).collect()
     }
 
@@ -266,9 +286,14 @@ mod tests {
         corners.flat_map(u16::to_le_bytes).collect()
     }
 
-    /// The cube's buffer: 96 bytes of positions, 96 of normals, 72 of indices.
+    /// Any: those of a file are not checked.
+    fn tangents() -> Vec<[f32; 4]> {
+        CUBE_CORNERS.iter().map(|&[x, y, z]| [y, -x, 0.5, z]).collect()
+    }
+
+    /// The cube's buffer: 96 bytes of positions, 96 of normals, 72 of indices, 128 of tangents.
     fn cube_buffer() -> Vec<u8> {
-        [floats(&CUBE_CORNERS), floats(&cube_normals()), cube_indices()].concat()
+        [floats(&CUBE_CORNERS), floats(&cube_normals()), cube_indices(), floats(&tangents())].concat()
     }
 
     /// A document over a buffer of that layout, with one mesh of the given primitives.
@@ -276,16 +301,19 @@ mod tests {
         let bounds = r#""min":[-1,-1,-1],"max":[1,1,1]"#;
         format!(
             r#"{{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":[{primitives}]}}],
-            "buffers":[{{"byteLength":264{uri}}}],"bufferViews":[
+            "buffers":[{{"byteLength":392{uri}}}],"bufferViews":[
             {{"buffer":0,"byteLength":96}},{{"buffer":0,"byteOffset":96,"byteLength":96}},
-            {{"buffer":0,"byteOffset":192,"byteLength":72}}],"accessors":[
+            {{"buffer":0,"byteOffset":192,"byteLength":72}},
+            {{"buffer":0,"byteOffset":264,"byteLength":128}}],"accessors":[
             {{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3",{bounds}}},
             {{"bufferView":1,"componentType":5126,"count":8,"type":"VEC3"}},
-            {{"bufferView":2,"componentType":5123,"count":36,"type":"SCALAR"}}]}}"#
+            {{"bufferView":2,"componentType":5123,"count":36,"type":"SCALAR"}},
+            {{"bufferView":3,"componentType":5126,"count":8,"type":"VEC4"}}]}}"#
         )
     }
 
     const WITH_NORMALS: &str = r#"{"attributes":{"POSITION":0,"NORMAL":1},"indices":2}"#;
+    const WITH_TANGENTS: &str = r#"{"attributes":{"POSITION":0,"NORMAL":1,"TANGENT":3}}"#;
     const WITHOUT_NORMALS: &str = r#"{"attributes":{"POSITION":0},"indices":2}"#;
 
     fn glb(json: &str, blob: Option<&[u8]>) -> Vec<u8> {
@@ -324,6 +352,30 @@ mod tests {
         let mesh = read(&cube(&format!("{WITH_NORMALS},{WITHOUT_NORMALS},{WITH_NORMALS}"))).unwrap();
         assert!(mesh.computed);
         assert_close(&mesh.normals, &[cube_normals(), cube_normals()].concat());
+    }
+
+    /// Frames come back bit for bit, those of a pair of accessors once.
+    #[test]
+    fn frames() {
+        let expected: Vec<[f32; 7]> = cube_normals()
+            .iter()
+            .zip(tangents())
+            .map(|([x, y, z], [a, b, c, d])| [*x, *y, *z, a, b, c, d])
+            .collect();
+        let read = |bytes: &[u8]| parse_frames(Path::new("a.glb"), bytes);
+        let twice = format!("{WITH_TANGENTS},{WITH_TANGENTS}");
+        assert_eq!(read(&cube(&twice)).unwrap(), expected);
+        assert_eq!(super::tests::read(&cube(&twice)).unwrap().normals, cube_normals());
+        for without in [WITH_NORMALS, WITHOUT_NORMALS] {
+            let result = read(&cube(&format!("{WITH_TANGENTS},{without}")));
+            assert!(matches!(result, Err(MeshError::NoTangents { .. })), "{result:?}");
+        }
+        for (from, to) in
+            [(r#"8,"type":"VEC4""#, r#"7,"type":"VEC4""#), ("VEC4", "VEC3"), (r#"T":3"#, r#"T":9"#)]
+        {
+            let result = read(&glb(&json(WITH_TANGENTS, "").replace(from, to), Some(&cube_buffer())));
+            assert!(matches!(result, Err(MeshError::Parse { .. })), "{from} {to}: {result:?}");
+        }
     }
 
     /// NaN normals pass through, while a NaN position is an error even beside normals.
@@ -466,7 +518,7 @@ mod tests {
     #[test]
     fn index_out_of_range() {
         let mut buffer = cube_buffer();
-        buffer[262..].copy_from_slice(&8u16.to_le_bytes());
+        buffer[262..264].copy_from_slice(&8u16.to_le_bytes());
         let error = read(&glb(&json(WITHOUT_NORMALS, ""), Some(&buffer))).unwrap_err();
         let MeshError::IndexOutOfRange { index, vertices, .. } = error else { panic!("{error}") };
         assert_eq!((index, vertices), (8, 8));
@@ -486,27 +538,30 @@ mod tests {
         }
     }
 
-    /// A GLB header may give any length.
+    /// A GLB header may give any length. The parser goes by those of the chunks, if that of the whole is shorter.
     #[test]
     fn header_lengths() {
         for length in (0..=20).chain([u32::MAX]) {
             let mut bytes = cube(WITH_NORMALS);
             bytes[8..12].copy_from_slice(&length.to_le_bytes());
             let result = read(&bytes);
-            assert!((12..u32::MAX).contains(&length) || is_parse(&result), "{length}: {result:?}");
+            match length {
+                0..12 | u32::MAX => assert!(is_parse(&result), "{length}: {result:?}"),
+                _ => assert_eq!(result.unwrap().normals, cube_normals()),
+            }
         }
     }
 
     /// One wrong byte anywhere does not panic.
     #[test]
     fn damage_does_not_panic() {
-        for primitives in [WITH_NORMALS, WITHOUT_NORMALS] {
+        for primitives in [WITH_TANGENTS, WITHOUT_NORMALS] {
             let bytes = cube(primitives);
             for at in 0..bytes.len() {
                 for value in [0, b'0', b'9', b'-', b'"', b',', 0xff] {
                     let mut damaged = bytes.clone();
                     damaged[at] = value;
-                    let _ = read(&damaged);
+                    let _ = (read(&damaged), parse_frames(Path::new("a.glb"), &damaged));
                 }
             }
         }

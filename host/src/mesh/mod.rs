@@ -1,13 +1,13 @@
-//! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0.
+//! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter tangent frames as well.
 //!
 //! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
-//! ASCII files). Where a file has none, they
-//! are computed from its faces; the faces of a file that has normals are not looked at.
+//! ASCII files). Where a file has none, they are computed from its faces.
 
 mod gltf;
 mod obj;
 mod ply;
 
+use glam::DVec3;
 use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -72,6 +72,14 @@ pub enum MeshError {
         /// Number of vertices.
         vertices: usize,
     },
+    /// A file without tangents for all of its vertices; OBJ and PLY have none at all.
+    #[error(
+        "{path} does not give each vertex a normal and a tangent; export it as .gltf or .glb with tangents"
+    )]
+    NoTangents {
+        /// The mesh file.
+        path: PathBuf,
+    },
     /// The file name has no known extension.
     #[error("{path} is no known mesh file; use .obj, .ply, .gltf or .glb")]
     UnknownFormat {
@@ -108,13 +116,29 @@ pub fn is_mesh(path: &Path) -> bool {
 ///
 /// Every [`MeshError`]; no input makes it panic.
 pub fn read(path: &Path) -> Result<Mesh, MeshError> {
+    match open(path)? {
+        (Format::Obj, bytes) => obj::parse(path, &bytes),
+        (Format::Ply, bytes) => ply::parse(path, &bytes),
+        (Format::Gltf, bytes) => gltf::parse(path, &bytes),
+    }
+}
+
+/// Reads the tangent frames of the vertices of a glTF file, as it has them: normal, tangent, handedness.
+///
+/// # Errors
+///
+/// As [`read`]; [`MeshError::NoTangents`] for a file without them.
+pub fn read_frames(path: &Path) -> Result<Vec<[f32; 7]>, MeshError> {
+    match open(path)? {
+        (Format::Gltf, bytes) => gltf::parse_frames(path, &bytes),
+        _ => Err(MeshError::NoTangents { path: path.into() }),
+    }
+}
+
+fn open(path: &Path) -> Result<(Format, Vec<u8>), MeshError> {
     let format = format_of(path).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
     let bytes = std::fs::read(path).map_err(|source| MeshError::Read { path: path.into(), source })?;
-    match format {
-        Format::Obj => obj::parse(path, &bytes),
-        Format::Ply => ply::parse(path, &bytes),
-        Format::Gltf => gltf::parse(path, &bytes),
-    }
+    Ok((format, bytes))
 }
 
 /// Reads the vertex normals of OBJ text in memory; `name` stands in errors.
@@ -155,9 +179,8 @@ fn parse_error(path: &Path, format: &'static str, reason: impl Display) -> MeshE
 }
 
 /// Checks that each coordinate is finite as an `f32`, so that no sum of cross products overflows.
-fn check_finite(path: &Path, positions: &[[f64; 3]]) -> Result<(), MeshError> {
-    let bad = |position: &[f64; 3]| position.iter().any(|&c| !(c as f32).is_finite());
-    match positions.iter().position(bad) {
+fn check_finite(path: &Path, positions: &[DVec3]) -> Result<(), MeshError> {
+    match positions.iter().position(|position| !position.as_vec3().is_finite()) {
         Some(vertex) => Err(MeshError::NotFinite { path: path.into(), vertex }),
         None => Ok(()),
     }
@@ -174,20 +197,19 @@ fn fan(polygon: &[i64]) -> impl Iterator<Item = [i64; 3]> {
 /// A vertex whose sum is zero has no normal and is left out.
 fn area_weighted(
     path: &Path,
-    positions: &[[f64; 3]],
+    positions: &[DVec3],
     triangles: impl IntoIterator<Item = [i64; 3]>,
 ) -> Result<Vec<[f32; 3]>, MeshError> {
     check_finite(path, positions)?;
-    let mut sums = vec![[0.0; 3]; positions.len()];
+    let mut sums = vec![DVec3::ZERO; positions.len()];
     for triangle in triangles {
         let [a, b, c] = resolve(path, triangle, positions.len())?;
         // Twice the area long, so that adding it weights the face by its area.
-        let normal = cross(sub(positions[b], positions[a]), sub(positions[c], positions[a]));
-        for corner in [a, b, c] {
-            sums[corner] = add(sums[corner], normal);
-        }
+        let normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
+        [a, b, c].into_iter().for_each(|corner| sums[corner] += normal);
     }
-    Ok(sums.into_iter().filter_map(unit).collect())
+    let used = sums.into_iter().filter(|sum| sum.length() > 0.0);
+    Ok(used.map(|sum| (sum / sum.length()).as_vec3().to_array()).collect())
 }
 
 fn resolve(path: &Path, triangle: [i64; 3], vertices: usize) -> Result<[usize; 3], MeshError> {
@@ -199,23 +221,6 @@ fn resolve(path: &Path, triangle: [i64; 3], vertices: usize) -> Result<[usize; 3
             .ok_or_else(|| MeshError::IndexOutOfRange { path: path.into(), index, vertices })?;
     }
     Ok(corners)
-}
-
-fn add(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
-}
-
-fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(v: [f64; 3]) -> Option<[f32; 3]> {
-    let length = v.iter().map(|c| c * c).sum::<f64>().sqrt();
-    (length > 0.0).then(|| v.map(|c| (c / length) as f32))
 }
 
 #[cfg(test)]
@@ -277,7 +282,8 @@ mod tests {
     const PATH: &str = "a.obj";
 
     fn weighted(positions: &[[f64; 3]], triangles: &[[i64; 3]]) -> Result<Vec<[f32; 3]>, MeshError> {
-        area_weighted(Path::new(PATH), positions, triangles.iter().copied())
+        let positions: Vec<DVec3> = positions.iter().copied().map(DVec3::from).collect();
+        area_weighted(Path::new(PATH), &positions, triangles.iter().copied())
     }
 
     /// Two faces at a right angle, of areas 1/2 and 3/2, weigh on their shared edge as 1 to 3.
@@ -335,6 +341,7 @@ mod tests {
         assert!(["obj", ".obj", "a.stl", "a.obj.gz"].iter().all(|name| !is_mesh(Path::new(name))));
         assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::UnknownFormat { .. })));
         assert!(matches!(read(Path::new("absent.ply")), Err(MeshError::Read { .. })));
+        assert!(matches!(read_frames(Path::new("absent.glb")), Err(MeshError::Read { .. })));
     }
 
     /// A file on disk reads like the same text in memory.
@@ -359,6 +366,7 @@ mod tests {
             MeshError::NotFinite { path: path(), vertex: 3 },
             MeshError::IndexOutOfRange { path: path(), index: -1, vertices: 3 },
             MeshError::UnknownFormat { path: path() },
+            MeshError::NoTangents { path: path() },
             MeshError::MissingBuffer { path: path(), buffer: 0, reason: "it has 1 of its 2 bytes".into() },
         ];
         for message in errors.map(|error| error.to_string()) {

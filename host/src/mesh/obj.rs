@@ -1,80 +1,40 @@
-//! Wavefront OBJ, parsed by `tobj`.
+//! Wavefront OBJ, parsed by `obj`.
 
-use std::fmt::Write;
+use super::{Mesh, MeshError, area_weighted, check_finite, fan, finish, parse_error};
+use glam::Vec3;
+use obj::ObjData;
 use std::path::Path;
-
-use super::{Mesh, MeshError, area_weighted, check_finite, finish, parse_error};
 
 const FORMAT: &str = "OBJ";
 
 /// Reads the normals of OBJ text.
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    // Only names and comments are ever not ASCII, and they may be in any encoding.
-    let text = String::from_utf8_lossy(bytes);
-    let text = text.trim_start_matches('\u{feff}');
-    let has_normals = count(text, "vn") > 0;
-    if !has_normals && count(text, "f") == 0 {
-        return Err(MeshError::NoFaces { path: path.into() });
-    }
-    let model = load(&condense(text)).map_err(|error| parse_error(path, FORMAT, error))?;
-    let positions: Vec<_> = triples(&model.positions).map(|p| p.map(f64::from)).collect();
-    if has_normals {
+    let data =
+        ObjData::load_buf(geometry(bytes).as_bytes()).map_err(|error| parse_error(path, FORMAT, error))?;
+    let positions: Vec<_> = data.position.into_iter().map(|p| Vec3::from(p).as_dvec3()).collect();
+    if !data.normal.is_empty() {
         check_finite(path, &positions)?;
-        return finish(path, triples(&model.normals).collect(), false);
+        return finish(path, data.normal, false);
     }
-    let triangles = triples(&model.indices).map(|t| t.map(i64::from));
-    finish(path, area_weighted(path, &positions, triangles)?, true)
+    let polygons = data.objects.into_iter().flat_map(|object| object.groups).flat_map(|group| group.polys);
+    let faces: Vec<Vec<i64>> = polygons.map(|face| face.0.iter().map(|c| c.0 as i64).collect()).collect();
+    finish(path, area_weighted(path, &positions, faces.iter().flat_map(|face| fan(face)))?, true)
 }
 
-/// The lines that the normals come from, for `tobj` to read as one object.
-///
-/// `tobj` splits a file at its objects, groups and materials and renumbers the vertices of each part
-/// in the order of first use. Without the lines that split, and after a one-vertex face for every
-/// `v` and `vn`, it keeps them all, in file order. Faces are dropped where there are normals, and
-/// `vt` always, since `tobj` overflows on their indices when these are far out of range.
-fn condense(text: &str) -> String {
-    let (positions, normals) = (count(text, "v"), count(text, "vn"));
-    let mut condensed = String::new();
-    for k in 1..=positions.max(normals) {
-        // Writing to a string does not fail.
-        let _ = match normals {
-            0 => writeln!(condensed, "f {k}"),
-            _ => writeln!(condensed, "f {}//{}", k.min(positions.max(1)), k.min(normals)),
-        };
-    }
-    if positions == 0 && normals > 0 {
-        condensed.push_str("v 0 0 0\n");
-    }
-    let source = if normals > 0 { "vn" } else { "f" };
-    for line in text.lines().filter(|line| ["v", source].contains(&keyword(line))) {
-        condensed.push_str(line);
-        condensed.push('\n');
-    }
-    condensed
-}
-
-fn load(text: &str) -> Result<tobj::Mesh, tobj::LoadError> {
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let (models, _) = tobj::load_obj_buf(&mut text.as_bytes(), &options, |_| Ok(Default::default()))?;
-    Ok(models.into_iter().next().map(|model| model.mesh).unwrap_or_default())
-}
-
-fn count(text: &str, word: &str) -> usize {
-    text.lines().filter(|line| keyword(line) == word).count()
-}
-
-fn keyword(line: &str) -> &str {
-    line.split_whitespace().next().unwrap_or_default()
-}
-
-fn triples<T: Copy>(flat: &[T]) -> impl Iterator<Item = [T; 3]> + '_ {
-    flat.chunks_exact(3).map(|t| [t[0], t[1], t[2]])
+/// The lines that the normals come from. Of the others, the parser refuses those it does not know, and it loses faces
+/// at some that group them. Only names and comments are ever not ASCII, and they may be in any encoding.
+fn geometry(bytes: &[u8]) -> String {
+    let text = String::from_utf8_lossy(bytes);
+    let is_geometry =
+        |line: &&str| ["v", "vn", "f"].contains(&line.split_whitespace().next().unwrap_or_default());
+    text.trim_start_matches('\u{feff}').lines().filter(is_geometry).collect::<Vec<_>>().join("\n")
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::tests::{CUBE_CORNERS, CUBE_FACES, assert_close, cube_normals};
     use super::*;
+    use std::fmt::Write;
 
     fn read(text: &str) -> Result<Mesh, MeshError> {
         parse(Path::new("a.obj"), text.as_bytes())
@@ -132,13 +92,21 @@ mod tests {
         assert_eq!(mesh.normals, [[0.0, 0.0, 1.0]; 3]);
     }
 
-    /// Bad numbers and indices, those that overflow `tobj` among them, are errors.
+    /// Bad numbers and indices are errors, and indices that overflow do no harm.
     #[test]
     fn damage_is_an_error() {
         let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
-        for line in ["f 1 2 4", "f 0 1 2", "f 1 2 -4", "f 1 2 x", "f", "f 1/2/3/4 2 3", "v 1 2"] {
-            let result = read(&format!("{corners}f 1 2 3\n{line}\n"));
+        let read_line = |line| read(&format!("{corners}f 1 2 3\n{line}\n"));
+        for line in ["f 0 1 2", "f 1 2 x", "f 1 2 3.5", "v 1 2", "v 1 2 x"] {
+            let result = read_line(line);
             assert!(matches!(result, Err(MeshError::Parse { .. })), "{line}: {result:?}");
+        }
+        for (line, bad) in [("f 1 2 4", 3), ("f 1 2 -4", -1)] {
+            let result = read_line(line);
+            assert!(
+                matches!(result, Err(MeshError::IndexOutOfRange { index, .. }) if index == bad),
+                "{line}: {result:?}"
+            );
         }
         let min = isize::MIN;
         for line in [format!("f {min} {min} {min}"), format!("f 1/{min}/{min} 2/-9/-9 3/0/0")] {

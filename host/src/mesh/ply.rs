@@ -6,6 +6,8 @@ use std::path::Path;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
 
+use glam::DVec3;
+
 use super::{Mesh, MeshError, area_weighted, check_finite, fan, finish, parse_error};
 
 const FORMAT: &str = "PLY";
@@ -86,7 +88,7 @@ fn read_elements<T: BufRead>(
 
 #[derive(Default)]
 struct Vertex {
-    position: [f64; 3],
+    position: DVec3,
     normal: [f32; 3],
 }
 

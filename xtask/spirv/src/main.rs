@@ -20,7 +20,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
-use unitvec_host::catalogue::{Direction, Element, Format, best_fit_table, formats};
+use unitvec_host::catalogue::{Element, Format, Operation, best_fit_table, formats};
 use unitvec_host::manifest::{self, Binding, Manifest, Module, PushConstant, Table};
 use unitvec_host::output;
 
@@ -176,23 +176,23 @@ fn cost_kernel(entry_point: &str) -> Option<String> {
     Some(format!("{codec}_{direction}"))
 }
 
-fn find_kernel(kernel: &str) -> Option<(Format, Direction)> {
+fn find_kernel(kernel: &str) -> Option<(Format, Operation)> {
     formats()
-        .flat_map(|codec| [(codec, Direction::Encode), (codec, Direction::Decode)])
+        .flat_map(|codec| [(codec, Operation::Encode), (codec, Operation::Decode)])
         .find(|(codec, direction)| codec.function(*direction) == kernel)
 }
 
 fn describe(entry_point: &str, bytes: &[u8]) -> Result<Module> {
     let (codec, direction, bindings) = if entry_point == manifest::DECODE_BY_TABLE {
-        let mut bindings = bindings(2, Element::Vector, Direction::Decode);
+        let mut bindings = bindings(2, Element::Vector, Operation::Decode);
         let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
         bindings.push(Binding { content: content.to_owned(), ..table_binding() });
-        (None, Direction::Decode, bindings)
+        (None, Operation::Decode, bindings)
     } else {
         let (codec, direction) = find_kernel(entry_point)
             .with_context(|| format!("entry point {entry_point} belongs to no codec of the catalogue"))?;
         let mut bindings = bindings(codec.bytes, codec.element, direction);
-        if codec.encodes_by_table && direction == Direction::Encode {
+        if codec.encodes_by_table && direction == Operation::Encode {
             bindings.push(Binding { table: Some(manifest::BEST_FIT_TABLE.to_owned()), ..table_binding() });
         }
         (Some(codec.id.to_owned()), direction, bindings)
@@ -214,14 +214,14 @@ fn describe_cost(kernel: &str, entry_point: &str, bytes: &[u8]) -> Result<Module
     let is_baseline = kernel.starts_with("baseline_");
     let codec = find_kernel(kernel).map(|(codec, _)| codec);
     ensure!(is_baseline || codec.is_some(), "cost kernel {kernel} belongs to no codec of the catalogue");
-    let direction = if kernel.ends_with("_encode") { Direction::Encode } else { Direction::Decode };
+    let direction = if kernel.ends_with("_encode") { Operation::Encode } else { Operation::Decode };
     let input = match direction {
-        Direction::Encode => "three f32 a vector, packed",
-        Direction::Decode => "codes of three words, of which the first two count",
+        Operation::Encode => "three f32 a vector, packed",
+        Operation::Decode => "codes of three words, of which the first two count",
     };
     let mut bindings =
         vec![binding(0, "read", input, Some(12)), binding(1, "write", "sum of the results", Some(4))];
-    if direction == Direction::Encode && codec.is_some_and(|codec| codec.encodes_by_table) {
+    if direction == Operation::Encode && codec.is_some_and(|codec| codec.encodes_by_table) {
         bindings.push(Binding { table: Some(manifest::BEST_FIT_TABLE.to_owned()), ..table_binding() });
     }
     Ok(Module {
@@ -241,7 +241,7 @@ fn constant(offset: u32, content: &str) -> PushConstant {
     PushConstant { offset, r#type: "u32".to_owned(), content: content.to_owned() }
 }
 
-fn bindings(code_bytes: usize, element: Element, direction: Direction) -> Vec<Binding> {
+fn bindings(code_bytes: usize, element: Element, direction: Operation) -> Vec<Binding> {
     let content = match element {
         Element::Vector => "three f32 a vector, packed",
         Element::Frame => "seven f32 a frame (normal, tangent, handedness), packed",
@@ -249,8 +249,8 @@ fn bindings(code_bytes: usize, element: Element, direction: Direction) -> Vec<Bi
     let elements = (content, element.bytes() as u32);
     let codes = ("codes, little endian, packed", code_bytes as u32);
     let ((read, read_bytes), (written, written_bytes)) = match direction {
-        Direction::Encode => (elements, codes),
-        Direction::Decode => (codes, elements),
+        Operation::Encode => (elements, codes),
+        Operation::Decode => (codes, elements),
     };
     vec![binding(0, "read", read, Some(read_bytes)), binding(1, "write", written, Some(written_bytes))]
 }
