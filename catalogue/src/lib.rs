@@ -154,6 +154,8 @@ pub struct Format {
     pub bytes: usize,
     /// What it encodes.
     pub element: Element,
+    /// The directions it is made for.
+    pub domain: Domain,
     /// As in [`CodecInfo`].
     pub encodes_by_table: bool,
     functions: AnyFunctions,
@@ -301,9 +303,9 @@ pub trait Coding<const N: usize> {
 
 impl Coding<3> for CodecInfo {
     fn format(&self) -> Format {
-        let Self { id, bits, bytes, encodes_by_table, functions, .. } = *self;
+        let Self { id, bits, bytes, domain, encodes_by_table, functions, .. } = *self;
         let functions = AnyFunctions::Vector(functions);
-        Format { id, bits, bytes, element: Element::Vector, encodes_by_table, functions }
+        Format { id, bits, bytes, element: Element::Vector, domain, encodes_by_table, functions }
     }
 
     fn functions(&self) -> &Functions<3> {
@@ -314,8 +316,9 @@ impl Coding<3> for CodecInfo {
 impl Coding<7> for FrameInfo {
     fn format(&self) -> Format {
         let Self { id, bits, bytes, functions, .. } = *self;
+        let (element, domain) = (Element::Frame, Domain::Sphere);
         let functions = AnyFunctions::Frame(functions);
-        Format { id, bits, bytes, element: Element::Frame, encodes_by_table: false, functions }
+        Format { id, bits, bytes, element, domain, encodes_by_table: false, functions }
     }
 
     fn functions(&self) -> &Functions<7> {

@@ -123,7 +123,7 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
     format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), {} mesh normals, special vectors; {}\n\
-         diff: codes and vectors that are not the CPU's to the bit: SPIR-V from Rust / SPIR-V from GLSL\n\n\
+         diff: codes and vectors that differ from the CPU's in any bit\n\n\
          {:<20} {:>4} {:>10} {:>10}  {:>13} {:>13}\n\
          {:<20} {:>4} {:>10} {:>10}  {:>13} {:>13}\n",
         device.name,
@@ -186,9 +186,9 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
     let (vectors, codes) =
         report.rows.iter().fold((0, 0), |(vectors, codes), row| (vectors + row.vectors, codes + row.codes));
     let compared = if report.glsl_compared {
-        "CPU, SPIR-V from Rust and SPIR-V from GLSL"
+        "cpu, rust and glsl"
     } else {
-        "CPU and SPIR-V from Rust (this build has no GLSL compiler: `--features glsl`)"
+        "cpu and rust (this build has no GLSL compiler: `--features glsl`)"
     };
     if report.agreed {
         return format!(

@@ -47,7 +47,7 @@ enum Command {
     Bench(bench::Arguments),
     /// Find the cheapest codecs of vectors that meet a demand.
     Choose(choose::Arguments),
-    /// Show that the CPU and a device agree to the bit: with the SPIR-V from Rust and, where it can be compiled, from GLSL.
+    /// Show that the backends agree to the bit: cpu, rust and, in a build with a GLSL compiler, glsl.
     Conform(conform::Arguments),
 }
 

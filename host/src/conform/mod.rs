@@ -80,9 +80,42 @@ pub struct Row {
 pub type Mismatches = BTreeMap<BackendKind, u64>;
 
 impl Row {
+    /// Mismatches that are told in words.
+    const EXAMPLES: usize = 3;
+
     /// True where nothing differs.
     pub fn agrees(&self) -> bool {
         self.encode_mismatches.values().chain(self.decode_mismatches.values()).all(|count| *count == 0)
+    }
+
+    /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
+    fn compare(
+        &mut self,
+        format: Format,
+        operation: Operation,
+        kind: BackendKind,
+        input: &[u8],
+        cpu: &[u8],
+        other: &[u8],
+    ) {
+        if cpu == other {
+            return;
+        }
+        let (element, code): ((_, Shown), (_, Shown)) =
+            ((format.element.bytes(), shown_element), (format.bytes, |code| format!("{code:02x?}")));
+        let (mismatches, (from, shown_input), (to, shown)) = match operation {
+            Operation::Encode => (&mut self.encode_mismatches, element, code),
+            Operation::Decode => (&mut self.decode_mismatches, code, element),
+        };
+        let results = cpu.chunks_exact(to).zip(other.chunks_exact(to));
+        for (input, (cpu, other)) in input.chunks_exact(from).zip(results).filter(|(_, (a, b))| a != b) {
+            *mismatches.entry(kind).or_default() += 1;
+            if self.examples.len() < Self::EXAMPLES {
+                let (function, input) = (format.function(operation), shown_input(input));
+                let (cpu, other) = (shown(cpu), shown(other));
+                self.examples.push(format!("{function} of {input}: cpu {cpu}, {kind} {other}"));
+            }
+        }
     }
 }
 
@@ -118,8 +151,9 @@ impl<'a> Comparison<'a> {
         let codes = self.encode(elements)?;
         let decoded = self.decode(&codes)?;
         if measured {
-            let each = |floats| <[f32]>::chunks_exact(floats, self.format.element.floats());
-            each(elements).zip(each(&decoded)).for_each(|(a, b)| self.errors.add(a, b));
+            let floats = self.format.element.floats();
+            let pairs = elements.chunks_exact(floats).zip(decoded.chunks_exact(floats));
+            pairs.for_each(|(original, decoded)| self.errors.add(original, decoded));
         }
         Ok(())
     }
@@ -171,41 +205,6 @@ impl<'a> Comparison<'a> {
             tangent_mean_deg: of_tangent(tangent.mean_deg()),
             tangent_max_deg: of_tangent(tangent.max_deg()),
             ..self.row
-        }
-    }
-}
-
-impl Row {
-    /// Mismatches that are told in words.
-    const EXAMPLES: usize = 3;
-
-    /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
-    fn compare(
-        &mut self,
-        format: Format,
-        operation: Operation,
-        kind: BackendKind,
-        input: &[u8],
-        cpu: &[u8],
-        other: &[u8],
-    ) {
-        if cpu == other {
-            return;
-        }
-        let (element, code): ((_, Shown), (_, Shown)) =
-            ((format.element.bytes(), shown_element), (format.bytes, |code| format!("{code:02x?}")));
-        let (mismatches, (from, shown_input), (to, shown)) = match operation {
-            Operation::Encode => (&mut self.encode_mismatches, element, code),
-            Operation::Decode => (&mut self.decode_mismatches, code, element),
-        };
-        let results = cpu.chunks_exact(to).zip(other.chunks_exact(to));
-        for (input, (cpu, other)) in input.chunks_exact(from).zip(results).filter(|(_, (a, b))| a != b) {
-            *mismatches.entry(kind).or_default() += 1;
-            if self.examples.len() < Self::EXAMPLES {
-                let (function, input) = (format.function(operation), shown_input(input));
-                let (cpu, other) = (shown(cpu), shown(other));
-                self.examples.push(format!("{function} of {input}: cpu {cpu}, {kind} {other}"));
-            }
         }
     }
 }

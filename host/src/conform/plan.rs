@@ -2,7 +2,7 @@
 
 use super::{Backends, Comparison, Options, Row};
 use crate::backend::CHUNK;
-use crate::catalogue::{Domain, Element, Format, find};
+use crate::catalogue::{Element, Format};
 use crate::sampling;
 use crate::{Error, Result};
 
@@ -42,8 +42,7 @@ impl<'a> Plan<'a> {
     /// Random elements, special ones, and codes; for vectors also the normals of meshes and ties.
     pub fn new(format: Format, options: &'a Options) -> Self {
         let Options { count, seed, normals, all_codes_up_to } = options;
-        let domain = find(format.id).map_or(Domain::Sphere, |codec| codec.domain);
-        let random = sampling::random_elements(format.element, domain, *seed);
+        let random = sampling::random_elements(format.element, format.domain, *seed);
         let mut steps =
             vec![Step { count: *count, input: Input::Elements { floats: random, measured: true } }];
 
@@ -61,11 +60,6 @@ impl<'a> Plan<'a> {
             Step::codes(*count, sampling::random_codes(*seed))
         });
         Self { format, steps }
-    }
-
-    /// The codec's identifier.
-    pub fn id(&self) -> &'static str {
-        self.format.id
     }
 
     /// Elements and codes that [`run`](Self::run) passes through each backend.
