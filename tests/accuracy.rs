@@ -166,7 +166,7 @@ fn rows_are_written_as_csv() {
 fn float64_intermediates_change_little() {
     let rows = rows(&["--table", "all", "--count", "20000", "--float64"]);
     let measured: Vec<&Value> = rows.iter().filter(|row| row["float64_mean_deg"].is_number()).collect();
-    assert_eq!(measured.len(), 85 + 19);
+    assert!(measured.len() >= 85 + 19);
     for row in measured {
         let (mean, max) = (number(row, "float64_mean_deg"), number(row, "float64_max_deg"));
         assert!((mean / number(row, "mean_deg") - 1.0).abs() < 0.01, "{row}");

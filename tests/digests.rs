@@ -5,6 +5,7 @@
 use std::collections::BTreeMap;
 use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
 use unitvec_host::manifest::sha256_hex;
+use unitvec_tests::directions::Rng;
 
 /// The format, as it was when each codec was first released.
 const RELEASED: &str = include_str!("data/digests.csv");
@@ -12,29 +13,21 @@ const RELEASED: &str = include_str!("data/digests.csv");
 /// Vectors and codes for each digest.
 const COUNT: usize = 1 << 16;
 
-/// SplitMix64, after Steele, Lea and Flood 2014: integers only, so that every machine has the same ones.
-fn random(state: &mut u64) -> u64 {
-    *state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
-    let z = (*state ^ (*state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-    z ^ (z >> 31)
-}
-
 /// A number from -1 to 1 with 23 bits after the point: exact.
-fn component(state: &mut u64) -> f32 {
-    (random(state) >> 40) as f32 / 8_388_608.0 - 1.0
+fn component(rng: &mut Rng) -> f32 {
+    (rng.bits() >> 40) as f32 / 8_388_608.0 - 1.0
 }
 
 /// The row of a codec: digests of what it encodes and of what it decodes.
 fn row<const N: usize>(codec: &impl Coding<N>) -> String {
-    let (format, mut state) = (codec.format(), 1);
+    let (format, mut rng) = (codec.format(), Rng::new(1));
     let mut elements = vec![[0.0; N]; COUNT];
-    elements.iter_mut().flatten().for_each(|c| *c = component(&mut state));
+    elements.iter_mut().flatten().for_each(|c| *c = component(&mut rng));
     let mut codes = vec![0; COUNT * format.bytes];
     codec.encode_cpu(&elements, &mut codes).unwrap();
     let encoded = sha256_hex(&codes);
 
-    codes.iter_mut().for_each(|byte| *byte = random(&mut state) as u8);
+    codes.iter_mut().for_each(|byte| *byte = rng.bits() as u8);
     codec.decode_cpu(&codes, &mut elements).unwrap();
     let decoded: Vec<u8> = elements.iter().flatten().flat_map(|c| c.to_bits().to_le_bytes()).collect();
     format!("{},{encoded},{}", format.id, sha256_hex(&decoded))

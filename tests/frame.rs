@@ -1,4 +1,4 @@
-//! The tangent frames against the papers: [`unitvec_tests::oracle::frame`].
+//! The tangent frames against the papers: [`unitvec_oracle::frame`].
 
 use glam::Vec3;
 use proptest::prelude::*;
@@ -8,12 +8,18 @@ use unitvec::ListedFrame;
 use unitvec::codec::Code;
 use unitvec::frame::{decode_frames, encode_frames};
 use unitvec::{Codec, Frame, Frame32, Frame64, FrameCodec, OctPrecise22};
-use unitvec_tests::oracle::frame::{self, Format, tangent_bound};
-use unitvec_tests::oracle::{self, Summary, angle_deg, dot, length, widen};
-use unitvec_tests::sampling::{AXES, Rng, near_planes, special_inputs, sphere, usable};
+use unitvec_host::sampling::special_vectors;
+use unitvec_oracle::frame::{self, Format, tangent_bound};
+use unitvec_oracle::{Summary, angle_deg, cross, dot, length, normalize};
+use unitvec_tests::checks::LENGTH_ROUNDING;
+use unitvec_tests::directions::{AXES, Rng, near_planes, sphere, usable};
+use unitvec_tests::tested::widen;
 
 /// What `normal . tangent` of a decoded frame may be off by: 4 ULP of 1.
 const PERPENDICULAR: f64 = 4.0 * f32::EPSILON as f64;
+
+/// What the rounding in `f32` turns a decoded normal by, in radians: 1 ULP, as of oct.
+const DECODE_NORMAL: f64 = f32::EPSILON as f64;
 
 /// What the rounding in `f32` turns a decoded tangent by, in radians: of the decoded normal, the basis, its two
 /// products and the sum, and the scaling to unit length.
@@ -163,7 +169,7 @@ fn codes<F: Checked>(seed: u64) -> impl Iterator<Item = u64> {
 /// Any unit vector perpendicular to `n`: its angle is uniform.
 fn random_tangent(rng: &mut Rng, n: Vec3) -> Vec3 {
     let angle = rng.range(0.0, TAU);
-    let n = oracle::normalize(widen(n));
+    let n = normalize(widen(n));
     Vec3::from_array(frame::at_angle(n, angle).map(|t| t as f32))
 }
 
@@ -191,10 +197,7 @@ fn assert_frame(decoded: Frame, code: u64, worst: &mut [f64; 2]) {
     let (n, t) = (widen(decoded.normal), widen(decoded.tangent));
     let off = (length(n) - 1.0).abs().max((length(t) - 1.0).abs());
     let cosine = dot(n, t).abs();
-    assert!(
-        off <= oracle::LENGTH_ROUNDING && cosine <= PERPENDICULAR,
-        "{code:#x}: {decoded:?} {off:e} {cosine:e}"
-    );
+    assert!(off <= LENGTH_ROUNDING && cosine <= PERPENDICULAR, "{code:#x}: {decoded:?} {off:e} {cosine:e}");
     assert!(decoded.handedness.abs() == 1.0, "{code:#x}: {decoded:?}");
     *worst = [worst[0].max(cosine), worst[1].max(off)];
 }
@@ -210,7 +213,7 @@ fn assert_total<F: Checked>(components: [f32; 7]) {
         if handedness <= -f32::MIN_POSITIVE { -1.0 } else { 1.0 },
         "{components:?}"
     );
-    let usable = usable([nx, ny, nz]);
+    let usable = usable(Vec3::new(nx, ny, nz));
     let error = angle_deg([nx, ny, nz].map(f64::from), widen(decoded.normal));
     let is_z = decoded.normal == Vec3::Z;
     assert!(
@@ -232,7 +235,7 @@ mod check {
             let [normal, tangent] = [(decoded.normal, expected.normal), (decoded.tangent, expected.tangent)]
                 .map(|(a, b)| angle_deg(widen(a), b).to_radians());
             assert!(
-                normal <= oracle::DECODE_ROUNDING && tangent <= DECODE_TANGENT,
+                normal <= DECODE_NORMAL && tangent <= DECODE_TANGENT,
                 "{code:#x}: {decoded:?} for {expected:?}: {normal:e} {tangent:e}"
             );
             assert_eq!(f64::from(decoded.handedness), expected.handedness, "{code:#x}");
@@ -360,7 +363,7 @@ mod check {
         for frame in frames(13, sphere(14, 200_000)) {
             let tangent = frame.tangent + frame.normal * rng.range(-1.0, 1.0) as f32;
             let decoded = F::decode(F::encode(Frame { tangent, ..frame }));
-            let n = oracle::normalize(widen(decoded.normal));
+            let n = normalize(widen(decoded.normal));
             let error =
                 angle_deg(frame::perpendicular(n, widen(tangent)), widen(decoded.tangent)).to_radians();
             assert!(error <= half_step + slack, "{frame:?} {error:e}");
@@ -423,7 +426,7 @@ mod check {
 
     pub fn special_inputs_keep_the_contract<F: Checked>() {
         let mut rng = Rng::new(17);
-        let inputs = special_inputs();
+        let inputs = special_vectors();
         let handedness = [1.0, -1.0, 0.0, -0.0, f32::NAN, -1e-40, f32::INFINITY, f32::NEG_INFINITY];
         for &[x, y, z] in &inputs {
             let any = |rng: &mut Rng, modulus: usize| (rng.bits() % modulus as u64) as usize;
@@ -513,7 +516,7 @@ fn bitangents_complete_the_frame() {
         let decoded = Frame32::decode(Frame32::encode(frame));
         let [n, t, b] = [decoded.normal, decoded.tangent, decoded.bitangent()].map(widen);
         assert!((length(b) - 1.0).abs() < 1e-6 && dot(b, n).abs() < 1e-6 && dot(b, t).abs() < 1e-6);
-        assert!((dot(oracle::cross(n, t), b) * f64::from(frame.handedness) - 1.0).abs() < 1e-6);
+        assert!((dot(cross(n, t), b) * f64::from(frame.handedness) - 1.0).abs() < 1e-6);
     }
 }
 

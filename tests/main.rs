@@ -21,13 +21,15 @@ mod glsl;
 mod hemioct;
 mod ico;
 mod latlong;
+mod list;
 mod modules;
 mod oct;
 mod oct_wide;
-mod projection;
+mod parallel;
 mod slices;
 mod soct;
 mod spherical;
+mod suite;
 mod totality;
 mod trig;
 

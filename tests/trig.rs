@@ -6,7 +6,7 @@ use glam::Vec2;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
 use unitvec::arith as math;
 use unitvec_tests::remez::Problem;
-use unitvec_tests::sampling::Rng;
+use unitvec_tests::directions::Rng;
 
 /// A function under test.
 type Function = fn(f32) -> f32;

@@ -1,6 +1,6 @@
 //! The azimuthal projections of a hemisphere, on the disk or on the square.
 
-use super::{Oracle, largest, length, snorm, twos_complement};
+use super::{Oracle, field, largest, length, snorm, twos_complement};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, SQRT_2};
 
 /// Stereographic projection: the first parameter of [`Azimuthal`].
@@ -24,20 +24,20 @@ pub struct Azimuthal<const PROJECTION: u32, const MAP: u32>;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts {
     /// The integer of u.
-    pub u: i32,
+    pub u: i64,
     /// The integer of v; `2^(n-1)` where the pattern is that of `-2^(n-1)` and the highest bit is set.
-    pub v: i32,
+    pub v: i64,
     /// The highest bit: the hemisphere's, except at the ends of v.
     pub flag: bool,
 }
 
 /// The parts of a code of `bits` bits, from the lowest: u (half of the bits), v (one less), and one bit.
-pub fn parts(code: u32, bits: u32) -> Parts {
+pub fn parts(code: u64, bits: u32) -> Parts {
     let [m, n] = largest_of_both(bits);
-    let u = twos_complement(code, bits / 2).max(-m as i32);
+    let u = twos_complement(code, bits / 2).max(-m as i64);
     let v = twos_complement(code >> (bits / 2), bits / 2 - 1);
     let flag = (code >> (bits - 1)) & 1 == 1;
-    Parts { u, v: if flag && v == -n as i32 { -v } else { v }, flag }
+    Parts { u, v: if flag && v == -n as i64 { -v } else { v }, flag }
 }
 
 /// What +1 is in steps: snorm's largest integer for u, a power of two for v.
@@ -50,8 +50,13 @@ pub fn largest_of_both(bits: u32) -> [f64; 2] {
 pub fn corner(p: Parts, bits: u32) -> f64 {
     let [m, n] = largest_of_both(bits);
     let reach = 0.5 - 1.0 / 64.0;
-    let [x, y] = [(f64::from(p.u.abs()) - reach) / m, (f64::from(p.v.abs()) - reach) / n];
+    let [x, y] = [(p.u.abs() as f64 - reach) / m, (p.v.abs() as f64 - reach) / n];
     x * x + y * y
+}
+
+/// False where the rounding in `f32` decides whether a lattice point off the disk is a code, without a map to the square.
+pub fn is_settled(code: u64, bits: u32) -> bool {
+    (corner(parts(code, bits), bits) - 1.0).abs() >= 1e-6
 }
 
 /// Distance from the middle of the disk at the angle `theta` from the pole (Snyder: k = 1 at the equator).
@@ -151,12 +156,12 @@ impl<const PROJECTION: u32, const MAP: u32> Oracle for Azimuthal<PROJECTION, MAP
         if r == 0.0 { [0.0, 0.0, 1.0] } else { [x / r * angle.sin(), y / r * angle.sin(), angle.cos()] }
     }
 
-    fn unpack(code: u32, bits: u32) -> [i32; 2] {
+    fn unpack(code: u64, bits: u32) -> [i64; 2] {
         let p = parts(code, bits);
         [p.u, p.v]
     }
 
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
         let p = parts(code, bits);
         let [m, n] = largest_of_both(bits);
         let s = [snorm(p.u, m), snorm(p.v, n)];
@@ -167,6 +172,27 @@ impl<const PROJECTION: u32, const MAP: u32> Oracle for Azimuthal<PROJECTION, MAP
             Self::direction(if beyond { onto_rim(s, bits) } else { s })
         };
         [x, y, if p.flag { -z } else { z }]
+    }
+
+    /// The nearest lattice point on the square or the disk, and the hemisphere. A lattice point off the disk whose cell
+    /// has next to nothing of the disk is not a code; the one a step inwards is written.
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        let [m, n] = largest_of_both(bits);
+        let [s, t] = Self::position(v);
+        let mut p = Parts { u: (s * m).round() as i64, v: (t * n).round() as i64, flag: v[2] < 0.0 };
+        if MAP == PLAIN && corner(p, bits) > 1.0 {
+            if p.u.abs() as f64 / (m * m) > p.v.abs() as f64 / (n * n) {
+                p.u -= p.u.signum();
+            } else {
+                p.v -= p.v.signum();
+            }
+        }
+        // The ends of v share a pattern, and the highest bit tells them apart.
+        if p.v.abs() as f64 == n {
+            p.flag = p.v > 0;
+        }
+        let v_bits = bits / 2 - 1;
+        field(p.u, bits / 2) | (field(p.v, v_bits) << (bits / 2)) | (u64::from(p.flag) << (bits - 1))
     }
 }
 

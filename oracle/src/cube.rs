@@ -1,6 +1,6 @@
 //! The cube map and the warped cube map.
 
-use super::normalize;
+use super::{field, normalize, twos_complement};
 use std::f64::consts::FRAC_PI_4;
 
 /// The two widths of the coordinates in a code of `bits` bits.
@@ -17,9 +17,8 @@ pub fn half_steps(bits: u32) -> [f64; 2] {
 pub fn decode(code: u64, bits: u32, warped: bool) -> [f64; 3] {
     let [a, b] = widths(bits);
     let coordinate = |field: u64, b: u32| {
-        let low = (field % (1 << b)) as i64;
         let m = (1i64 << (b - 1)) - 1;
-        let t = (if low <= m { low } else { low - (1 << b) }).max(-m) as f64 / (m as f64 + 0.5);
+        let t = twos_complement(field, b).max(-m) as f64 / (m as f64 + 0.5);
         if warped { (FRAC_PI_4 * t).tan() } else { t }
     };
     let (u, v, face) = (coordinate(code, a), coordinate(code >> a, b), (code >> (a + b)) % 8);
@@ -29,6 +28,20 @@ pub fn decode(code: u64, bits: u32, warped: bool) -> [f64; 3] {
         1 => [v, w, u],
         _ => [u, v, w],
     })
+}
+
+/// The code of a direction: the face of its largest component, and the nearest whole coordinates.
+pub fn encode(v: [f64; 3], bits: u32, warped: bool) -> u64 {
+    let larger = |a: usize, b: usize| if v[b].abs() > v[a].abs() { b } else { a };
+    let axis = larger(larger(0, 1), 2);
+    let face = 2 * axis as u64 + u64::from(v[axis] < 0.0);
+    let [a, b] = widths(bits);
+    let point = position(v, face << (a + b), bits, warped);
+    let [x, y] = [0, 1].map(|i| {
+        let m = ((1i64 << ([a, b][i] - 1)) - 1) as f64;
+        point[i].round().clamp(-m, m) as i64
+    });
+    field(x, a) | (field(y, b) << a) | (face << (a + b))
 }
 
 /// The position of a direction, in steps, on the face of a code; at most half a step over the face's edge if the code is
@@ -49,10 +62,7 @@ pub fn position(v: [f64; 3], code: u64, bits: u32, warped: bool) -> [f64; 2] {
 /// The integers of a code.
 pub fn integers(code: u64, bits: u32) -> [i64; 2] {
     let [a, b] = widths(bits);
-    [(code, a), (code >> a, b)].map(|(field, b)| {
-        let low = (field % (1 << b)) as i64;
-        if low < 1 << (b - 1) { low } else { low - (1 << b) }
-    })
+    [(code, a), (code >> a, b)].map(|(field, b)| twos_complement(field, b))
 }
 
 /// Meyer, eq. 8, with half steps that differ: the angle of a cell's corner from its middle, at the face's middle.

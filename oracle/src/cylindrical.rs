@@ -4,7 +4,7 @@ use super::spherical::{around, azimuth};
 use super::{Oracle, largest, length};
 use std::f64::consts::PI;
 
-/// The article's `(atan2(y, x) / pi, z)` and the bits of cylindrical16, cylindrical24 and cylindrical32.
+/// The article's `(atan2(y, x) / pi, z)` and its codes' bits.
 pub struct Cylindrical;
 
 impl Oracle for Cylindrical {
@@ -19,10 +19,10 @@ impl Oracle for Cylindrical {
 }
 
 /// How far, in steps of phi and z, the code's point is from the position of `v`. At a pole phi does not count.
-pub fn steps_off(v: [f64; 3], code: u32, bits: u32) -> [f64; 2] {
+pub fn steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let m = largest(bits);
     let ([phi, z], point) = (Cylindrical::position(v), Cylindrical::unpack(code, bits));
-    let [j, k] = point.map(f64::from);
+    let [j, k] = point.map(|i| i as f64);
     [if k.abs() < m { around(phi * m, j, 2.0 * m) } else { 0.0 }, (z * m - k).abs()]
 }
 

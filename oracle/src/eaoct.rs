@@ -4,7 +4,7 @@ use super::oct::{Oct, wrap};
 use super::{Oracle, angle_deg, largest, sign_not_zero, snorm};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-/// Clarberg's map and the bits of eaoct16, eaoct20, eaoct22, eaoct24 and eaoct32, which are those of [`Oct`].
+/// Clarberg's map, and codes whose bits are those of [`Oct`].
 pub struct EaOct;
 
 /// Clarberg 2008, section 2: r = sqrt(1 - |z|) and phi = 2/pi atan(|y| / |x|) of a direction. By half angles r is
@@ -15,15 +15,15 @@ pub fn polar(v: [f64; 3]) -> [f64; 2] {
 }
 
 /// The ring of a code's point, and its number there from the x axis.
-pub fn ring_point(code: u32, bits: u32) -> [i32; 2] {
-    let m = largest(bits) as i32;
+pub fn ring_point(code: u64, bits: u32) -> [i64; 2] {
+    let m = largest(bits) as i64;
     let [x, y] = EaOct::unpack(code, bits).map(|i| i.abs().min(m));
     if x + y > m { [2 * m - x - y, m - x] } else { [x + y, y] }
 }
 
 /// The code of the `place`-th point of a ring, in the octant of `v`.
-pub fn ring_code(v: [f64; 3], [ring, place]: [i32; 2], bits: u32) -> u32 {
-    let m = largest(bits) as i32;
+pub fn ring_code(v: [f64; 3], [ring, place]: [i64; 2], bits: u32) -> u64 {
+    let m = largest(bits) as i64;
     let p = if v[2] < 0.0 { [m - place, m - (ring - place)] } else { [ring - place, place] };
     let sign = |t: f64| if t < 0.0 { -1 } else { 1 };
     EaOct::pack([sign(v[0]) * p[0], sign(v[1]) * p[1]], bits)
@@ -54,30 +54,30 @@ impl Oracle for EaOct {
         ]
     }
 
-    fn unpack(code: u32, bits: u32) -> [i32; 2] {
+    fn unpack(code: u64, bits: u32) -> [i64; 2] {
         Oct::unpack(code, bits)
     }
 
-    fn pack(point: [i32; 2], bits: u32) -> u32 {
+    fn pack(point: [i64; 2], bits: u32) -> u64 {
         Oct::pack(point, bits)
+    }
+
+    /// The nearest point on the nearest ring.
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        let [r, phi] = polar(v);
+        let ring = (r * largest(bits)).round();
+        ring_code(v, [ring, (phi * ring).round()].map(|t| t as i64), bits)
     }
 }
 
-/// The code of the nearest point on the nearest ring.
-pub fn on_nearest_ring(v: [f64; 3], bits: u32) -> u32 {
-    let [r, phi] = polar(v);
-    let ring = (r * largest(bits)).round();
-    ring_code(v, [ring, (phi * ring).round()].map(|t| t as i32), bits)
-}
-
 /// The code nearest in angle to the direction of `v`, by trial of the 7 x 7 lattice points around its position.
-pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u32 {
+pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
     let m = largest(bits);
-    let centre = EaOct::position(v).map(|t| (t * m).round() as i32);
+    let centre = EaOct::position(v).map(|t| (t * m).round() as i64);
     let mut best = (f64::INFINITY, centre);
     for x in centre[0] - 3..=centre[0] + 3 {
         for y in centre[1] - 3..=centre[1] + 3 {
-            let point = wrap([x, y], m as i32);
+            let point = wrap([x, y], m as i64);
             let angle = angle_deg(v, EaOct::direction(point.map(|i| snorm(i, m))));
             if angle < best.0 {
                 best = (angle, point);

@@ -4,7 +4,7 @@ use super::{Oracle, cross, dot, normalize};
 use crate::spherical::{at, azimuth, colatitude};
 use std::f64::consts::{PI, TAU};
 
-/// The points of fib16, fib24 and fib32. Positions are a height and an azimuth in half turns.
+/// The points, numbered from +Z to -Z. Positions are a height and an azimuth in half turns.
 pub struct Fib;
 
 impl Oracle for Fib {
@@ -16,8 +16,13 @@ impl Oracle for Fib {
         at(e[0].acos() / PI, e[1])
     }
 
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
-        point(i64::from(code), bits)
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
+        point(code as i64, bits)
+    }
+
+    /// The nearest point.
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        nearest(v, bits)
     }
 }
 
@@ -44,7 +49,7 @@ pub fn chord_squared(v: [f64; 3], i: i64, bits: u32) -> f64 {
 
 /// The code of the nearest point: among the 16 around the cell of the lattice, whose basis is that of the paper's
 /// section 3, and the first and last 64.
-pub fn nearest(v: [f64; 3], bits: u32) -> u32 {
+pub fn nearest(v: [f64; 3], bits: u32) -> u64 {
     let (v, count) = (normalize(v), 2f64.powi(bits as i32));
     let from_pole = (colatitude([v[0], v[1], v[2].abs()]) * PI / 2.0).sin().powi(2);
     let number = if v[2] < 0.0 { count * (1.0 - from_pole) } else { count * from_pole } - 0.5;
@@ -62,14 +67,14 @@ pub fn nearest(v: [f64; 3], bits: u32) -> u32 {
     let around_cell = (0..16).map(|n| (a as i64 + n % 4 - 1) * f as i64 + (b as i64 + n / 4 - 1) * g as i64);
     let ends = (0..64).flat_map(|i| [i, count as i64 - 1 - i]).filter(|_| from_pole * count < 32.0);
     let candidates = around_cell.chain(ends).filter(|i| (0..count as i64).contains(i));
-    let [mut best, mut least] = [0.0, f64::INFINITY];
+    let (mut best, mut least) = (0, f64::INFINITY);
     for i in candidates {
         let distance = chord_squared(v, i, bits);
         if distance < least {
-            [best, least] = [i as f64, distance];
+            (best, least) = (i as u64, distance);
         }
     }
-    best as u32
+    best
 }
 
 /// The place farthest from all points: the middle of the circle through points 1, 2 and 4.
@@ -121,7 +126,7 @@ mod tests {
     #[test]
     fn points_are_found() {
         for bits in [16, 24, 32] {
-            let last = u32::MAX >> (32 - bits);
+            let last = u64::MAX >> (64 - bits);
             for code in (0..10_000).flat_map(|n| [n * (last / 10_000), n, last - n]) {
                 assert_eq!(nearest(Fib::decode(code, bits), bits), code);
             }

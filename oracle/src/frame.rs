@@ -3,7 +3,8 @@
 //! The basis is Frisvad's: the axes, turned by the arc that takes the pole to the normal (Duff et al. 2017 take the
 //! pole of the normal's hemisphere). The angle is Ong's diamond coordinate (2023), stretched.
 
-use super::{cross, dot, length, normalize, oct_wide};
+use super::oct::{Oct, nearest_in_neighbourhood};
+use super::{Oracle, cross, dot, length, normalize};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
 /// A normal, a tangent and a handedness.
@@ -58,6 +59,20 @@ pub fn basis(n: [f64; 3]) -> [[f64; 3]; 2] {
 }
 
 impl Format {
+    /// The format with an identifier.
+    pub fn find(id: &str) -> Option<Self> {
+        match id {
+            "frame32" => Some(FRAME32),
+            "frame64" => Some(FRAME64),
+            _ => None,
+        }
+    }
+
+    /// Significant bits of a code.
+    pub fn bits(self) -> u32 {
+        self.normal_bits + self.angle_bits + 1
+    }
+
     /// The frame that a code stands for.
     pub fn decode(self, code: u64) -> Frame {
         let normal = self.normal(code % (1 << self.normal_bits));
@@ -79,16 +94,14 @@ impl Format {
         self.decode(self.encode(frame))
     }
 
-    /// The unit vector of a normal's code. By way of whole numbers, so that z is exactly 0 on the equator, where the
-    /// basis jumps.
+    /// The unit vector of a normal's code.
     pub fn normal(self, code: u64) -> [f64; 3] {
-        oct_wide::decode([code as u32, (code >> 32) as u32], self.normal_bits)
+        Oct::decode(code, self.normal_bits)
     }
 
     /// The code of the unit vector nearest to `v`.
     pub fn nearest_normal(self, v: [f64; 3]) -> u64 {
-        let [low, high] = oct_wide::nearest(v, self.normal_bits);
-        u64::from(low) | (u64::from(high) << 32)
+        nearest_in_neighbourhood(v, self.normal_bits)
     }
 
     /// The angle in radians, 0 to a whole turn, of its code: the quarter turn, and the place in that.
@@ -152,7 +165,6 @@ pub fn tangent_bound(d: f64, e: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Oct, Oracle};
     use super::*;
 
     fn normals() -> impl Iterator<Item = [f64; 3]> {

@@ -2,7 +2,7 @@
 
 use super::{Oracle, largest};
 
-/// The hemi-oct mapping (survey, listing 6) and the bits of hemioct16, hemioct24 and hemioct32.
+/// The hemi-oct mapping (survey, listing 6) and its codes' bits.
 pub struct HemiOct;
 
 impl Oracle for HemiOct {

@@ -1,10 +1,10 @@
-//! Icosahedral lattices: the definition of ico16, ico24 and ico32.
+//! Icosahedral lattices.
 
 use super::spherical::at;
 use super::{LatLong, Oracle, Summary, cross, dot, normalize};
 use std::sync::OnceLock;
 
-/// The mapping of ico16, ico24 and ico32. Positions are colatitude and azimuth in half turns.
+/// The mapping. Positions are colatitude and azimuth in half turns.
 pub struct Ico;
 
 impl Oracle for Ico {
@@ -16,19 +16,24 @@ impl Oracle for Ico {
         at(e[0], e[1])
     }
 
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
         decode(code, bits)
     }
 }
 
 /// The lattice of a width: steps along an edge, and N of the weights `i (N - i)`.
 pub fn lattice(bits: u32) -> (i64, i64) {
-    match bits {
+    find_lattice(bits).unwrap_or_else(|| panic!("ico{bits} is not defined"))
+}
+
+/// The same, where there is one.
+pub fn find_lattice(bits: u32) -> Option<(i64, i64)> {
+    Some(match bits {
         16 => (80, 400),
         24 => (1294, 6019),
         32 => (20724, 96391),
-        _ => panic!("no such format"),
-    }
+        _ => return None,
+    })
 }
 
 /// The first code of the faces in octants.
@@ -38,9 +43,9 @@ pub fn octants(bits: u32) -> i64 {
 }
 
 /// The last code that is written.
-pub fn last(bits: u32) -> u32 {
+pub fn last(bits: u32) -> u64 {
     let (n, _) = lattice(bits);
-    (10 * n * n + 7) as u32
+    (10 * n * n + 7) as u64
 }
 
 /// The twelve vertices: cyclic permutations of (0, +-1, +-p).
@@ -85,10 +90,10 @@ pub fn point(face: Face, numbers: [i64; 3], bits: u32) -> [f64; 3] {
 /// A face and the numbers of its vertices, of a code: of a face that straddles a plane, the base's end on the negative
 /// side, that on the positive side, and the apex; of a face in an octant, the vertices in the planes x = 0, z = 0 and
 /// y = 0.
-pub fn place(code: u32, bits: u32) -> (Face, [i64; 3]) {
+pub fn place(code: u64, bits: u32) -> (Face, [i64; 3]) {
     let (n, _) = lattice(bits);
     let p = (1.0 + 5f64.sqrt()) / 2.0;
-    let code = i64::from(code.min(last(bits)));
+    let code = code.min(last(bits)) as i64;
     if code < octants(bits) {
         let (line, column) = (code / (n + 2), code % (n + 2));
         let (block, row) = (line / n, line % n);
@@ -112,7 +117,7 @@ pub fn place(code: u32, bits: u32) -> (Face, [i64; 3]) {
 }
 
 /// The unit vector that a code stands for.
-pub fn decode(code: u32, bits: u32) -> [f64; 3] {
+pub fn decode(code: u64, bits: u32) -> [f64; 3] {
     let (face, numbers) = place(code, bits);
     point(face, numbers, bits)
 }

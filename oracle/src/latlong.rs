@@ -4,7 +4,7 @@ use super::Oracle;
 use super::spherical::{around, at, azimuth, colatitude};
 use std::sync::OnceLock;
 
-/// The plain grid of latlong16, latlong24 and latlong32. Positions are colatitude and azimuth in half turns.
+/// The plain grid. Positions are colatitude and azimuth in half turns.
 pub struct LatLong;
 
 impl Oracle for LatLong {
@@ -17,27 +17,34 @@ impl Oracle for LatLong {
     }
 
     /// Ring and patch.
-    fn unpack(code: u32, bits: u32) -> [i32; 2] {
+    fn unpack(code: u64, bits: u32) -> [i64; 2] {
         let count = 1 << (bits / 2);
-        [(code / count % count) as i32, (code % count) as i32]
+        [(code / count % count) as i64, (code % count) as i64]
     }
 
-    fn pack(point: [i32; 2], bits: u32) -> u32 {
-        let [ring, patch] = point.map(|i| i as u32);
+    fn pack(point: [i64; 2], bits: u32) -> u64 {
+        let [ring, patch] = point.map(|i| i as u64);
         (ring << (bits / 2)) + patch
     }
 
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
         let count = 2f64.powi(bits as i32 / 2);
-        let [ring, patch] = Self::unpack(code, bits).map(|i| (f64::from(i) + 0.5) / count);
+        let [ring, patch] = Self::unpack(code, bits).map(|i| (i as f64 + 0.5) / count);
         at(ring, 2.0 * patch)
+    }
+
+    /// The patch that the direction is in.
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        let count = 1 << (bits / 2);
+        let [ring, turn] = [colatitude(v), azimuth(v) / 2.0].map(|t| (t * count as f64).floor() as i64);
+        Self::pack([ring.min(count - 1), turn.rem_euclid(count)], bits)
     }
 }
 
 /// How far, in rings and patches, the middle of the code's patch is from `v`.
-pub fn grid_steps_off(v: [f64; 3], code: u32, bits: u32) -> [f64; 2] {
+pub fn grid_steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let count = 2f64.powi(bits as i32 / 2);
-    let [ring, patch] = LatLong::unpack(code, bits).map(|i| f64::from(i) + 0.5);
+    let [ring, patch] = LatLong::unpack(code, bits).map(|i| i as f64 + 0.5);
     [(colatitude(v) * count - ring).abs(), around(azimuth(v) * count / 2.0, patch, count)]
 }
 
@@ -46,7 +53,7 @@ pub fn grid_bound_deg(bits: u32) -> f64 {
     5f64.sqrt() * 90.0 / 2f64.powi(bits as i32 / 2)
 }
 
-/// The rings of latlong16d, latlong24d and latlong32d.
+/// The format of rings, `latlong…d`.
 pub struct LatLongD;
 
 /// How far the middle of ring i is from +-Z: `i / rings` of a quarter turn. `starts[i]` is the index of its first
@@ -58,23 +65,29 @@ pub struct Rings {
     pub starts: Vec<u32>,
 }
 
-/// The definition of the format: where the rings of `bits` bits start, in `f32`. The crate's linear part, of i - 1/2,
-/// rounds to the same starts for every ring.
+/// The definition of the format: bits, rings from pole to equator, and the coefficients of where the rings start.
+const FORMATS: [(u32, usize, [f32; 3]); 3] = [
+    (16, 113, [0.7756357, -1.244649e-5, 7.392083e-11]),
+    (24, 1782, [0.81366533, -5.2502063e-8, 1.2538275e-15]),
+    (32, 29225, [0.7753543, -1.8601036e-10, 1.6516002e-20]),
+];
+
+/// Where the rings of `bits` bits start, in `f32`. The crate's linear part, of i - 1/2, rounds to the same starts for
+/// every ring.
 pub fn rings(bits: u32) -> &'static Rings {
-    static RINGS: [OnceLock<Rings>; 3] = [const { OnceLock::new() }; 3];
-    let (width, last, a): (usize, usize, [f32; 3]) = match bits {
-        16 => (0, 113, [0.7756357, -1.244649e-5, 7.392083e-11]),
-        24 => (1, 1782, [0.81366533, -5.2502063e-8, 1.2538275e-15]),
-        32 => (2, 29225, [0.7753543, -1.8601036e-10, 1.6516002e-20]),
-        _ => panic!("no such format"),
+    find_rings(bits).unwrap_or_else(|| panic!("latlong{bits}d is not defined"))
+}
+
+/// The same, where there is such a format.
+pub fn find_rings(bits: u32) -> Option<&'static Rings> {
+    static RINGS: [OnceLock<Rings>; FORMATS.len()] = [const { OnceLock::new() }; FORMATS.len()];
+    let width = FORMATS.iter().position(|format| format.0 == bits)?;
+    let (_, last, a) = FORMATS[width];
+    let start = |i: usize| {
+        let u = (i as f32 - 0.5) * (i as f32 - 0.5);
+        (u * (a[0] + u * (a[1] + u * a[2])) + (0.95 * i as f32 + 0.25)).floor() as u32
     };
-    RINGS[width].get_or_init(|| {
-        let start = |i: usize| {
-            let u = (i as f32 - 0.5) * (i as f32 - 0.5);
-            (u * (a[0] + u * (a[1] + u * a[2])) + (0.95 * i as f32 + 0.25)).floor() as u32
-        };
-        Rings { last, starts: (0..=last + 1).map(start).collect() }
-    })
+    Some(RINGS[width].get_or_init(|| Rings { last, starts: (0..=last + 1).map(start).collect() }))
 }
 
 impl Rings {
@@ -100,8 +113,8 @@ impl Rings {
     }
 
     /// Where a code's patch is: hemisphere, quarter, ring and patch.
-    fn place(&self, code: u32, bits: u32) -> (u32, u32, usize, u32) {
-        let unit = 1 << (bits - 3);
+    fn place(&self, code: u64, bits: u32) -> (u32, u32, usize, u32) {
+        let (unit, code) = (1 << (bits - 3), code as u32);
         let index = code % unit;
         let ring = self.starts.partition_point(|&start| start <= index) - 1;
         (code / unit / 4 % 2, code / unit % 4, ring, index - self.starts[ring])
@@ -117,17 +130,30 @@ impl Oracle for LatLongD {
         at(e[0], e[1])
     }
 
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
         let rings = rings(bits);
         let (hemisphere, quarter, ring, patch) = rings.place(code, bits);
         let azimuth = (f64::from(quarter) + f64::from(patch) / f64::from(rings.count(ring))) / 2.0;
         let [x, y, z] = at(ring as f64 / rings.last as f64 / 2.0, azimuth);
         [x, y, if hemisphere == 0 { z } else { -z }]
     }
+
+    /// The patch that the direction is in: rings and patches have their middles on whole numbers.
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        let rings = rings(bits);
+        let from_pole = colatitude([v[0], v[1], v[2].abs()]);
+        let ring = (from_pole * 2.0 * rings.last as f64).round() as usize;
+        let count = rings.count(ring);
+        let turn = (azimuth(v) * 2.0 * f64::from(count)).round() as i64;
+        let patch = turn.rem_euclid(4 * i64::from(count)) as u32;
+        let (quarter, hemisphere) = (patch / count, u32::from(v[2] < 0.0));
+        let index = rings.starts[ring] + patch % count;
+        u64::from((hemisphere << (bits - 1)) | (quarter << (bits - 3)) | index)
+    }
 }
 
 /// How far, in rings and patches, the middle of the code's patch is from `v`. At a pole the patch does not count.
-pub fn steps_off(v: [f64; 3], code: u32, bits: u32) -> [f64; 2] {
+pub fn steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let rings = rings(bits);
     let (hemisphere, quarter, ring, patch) = rings.place(code, bits);
     let from_pole = colatitude([v[0], v[1], if hemisphere == 0 { v[2] } else { -v[2] }]);

@@ -15,7 +15,6 @@ pub mod hemioct;
 pub mod ico;
 pub mod latlong;
 pub mod oct;
-pub mod oct_wide;
 pub mod projection;
 pub mod raw;
 pub mod reference;
@@ -30,7 +29,7 @@ pub use hemioct::HemiOct;
 pub use ico::Ico;
 pub use latlong::{LatLong, LatLongD};
 pub use oct::Oct;
-pub use reference::{RoundTrip, round_trip};
+pub use reference::{Reference, round_trip};
 pub use spherical::Spherical;
 
 /// An octahedral mapping of directions to the square `[-1, 1]^2`, and its code's bits.
@@ -47,46 +46,57 @@ pub trait Oracle {
     }
 
     /// The pair of snorm integers in a code: the first in the low half, the second in the high half.
-    fn unpack(code: u32, bits: u32) -> [i32; 2] {
+    fn unpack(code: u64, bits: u32) -> [i64; 2] {
         split_halves(code, bits)
     }
 
     /// The code of a pair of snorm integers.
-    fn pack(point: [i32; 2], bits: u32) -> u32 {
+    fn pack(point: [i64; 2], bits: u32) -> u64 {
         join_halves(point, bits)
     }
 
     /// The unit vector that a code stands for.
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
         let m = largest(bits);
         normalize(Self::direction(Self::unpack(code, bits).map(|i| snorm(i, m))))
+    }
+
+    /// The code of a direction of any length: the lattice point nearest on the square.
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        let m = largest(bits);
+        Self::pack(Self::position(Self::domain(v)).map(|t| (t * m).round() as i64), bits)
     }
 }
 
 /// Survey, section 1.2: the largest integer `2^(b-1) - 1` of the snorm components of `b = bits / 2` bits.
 pub fn largest(bits: u32) -> f64 {
-    ((1 << (bits / 2 - 1)) - 1) as f64
+    ((1i64 << (bits / 2 - 1)) - 1) as f64
 }
 
 /// Survey, section 1.2: the value of the snorm integer `i`, `clamp(i / (2^(b-1) - 1), -1, 1)`.
-pub fn snorm(i: i32, m: f64) -> f64 {
-    (f64::from(i) / m).clamp(-1.0, 1.0)
+pub fn snorm(i: i64, m: f64) -> f64 {
+    (i as f64 / m).clamp(-1.0, 1.0)
 }
 
 /// The integer that the low `b` bits of `bits` are in two's complement.
-pub fn twos_complement(bits: u32, b: u32) -> i32 {
-    let low = i64::from(bits) % (1 << b);
-    (if low < 1 << (b - 1) { low } else { low - (1 << b) }) as i32
+pub fn twos_complement(bits: u64, b: u32) -> i64 {
+    let low = (bits % (1 << b)) as i64;
+    if low < 1 << (b - 1) { low } else { low - (1 << b) }
+}
+
+/// The low `b` bits of an integer in two's complement: the inverse of [`twos_complement`].
+pub fn field(integer: i64, b: u32) -> u64 {
+    integer as u64 % (1 << b)
 }
 
 /// The two integers, in two's complement, in the halves of a code's `bits` bits, the low half first.
-pub fn split_halves(code: u32, bits: u32) -> [i32; 2] {
+pub fn split_halves(code: u64, bits: u32) -> [i64; 2] {
     [twos_complement(code, bits / 2), twos_complement(code >> (bits / 2), bits / 2)]
 }
 
 /// The code whose halves are two integers: the inverse of [`split_halves`].
-pub fn join_halves(point: [i32; 2], bits: u32) -> u32 {
-    let [low, high] = point.map(|i| i as u32 & ((1 << (bits / 2)) - 1));
+pub fn join_halves(point: [i64; 2], bits: u32) -> u64 {
+    let [low, high] = point.map(|i| field(i, bits / 2));
     low | (high << (bits / 2))
 }
 

@@ -1,8 +1,8 @@
 //! The octahedral mapping of the sphere.
 
-use super::{Oracle, cross, dot, join_halves, largest, sign_not_zero, snorm, split_halves};
+use super::{Oracle, cross, dot, join_halves, largest, length, normalize, sign_not_zero, split_halves};
 
-/// The oct mapping (survey, listings 1 and 2) and the bits of oct16, oct20, oct22, oct24 and oct32.
+/// The oct mapping (survey, listings 1 and 2) and its codes' bits.
 pub struct Oct;
 
 impl Oracle for Oct {
@@ -27,37 +27,52 @@ impl Oracle for Oct {
         }
     }
 
-    fn unpack(code: u32, bits: u32) -> [i32; 2] {
+    fn unpack(code: u64, bits: u32) -> [i64; 2] {
         if bits == 24 { unorm8x3_to_snorm12x2_slow(bytes(code)) } else { split_halves(code, bits) }
     }
 
-    fn pack(point: [i32; 2], bits: u32) -> u32 {
+    fn pack(point: [i64; 2], bits: u32) -> u64 {
         if bits == 24 { code(snorm12x2_to_unorm8x3_slow(point)) } else { join_halves(point, bits) }
+    }
+
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
+        lattice_direction(Self::unpack(code, bits), bits)
     }
 }
 
+/// The unit vector of a lattice point (survey, section 1.2 and listing 2). In whole numbers up to the length: `f64` does
+/// not hold a quotient by `m`, and on the equator z is exactly 0.
+pub fn lattice_direction(point: [i64; 2], bits: u32) -> [f64; 3] {
+    let m = (1 << (bits / 2 - 1)) - 1;
+    let [x, y] = point.map(|i| i.clamp(-m, m));
+    let z = m - x.abs() - y.abs();
+    let sign = |i: i64| if i >= 0 { 1 } else { -1 };
+    let whole = if z < 0 { [(m - y.abs()) * sign(x), (m - x.abs()) * sign(y), z] } else { [x, y, z] };
+    normalize(whole.map(|i| i as f64))
+}
+
 /// The three bytes of an oct24 code, the first in the low bits.
-pub fn bytes(code: u32) -> [u8; 3] {
-    let [a, b, c, _] = code.to_le_bytes();
+pub fn bytes(code: u64) -> [u8; 3] {
+    let [a, b, c, ..] = code.to_le_bytes();
     [a, b, c]
 }
 
 /// The oct24 code of three bytes.
-pub fn code([a, b, c]: [u8; 3]) -> u32 {
-    u32::from_le_bytes([a, b, c, 0])
+pub fn code([a, b, c]: [u8; 3]) -> u64 {
+    u64::from_le_bytes([a, b, c, 0, 0, 0, 0, 0])
 }
 
 /// Survey, listing 4 (`snorm12x2_to_unorm8x3_slow`) after its rounding, as for GL_RGB8UI: the bytes of two snorm
 /// integers.
-pub fn snorm12x2_to_unorm8x3_slow(point: [i32; 2]) -> [u8; 3] {
+pub fn snorm12x2_to_unorm8x3_slow(point: [i64; 2]) -> [u8; 3] {
     let [x, y] = point.map(|i| (i + 2047) as u32);
     [(x >> 4) as u8, (((x & 0xF) << 4) | (y >> 8)) as u8, (y & 0xFF) as u8]
 }
 
 /// Survey, listing 4 (`unorm8x3_to_snorm12x2_slow`) before its division by 2047: the two snorm integers, the
 /// second pattern of +1 as 2048.
-pub fn unorm8x3_to_snorm12x2_slow(bytes: [u8; 3]) -> [i32; 2] {
-    let v = bytes.map(i32::from);
+pub fn unorm8x3_to_snorm12x2_slow(bytes: [u8; 3]) -> [i64; 2] {
+    let v = bytes.map(i64::from);
     let p = [(v[0] << 4) | ((v[1] >> 4) & 15), ((v[1] & 15) << 8) | v[2]];
     p.map(|i| i - 2047)
 }
@@ -95,30 +110,36 @@ pub fn all_directions(bits: u32) -> Vec<[f64; 3]> {
 }
 
 /// The code nearest in angle to the direction of `v`, by trial of every code: `all` is [`all_directions`].
-pub fn nearest_of_all(v: [f64; 3], all: &[[f64; 3]]) -> u32 {
+pub fn nearest_of_all(v: [f64; 3], all: &[[f64; 3]]) -> u64 {
     let mut best = (f64::NEG_INFINITY, 0);
-    for (code, &direction) in all.iter().enumerate() {
+    for (code, &direction) in (0..).zip(all) {
         let cosine = dot(v, direction);
         if cosine > best.0 {
             best = (cosine, code);
         }
     }
-    best.1 as u32
+    best.1
+}
+
+/// The angle in radians between two vectors of any length, as [`super::angle_deg`] takes it.
+pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+    length(cross(a, b)).atan2(dot(a, b))
 }
 
 /// The code nearest in angle to the direction of `v`, by trial of the 7 x 7 lattice points around its position.
-pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u32 {
-    let m = largest(bits);
-    let centre = Oct::position(v).map(|t| (t * m).round() as i32);
+pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
+    let m = (1 << (bits / 2 - 1)) - 1;
+    let centre = Oct::position(v).map(|t| (t * m as f64).round() as i64);
     let mut best = (f64::INFINITY, centre);
     for x in centre[0] - 3..=centre[0] + 3 {
         for y in centre[1] - 3..=centre[1] + 3 {
-            let point = wrap([x, y], m as i32);
-            let direction = Oct::direction(point.map(|i| snorm(i, m)));
-            // All these directions are less than 90 degrees from `v`, so the tangent orders their angles.
-            let tangent_squared = dot(cross(v, direction), cross(v, direction)) / dot(v, direction).powi(2);
-            if tangent_squared < best.0 {
-                best = (tangent_squared, point);
+            let point = wrap([x, y], m);
+            let direction = lattice_direction(point, bits);
+            // Less than 90 degrees from `v` the tangent orders angles.
+            let (sine, cosine) = (length(cross(v, direction)), dot(v, direction));
+            let off = if cosine > 0.0 { sine / cosine } else { f64::INFINITY };
+            if off < best.0 {
+                best = (off, point);
             }
         }
     }
@@ -127,7 +148,10 @@ pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u32 {
 
 /// The lattice point of the square `[-m, m]^2` that a point beyond its border goes on to: each edge is glued to
 /// itself, turned about its middle (survey, figure 3).
-pub fn wrap([x, y]: [i32; 2], m: i32) -> [i32; 2] {
+pub fn wrap([x, y]: [i64; 2], m: i64) -> [i64; 2] {
     let [x, y] = if x.abs() > m { [2 * m * x.signum() - x, -y] } else { [x, y] };
     if y.abs() > m { [-x, 2 * m * y.signum() - y] } else { [x, y] }
 }
+
+/// Meyer, eq. 3, in radians: the maximal error of three floats of 23-bit mantissa, `sqrt(8) / 3 eps` at `eps = 2^-24`.
+pub const FPNV: f64 = 5.62e-8;

@@ -3,7 +3,7 @@
 use super::{Oracle, largest, snorm};
 use std::f64::consts::PI;
 
-/// The survey's spherical coordinates and the bits of spherical16 to spherical32. Positions are in half turns: the
+/// The survey's spherical coordinates and its codes' bits. Positions are in half turns: the
 /// first `2 theta / pi - 1`, the second `phi / pi`.
 pub struct Spherical;
 
@@ -16,9 +16,14 @@ impl Oracle for Spherical {
         at((e[0] + 1.0) / 2.0, e[1])
     }
 
-    fn decode(code: u32, bits: u32) -> [f64; 3] {
+    fn decode(code: u64, bits: u32) -> [f64; 3] {
         let [i, j] = Self::unpack(code, bits);
-        Self::direction([snorm(i, largest(bits)), f64::from(j) / steps(bits)])
+        Self::direction([snorm(i, largest(bits)), j as f64 / steps(bits)])
+    }
+
+    fn encode(v: [f64; 3], bits: u32) -> u64 {
+        let [theta, phi] = Self::position(v);
+        Self::pack([theta * largest(bits), phi * steps(bits)].map(|t| t.round() as i64), bits)
     }
 }
 
@@ -50,10 +55,10 @@ pub fn around(position: f64, point: f64, period: f64) -> f64 {
 }
 
 /// How far, in steps of theta and phi, the code's point is from the position of `v`. At a pole phi does not count.
-pub fn steps_off(v: [f64; 3], code: u32, bits: u32) -> [f64; 2] {
+pub fn steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let (m, half_turn) = (largest(bits), steps(bits));
     let ([t, phi], point) = (Spherical::position(v), Spherical::unpack(code, bits));
-    let [i, j] = point.map(f64::from);
+    let [i, j] = point.map(|i| i as f64);
     let phi_off = around(phi * half_turn, j, 2.0 * half_turn);
     [(t * m - i).abs(), if i.abs() < m { phi_off } else { 0.0 }]
 }

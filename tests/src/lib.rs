@@ -1,9 +1,12 @@
 //! Helpers of the integration tests.
 
-pub mod oracle;
+pub mod checks;
+pub mod directions;
+pub mod expected;
 pub mod program;
 pub mod remez;
-pub mod sampling;
+pub mod suite;
+pub mod tested;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -1,0 +1,105 @@
+//! Nothing that the list cannot make is lacking for any of its codecs.
+//!
+//! The catalogue, the kernels, the suite, the slices and the benchmarks are made from the list: they need no test here.
+
+use std::collections::BTreeSet;
+use unitvec_catalogue::{CATALOGUE, formats};
+#[cfg(feature = "glsl")]
+use unitvec_host::catalogue::Direction;
+#[cfg(feature = "glsl")]
+use unitvec_host::glsl::Compiler;
+use unitvec_host::modules::Modules;
+use unitvec_oracle::Reference;
+use unitvec_oracle::frame::Format;
+use unitvec_tests::program::{run, stderr};
+use unitvec_tests::repository;
+
+/// Every codec of vectors and of frames has its two SPIR-V kernels and those that measure them, GLSL functions, an oracle of
+/// as many bits, a digest, a row of `unitvec accuracy`, and its name in the README or in `docs/`. All that lacks is named.
+#[test]
+fn nothing_is_lacking() {
+    let has: [(&str, Box<dyn Fn(&str) -> bool>); 5] = [
+        ("SPIR-V kernels", Box::new(has_kernels(Modules::open(None).unwrap()))),
+        ("SPIR-V kernels that measure", Box::new(has_kernels(Modules::open_cost(None).unwrap()))),
+        ("a digest in tests/data/digests.csv", Box::new(|id| digests().contains(id))),
+        ("a row of `unitvec accuracy`", is_among(measured())),
+        ("its name in README.md or docs/codecs.md", is_named_in(&["README.md", "docs/codecs.md"])),
+    ];
+    let mut lacking = Vec::new();
+    for format in formats() {
+        lacking.extend(
+            has.iter().filter(|(_, has)| !has(format.id)).map(|(what, _)| format!("{}: {what}", format.id)),
+        );
+        if oracle_bits(format.id) != Some(format.bits) {
+            lacking.push(format!("{}: an oracle of {} bits", format.id, format.bits));
+        }
+    }
+    lacking.extend(lacking_glsl());
+    assert!(lacking.is_empty(), "lacking:\n{}", lacking.join("\n"));
+}
+
+/// What was released stays: a codec with a digest is in the list.
+#[test]
+fn no_released_codec_is_gone() {
+    let ids: BTreeSet<String> = formats().map(|format| format.id.to_owned()).collect();
+    let gone: Vec<String> = digests().difference(&ids).cloned().collect();
+    assert!(gone.is_empty(), "{gone:?}");
+}
+
+/// The docs of the GPU's costs have a row for every codec.
+#[test]
+fn costs_are_complete() {
+    let is_named = is_named_in(&["docs/costs.md"]);
+    let lacking: Vec<&str> = CATALOGUE.iter().map(|codec| codec.id).filter(|id| !is_named(id)).collect();
+    assert!(lacking.is_empty(), "docs/costs.md lacks {lacking:?}");
+}
+
+fn has_kernels(modules: Modules) -> impl Fn(&str) -> bool {
+    move |id| ["encode", "decode"].iter().all(|operation| modules.load(&format!("{id}_{operation}")).is_ok())
+}
+
+fn digests() -> BTreeSet<String> {
+    let rows = include_str!("data/digests.csv").lines().skip(1);
+    rows.filter_map(|row| Some(row.split(',').next()?.to_owned())).collect()
+}
+
+/// The codecs in the report of all tables.
+fn measured() -> BTreeSet<String> {
+    let output = run(["accuracy", "--table", "all", "--count", "100", "--json", "-"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    report["rows"].as_array().unwrap().iter().map(|row| row["id"].as_str().unwrap().to_owned()).collect()
+}
+
+fn is_among(ids: BTreeSet<String>) -> Box<dyn Fn(&str) -> bool> {
+    Box::new(move |id| ids.contains(id))
+}
+
+/// Whether an identifier stands between backquotes in one of these files.
+fn is_named_in(files: &[&str]) -> Box<dyn Fn(&str) -> bool> {
+    let texts = files.iter().filter_map(|file| std::fs::read_to_string(repository().join(file)).ok());
+    let text: String = texts.collect();
+    Box::new(move |id| text.contains(&format!("`{id}`")))
+}
+
+fn oracle_bits(id: &str) -> Option<u32> {
+    Reference::find(id).map(|codec| codec.bits).or_else(|| Format::find(id).map(Format::bits))
+}
+
+/// The kernels over GLSL functions that do not compile, with what the compiler says: it names a function that is missing.
+#[cfg(feature = "glsl")]
+fn lacking_glsl() -> Vec<String> {
+    let compiler = Compiler::new().unwrap();
+    let kernels =
+        formats().flat_map(|format| [Direction::Encode, Direction::Decode].map(|half| (format, half)));
+    let errors = kernels.filter_map(|(format, half)| {
+        let error = compiler.kernel(format, half).err()?;
+        Some(format!("{}: GLSL function {}: {error}", format.id, format.function(half)))
+    });
+    errors.collect()
+}
+
+#[cfg(not(feature = "glsl"))]
+fn lacking_glsl() -> Vec<String> {
+    Vec::new()
+}

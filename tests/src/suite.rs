@@ -1,0 +1,184 @@
+//! What every codec of the list is put to the test with: a function a property. A codec's differences from the others are in
+//! [`expected`](crate::expected).
+
+use crate::checks::{
+    assert_bounded, assert_commutes, assert_decodes, assert_stable, assert_total, assert_unit,
+};
+use crate::directions::{AXES, Rng, any_vector, hemisphere, near_planes, sphere};
+use crate::expected;
+use crate::tested::{Tested, narrow, widen};
+use glam::Vec3;
+use unitvec::direction::{MAX_NORM, MIN_NORM};
+use unitvec_catalogue::Domain;
+use unitvec_host::sampling::special_vectors;
+use unitvec_oracle::{Summary, angle_deg, normalize};
+
+/// Calls the macro `callback` with the names of the suite's functions.
+#[macro_export]
+macro_rules! for_each_property {
+    ($callback:ident! { $($first:tt)* }) => {
+        $callback! {
+            $($first)*
+            decodes_as_the_oracle, round_trip_is_stable, symmetric, keeps_the_axes, errors_are_the_expected_ones,
+            takes_anything, norms_end_where_the_contract_says, length_does_not_matter, denormals_count_as_zero,
+            errors_are_the_oracles
+        }
+    };
+}
+
+/// Uniform directions of the codec's domain.
+fn uniform(codec: &Tested, seed: u64, count: usize) -> Box<dyn Iterator<Item = Vec3>> {
+    match codec.domain {
+        Domain::Sphere => Box::new(sphere(seed, count)),
+        Domain::Hemisphere => Box::new(hemisphere(seed, count)),
+    }
+}
+
+/// Directions all over the sphere, and near the coordinate planes and axes.
+fn directions(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
+    sphere(seed, count).chain(near_planes(seed + 1, count / 2).map(Vec3::normalize))
+}
+
+/// Codes decode to the reference's vectors, to unit length to 2 ULP where the codec says so, without -0, and the bits above
+/// the code do not count.
+pub fn decodes_as_the_oracle(codec: &Tested) {
+    assert_decodes(codec, codec.codes(1), expected::settled_share(codec));
+}
+
+/// Codes, and those of directions, decoded, encoded and decoded, give the first vector, exactly.
+pub fn round_trip_is_stable(codec: &Tested) {
+    if expected::is_stable(codec) {
+        assert_stable(codec, codec.codes(2).chain(directions(3, 200_000).map(|v| codec.encode(v))));
+        return;
+    }
+    for code in codec.codes(2) {
+        let once = codec.decode(code);
+        let once = if once == Vec3::ZERO { Vec3::Z } else { once };
+        assert_bounded(codec, codec.error_deg(once));
+    }
+}
+
+/// The images of a direction come back as the images of what the direction comes back as.
+pub fn symmetric(codec: &Tested) {
+    for image in expected::symmetries(codec) {
+        assert_commutes(codec, directions(4, 100_000), image);
+    }
+}
+
+/// The axes come back exactly where the codec says so, and not all of them where it says that they do not; -Z as +Z on a
+/// hemisphere.
+pub fn keeps_the_axes(codec: &Tested) {
+    let axes = if codec.domain == Domain::Sphere { &AXES[..] } else { &AXES[..5] };
+    let lost: Vec<Vec3> = axes
+        .iter()
+        .copied()
+        // Of CrytekBFN the direction comes back, at the length of its cell.
+        .filter(|&axis| match codec.id {
+            "crytek_bfn24" => codec.error_deg(axis) > 0.0,
+            _ => codec.round_trip(axis) != axis,
+        })
+        .collect();
+    assert_eq!(lost.is_empty(), codec.exact_axes, "{}: {lost:?}", codec.id);
+    if codec.domain == Domain::Hemisphere {
+        assert_eq!(codec.encode(Vec3::NEG_Z), codec.encode(Vec3::Z), "{}", codec.id);
+    }
+}
+
+/// Mean and maximum over 10^6 directions are those that [`expected::errors`] has; they keep to the codec's own bound, also
+/// next to the coordinate planes.
+pub fn errors_are_the_expected_ones(codec: &Tested) {
+    let ours = Summary::of(uniform(codec, 5, 1_000_000).map(|v| codec.error_deg(v)));
+    println!("{}: {ours:?}, at most {}, {:?}", codec.id, codec.max_error_deg, expected::errors(codec));
+    assert_bounded(codec, ours.max);
+    let planes = near_planes(6, 200_000).map(Vec3::normalize);
+    let planes = planes.filter(|v| codec.domain == Domain::Sphere || v.z >= 0.0);
+    assert_bounded(codec, Summary::of(planes.map(|v| codec.error_deg(v))).max);
+    if let Some(expected) = expected::errors(codec) {
+        let [below, above] = expected.mean_within;
+        let mean = ours.mean / expected.mean - 1.0;
+        assert!((-below..=above).contains(&mean), "{}: {ours:?} for {expected:?}: {mean}", codec.id);
+        assert!(ours.max <= expected.max, "{}: {ours:?} for {expected:?}", codec.id);
+    }
+}
+
+/// Zeros, denormals, infinities, NaN, huge and tiny numbers, any bit patterns taken as floats and any taken as codes.
+pub fn takes_anything(codec: &Tested) {
+    special_vectors().into_iter().for_each(|v| assert_total(codec, Vec3::from_array(v)));
+    let mut rng = Rng::new(7);
+    (0..100_000).for_each(|i| assert_total(codec, any_vector(&mut rng, i % 2 == 0)));
+    for _ in 0..1 << 19 {
+        let code = rng.bits();
+        assert_unit(codec, code, codec.decode(code));
+    }
+}
+
+/// The range of usable L1 norms is exactly [2^-64, 2^100).
+pub fn norms_end_where_the_contract_says(codec: &Tested) {
+    for axis in [Vec3::X, Vec3::NEG_Y] {
+        for norm in [MIN_NORM.next_down(), MAX_NORM] {
+            assert_eq!(codec.encode(axis * norm), codec.encode(Vec3::Z), "{}: {axis} {norm:e}", codec.id);
+        }
+        for norm in [MIN_NORM, MAX_NORM.next_down()].into_iter().filter(|_| codec.is_directional()) {
+            assert_eq!(codec.encode(axis * norm), codec.encode(axis), "{}: {axis} {norm:e}", codec.id);
+        }
+    }
+}
+
+/// Scaled by a power of two within the range of usable norms, a vector keeps its code, unless its components are stored as
+/// they are.
+pub fn length_does_not_matter(codec: &Tested) {
+    for v in directions(8, 1000).filter(|_| codec.is_directional()) {
+        // What is below a hemisphere may be too short on its rim.
+        let v = narrow(normalize(codec.reference.domain(widen(v))));
+        let code = codec.encode(v);
+        for exponent in -63..=98 {
+            assert_eq!(codec.encode(v * 2f32.powi(exponent)), code, "{}: {v:?} 2^{exponent}", codec.id);
+        }
+    }
+}
+
+/// Components that are -0 or a denormal count as +0, however small the vector, and beside a tie between two steps too: it is
+/// not left to a device's treatment of them.
+pub fn denormals_count_as_zero(codec: &Tested) {
+    let flush = |c: f32| if c.is_subnormal() || c == 0.0 { 0.0 } else { c };
+    let flushed = |v: [f32; 3]| v.map(flush);
+    let odd = special_vectors()
+        .into_iter()
+        .chain(ties(codec))
+        .filter(|v| v.map(f32::to_bits) != flushed(*v).map(f32::to_bits));
+    let mut count = 0;
+    for v in odd {
+        let [code, expected] = [v, flushed(v)].map(|v| codec.encode(Vec3::from_array(v)));
+        assert_eq!(code, expected, "{}: {v:?}", codec.id);
+        count += 1;
+    }
+    assert!(count > 10_000);
+}
+
+/// Points of the coordinate planes halfway between two lattice points, with a denormal or -0 for the third component, at
+/// length 1 and next to the least usable one.
+fn ties(codec: &Tested) -> impl Iterator<Item = [f32; 3]> {
+    let m = ((1u64 << (codec.bits / 2 - 1).min(23)) - 1) as f32;
+    let tiny =
+        [-0.0, -1e-40, f32::from_bits(1), f32::MIN_POSITIVE.next_down(), -f32::MIN_POSITIVE.next_down()];
+    let mut rng = Rng::new(9);
+    (0..2000).flat_map(move |i| {
+        let along = (rng.range(0.0, f64::from(m)) as f32).floor() + 0.5;
+        let scale = if i % 2 == 0 { 1.0 / m } else { 2.0 * MIN_NORM / m };
+        let sign = if rng.bits() & 1 == 0 { 1.0 } else { -1.0 };
+        let (a, b, t) = (sign * along * scale, (m - along) * scale, tiny[i % tiny.len()]);
+        [[t, a, b], [a, t, b], [a, b, t], [t, t, b]]
+    })
+}
+
+/// The mean error is that of exact arithmetic, to 1 %.
+pub fn errors_are_the_oracles(codec: &Tested) {
+    if expected::is_finer_than_f32(codec) {
+        return;
+    }
+    let pairs: Vec<[f64; 2]> = uniform(codec, 10, 5_000)
+        .map(|v| [codec.error_deg(v), angle_deg(widen(v), codec.reference.round_trip(widen(v)))])
+        .collect();
+    let [ours, exact] = [0, 1].map(|i| Summary::of(pairs.iter().map(|pair| pair[i])).mean);
+    assert!((ours / exact - 1.0).abs() <= 0.01, "{}: {ours} and {exact}", codec.id);
+}

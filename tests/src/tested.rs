@@ -1,0 +1,177 @@
+//! A codec of the list beside its reference: what all tests of codecs go through.
+
+use crate::directions::Rng;
+use glam::Vec3;
+use std::ops::Deref;
+use std::sync::OnceLock;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding};
+use unitvec_oracle::{Oracle, Reference, angle_deg};
+
+/// A codec and its reference. Codes are numbers of 64 bits, the low word first, whatever their width.
+#[derive(Clone, Copy, Debug)]
+pub struct Tested {
+    info: &'static CodecInfo,
+    /// The codec once more, in `f64`.
+    pub reference: Reference,
+}
+
+impl Deref for Tested {
+    type Target = CodecInfo;
+
+    fn deref(&self) -> &CodecInfo {
+        self.info
+    }
+}
+
+impl Tested {
+    /// All codecs.
+    ///
+    /// # Panics
+    /// If the oracle lacks one.
+    pub fn all() -> &'static [Self] {
+        static ALL: OnceLock<Vec<Tested>> = OnceLock::new();
+        ALL.get_or_init(|| CATALOGUE.iter().map(Self::new).collect())
+    }
+
+    fn new(info: &'static CodecInfo) -> Self {
+        let reference = Reference::find(info.id).unwrap_or_else(|| panic!("{} has no oracle", info.id));
+        assert_eq!(reference.bits, info.bits, "{}", info.id);
+        Self { info, reference }
+    }
+
+    /// The codec with an identifier.
+    ///
+    /// # Panics
+    /// If the list or the oracle does not have it.
+    pub fn find(id: &str) -> Self {
+        Self::new(unitvec_catalogue::find(id).unwrap_or_else(|error| panic!("{error}")))
+    }
+
+    /// The codecs of a family.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn family(name: &str) -> Vec<Self> {
+        Self::which(&format!("of the family {name}"), |codec| codec.family == name)
+    }
+
+    /// The codecs whose identifiers are `name`, the width and `suffix`.
+    ///
+    /// # Panics
+    /// If there is none.
+    pub fn named(name: &str, suffix: &str) -> Vec<Self> {
+        let is_width = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+        let width = |codec: &Self| codec.id.strip_prefix(name)?.strip_suffix(suffix);
+        Self::which(&format!("named {name}…{suffix}"), |codec| width(codec).is_some_and(is_width))
+    }
+
+    fn which(what: &str, is: impl Fn(&Self) -> bool) -> Vec<Self> {
+        let found: Vec<Self> = Self::all().iter().filter(|codec| is(codec)).copied().collect();
+        assert!(!found.is_empty(), "no codec is {what}");
+        found
+    }
+
+    /// The code of a vector.
+    pub fn encode(&self, v: Vec3) -> u64 {
+        let [low, high] = self.info.encode_one(v.to_array());
+        u64::from(low) | (u64::from(high) << 32)
+    }
+
+    /// The vector of a code.
+    pub fn decode(&self, code: u64) -> Vec3 {
+        Vec3::from_array(self.info.decode_one([code as u32, (code >> 32) as u32]))
+    }
+
+    /// What comes back of a vector.
+    pub fn round_trip(&self, v: Vec3) -> Vec3 {
+        self.decode(self.encode(v))
+    }
+
+    /// The angle in degrees between a direction and what comes back.
+    pub fn error_deg(&self, v: Vec3) -> f64 {
+        angle_deg(widen(v), widen(self.round_trip(v)))
+    }
+
+    /// The angle in degrees between a direction and what its code stands for in `f64`: the error of the choice alone.
+    pub fn choice_deg<O: Oracle>(&self, v: Vec3) -> f64 {
+        angle_deg(widen(v), O::decode(self.encode(v), self.bits))
+    }
+
+    /// True for codecs that store a direction, and not components as they are.
+    pub fn is_directional(&self) -> bool {
+        self.is_unit || self.family == "best_fit"
+    }
+
+    /// True where the encoder takes the best of several candidates.
+    pub fn is_precise(&self) -> bool {
+        self.id.ends_with('p') && self.is_unit
+    }
+
+    /// The mask of the code's bits.
+    pub fn mask(&self) -> u64 {
+        u64::MAX >> (64 - self.bits)
+    }
+
+    /// Codes: every one of up to 22 bits, and of 24 with the families of [`EVERY_CODE_OF_24`], every seventh with others;
+    /// 2^21 of more bits, half of them at even distances and half at random. Then [`edges`](Self::edges).
+    pub fn codes(&self, seed: u64) -> impl Iterator<Item = u64> {
+        let every = self.bits <= 22 || self.bits <= 24 && EVERY_CODE_OF_24.contains(&self.family);
+        let stride = match self.bits {
+            _ if every => 1,
+            ..=25 => 7,
+            bits => (1 << (bits - 20)) + 1,
+        };
+        let count = if self.bits <= 25 { (1u64 << self.bits).div_ceil(stride) } else { 1 << 20 };
+        let (mut rng, mask) = (Rng::new(seed), self.mask());
+        let random = if self.bits <= 25 { 0 } else { 1 << 20 };
+        (0..count)
+            .map(move |i| i.wrapping_mul(stride) & mask)
+            .chain((0..random).map(move |_| rng.bits() & mask))
+            .chain(self.edges(seed + 1))
+    }
+
+    /// Codes at the edges of whatever the code's two halves are: with both at the ends, the middle and the parts of their
+    /// range, on the diamond's edge and the square's border, and around the first and the last code; with each highest bit.
+    pub fn edges(&self, seed: u64) -> impl Iterator<Item = u64> {
+        let (half, mask) = (self.bits / 2, self.mask());
+        let m = (1i64 << (half - 1)) - 1;
+        let parts = [0, 1, 2, m / 8, m / 4, m / 3, m / 2, 2 * (m / 3), m - m / 4, m - 2, m - 1, m];
+        let near: Vec<i64> = parts.iter().flat_map(|&t| [t, -t, t + 1, -t - 1]).collect();
+        let mut rng = Rng::new(seed);
+        let mut points: Vec<[i64; 2]> =
+            near.iter().flat_map(|&x| near.iter().map(move |&y| [x, y])).collect();
+        for _ in 0..4_000 {
+            let along = rng.range(-(m as f64), m as f64) as i64;
+            let across = m - along.abs();
+            points.extend([
+                [along, across],
+                [along, -across],
+                [along, across - 1],
+                [along, along],
+                [along, 0],
+            ]);
+            points.extend([[along, m], [along, -m], [m, along], [-m, along], [0, along], [along, 1 - m]]);
+        }
+        let field = move |i: i64| i as u64 & ((1 << half) - 1);
+        let top = 1 << (self.bits - 1);
+        let points = points.into_iter().flat_map(move |[x, y]| {
+            let code = field(x) | (field(y) << half);
+            [code, code ^ top]
+        });
+        points.chain((0..20_000).flat_map(move |i| [i & mask, mask - (i & mask)]))
+    }
+}
+
+/// Families with an oracle so fast that all codes of 24 bits are tried, and the one whose codes all come back as
+/// themselves.
+const EVERY_CODE_OF_24: [&str; 3] = ["oct", "hemioct", "fib"];
+
+/// A vector in double precision: exact.
+pub fn widen(v: Vec3) -> [f64; 3] {
+    v.to_array().map(f64::from)
+}
+
+/// To `f32`, each component rounded to nearest.
+pub fn narrow(v: [f64; 3]) -> Vec3 {
+    Vec3::from_array(v.map(|t| t as f32))
+}
