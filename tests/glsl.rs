@@ -17,7 +17,7 @@ fn families() -> BTreeSet<String> {
 fn pasted(file: &str) -> String {
     let text = glsl::source(&format!("unitvec/{file}")).unwrap();
     let included = text.lines().filter_map(|line| line.strip_prefix("#include \"")?.strip_suffix('"'));
-    included.map(|file| pasted(file)).collect::<String>() + text
+    included.map(pasted).collect::<String>() + text
 }
 
 /// A call of every codec's two functions.

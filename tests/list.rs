@@ -14,14 +14,17 @@ use unitvec_oracle::frame::Format;
 use unitvec_tests::program::{run, stderr};
 use unitvec_tests::repository;
 
+/// Whether a codec has something, by its identifier.
+type Has = Box<dyn Fn(&str) -> bool>;
+
 /// Every codec of vectors and of frames has its two SPIR-V kernels and those that measure them, GLSL functions, an oracle of
 /// as many bits, a digest, a row of `unitvec accuracy`, and its name in the README or in `docs/`. All that lacks is named.
 #[test]
 fn nothing_is_lacking() {
-    let has: [(&str, Box<dyn Fn(&str) -> bool>); 5] = [
-        ("SPIR-V kernels", Box::new(has_kernels(Modules::open(None).unwrap()))),
-        ("SPIR-V kernels that measure", Box::new(has_kernels(Modules::open_cost(None).unwrap()))),
-        ("a digest in tests/data/digests.csv", Box::new(|id| digests().contains(id))),
+    let has: [(&str, Has); 5] = [
+        ("SPIR-V kernels", has_kernels(Modules::open(None).unwrap())),
+        ("SPIR-V kernels that measure", has_kernels(Modules::open_cost(None).unwrap())),
+        ("a digest in tests/data/digests.csv", is_among(digests())),
         ("a row of `unitvec accuracy`", is_among(measured())),
         ("its name in README.md or docs/codecs.md", is_named_in(&["README.md", "docs/codecs.md"])),
     ];
@@ -54,8 +57,10 @@ fn costs_are_complete() {
     assert!(lacking.is_empty(), "docs/costs.md lacks {lacking:?}");
 }
 
-fn has_kernels(modules: Modules) -> impl Fn(&str) -> bool {
-    move |id| ["encode", "decode"].iter().all(|operation| modules.load(&format!("{id}_{operation}")).is_ok())
+fn has_kernels(modules: Modules) -> Has {
+    Box::new(move |id| {
+        ["encode", "decode"].iter().all(|operation| modules.load(&format!("{id}_{operation}")).is_ok())
+    })
 }
 
 fn digests() -> BTreeSet<String> {
@@ -71,12 +76,12 @@ fn measured() -> BTreeSet<String> {
     report["rows"].as_array().unwrap().iter().map(|row| row["id"].as_str().unwrap().to_owned()).collect()
 }
 
-fn is_among(ids: BTreeSet<String>) -> Box<dyn Fn(&str) -> bool> {
+fn is_among(ids: BTreeSet<String>) -> Has {
     Box::new(move |id| ids.contains(id))
 }
 
 /// Whether an identifier stands between backquotes in one of these files.
-fn is_named_in(files: &[&str]) -> Box<dyn Fn(&str) -> bool> {
+fn is_named_in(files: &[&str]) -> Has {
     let texts = files.iter().filter_map(|file| std::fs::read_to_string(repository().join(file)).ok());
     let text: String = texts.collect();
     Box::new(move |id| text.contains(&format!("`{id}`")))
