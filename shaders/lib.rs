@@ -8,9 +8,10 @@
 //! let oct: &str = unitvec_shaders::glsl("unitvec/oct.glsl").ok_or("no such file")?;
 //! assert!(oct.contains("uint oct16_encode("));
 //!
-//! // For an engine: a compute kernel, for vkCreateShaderModule. `manifest.json` describes its interface.
-//! let kernel: &[u8] = unitvec_shaders::spirv("oct16_encode.spv").ok_or("no such file")?;
-//! assert_eq!(kernel[..4], 0x0723_0203u32.to_le_bytes());
+//! // For an engine: compute kernels, for vkCreateShaderModule; their entry points are `oct16_encode` and
+//! // `oct16_decode`. `manifest.json` describes their interfaces. Vulkan 1.1 runs them without any feature.
+//! let kernels: &[u8] = unitvec_shaders::spirv("kernels/oct16.spv").ok_or("no such file")?;
+//! assert_eq!(kernels[..4], 0x0723_0203u32.to_le_bytes());
 //! # Ok::<(), &str>(())
 //! ```
 
@@ -24,7 +25,7 @@ pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }
 
-/// A file of `spirv/`: `oct16_encode.spv`, `manifest.json`; the kernels in `cost/` are for measuring.
+/// A file of `spirv/`: `kernels/oct16.spv`, `manifest.json`; the kernels in `cost/` are for measuring.
 pub fn spirv(path: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(path)?.contents())
 }

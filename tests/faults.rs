@@ -5,7 +5,7 @@ use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
 use unitvec_tests::program::{command, stderr};
-use unitvec_tests::{copy_modules, repository};
+use unitvec_tests::{copy_modules, replace_module, repository};
 
 /// Runs to the end and checks that the failure is one line that contains `words`, with this status.
 fn assert_fails(command: &mut Command, status: i32, words: &[&str]) -> Output {
@@ -230,19 +230,19 @@ fn assert_modules_fail(modules: &TempDir, words: &[&str]) {
 #[test]
 fn a_corrupted_module() {
     let modules = copy_of_the_modules();
-    let path = modules.path().join("oct16_encode.spv");
+    let path = modules.path().join("kernels/oct16.spv");
     let mut bytes = std::fs::read(&path).unwrap();
     let middle = bytes.len() / 2;
     bytes[middle] ^= 1;
     std::fs::write(&path, bytes).unwrap();
-    assert_modules_fail(&modules, &["oct16_encode.spv", "corrupted", "cargo xtask spirv"]);
+    assert_modules_fail(&modules, &["kernels/oct16.spv", "corrupted", "cargo xtask spirv"]);
 }
 
 #[test]
 fn a_missing_module() {
     let modules = copy_of_the_modules();
-    std::fs::remove_file(modules.path().join("oct16_encode.spv")).unwrap();
-    assert_modules_fail(&modules, &["oct16_encode.spv", "cargo xtask spirv"]);
+    std::fs::remove_file(modules.path().join("kernels/oct16.spv")).unwrap();
+    assert_modules_fail(&modules, &["kernels/oct16.spv", "cargo xtask spirv"]);
     std::fs::remove_file(modules.path().join("manifest.json")).unwrap();
     assert_modules_fail(&modules, &["manifest.json", "cargo xtask spirv"]);
     std::fs::write(modules.path().join("manifest.json"), b"{").unwrap();
@@ -295,16 +295,12 @@ fn unknown_codecs_get_suggestions() {
 fn a_module_of_something_else() {
     for cut in [false, true] {
         let modules = copy_of_the_modules();
-        let mut bytes = std::fs::read(modules.path().join("oct16_decode.spv")).unwrap();
+        let file = if cut { "kernels/oct16.spv" } else { "kernels/oct32.spv" };
+        let mut bytes = std::fs::read(modules.path().join(file)).unwrap();
         if cut {
-            bytes = std::fs::read(modules.path().join("oct16_encode.spv")).unwrap();
             bytes.truncate(bytes.len() / 8 * 4);
         }
-        let mut manifest = unitvec_host::modules::Modules::open(None).unwrap().manifest().clone();
-        let entry = manifest.modules.iter_mut().find(|module| module.entry_point == "oct16_encode").unwrap();
-        entry.sha256 = unitvec_host::manifest::sha256_hex(&bytes);
-        std::fs::write(modules.path().join("oct16_encode.spv"), bytes).unwrap();
-        std::fs::write(modules.path().join("manifest.json"), serde_json::to_vec(&manifest).unwrap()).unwrap();
+        replace_module(modules.path(), "kernels/oct16.spv", &bytes);
         assert_modules_fail(&modules, &["oct16_encode", "is not a module"]);
     }
 }

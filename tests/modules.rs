@@ -1,78 +1,98 @@
 //! The committed SPIR-V modules are what the manifest says, are fresh, valid, and keep the arithmetic rules.
 
 use std::collections::{BTreeSet, HashSet};
+use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
 use unitvec_host::catalogue::{Operation, formats};
 #[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;
-use unitvec_host::manifest::{BEST_FIT_TABLE, DECODE_BY_TABLE, Manifest, sha256_hex, sources_sha256};
+use unitvec_host::manifest::{BEST_FIT_TABLE, Manifest, Module, sha256_hex, sources_sha256};
 use unitvec_tests::repository;
 
-/// The modules' folders: that of the manifest's kernels, and that of the kernels that measure.
-const FOLDERS: [&str; 2] = ["spirv", "spirv/cost"];
+fn folder() -> PathBuf {
+    repository().join("spirv")
+}
 
-fn manifest(folder: &str) -> Manifest {
-    let text = std::fs::read(repository().join(folder).join("manifest.json")).unwrap();
-    serde_json::from_slice(&text).unwrap()
+fn manifest() -> Manifest {
+    serde_json::from_slice(&std::fs::read(folder().join("manifest.json")).unwrap()).unwrap()
 }
 
 /// A stale module is found without the compiler: `cargo xtask spirv` rebuilds it.
 #[test]
 fn modules_are_built_from_the_sources_as_they_are() {
-    for folder in FOLDERS {
-        let sources = sources_sha256(&repository()).unwrap();
-        assert_eq!(manifest(folder).sources_sha256, sources, "run `cargo xtask spirv`");
-    }
+    let sources = sources_sha256(&repository()).unwrap();
+    assert_eq!(manifest().sources_sha256, sources, "run `cargo xtask spirv`");
 }
 
+/// Two modules of two entry points a codec, the two baselines, and the decoder by table.
 #[test]
-fn the_folder_holds_the_modules_as_the_manifest_describes_them() {
-    let manifest = manifest("spirv");
-    for codec in formats() {
-        for direction in [Operation::Encode, Operation::Decode] {
-            let name = codec.function(direction);
-            let module = manifest.modules.iter().find(|module| module.entry_point == name).unwrap();
-            assert_eq!(module.codec.as_deref(), Some(codec.id), "{name}");
-            assert_eq!(module.direction, direction, "{name}");
-            let sizes: Vec<Option<u32>> =
-                module.bindings.iter().map(|binding| binding.bytes_per_vector).collect();
-            let (element, code) = (Some(codec.element.bytes() as u32), Some(codec.bytes as u32));
-            let in_and_out = if direction == Operation::Encode { [element, code] } else { [code, element] };
-            assert_eq!(sizes[..2], in_and_out, "{name}");
-            let tables: Vec<_> =
-                module.bindings[2..].iter().map(|binding| binding.table.as_deref()).collect();
-            let by_table = direction == Operation::Encode && codec.encodes_by_table;
-            assert_eq!(tables, if by_table { vec![Some(BEST_FIT_TABLE)] } else { vec![] }, "{name}");
+fn the_manifest_lists_two_modules_of_every_codec() {
+    let manifest = manifest();
+    let mut expected = BTreeSet::from(["kernels/decode_by_table.spv".to_owned()]);
+    let codecs = formats().map(|format| (format.id, Some(format.id)));
+    for (name, id) in codecs.chain([("baseline", None)]) {
+        for (folder, suffix) in [("kernels", ""), ("cost", "_cost")] {
+            if id.is_none() && folder == "kernels" {
+                continue;
+            }
+            let file = format!("{folder}/{name}.spv");
+            let module = manifest.modules.iter().find(|module| module.file == file);
+            let module = module.unwrap_or_else(|| panic!("no module {file}"));
+            assert_eq!(module.codec.as_deref(), id, "{file}");
+            let actual = module.entry_points.iter().map(|entry| (entry.name.clone(), entry.operation));
+            let entry_point = |operation| (format!("{name}_{operation}{suffix}"), operation);
+            let both = Operation::ALL.map(entry_point);
+            assert_eq!(actual.collect::<Vec<_>>(), both, "{file}");
+            expected.insert(file);
         }
     }
-    assert_eq!(manifest.modules.len(), 2 * formats().count() + 1);
-    assert!(manifest.modules.iter().any(|module| module.entry_point == DECODE_BY_TABLE));
-    assert_listed("spirv", &manifest, &["manifest.json", "cost"]);
+    let listed: BTreeSet<String> = manifest.modules.into_iter().map(|module| module.file).collect();
+    assert_eq!(listed, expected);
 }
 
-/// Two kernels a codec and the two baselines.
 #[test]
-fn the_cost_folder_holds_the_modules_as_its_manifest_describes_them() {
-    let manifest = manifest("spirv/cost");
-    assert_eq!(manifest.modules.len(), 2 * formats().count() + 2);
-    assert_listed("spirv/cost", &manifest, &["manifest.json"]);
+fn the_interfaces_are_those_of_the_codecs() {
+    let manifest = manifest();
+    for codec in formats() {
+        let module =
+            manifest.modules.iter().find(|module| module.file == format!("kernels/{}.spv", codec.id));
+        for entry in &module.unwrap().entry_points {
+            let bindings = &manifest.interfaces[&entry.interface].bindings;
+            let sizes: Vec<Option<u32>> = bindings.iter().map(|binding| binding.bytes_per_vector).collect();
+            let (element, code) = (Some(codec.element.bytes() as u32), Some(codec.bytes as u32));
+            let is_encoder = entry.operation == Operation::Encode;
+            assert_eq!(
+                sizes[..2],
+                if is_encoder { [element, code] } else { [code, element] },
+                "{}",
+                entry.name
+            );
+            let tables: Vec<_> = bindings[2..].iter().map(|binding| binding.table.as_deref()).collect();
+            let by_table = is_encoder && codec.encodes_by_table;
+            assert_eq!(tables, if by_table { vec![Some(BEST_FIT_TABLE)] } else { vec![] }, "{}", entry.name);
+        }
+    }
 }
 
-/// The folder has the files that the manifest lists, with the SHA-256 that it says, these others, and nothing else.
-fn assert_listed(folder: &str, manifest: &Manifest, others: &[&str]) {
+/// The files that the manifest lists, with the SHA-256 that it says, and nothing else.
+#[test]
+fn the_folder_holds_what_the_manifest_lists() {
+    let manifest = manifest();
     let modules = manifest.modules.iter().map(|module| (&module.file, &module.sha256));
     let tables = manifest.tables.iter().map(|table| (&table.file, &table.sha256));
-    let mut expected: BTreeSet<String> = others.iter().map(|name| (*name).to_owned()).collect();
+    let mut expected = BTreeSet::from(["manifest.json", "cost", "kernels"].map(str::to_owned));
     for (file, sha256) in modules.chain(tables) {
-        let bytes = std::fs::read(repository().join(folder).join(file)).unwrap();
-        assert_eq!(*sha256, sha256_hex(&bytes), "{file}");
+        assert_eq!(*sha256, sha256_hex(&std::fs::read(folder().join(file)).unwrap()), "{file}");
         expected.insert(file.clone());
     }
-    let actual: BTreeSet<String> = std::fs::read_dir(repository().join(folder))
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .collect();
+    let mut actual = BTreeSet::new();
+    for part in ["", "cost", "kernels"] {
+        for entry in std::fs::read_dir(folder().join(part)).unwrap() {
+            let name = entry.unwrap().file_name().into_string().unwrap();
+            actual.insert(if part.is_empty() { name } else { format!("{part}/{name}") });
+        }
+    }
     assert_eq!(actual, expected);
 }
 
@@ -81,32 +101,32 @@ fn assert_listed(folder: &str, manifest: &Manifest, others: &[&str]) {
 fn the_table_file_is_the_table_that_the_crate_fills() {
     let mut table = vec![0; best_fit::TABLE_WORDS];
     best_fit::fill_table(&mut table);
-    let bytes = std::fs::read(repository().join("spirv").join(BEST_FIT_TABLE)).unwrap();
+    let bytes = std::fs::read(folder().join(BEST_FIT_TABLE)).unwrap();
     assert_eq!(bytes, table.iter().flat_map(|word| word.to_le_bytes()).collect::<Vec<u8>>());
 }
 
 #[test]
 fn spirv_val_accepts_every_module() {
-    for folder in FOLDERS {
-        for module in manifest(folder).modules {
-            let path = repository().join(folder).join(&module.file);
-            let output = Command::new("spirv-val")
-                .args(["--target-env", "vulkan1.2"])
-                .arg(&path)
-                .output()
-                .expect("spirv-val is missing: `cargo xtask setup` installs it");
-            assert!(output.status.success(), "{}: {}", module.file, String::from_utf8_lossy(&output.stderr));
-        }
+    for (module, _) in all_modules() {
+        let output = Command::new("spirv-val")
+            .args(["--target-env", "vulkan1.1"])
+            .arg(folder().join(&module.file))
+            .output()
+            .expect("spirv-val is missing: `cargo xtask setup` installs it");
+        assert!(output.status.success(), "{}: {}", module.file, String::from_utf8_lossy(&output.stderr));
     }
 }
 
 #[test]
 fn every_float_result_is_marked_no_contraction() {
-    let unmarked: Vec<String> = all_modules()
-        .into_iter()
-        .filter(|(name, instructions)| unmarked_results(name, instructions, &FLOAT_ARITHMETIC, 6) > 0)
-        .map(|(name, _)| name)
-        .collect();
+    let is_unmarked = |(module, spirv): &(Module, Spirv)| {
+        // Half floats are converted with integers alone, and tables need no arithmetic.
+        let fewest =
+            if module.file.contains("float16x3") || module.file.contains("by_table") { 0 } else { 6 };
+        unmarked_results(&module.file, spirv, &FLOAT_ARITHMETIC, fewest) > 0
+    };
+    let unmarked: Vec<_> =
+        all_modules().into_iter().filter(is_unmarked).map(|(module, _)| module.file).collect();
     assert!(unmarked.is_empty(), "{unmarked:?}");
 }
 
@@ -117,56 +137,96 @@ fn every_float_result_is_marked_no_contraction() {
 fn every_float_result_of_the_glsl_is_marked_no_contraction() {
     let compiler = Compiler::new().unwrap();
     let unmarked: Vec<String> = formats()
-        .flat_map(|format| [(format, Operation::Encode), (format, Operation::Decode)])
-        .filter(|(format, direction)| {
-            let instructions = parse(&compiler.kernel(*format, *direction).unwrap());
-            unmarked_results(&format.function(*direction), &instructions, &FLOAT_ARITHMETIC[1..], 3) > 0
+        .flat_map(|format| Operation::ALL.map(|operation| (format, operation)))
+        .filter(|(format, operation)| {
+            let spirv = Spirv::parse(&compiler.kernel(*format, *operation).unwrap());
+            let fewest = if format.id == "float16x3" { 0 } else { 3 };
+            unmarked_results(&format.function(*operation), &spirv, &FLOAT_ARITHMETIC[1..], fewest) > 0
         })
-        .map(|(format, direction)| format.function(direction))
+        .map(|(format, operation)| format.function(operation))
         .collect();
     assert!(unmarked.is_empty(), "{unmarked:?}");
 }
 
 /// How many results of these opcodes are not marked. There are `fewest` at least.
-fn unmarked_results(name: &str, instructions: &[Instruction], arithmetic: &[u32], fewest: usize) -> usize {
-    let decorated: HashSet<u32> = instructions
-        .iter()
-        .filter(|instruction| instruction.opcode == OP_DECORATE && instruction.operands[1] == NO_CONTRACTION)
-        .map(|instruction| instruction.operands[0])
-        .collect();
-    let results: Vec<u32> = instructions
-        .iter()
-        .filter(|instruction| arithmetic.contains(&instruction.opcode))
-        .map(|instruction| instruction.operands[1])
-        .collect();
-    // Half floats are converted with integers alone, and tables need no arithmetic.
-    let whole = name.starts_with("float16x3") || name.starts_with(DECODE_BY_TABLE);
-    assert!(results.len() >= fewest || whole, "{name} has no arithmetic");
+fn unmarked_results(name: &str, spirv: &Spirv, arithmetic: &[u32], fewest: usize) -> usize {
+    let of_arithmetic = spirv.0.iter().filter(|instruction| arithmetic.contains(&instruction.opcode));
+    let results: Vec<u32> = of_arithmetic.map(|instruction| instruction.operands[1]).collect();
+    assert!(results.len() >= fewest, "{name} has no arithmetic");
+    let decorations = spirv.all(OP_DECORATE);
+    let decorated: HashSet<u32> =
+        decorations.filter(|operands| operands[1] == NO_CONTRACTION).map(|operands| operands[0]).collect();
     results.iter().filter(|id| !decorated.contains(id)).count()
 }
 
+/// Any device of Vulkan 1.1 takes them, with no feature turned on.
 #[test]
-fn modules_need_shader_and_the_vulkan_memory_model_and_nothing_else() {
-    for (name, instructions) in all_modules() {
-        let operands = |opcode| {
-            let of_opcode = instructions.iter().filter(move |instruction| instruction.opcode == opcode);
-            of_opcode.map(|instruction| instruction.operands.clone()).collect::<Vec<_>>()
-        };
-        for capability in operands(OP_CAPABILITY) {
-            assert!([SHADER, VULKAN_MEMORY_MODEL].contains(&capability[0]), "{name}: {capability:?}");
-        }
-        assert_eq!(operands(OP_EXTENSION).len(), 0, "{name}");
-        assert_eq!(operands(OP_EXECUTION_MODE)[0][1..], [LOCAL_SIZE, 64, 1, 1], "{name}");
+fn modules_need_vulkan_1_1_and_nothing_else() {
+    for (module, spirv) in all_modules() {
+        let name = &module.file;
+        let bytes = std::fs::read(folder().join(name)).unwrap();
+        assert_eq!(bytes[4..8], 0x0001_0300_u32.to_le_bytes(), "{name}: SPIR-V's version");
+        assert_eq!(spirv.all(OP_CAPABILITY).collect::<Vec<_>>(), [[SHADER]], "{name}");
+        assert_eq!(spirv.all(OP_EXTENSION).count(), 0, "{name}");
+        assert_eq!(spirv.all(OP_MEMORY_MODEL).collect::<Vec<_>>(), [[LOGICAL, GLSL450]], "{name}");
     }
+}
+
+/// What a host has to know: names, workgroups, and of each buffer the bytes that an invocation takes of it.
+#[test]
+fn entry_points_are_as_the_manifest_says() {
+    let interfaces = manifest().interfaces;
+    for (module, spirv) in all_modules() {
+        let entry_points: Vec<&[u32]> = spirv.all(OP_ENTRY_POINT).collect();
+        assert_eq!(entry_points.len(), module.entry_points.len(), "{}", module.file);
+        for (entry, operands) in module.entry_points.iter().zip(entry_points) {
+            let (function, name) = (operands[1], &entry.name);
+            let (text, variables) = literal(&operands[2..]);
+            assert_eq!((operands[0], &text), (GL_COMPUTE, name));
+            for variable in variables {
+                let class = spirv.all(OP_VARIABLE).find(|operands| operands[1] == *variable).unwrap()[2];
+                assert!([INPUT, OUTPUT].contains(&class), "{name}: {class}");
+            }
+            let interface = &interfaces[&entry.interface];
+            let mode = spirv.all(OP_EXECUTION_MODE).find(|operands| operands[0] == function).unwrap();
+            assert_eq!(mode[1..], [&[LOCAL_SIZE], &interface.workgroup_size[..]].concat(), "{name}");
+            let expected = interface.bindings.iter().map(|binding| {
+                let bytes = binding.bytes_per_vector.map(|bytes| bytes * interface.vectors_per_invocation);
+                (binding.binding, binding.access == "read", bytes)
+            });
+            let mut actual = spirv.buffers(function);
+            for table in actual.iter_mut().skip(2) {
+                table.2 = None;
+            }
+            assert_eq!(actual, expected.collect::<Vec<_>>(), "{name}");
+        }
+    }
+}
+
+/// The text that begins these words, and the words after it.
+fn literal(words: &[u32]) -> (String, &[u32]) {
+    let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
+    let length = bytes.iter().position(|byte| *byte == 0).unwrap();
+    (String::from_utf8(bytes[..length].to_vec()).unwrap(), &words[length / 4 + 1..])
 }
 
 /// No source text or paths of the machine that built them.
 #[test]
 fn modules_carry_no_debug_text() {
-    for (name, instructions) in all_modules() {
-        assert!(!instructions.iter().any(|instruction| DEBUG_TEXT.contains(&instruction.opcode)), "{name}");
+    for (module, spirv) in all_modules() {
+        let has_text = spirv.0.iter().any(|instruction| DEBUG_TEXT.contains(&instruction.opcode));
+        assert!(!has_text, "{}", module.file);
     }
 }
+
+fn all_modules() -> Vec<(Module, Spirv)> {
+    let modules = manifest().modules.into_iter();
+    let read = |module: &Module| Spirv::parse(&std::fs::read(folder().join(&module.file)).unwrap());
+    modules.map(|module| (module.clone(), read(&module))).collect()
+}
+
+/// A module's instructions.
+struct Spirv(Vec<Instruction>);
 
 /// An instruction: its opcode and the words after the first.
 struct Instruction {
@@ -174,40 +234,88 @@ struct Instruction {
     operands: Vec<u32>,
 }
 
+impl Spirv {
+    fn parse(bytes: &[u8]) -> Self {
+        let words: Vec<u32> =
+            bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
+        assert_eq!(words[0], 0x0723_0203, "SPIR-V's magic number");
+        let mut rest = &words[5..];
+        let mut instructions = Vec::new();
+        while let [first, ..] = rest {
+            let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
+            instructions.push(Instruction { opcode, operands: rest[1..length].to_vec() });
+            rest = &rest[length..];
+        }
+        Self(instructions)
+    }
+
+    /// The operands of all instructions of an opcode.
+    fn all(&self, opcode: u32) -> impl Iterator<Item = &[u32]> {
+        let of_opcode = self.0.iter().filter(move |instruction| instruction.opcode == opcode);
+        of_opcode.map(|instruction| instruction.operands.as_slice())
+    }
+
+    /// The words after a decoration of an id.
+    fn decoration(&self, id: u32, decoration: u32) -> Option<&[u32]> {
+        self.all(OP_DECORATE)
+            .find(|operands| operands[..2] == [id, decoration])
+            .map(|operands| &operands[2..])
+    }
+
+    /// The storage buffers that a function reads and writes, by binding: whether it only reads them, and the bytes from
+    /// one element to the next.
+    fn buffers(&self, function: u32) -> Vec<(u32, bool, Option<u32>)> {
+        let is_start = |instruction: &&Instruction| {
+            instruction.opcode == OP_FUNCTION && instruction.operands[1] == function
+        };
+        let body = self.0.iter().skip_while(|instruction| !is_start(instruction));
+        let accesses = body
+            .take_while(|instruction| instruction.opcode != OP_FUNCTION_END)
+            .filter(|instruction| ACCESSES.contains(&instruction.opcode));
+        let used: BTreeSet<u32> = accesses.map(|instruction| instruction.operands[2]).collect();
+        let mut buffers: Vec<_> = used.into_iter().filter_map(|id| self.buffer(id)).collect();
+        buffers.sort_unstable();
+        buffers
+    }
+
+    fn buffer(&self, variable: u32) -> Option<(u32, bool, Option<u32>)> {
+        let binding = self.decoration(variable, BINDING)?[0];
+        let of = |opcode, id, n: usize| {
+            self.all(opcode).find(|operands: &&[u32]| operands[0] == id).map(|operands| operands[n])
+        };
+        let pointer = self.all(OP_VARIABLE).find(|operands| operands[1] == variable)?[0];
+        let array = of(OP_TYPE_STRUCT, of(OP_TYPE_POINTER, pointer, 2)?, 1)?;
+        let stride = self.decoration(array, ARRAY_STRIDE)?[0];
+        Some((binding, self.decoration(variable, NON_WRITABLE).is_some(), Some(stride)))
+    }
+}
+
 // Numbers from the SPIR-V specification, section 3.
 const OP_EXTENSION: u32 = 10;
+const OP_MEMORY_MODEL: u32 = 14;
+const OP_ENTRY_POINT: u32 = 15;
 const OP_EXECUTION_MODE: u32 = 16;
 const OP_CAPABILITY: u32 = 17;
+const OP_TYPE_STRUCT: u32 = 30;
+const OP_TYPE_POINTER: u32 = 32;
+const OP_FUNCTION: u32 = 54;
+const OP_FUNCTION_END: u32 = 56;
+const OP_VARIABLE: u32 = 59;
 const OP_DECORATE: u32 = 71;
+/// OpAccessChain, OpInBoundsAccessChain, OpArrayLength.
+const ACCESSES: [u32; 3] = [65, 66, 68];
+const ARRAY_STRIDE: u32 = 6;
+const NON_WRITABLE: u32 = 24;
+const BINDING: u32 = 33;
 const NO_CONTRACTION: u32 = 42;
 const SHADER: u32 = 1;
-const VULKAN_MEMORY_MODEL: u32 = 5345;
+const LOGICAL: u32 = 0;
+const GLSL450: u32 = 1;
+const GL_COMPUTE: u32 = 5;
 const LOCAL_SIZE: u32 = 17;
+const INPUT: u32 = 1;
+const OUTPUT: u32 = 3;
 /// OpFNegate, OpFAdd, OpFSub, OpFMul, OpFDiv, OpFRem, OpFMod, OpVectorTimesScalar to OpDot.
 const FLOAT_ARITHMETIC: [u32; 14] = [127, 129, 131, 133, 136, 140, 141, 142, 143, 144, 145, 146, 147, 148];
 /// OpSourceContinued, OpSource, OpSourceExtension, OpName, OpMemberName, OpString, OpLine, OpModuleProcessed.
 const DEBUG_TEXT: [u32; 8] = [2, 3, 4, 5, 6, 7, 8, 330];
-
-fn all_modules() -> Vec<(String, Vec<Instruction>)> {
-    let modules = manifest("spirv").modules.into_iter();
-    modules
-        .map(|module| {
-            let bytes = std::fs::read(repository().join("spirv").join(&module.file)).unwrap();
-            (module.file, parse(&bytes))
-        })
-        .collect()
-}
-
-fn parse(bytes: &[u8]) -> Vec<Instruction> {
-    let words: Vec<u32> =
-        bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
-    assert_eq!(words[0], 0x0723_0203, "SPIR-V's magic number");
-    let mut rest = &words[5..];
-    let mut instructions = Vec::new();
-    while let [first, ..] = rest {
-        let (length, opcode) = ((first >> 16) as usize, first & 0xffff);
-        instructions.push(Instruction { opcode, operands: rest[1..length].to_vec() });
-        rest = &rest[length..];
-    }
-    instructions
-}

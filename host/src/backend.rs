@@ -122,10 +122,7 @@ impl KernelSource {
         compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
     ) -> Result<Kernel> {
         Ok(match self {
-            Self::Rust(modules) => {
-                let (module, entry_point) = modules.load(name)?;
-                runner.kernel(&module, entry_point, table)?
-            }
+            Self::Rust(modules) => runner.kernel(&modules.load(name)?, name, table)?,
             Self::Glsl(compiler) => runner.kernel(&compile(compiler)?, glsl::ENTRY_POINT, table)?,
         })
     }

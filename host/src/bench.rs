@@ -93,10 +93,7 @@ pub fn survey_ns(id: &str, operation: Operation) -> Option<f64> {
 /// Measures on one device.
 pub struct Bench {
     runner: Runner,
-    /// Of the shipped kernels.
     sources: [KernelSource; 2],
-    /// Of those that measure arithmetic.
-    cost_sources: [KernelSource; 2],
     compiler: glsl::Compiler,
     best_fit_table: Table,
     baselines: HashMap<(Operation, BackendKind), Kernel>,
@@ -108,22 +105,16 @@ pub struct Bench {
 }
 
 impl Bench {
-    /// Prepares to measure with `modules` and `cost_modules` of the same folder.
+    /// Prepares to measure.
     ///
     /// # Errors
     /// [`vulkan::Error::MissingFeature`] for a device without timestamps; what the kernels meet.
-    pub fn new(
-        device: &Arc<Device>,
-        modules: Modules,
-        cost_modules: Modules,
-        options: Options,
-    ) -> Result<Self> {
+    pub fn new(device: &Arc<Device>, modules: Modules, options: Options) -> Result<Self> {
         let mut runner = Runner::new(device, options.count, false)?;
         let best_fit_table = runner.table(bytemuck::cast_slice(catalogue::best_fit_table()))?;
         let mut bench = Self {
             runner,
             sources: [KernelSource::Rust(modules), KernelSource::Glsl(glsl::Compiler::new()?)],
-            cost_sources: [KernelSource::Rust(cost_modules), KernelSource::Glsl(glsl::Compiler::new()?)],
             compiler: glsl::Compiler::new()?,
             best_fit_table,
             baselines: HashMap::new(),
@@ -133,8 +124,8 @@ impl Bench {
             options,
         };
         for operation in Operation::ALL {
-            for (backend, source) in BACKENDS.into_iter().zip(&bench.cost_sources) {
-                let name = format!("baseline_{operation}");
+            for (backend, source) in BACKENDS.into_iter().zip(&bench.sources) {
+                let name = format!("baseline_{operation}_cost");
                 let compile = |compiler: &glsl::Compiler| compiler.baseline_kernel(operation);
                 let baseline = source.load(&bench.runner, &name, None, compile)?;
                 bench.baselines.insert((operation, backend), baseline);
@@ -188,7 +179,8 @@ impl Bench {
     fn cost_kernel(&self, source: &KernelSource, format: Format, operation: Operation) -> Result<Kernel> {
         let table = self.table_of(format, operation);
         let compile = |compiler: &glsl::Compiler| compiler.cost_kernel(format, operation);
-        source.load(&self.runner, &format.function(operation), table, compile)
+        let name = format!("{}_cost", format.function(operation));
+        source.load(&self.runner, &name, table, compile)
     }
 
     fn table_of(&self, format: Format, operation: Operation) -> Option<&Table> {
@@ -197,7 +189,7 @@ impl Bench {
 
     /// Costs of the kernels from Rust and from GLSL.
     fn cost(&mut self, format: Format, operation: Operation) -> Result<[Costs; 2]> {
-        let [rust, glsl] = &self.cost_sources;
+        let [rust, glsl] = &self.sources;
         let rust = self.cost_kernel(rust, format, operation)?;
         let glsl = self.cost_kernel(glsl, format, operation)?;
         let input: Vec<u8> = match operation {

@@ -3,14 +3,12 @@
 use crate::catalogue::Operation;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 /// Name of the manifest file in the modules' folder.
 pub const FILE_NAME: &str = "manifest.json";
-
-/// Folder, in the modules' folder, of the kernels that measure arithmetic. It has a manifest of its own.
-pub const COST_FOLDER: &str = "cost";
 
 /// File of the table of lengths of [`unitvec::best_fit`].
 pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
@@ -27,23 +25,41 @@ pub struct Manifest {
     pub target: String,
     /// [`sources_sha256`] of the tree they were compiled from.
     pub sources_sha256: String,
-    /// The modules, by file name.
-    pub modules: Vec<Module>,
+    /// The interfaces that entry points share, by name.
+    pub interfaces: BTreeMap<String, Interface>,
     /// Tables that modules bind.
     pub tables: Vec<Table>,
+    /// The modules, by file name.
+    pub modules: Vec<Module>,
 }
 
 /// One SPIR-V module.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Module {
-    /// File name in the manifest's folder.
+    /// Path in the manifest's folder.
     pub file: String,
     /// Codec identifier; none for kernels that serve several.
     pub codec: Option<String>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+    /// Its kernels.
+    pub entry_points: Vec<EntryPoint>,
+}
+
+/// A compute kernel.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct EntryPoint {
+    /// Its name.
+    pub name: String,
     /// Half of the codec.
-    pub direction: Operation,
-    /// Name of the entry point, a compute shader.
-    pub entry_point: String,
+    pub operation: Operation,
+    /// The name of its interface.
+    pub interface: String,
+}
+
+/// What a host has to know to run a kernel.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Interface {
     /// Size of a workgroup.
     pub workgroup_size: [u32; 3],
     /// Vectors that one invocation takes: the buffers are padded to a multiple of it.
@@ -52,8 +68,6 @@ pub struct Module {
     pub bindings: Vec<Binding>,
     /// Push constants.
     pub push_constants: Vec<PushConstant>,
-    /// SHA-256 of the file.
-    pub sha256: String,
 }
 
 /// A storage buffer.
@@ -66,8 +80,10 @@ pub struct Binding {
     /// What it holds.
     pub content: String,
     /// Bytes a vector takes in it; none for a table.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bytes_per_vector: Option<u32>,
     /// The table to bind, where it is one of the manifest's: its file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
 }
 

@@ -1,6 +1,6 @@
 //! The SPIR-V modules that the kernels run from: those inside the program, or a folder of them.
 
-use crate::manifest::{self, Manifest};
+use crate::manifest::{self, Manifest, Module};
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
@@ -55,19 +55,7 @@ impl Modules {
     /// # Errors
     /// [`Error::Missing`] or [`Error::BadManifest`].
     pub fn open(folder: Option<&Path>) -> Result<Self, Error> {
-        Self::open_part(folder, "")
-    }
-
-    /// The kernels that measure arithmetic, of the modules in `folder` or of those inside the program.
-    ///
-    /// # Errors
-    /// As [`open`](Self::open).
-    pub fn open_cost(folder: Option<&Path>) -> Result<Self, Error> {
-        Self::open_part(folder, manifest::COST_FOLDER)
-    }
-
-    fn open_part(folder: Option<&Path>, part: &'static str) -> Result<Self, Error> {
-        let folder = Folder { root: folder.map(Path::to_owned), part };
+        let folder = Folder(folder.map(Path::to_owned));
         let text = folder.read(manifest::FILE_NAME)?;
         let manifest = serde_json::from_slice(&text).map_err(|error| Error::BadManifest {
             path: folder.shown(manifest::FILE_NAME),
@@ -81,17 +69,14 @@ impl Modules {
         &self.manifest
     }
 
-    /// The module of a kernel, `oct16_encode`, once its SHA-256 is found to be the manifest's, and its entry point.
+    /// The module that has the kernel as an entry point, `oct16_encode`, once its SHA-256 is found to be the manifest's.
     ///
     /// # Errors
     /// [`Error::NotListed`], [`Error::Missing`] or [`Error::Corrupted`].
-    pub fn load(&self, kernel: &str) -> Result<(Cow<'static, [u8]>, &str), Error> {
-        let file = format!("{kernel}.spv");
-        let module =
-            self.manifest.modules.iter().find(|module| module.file == file).ok_or_else(|| {
-                Error::NotListed { folder: self.folder.shown(""), kernel: kernel.to_owned() }
-            })?;
-        Ok((self.folder.read_checked(&file, &module.sha256)?, &module.entry_point))
+    pub fn load(&self, kernel: &str) -> Result<Cow<'static, [u8]>, Error> {
+        let has_kernel = |module: &&Module| module.entry_points.iter().any(|entry| entry.name == kernel);
+        let module = self.manifest.modules.iter().find(has_kernel).ok_or_else(|| self.not_listed(kernel))?;
+        self.folder.read_checked(&module.file, &module.sha256)
     }
 
     /// A table, once its SHA-256 is found to be the manifest's.
@@ -99,30 +84,24 @@ impl Modules {
     /// # Errors
     /// As [`load`](Self::load).
     pub fn table(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
-        let table = self
-            .manifest
-            .tables
-            .iter()
-            .find(|table| table.file == file)
-            .ok_or_else(|| Error::NotListed { folder: self.folder.shown(""), kernel: file.to_owned() })?;
-        self.folder.read_checked(file, &table.sha256)
+        let table = self.manifest.tables.iter().find(|table| table.file == file);
+        self.folder.read_checked(file, &table.ok_or_else(|| self.not_listed(file))?.sha256)
+    }
+
+    fn not_listed(&self, name: &str) -> Error {
+        Error::NotListed { folder: self.folder.shown(""), kernel: name.to_owned() }
     }
 }
 
-/// A part of a folder of modules; without a root, of the one inside the program.
-struct Folder {
-    root: Option<PathBuf>,
-    part: &'static str,
-}
+/// A folder of modules; without a path, the one inside the program.
+struct Folder(Option<PathBuf>);
 
 impl Folder {
     fn read(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
-        let content = match &self.root {
-            Some(root) => fs::read(root.join(self.part).join(file)).map(Cow::Owned),
+        let content = match &self.0 {
+            Some(folder) => fs::read(folder.join(file)).map(Cow::Owned),
             None => {
-                let path =
-                    if self.part.is_empty() { file.to_owned() } else { format!("{}/{file}", self.part) };
-                unitvec_shaders::spirv(&path).map(Cow::Borrowed).ok_or_else(|| io::ErrorKind::NotFound.into())
+                unitvec_shaders::spirv(file).map(Cow::Borrowed).ok_or_else(|| io::ErrorKind::NotFound.into())
             }
         };
         content.map_err(|source| Error::Missing { path: self.shown(file), source })
@@ -139,6 +118,6 @@ impl Folder {
 
     /// The path that messages give for a file; `spirv` for the folder inside the program.
     fn shown(&self, file: &str) -> PathBuf {
-        self.root.as_deref().unwrap_or(Path::new("spirv")).join(self.part).join(file)
+        self.0.as_deref().unwrap_or(Path::new("spirv")).join(file)
     }
 }

@@ -10,6 +10,8 @@ pub mod tested;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use unitvec_host::manifest::{self, sha256_hex};
+use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 
 /// The backends that the tested program has: that of the GLSL needs its compiler.
@@ -49,10 +51,25 @@ pub fn assert_no_validation_messages(device: Arc<Device>) {
 /// # Panics
 /// If a file cannot be copied.
 pub fn copy_modules(folder: &Path) {
-    for entry in std::fs::read_dir(repository().join("spirv")).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_file() {
-            std::fs::copy(&path, folder.join(path.file_name().unwrap())).unwrap();
+    std::fs::create_dir(folder.join("kernels")).unwrap();
+    for part in ["", "kernels"] {
+        for entry in std::fs::read_dir(repository().join("spirv").join(part)).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_file() {
+                std::fs::copy(&path, folder.join(part).join(path.file_name().unwrap())).unwrap();
+            }
         }
     }
+}
+
+/// Writes a module in the place of another, to a folder of [`copy_modules`], with its SHA-256 in the manifest.
+///
+/// # Panics
+/// If there is no such module, or a file cannot be written.
+pub fn replace_module(folder: &Path, file: &str, bytes: &[u8]) {
+    let mut manifest = Modules::open(Some(folder)).unwrap().manifest().clone();
+    let module = manifest.modules.iter_mut().find(|module| module.file == file).unwrap();
+    module.sha256 = sha256_hex(bytes);
+    std::fs::write(folder.join(file), bytes).unwrap();
+    std::fs::write(folder.join(manifest::FILE_NAME), serde_json::to_vec(&manifest).unwrap()).unwrap();
 }

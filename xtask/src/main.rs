@@ -19,7 +19,8 @@ usage: cargo xtask <command>
   test [--exhaustive] [arguments of          install what is missing, then run all tests; --exhaustive adds those of all
        `cargo test`]                         2^32 codes of the 32-bit codecs, minutes a codec
   setup                                      install what is missing, and nothing else
-  spirv [--check]                            rebuild spirv/*.spv with rust-gpu; --check compares instead
+  spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
+                                             instead
   packages                                   build and test each package outside the repository, also with the oldest
                                              dependencies and, with the compiler of `spirv`, without std
 ";
@@ -103,6 +104,7 @@ fn test(arguments: &[String]) -> Result<(), String> {
 
 fn spirv(arguments: &[String]) -> Result<(), String> {
     println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
+    run(&mut cargo(&["test", "--quiet", "--package", "xtask-spirv"]))?;
     run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
 }
 

@@ -47,8 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         print(&heading(device.info(), &options))?;
     }
     let bar = progress_bar(chosen.len() as u64);
-    let mut bench =
-        Bench::new(&device, arguments.vulkan.modules()?, arguments.vulkan.cost_modules()?, options)?;
+    let mut bench = Bench::new(&device, arguments.vulkan.modules()?, options)?;
     let mut rows = Vec::new();
     for format in chosen {
         bar.set_message(format.id);

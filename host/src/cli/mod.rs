@@ -104,10 +104,6 @@ impl Vulkan {
         Ok(Modules::open(self.folder().as_deref())?)
     }
 
-    fn cost_modules(&self) -> Result<Modules> {
-        Ok(Modules::open_cost(self.folder().as_deref())?)
-    }
-
     /// Fails where the command line, not the environment, asks for what the CPU backend does not have.
     fn refuse_for_cpu(&self) -> Result<()> {
         let named = self.device.is_some()

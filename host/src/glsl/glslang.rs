@@ -15,7 +15,7 @@ impl Glslang {
     pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
         let compile = || {
             let mut options = CompileOptions::new()?;
-            options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_2 as u32);
+            options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
             options.set_optimization_level(OptimizationLevel::Performance);
             options.set_include_callback(|wanted, kind, from, _depth| include(wanted, kind, from));
             for (name, value) in macros {

@@ -1,4 +1,4 @@
-use super::kernel::MAX_ELEMENT;
+use super::kernel::{GROUP, MAX_ELEMENT, WORKGROUP};
 use super::{Error, Instance, Named};
 use ash::vk;
 use serde::Serialize;
@@ -88,7 +88,7 @@ pub struct Device {
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     /// What a timestamp means; `None` if the queue has none.
     pub(super) timestamps: Option<Timestamps>,
-    /// The most vectors of one dispatch: by workgroups of 64 invocations with 4 vectors each, and by buffer size.
+    /// The most vectors of one dispatch: by workgroups, and by buffer size.
     pub(super) max_vectors: usize,
     info: DeviceInfo,
     instance: Arc<Instance>,
@@ -113,23 +113,21 @@ impl Timestamps {
 }
 
 impl Device {
-    /// Opens a device.
+    /// Opens a device, with no feature turned on: neither the modules nor the GLSL kernels need one.
     ///
     /// # Errors
     /// As [`DeviceChoice::choose`], [`Error::MissingFeature`], or a failed call.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
         let info = choice.choose(&Self::list(instance)?)?.clone();
         let physical = physical_devices(instance)?[info.index];
-        require_memory_model(instance, physical, &info)?;
         let (queue_family, timestamp_bits) = compute_queue(instance, physical, &info)?;
 
         let priorities = [1.0];
         let queues = [vk::DeviceQueueCreateInfo::default()
             .queue_family_index(queue_family)
             .queue_priorities(&priorities)];
-        let mut features = vk::PhysicalDeviceVulkan12Features::default().vulkan_memory_model(true);
-        let create = vk::DeviceCreateInfo::default().queue_create_infos(&queues).push_next(&mut features);
-        // SAFETY: the physical device is the instance's, the queue family and the feature are ones it has.
+        let create = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+        // SAFETY: the physical device is the instance's, the queue family is one it has.
         let raw = unsafe { instance.raw.create_device(physical, &create, None) }.named("vkCreateDevice")?;
         // SAFETY: the device was created with one queue of this family.
         let queue = unsafe { raw.get_device_queue(queue_family, 0) };
@@ -143,7 +141,7 @@ impl Device {
         let timestamps =
             (timestamp_bits > 0).then(|| Timestamps::new(timestamp_bits, limits.timestamp_period));
         let max_vectors = (limits.max_compute_work_group_count[0] as usize)
-            .saturating_mul(256)
+            .saturating_mul(GROUP * WORKGROUP)
             .min(limits.max_storage_buffer_range as usize / MAX_ELEMENT);
         let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
@@ -198,7 +196,7 @@ fn physical_devices(instance: &Instance) -> Result<Vec<vk::PhysicalDevice>, Erro
 fn describe(instance: &Instance, index: usize, device: vk::PhysicalDevice) -> DeviceInfo {
     let mut driver = vk::PhysicalDeviceDriverProperties::default();
     let mut properties = vk::PhysicalDeviceProperties2::default().push_next(&mut driver);
-    // SAFETY: the device is the instance's; the chained struct is of Vulkan 1.2, which the instance asks for.
+    // SAFETY: the device is the instance's; a driver skips a chained struct that it does not know.
     unsafe { instance.raw.get_physical_device_properties2(device, &mut properties) };
     let properties = properties.properties;
     let text = |name: Result<&std::ffi::CStr, _>| {
@@ -227,22 +225,6 @@ fn kind(device_type: vk::PhysicalDeviceType) -> DeviceKind {
         vk::PhysicalDeviceType::CPU => DeviceKind::Software,
         _ => DeviceKind::Other,
     }
-}
-
-/// The modules that rust-gpu makes use the Vulkan memory model.
-fn require_memory_model(
-    instance: &Instance,
-    device: vk::PhysicalDevice,
-    info: &DeviceInfo,
-) -> Result<(), Error> {
-    let mut vulkan12 = vk::PhysicalDeviceVulkan12Features::default();
-    let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut vulkan12);
-    // SAFETY: the device is the instance's; the chained struct is of Vulkan 1.2, which the instance asks for.
-    unsafe { instance.raw.get_physical_device_features2(device, &mut features) };
-    if vulkan12.vulkan_memory_model == vk::TRUE {
-        return Ok(());
-    }
-    Err(Error::MissingFeature { device: info.name.clone(), feature: "vulkanMemoryModel" })
 }
 
 /// The first queue family with compute, and the valid bits of its timestamps.

@@ -37,7 +37,7 @@ impl Instance {
         let mut validation_features =
             vk::ValidationFeaturesEXT::default().enabled_validation_features(&features);
         let application =
-            vk::ApplicationInfo::default().application_name(c"unitvec").api_version(vk::API_VERSION_1_2);
+            vk::ApplicationInfo::default().application_name(c"unitvec").api_version(vk::API_VERSION_1_1);
         let mut create = vk::InstanceCreateInfo::default().application_info(&application);
         if validate {
             create = create

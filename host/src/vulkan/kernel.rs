@@ -8,11 +8,11 @@ use std::sync::{Arc, PoisonError};
 /// Bytes of the largest element a buffer holds: a tangent frame of seven f32.
 pub(super) const MAX_ELEMENT: usize = 28;
 
-/// Vectors of one invocation: buffers are padded to a multiple of this.
-const GROUP: usize = 4;
+/// Vectors of one invocation, but for kernels that measure: buffers are padded to a multiple of this.
+pub const GROUP: usize = 4;
 
 /// Invocations of one workgroup.
-const WORKGROUP: usize = 64;
+pub const WORKGROUP: usize = 64;
 
 /// What output buffers are filled with before a run, so that output which a kernel fails to write stands out: NaN as
 /// a component, and a code that none of the tests' inputs gives throughout.

@@ -4,7 +4,7 @@
 //! structs, for one. Where both sides are a few pure operations, a GPU, and LLVM's vectors more so, does both sides
 //! sooner than it branches. GLSL's `?:` is a select from the start.
 
-use crate::blocks::{
+use super::blocks::{
     incoming, index_of, is_continue_target, label, predecessors, rename_predecessor, take_phis,
 };
 use anyhow::{Result, anyhow};
@@ -190,7 +190,7 @@ fn is_pure(instruction: &Instruction, types: &Types) -> bool {
 
 /// The module's types and constants, and the next free id.
 struct Types {
-    /// Members of structs; arrays have the same one several times.
+    /// Members of structs; vectors and arrays have the same one several times.
     members: HashMap<Word, Vec<Word>>,
     /// Integer constants.
     constants: HashMap<Word, u32>,
@@ -207,8 +207,11 @@ impl Types {
                 Op::TypeStruct => {
                     members.insert(id, instruction.operands.iter().filter_map(Operand::id_ref_any).collect());
                 }
-                Op::TypeArray => {
-                    let length = operand(1).and_then(|length| constants.get(&length)).copied().unwrap_or(0);
+                Op::TypeVector | Op::TypeArray => {
+                    let length = match instruction.operands.get(1) {
+                        Some(Operand::LiteralBit32(length)) => *length,
+                        _ => operand(1).and_then(|length| constants.get(&length)).copied().unwrap_or(0),
+                    };
                     members.insert(id, operand(0).into_iter().cycle().take(length as usize).collect());
                 }
                 Op::Constant => {
@@ -231,8 +234,8 @@ impl Types {
         self.bound - 1
     }
 
-    /// Appends what makes `result` the one or the other of two values of this type. Structs and arrays are selected
-    /// by members: that drivers know selects of whole ones cannot be counted on.
+    /// Appends what makes `result` the one or the other of two values of this type. Vectors, structs and arrays are
+    /// selected by members: SPIR-V 1.3 selects no whole ones by a single condition.
     fn select(
         &mut self,
         to: &mut Vec<Instruction>,
@@ -259,5 +262,129 @@ impl Types {
             parts.push(part);
         }
         to.push(Instruction::new(Op::CompositeConstruct, Some(of_type), Some(result), ids(&parts)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::snippet::{assert_valid, instructions, module, opcodes};
+    use super::*;
+
+    /// Flattens the snippet; its opcodes.
+    fn flattened(lines: &str) -> (Module, Vec<Op>) {
+        let mut module = module(lines);
+        for_branches(&mut module).unwrap();
+        assert_valid(&module);
+        let opcodes = opcodes(&module);
+        (module, opcodes)
+    }
+
+    /// A branch around an arm, and what follows.
+    fn one_arm(arm: &str, rest: &str) -> String {
+        format!(
+            "%10 = OpFOrdLessThan %bool %7 %f0
+            OpSelectionMerge %22 None
+            OpBranchConditional %10 %21 %22
+            %21 = OpLabel
+            {arm}
+            OpBranch %22
+            %22 = OpLabel
+            {rest}"
+        )
+    }
+
+    #[test]
+    fn one_pure_arm_becomes_a_select() {
+        let lines = one_arm("%11 = OpFNegate %float %7", "%12 = OpPhi %float %7 %5 %11 %21 OpStore %6 %12");
+        let (module, opcodes) = flattened(&lines);
+        assert_eq!(opcodes, [Op::FOrdLessThan, Op::FNegate, Op::Select, Op::Store, Op::Return]);
+        let select = instructions(&module)[2];
+        assert_eq!(select.result_id, Some(12));
+        assert_eq!(select.operands, [10, 11, 7].map(Operand::IdRef));
+    }
+
+    #[test]
+    fn two_arms_of_vectors_are_selected_by_members() {
+        let (_, opcodes) = flattened(
+            "%10 = OpFOrdLessThan %bool %7 %f0
+            OpSelectionMerge %22 None
+            OpBranchConditional %10 %20 %21
+            %20 = OpLabel
+            %11 = OpCompositeConstruct %pair %7 %f0
+            OpBranch %22
+            %21 = OpLabel
+            %12 = OpCompositeConstruct %pair %f1 %7
+            OpBranch %22
+            %22 = OpLabel
+            %13 = OpPhi %pair %11 %20 %12 %21
+            %14 = OpCompositeExtract %float %13 0
+            OpStore %6 %14",
+        );
+        let selects = opcodes.iter().filter(|opcode| **opcode == Op::Select).count();
+        assert_eq!((selects, opcodes.contains(&Op::Phi)), (2, false));
+    }
+
+    #[test]
+    fn arms_within_arms_become_selects_from_the_inside() {
+        let (_, opcodes) = flattened(
+            "%10 = OpFOrdLessThan %bool %7 %f0
+            OpSelectionMerge %25 None
+            OpBranchConditional %10 %21 %25
+            %21 = OpLabel
+            %11 = OpFOrdLessThan %bool %7 %f1
+            OpSelectionMerge %23 None
+            OpBranchConditional %11 %22 %23
+            %22 = OpLabel
+            OpBranch %23
+            %23 = OpLabel
+            %12 = OpPhi %float %f0 %21 %f1 %22
+            OpBranch %25
+            %25 = OpLabel
+            %13 = OpPhi %float %7 %5 %12 %23
+            OpStore %6 %13",
+        );
+        assert_eq!(
+            opcodes,
+            [Op::FOrdLessThan, Op::FOrdLessThan, Op::Select, Op::Select, Op::Store, Op::Return]
+        );
+    }
+
+    /// What writes memory or is not defined everywhere stays in its arm.
+    #[test]
+    fn impure_arms_stay() {
+        let of_uint = "%13 = OpPhi %uint %u0 %5 %12 %21";
+        for (arm, rest) in
+            [("OpStore %6 %f0", ""), ("%11 = OpConvertFToU %uint %7 %12 = OpUDiv %uint %u4 %11", of_uint)]
+        {
+            let lines = one_arm(arm, rest);
+            assert_eq!(flattened(&lines).1, opcodes(&module(&lines)));
+        }
+        let by_constant = one_arm("%11 = OpConvertFToU %uint %7 %12 = OpUDiv %uint %11 %u4", of_uint);
+        assert!(flattened(&by_constant).1.contains(&Op::Select));
+    }
+
+    /// A condition that repeats a loop keeps its branch.
+    #[test]
+    fn loops_stay() {
+        let lines = "OpBranch %20
+            %20 = OpLabel
+            %10 = OpPhi %float %7 %5 %13 %24
+            OpLoopMerge %25 %24 None
+            OpBranch %21
+            %21 = OpLabel
+            %11 = OpFOrdLessThan %bool %10 %f0
+            OpSelectionMerge %23 None
+            OpBranchConditional %11 %22 %23
+            %22 = OpLabel
+            %12 = OpFAdd %float %10 %f1
+            OpBranch %23
+            %23 = OpLabel
+            %13 = OpPhi %float %10 %21 %12 %22
+            OpBranch %24
+            %24 = OpLabel
+            OpBranchConditional %11 %20 %25
+            %25 = OpLabel
+            OpStore %6 %13";
+        assert_eq!(flattened(lines).1, opcodes(&module(lines)));
     }
 }

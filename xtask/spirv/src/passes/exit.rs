@@ -4,7 +4,7 @@
 //! repeats. GLSL leaves a loop where the condition fails, which costs one mask less a round where invocations are
 //! lanes of a vector.
 
-use crate::blocks::{incoming, index_of, label, phis, predecessors};
+use super::blocks::{incoming, index_of, label, phis, predecessors};
 use rspirv::dr::{Block, Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
@@ -119,5 +119,79 @@ fn unguard(function: &mut Function, found: &Guarded) {
     gone.sort_unstable();
     for block in gone.into_iter().rev() {
         function.blocks.remove(block);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::snippet::{assert_valid, module, opcodes};
+    use super::*;
+
+    /// A loop as rust-gpu writes `while`, and these lines after it.
+    fn guarded_loop(rest: &str) -> String {
+        format!(
+            "OpBranch %20
+            %20 = OpLabel
+            %10 = OpPhi %float %7 %5 %13 %25
+            OpLoopMerge %26 %25 None
+            OpBranch %21
+            %21 = OpLabel
+            %11 = OpFOrdLessThan %bool %10 %f0
+            OpSelectionMerge %24 None
+            OpBranchConditional %11 %22 %23
+            %22 = OpLabel
+            %12 = OpFAdd %float %10 %f1
+            OpBranch %24
+            %23 = OpLabel
+            OpBranch %24
+            %24 = OpLabel
+            %13 = OpPhi %float %12 %22 %7 %23
+            OpBranch %25
+            %25 = OpLabel
+            OpBranchConditional %11 %20 %26
+            %26 = OpLabel
+            {rest}"
+        )
+    }
+
+    #[test]
+    fn a_loop_leaves_at_its_condition() {
+        let mut module = module(&guarded_loop("OpStore %6 %10"));
+        at_conditions(&mut module);
+        assert_valid(&module);
+        use Op::*;
+        assert_eq!(
+            opcodes(&module),
+            [
+                Branch,
+                Phi,
+                LoopMerge,
+                Branch,
+                FOrdLessThan,
+                BranchConditional,
+                FAdd,
+                Branch,
+                Branch,
+                Store,
+                Return
+            ]
+        );
+        let [_, header, guard, body, repeat, end] = module.functions[0].blocks.as_slice() else { panic!() };
+        let ids = |instruction: &Instruction| -> Vec<Word> {
+            instruction.operands.iter().filter_map(Operand::id_ref_any).collect()
+        };
+        assert_eq!(ids(&header.instructions[0])[2..], [12, 25], "the phi takes the body's result");
+        let leave = guard.instructions.last().unwrap();
+        assert_eq!(ids(leave), [11, label(body), label(end)]);
+        assert_eq!((only_target(body), only_target(repeat)), (Some(25), Some(20)));
+    }
+
+    /// What the loop leaves in its last round is known only where the arms meet.
+    #[test]
+    fn a_loop_whose_result_is_used_stays() {
+        let lines = guarded_loop("OpStore %6 %13");
+        let mut module = module(&lines);
+        at_conditions(&mut module);
+        assert_eq!(opcodes(&module), opcodes(&super::super::snippet::module(&lines)));
     }
 }

@@ -68,3 +68,30 @@ fn undecorated(module: &Module) -> Vec<u32> {
         .collect();
     arithmetic_results(module).filter(|id| !decorated.contains(id)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::snippet;
+    use super::*;
+
+    #[test]
+    fn float_arithmetic_is_marked_once_and_nothing_else_is() {
+        let mut module = snippet::module(
+            "%10 = OpFAdd %float %7 %f1
+            %11 = OpFNegate %float %10
+            %12 = OpExtInst %float %3 FAbs %11
+            %13 = OpIAdd %uint %u4 %u4
+            OpStore %6 %12",
+        );
+        let before = module.annotations.len();
+        let error = check_no_contraction(&module).unwrap_err();
+        assert!(error.to_string().starts_with("2 float results lost their NoContraction"), "{error}");
+        for _ in 0..2 {
+            no_contraction(&mut module);
+            let ids = module.annotations[before..].iter().map(|annotation| annotation.operands[0].clone());
+            assert_eq!(ids.collect::<Vec<_>>(), [Operand::IdRef(10), Operand::IdRef(11)]);
+            check_no_contraction(&module).unwrap();
+        }
+        snippet::assert_valid(&module);
+    }
+}

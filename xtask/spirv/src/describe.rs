@@ -1,0 +1,127 @@
+//! The manifest's words about kernels, modules and tables.
+
+use crate::kernel::Kernel;
+use unitvec_host::catalogue::{Element, Operation};
+use unitvec_host::manifest::{self, Binding, EntryPoint, Interface, Module, PushConstant, Table};
+use unitvec_host::vulkan::{GROUP, WORKGROUP};
+
+/// The table of [`unitvec::best_fit`], of these bytes.
+pub fn table(bytes: &[u8]) -> Table {
+    Table {
+        file: manifest::BEST_FIT_TABLE.to_owned(),
+        layout: "words of four lengths of one byte, the best alone lowest; column and row are 640 mid / max and 640 min / max \
+                 of a direction's magnitudes, rounded down; word 4 (g (2 g + 1) + row) + column, g = column / 4 rounded \
+                 down; to be bound as u32 words, little endian"
+            .to_owned(),
+        sha256: manifest::sha256_hex(bytes),
+    }
+}
+
+/// A module in this file of `spirv/`.
+pub fn module(file: &str, kernels: &[Kernel], bytes: &[u8]) -> Module {
+    let entry_points = kernels.iter().map(|kernel| EntryPoint {
+        name: kernel.name(),
+        operation: kernel.operation,
+        interface: interface(kernel).0,
+    });
+    Module {
+        file: file.to_owned(),
+        codec: kernels.first().and_then(|kernel| kernel.codec).map(|codec| codec.id.to_owned()),
+        sha256: manifest::sha256_hex(bytes),
+        entry_points: entry_points.collect(),
+    }
+}
+
+/// A kernel's interface and the name of that.
+pub fn interface(kernel: &Kernel) -> (String, Interface) {
+    let [input, output] = buffers(kernel);
+    let mut name = format!("{} to {}", input.name, output.name);
+    let mut bindings = vec![input.binding(0, "read"), output.binding(1, "write")];
+    if kernel.name() == manifest::DECODE_BY_TABLE {
+        let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
+        bindings.push(table_binding(content, None));
+    } else if kernel.encodes_by_table() {
+        bindings.push(table_binding("table", Some(manifest::BEST_FIT_TABLE)));
+    }
+    if bindings.len() > 2 {
+        name += " by a table";
+    }
+    let mut push_constants = vec![constant(0, "number of vectors")];
+    if kernel.is_cost {
+        push_constants.push(constant(4, "repetitions of each"));
+    }
+    let interface = Interface {
+        workgroup_size: [WORKGROUP as u32, 1, 1],
+        vectors_per_invocation: if kernel.is_cost { 1 } else { GROUP as u32 },
+        bindings,
+        push_constants,
+    };
+    (name, interface)
+}
+
+/// What a buffer of elements or codes holds.
+struct Buffer {
+    name: String,
+    content: &'static str,
+    bytes_per_vector: usize,
+}
+
+impl Buffer {
+    fn new(name: &str, content: &'static str, bytes_per_vector: usize) -> Self {
+        Self { name: name.to_owned(), content, bytes_per_vector }
+    }
+
+    fn binding(&self, binding: u32, access: &str) -> Binding {
+        Binding {
+            binding,
+            access: access.to_owned(),
+            content: self.content.to_owned(),
+            bytes_per_vector: Some(self.bytes_per_vector as u32),
+            table: None,
+        }
+    }
+}
+
+/// What a kernel reads and what it writes.
+fn buffers(kernel: &Kernel) -> [Buffer; 2] {
+    let vectors = || Buffer::new("vectors", "three f32 a vector, packed", Element::Vector.bytes());
+    if kernel.is_cost {
+        let sums = Buffer::new("sums", "sum of the results", 4);
+        return match kernel.operation {
+            Operation::Encode => [vectors(), sums],
+            Operation::Decode => {
+                [Buffer::new("codes", "codes of three words, of which the first two count", 12), sums]
+            }
+        };
+    }
+    let elements = match kernel.codec.map(|codec| codec.element) {
+        Some(Element::Frame) => Buffer::new(
+            "frames",
+            "seven f32 a frame (normal, tangent, handedness), packed",
+            Element::Frame.bytes(),
+        ),
+        _ => vectors(),
+    };
+    // Codes that are decoded by a table have two bytes.
+    let bytes = kernel.codec.map_or(2, |codec| codec.bytes);
+    let plural = if bytes == 1 { "" } else { "s" };
+    let codes = Buffer::new(&format!("codes of {bytes} byte{plural}"), "codes, little endian, packed", bytes);
+    match kernel.operation {
+        Operation::Encode => [elements, codes],
+        Operation::Decode => [codes, elements],
+    }
+}
+
+fn table_binding(content: &str, file: Option<&str>) -> Binding {
+    Binding {
+        binding: 2,
+        access: "read".to_owned(),
+        content: content.to_owned(),
+        bytes_per_vector: None,
+        table: file.map(str::to_owned),
+    }
+}
+
+fn constant(offset: u32, content: &str) -> PushConstant {
+    PushConstant { offset, r#type: "u32".to_owned(), content: content.to_owned() }
+}

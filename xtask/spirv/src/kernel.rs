@@ -1,0 +1,106 @@
+//! What a kernel is, by the name that rust-gpu gives its entry point.
+
+use anyhow::{Context, Result};
+use unitvec_host::catalogue::{Format, Operation, formats};
+use unitvec_host::manifest::DECODE_BY_TABLE;
+
+/// Stands for a codec in the names of the kernels that measure what the others do besides encoding or decoding.
+const BASELINE: &str = "baseline";
+
+/// A kernel.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Kernel {
+    /// Codec's identifier; [`BASELINE`] or [`DECODE_BY_TABLE`] for those that belong to none.
+    id: String,
+    /// The codec, if it belongs to one.
+    pub codec: Option<Format>,
+    /// What it does.
+    pub operation: Operation,
+    /// True of those that measure arithmetic.
+    pub is_cost: bool,
+}
+
+impl Kernel {
+    /// The kernel with this entry point: `kernels::oct16::encode` or `oct16_encode`.
+    pub fn of_entry_point(entry_point: &str) -> Result<Self> {
+        let name = name_of_path(entry_point);
+        if name == DECODE_BY_TABLE {
+            return Ok(Self { id: name, codec: None, operation: Operation::Decode, is_cost: false });
+        }
+        let belongs = || format!("entry point {entry_point} belongs to no codec of the catalogue");
+        let function = name.strip_suffix("_cost").unwrap_or(&name);
+        let (id, operation) = Operation::ALL
+            .into_iter()
+            .find_map(|operation| Some((function.strip_suffix(&format!("_{operation}"))?, operation)))
+            .with_context(belongs)?;
+        let is_cost = function.len() < name.len();
+        let codec = formats().find(|codec| codec.id == id);
+        if codec.is_none() && (id != BASELINE || !is_cost) {
+            return None.with_context(belongs);
+        }
+        Ok(Self { id: id.to_owned(), codec, operation, is_cost })
+    }
+
+    /// Its entry point's name in the module: `oct16_encode`, `oct16_encode_cost`.
+    pub fn name(&self) -> String {
+        if self.id == DECODE_BY_TABLE {
+            return self.id.clone();
+        }
+        format!("{}_{}{}", self.id, self.operation, if self.is_cost { "_cost" } else { "" })
+    }
+
+    /// Path, in `spirv/`, of the module that it is part of.
+    pub fn file(&self) -> String {
+        format!("{}/{}.spv", if self.is_cost { "cost" } else { "kernels" }, self.id)
+    }
+
+    /// True of those that look up lengths in the table of [`unitvec::best_fit`].
+    pub fn encodes_by_table(&self) -> bool {
+        self.operation == Operation::Encode && self.codec.is_some_and(|codec| codec.encodes_by_table)
+    }
+}
+
+/// `oct16_encode` of `kernels::oct16::encode`; what is no path stays.
+fn name_of_path(entry_point: &str) -> String {
+    let mut parts = entry_point.rsplit("::");
+    match (parts.next(), parts.next()) {
+        (Some(function), Some(module)) if function != DECODE_BY_TABLE => format!("{module}_{function}"),
+        (Some(function), _) => function.to_owned(),
+        (None, _) => String::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entry_points_are_named_after_codec_and_operation() {
+        for (entry_point, name, file) in [
+            ("kernels::oct16::encode", "oct16_encode", "kernels/oct16.spv"),
+            ("oct16_decode", "oct16_decode", "kernels/oct16.spv"),
+            ("kernels::frames::frame32::decode", "frame32_decode", "kernels/frame32.spv"),
+            (
+                "kernels::snorm8x3_nearest::encode_cost",
+                "snorm8x3_nearest_encode_cost",
+                "cost/snorm8x3_nearest.spv",
+            ),
+            ("kernels::baseline::decode_cost", "baseline_decode_cost", "cost/baseline.spv"),
+            ("kernels::decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
+            ("decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
+        ] {
+            let kernel = Kernel::of_entry_point(entry_point).unwrap();
+            assert_eq!((kernel.name().as_str(), kernel.file().as_str()), (name, file));
+        }
+    }
+
+    #[test]
+    fn entry_points_of_no_codec_are_refused() {
+        for entry_point in
+            ["oct15_encode", "kernels::oct16::transcode", "oct16", "baseline_encode", "encode", ""]
+        {
+            let error = Kernel::of_entry_point(entry_point).unwrap_err();
+            assert!(error.to_string().contains("belongs to no codec"), "{entry_point}: {error}");
+        }
+    }
+}
