@@ -223,24 +223,32 @@ vec3 oct_decode(uint code, uint bits) {
     return oct_from_lattice(oct_unpack(code, bits), snorm_max(bits / 2u));
 }
 
+uint oct8_encode(vec3 v) { return oct_encode(v, 8u); }
+uint oct12_encode(vec3 v) { return oct_encode(v, 12u); }
 uint oct16_encode(vec3 v) { return oct_encode(v, 16u); }
 uint oct20_encode(vec3 v) { return oct_encode(v, 20u); }
 uint oct22_encode(vec3 v) { return oct_encode(v, 22u); }
 uint oct24_encode(vec3 v) { return oct_encode(v, 24u); }
 uint oct32_encode(vec3 v) { return oct_encode(v, 32u); }
 
+uint oct8p_encode(vec3 v) { return oct_encode_precise(v, 8u); }
+uint oct12p_encode(vec3 v) { return oct_encode_precise(v, 12u); }
 uint oct16p_encode(vec3 v) { return oct_encode_precise(v, 16u); }
 uint oct20p_encode(vec3 v) { return oct_encode_precise(v, 20u); }
 uint oct22p_encode(vec3 v) { return oct_encode_precise(v, 22u); }
 uint oct24p_encode(vec3 v) { return oct_encode_precise(v, 24u); }
 uint oct32p_encode(vec3 v) { return oct_encode_precise(v, 32u); }
 
+vec3 oct8_decode(uint code) { return oct_decode(code, 8u); }
+vec3 oct12_decode(uint code) { return oct_decode(code, 12u); }
 vec3 oct16_decode(uint code) { return oct_decode(code, 16u); }
 vec3 oct20_decode(uint code) { return oct_decode(code, 20u); }
 vec3 oct22_decode(uint code) { return oct_decode(code, 22u); }
 vec3 oct24_decode(uint code) { return oct_decode(code, 24u); }
 vec3 oct32_decode(uint code) { return oct_decode(code, 32u); }
 
+vec3 oct8p_decode(uint code) { return oct8_decode(code); }
+vec3 oct12p_decode(uint code) { return oct12_decode(code); }
 vec3 oct16p_decode(uint code) { return oct16_decode(code); }
 vec3 oct20p_decode(uint code) { return oct20_decode(code); }
 vec3 oct22p_decode(uint code) { return oct22_decode(code); }

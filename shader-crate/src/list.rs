@@ -28,6 +28,10 @@ use crate::frame::FrameCodec;
 macro_rules! for_each_codec {
     ($callback:ident) => {
         $callback! {
+            [oct8 Oct8 = oct::Oct<8>, "oct8", Sphere, None]
+            [oct8p OctPrecise8 = oct::OctPrecise<8>, "oct8P", Sphere, None]
+            [oct12 Oct12 = oct::Oct<12>, "oct12", Sphere, None]
+            [oct12p OctPrecise12 = oct::OctPrecise<12>, "oct12P", Sphere, None]
             [oct16 Oct16 = oct::Oct<16>, "oct16", Sphere, Some("VK_FORMAT_R8G8_SNORM")]
             [oct16p OctPrecise16 = oct::OctPrecise<16>, "oct16P", Sphere, Some("VK_FORMAT_R8G8_SNORM")]
             [oct20 Oct20 = oct::Oct<20>, "oct20", Sphere, None]
