@@ -226,6 +226,7 @@ vec3 oct_decode(uint code, uint bits) {
 uint oct8_encode(vec3 v) { return oct_encode(v, 8u); }
 uint oct12_encode(vec3 v) { return oct_encode(v, 12u); }
 uint oct16_encode(vec3 v) { return oct_encode(v, 16u); }
+uint oct18_encode(vec3 v) { return oct_encode(v, 18u); }
 uint oct20_encode(vec3 v) { return oct_encode(v, 20u); }
 uint oct22_encode(vec3 v) { return oct_encode(v, 22u); }
 uint oct24_encode(vec3 v) { return oct_encode(v, 24u); }
@@ -234,6 +235,7 @@ uint oct32_encode(vec3 v) { return oct_encode(v, 32u); }
 uint oct8p_encode(vec3 v) { return oct_encode_precise(v, 8u); }
 uint oct12p_encode(vec3 v) { return oct_encode_precise(v, 12u); }
 uint oct16p_encode(vec3 v) { return oct_encode_precise(v, 16u); }
+uint oct18p_encode(vec3 v) { return oct_encode_precise(v, 18u); }
 uint oct20p_encode(vec3 v) { return oct_encode_precise(v, 20u); }
 uint oct22p_encode(vec3 v) { return oct_encode_precise(v, 22u); }
 uint oct24p_encode(vec3 v) { return oct_encode_precise(v, 24u); }
@@ -242,6 +244,7 @@ uint oct32p_encode(vec3 v) { return oct_encode_precise(v, 32u); }
 vec3 oct8_decode(uint code) { return oct_decode(code, 8u); }
 vec3 oct12_decode(uint code) { return oct_decode(code, 12u); }
 vec3 oct16_decode(uint code) { return oct_decode(code, 16u); }
+vec3 oct18_decode(uint code) { return oct_decode(code, 18u); }
 vec3 oct20_decode(uint code) { return oct_decode(code, 20u); }
 vec3 oct22_decode(uint code) { return oct_decode(code, 22u); }
 vec3 oct24_decode(uint code) { return oct_decode(code, 24u); }
@@ -250,6 +253,7 @@ vec3 oct32_decode(uint code) { return oct_decode(code, 32u); }
 vec3 oct8p_decode(uint code) { return oct8_decode(code); }
 vec3 oct12p_decode(uint code) { return oct12_decode(code); }
 vec3 oct16p_decode(uint code) { return oct16_decode(code); }
+vec3 oct18p_decode(uint code) { return oct18_decode(code); }
 vec3 oct20p_decode(uint code) { return oct20_decode(code); }
 vec3 oct22p_decode(uint code) { return oct22_decode(code); }
 vec3 oct24p_decode(uint code) { return oct24_decode(code); }

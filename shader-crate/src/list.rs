@@ -34,6 +34,8 @@ macro_rules! for_each_codec {
             [oct12p OctPrecise12 = oct::OctPrecise<12>, "oct12P", Sphere, None]
             [oct16 Oct16 = oct::Oct<16>, "oct16", Sphere, Some("VK_FORMAT_R8G8_SNORM")]
             [oct16p OctPrecise16 = oct::OctPrecise<16>, "oct16P", Sphere, Some("VK_FORMAT_R8G8_SNORM")]
+            [oct18 Oct18 = oct::Oct<18>, "oct18", Sphere, None]
+            [oct18p OctPrecise18 = oct::OctPrecise<18>, "oct18P", Sphere, None]
             [oct20 Oct20 = oct::Oct<20>, "oct20", Sphere, None]
             [oct20p OctPrecise20 = oct::OctPrecise<20>, "oct20P", Sphere, None]
             [oct22 Oct22 = oct::Oct<22>, "oct22", Sphere, None]
