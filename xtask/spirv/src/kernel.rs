@@ -8,7 +8,7 @@ use unitvec_host::manifest::DECODE_BY_TABLE;
 const BASELINE: &str = "baseline";
 
 /// A kernel.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct Kernel {
     /// Codec's identifier; [`BASELINE`] or [`DECODE_BY_TABLE`] for those that belong to none.
     id: String,
