@@ -96,8 +96,7 @@ fn oracle_bits(id: &str) -> Option<u32> {
 #[cfg(feature = "glsl")]
 fn lacking_glsl() -> Vec<String> {
     let compiler = Compiler::new().unwrap();
-    let kernels =
-        formats().flat_map(|format| [Operation::Encode, Operation::Decode].map(|half| (format, half)));
+    let kernels = formats().flat_map(|format| Operation::ALL.map(|half| (format, half)));
     let errors = kernels.filter_map(|(format, half)| {
         let error = compiler.kernel(format, half).err()?;
         Some(format!("{}: GLSL function {}: {error}", format.id, format.function(half)))

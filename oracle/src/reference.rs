@@ -310,7 +310,9 @@ mod tests {
     /// directions come near them, but for the cylindrical codes' poles.
     #[test]
     fn bounds_hold_beyond_the_survey() {
-        let bounds: [(&str, f64); 14] = [
+        let bounds: [(&str, f64); 16] = [
+            ("oct8", oct::domain_bound_deg(8)),
+            ("oct12p", oct::range_bound_deg(12)),
             ("cylindrical16", crate::cylindrical::bound_deg(16)),
             ("cylindrical32", crate::cylindrical::bound_deg(32)),
             ("cube16", cube::bound_deg(16)),
