@@ -11,6 +11,7 @@ mod conformance;
 mod cube;
 mod cylindrical;
 mod digests;
+mod docs;
 mod eaoct;
 mod exhaustive;
 mod faults;

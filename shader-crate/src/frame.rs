@@ -4,45 +4,35 @@
 //! Basis, Revisited", after Frisvad 2012; for the tangent's place in that basis, Ong 2023, "Tangent Spaces and Diamond
 //! Encoding".
 //!
-//! The normal is encoded first, with the precise octahedral encoder. About the *decoded* normal, which both sides
-//! know, stands a basis of two more unit vectors, and of the tangent only its angle in their plane is stored: so what
-//! is decoded is perpendicular whatever was encoded. The angle's place is found without trigonometry: the line
-//! `|x| + |y| = 1` is a diamond, each side of it a quarter turn, and the place w along a side, -1 to 1, a division.
-//! Steps of equal length along the side are unequal in angle, twice as wide in its middle as at its ends; so the side
-//! is stretched by a polynomial, `w = v (A + B v^2 + C v^4)`, close to `tan(pi v / 4)`, and it is v that is rounded.
+//! The normal is encoded first, with the precise octahedral encoder. The *decoded* normal, which both sides know, has a
+//! basis of two more unit vectors around it, and of the tangent only its angle in their plane is stored. So what is
+//! decoded is perpendicular whatever was encoded. The angle's place is found without trigonometry: the line
+//! `|x| + |y| = 1` is a diamond, each side of it a quarter turn, and the place w along a side, -1 to 1, takes a
+//! division. Steps of equal length along the side are unequal in angle, twice as wide in its middle as at its ends. So
+//! the side is stretched by a polynomial, `w = v (A + B v^2 + C v^4)`, close to `tan(pi v / 4)`, and v is what is
+//! rounded.
 //!
-//! * Layout: the normal's x in the low 11 (21) bits, y in the next 11 (21), as in [`Oct22`]; above them
-//!   the angle, 9 (21) bits, whose upper two count quarter turns from the basis's first vector to the second; at the
-//!   top the handedness, 1 for -1. A code of 64 bits is two words, low word first. Every pattern is a frame.
+//! <!-- generated: errors frame -->
+//! <!-- end -->
+//!
+//! * Layout: the normal's x in the low 11 (21) bits, y in the next 11 (21), as in [`Oct22`]; above them the angle, 9
+//!   (21) bits, whose upper two count quarter turns from the basis's first vector to the second; at the top the
+//!   handedness, 1 for -1. A code of 64 bits is two words, low word first. Every pattern is a frame.
 //! * Error of the normal: that of the octahedral code, at most `sqrt(2) / m` radians. Error of the tangent: the angle
-//!   between the tangent that was encoded, perpendicular to the normal that was encoded, and the decoded one. So it
-//!   holds how far the normal's error tilts the plane, at most `d`, and how far the angle is off in it, at most `e`:
-//!   `acos(cos d cos e) <= sqrt(d^2 + e^2)`. `e` is half a step, which the stretching leaves 0.26 % above `pi / 2^bits`.
-//!   Over 10^6 random frames, in degrees:
-//!
-//!   | | normal: mean | max | bound | tangent: mean | max | bound |
-//!   |---|---|---|---|---|---|---|
-//!   | `frame32` | 0.03908 | 0.0788 | 0.0793 | 0.1801 | 0.3601 | 0.3627 |
-//!   | with the bare diamond | | | | 0.1873 | 0.4512 | 0.4545 |
-//!   | fast oct22, bare diamond: published, of a mesh | 0.0272 | 0.1136 | | 0.1691 | 0.4485 | |
-//!   | `frame64` | 3.81e-5 | 7.84e-5 | 8.42e-5 | 5.31e-5 | 1.256e-4 | 1.305e-4 |
-//!
-//!   In the plane alone the 9 bits are off by 0.1758 in the mean, as with equal steps of the angle, and by 0.3524 at
-//!   most, for 0.3516. The bare diamond is finer near the basis's vectors: where a mesh's tangents gather there, it can
-//!   have the lower mean; its maximum is a quarter higher.
-//!
-//!   64 bits are shared out so that the two errors are alike. 40 + 23 bits would double the normal's; the tangent's mean
-//!   would be 4 % less and its maximum, by the tilt, 38 % more. With 44 + 19 bits the normal's would be half as large,
-//!   the tangent's three times as large.
-//! * Decoded normal and tangent have unit length to within 2 ULP, and `|normal . tangent|` is at most 4 ULP of 1: most of
-//!   it is the normal's length, which turns the basis by twice what it is off; 3.4 was the most over 6 10^7 random codes.
-//!   The basis is continuous but for the equator, z = 0, where that of the lower hemisphere takes over; what it divides
-//!   by is never less than 1.
+//!   between the tangent that was encoded, perpendicular to the normal that was encoded, and the decoded one. It holds
+//!   how far the normal's error tilts the plane, at most `d`, and how far the angle is off in it, at most `e`:
+//!   `acos(cos d cos e) <= sqrt(d^2 + e^2)`. `e` is half a step, which the stretching leaves 0.26 % above
+//!   `pi / 2^bits`.
+//! * The bare diamond, without the polynomial, is finer near the basis's vectors: where a mesh's tangents gather there,
+//!   its mean can be lower. Its maximum is a quarter higher.
+//! * 64 bits are shared out so that the two errors are alike.
+//! * Decoded normal and tangent have unit length to within 2 ULP, and `|normal . tangent|` is at most 4 ULP of 1: most
+//!   of it is the normal's length, which turns the basis by twice what it is off. The basis is continuous but for the
+//!   equator, z = 0, where that of the lower hemisphere takes over; what it divides by is never less than 1.
 //! * Exact: normals along the axes and, about those, tangents along the axes. Multiples of 45 degrees are codes.
-//! * Good for vertex attributes: what glTF stores in 28 bytes (NORMAL and TANGENT) takes 4, or 8 where it shall come
-//!   back nearly as it went in. Cost on a CPU: to encode takes 2.5 times as long as `oct22p` alone, to decode twice.
-//!   Weaknesses: a tangent at 32 bits is 4.5 times as far off as the normal; what is not orthogonal in a frame is lost;
-//!   codes cannot be interpolated.
+//! * Good for: vertex attributes. What glTF stores in 28 bytes (NORMAL and TANGENT) takes 4 or 8. Weaknesses: a tangent
+//!   at 32 bits has several times the normal's error; what is not orthogonal in a frame is lost; codes cannot be
+//!   interpolated.
 
 use crate::arith::{
     dot, floor, is_negative, mask, negate_if, normalize, scaled_to_one, signed_code, snorm_integer,

@@ -1,8 +1,8 @@
-//! Unit-vector codecs: normals, tangents and light directions in 15 to 52 bits.
+//! Unit-vector codecs: normals, tangents and light directions in 8 to 52 bits, tangent frames in 32 or 64.
 //!
-//! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs
-//! on the CPU and, compiled to SPIR-V by rust-gpu, on the GPU, and gives the same bits on both: codec code keeps
-//! to operations that IEEE 754 and Vulkan define alike (`+ - * /`, square root, floor, comparison, integers).
+//! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs on the
+//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU, with the same bits: it keeps to arithmetic that IEEE 754 and
+//! Vulkan define alike (`+ - * /`, square root, floor, comparison, integers).
 //!
 //! ```
 //! use glam::Vec3;
@@ -19,46 +19,59 @@
 //!
 //! # Which codec
 //!
-//! | type | bits | mean error (degrees) | max error (degrees) | for |
+//! <!-- generated: which-type -->
+//! | for | codec | bits | mean / max error, degrees | cost: encode / decode |
 //! |---|---|---|---|---|
-//! | [`Oct16`] / [`OctPrecise16`] | 16 | 0.337 / 0.315 | 0.958 / 0.639 | vertex attributes, thin G-buffers |
-//! | [`Oct20`] / [`OctPrecise20`] | 20 | 0.0837 / 0.0782 | 0.238 / 0.159 | with 12 bits left for material flags |
-//! | [`Oct22`] / [`OctPrecise22`] | 22 | 0.0418 / 0.0390 | 0.119 / 0.0793 | with 10 bits left |
-//! | [`Oct24`] / [`OctPrecise24`] | 24 | 0.0209 / 0.0195 | 0.0595 / 0.0397 | three bytes of an RGB8 target |
-//! | [`Oct32`] / [`OctPrecise32`] | 32 | 0.00131 / 0.00122 | 0.00377 / 0.00252 | almost anything |
-//! | [`OctPrecise52`] | 52 | 1.1e-6 | 5.4e-6 | what must be as exact as three floats |
-//! | [`HemiOct16`], [`HemiOct24`], [`HemiOct32`] | 16, 24, 32 | 0.240, 0.0149, 0.000930 | 0.553, 0.0344, 0.00218 | directions with z >= 0 |
-//! | [`EaOct16`] / [`EaOctPrecise16`] | 16 | 0.310 / 0.306 | 0.678 / 0.595 | less error than [`Oct16`], at 2 to 3 times the cost |
-//! | [`EaOct24`] / [`EaOctPrecise24`] | 24 | 0.0192 / 0.0190 | 0.0422 / 0.0370 | the same of [`Oct24`] |
-//! | [`EaOct32`] / [`EaOctPrecise32`] | 32 | 0.00120 / 0.00119 | 0.00272 / 0.00240 | the same of [`Oct32`] |
-//! | [`SOct17`], [`SOct25`], [`SOct33`] | 17, 25, 33 | 0.240, 0.0149, 0.000930 | 0.553, 0.0344, 0.00218 | formats with a bit to spare beside two components |
-//! | [`LatLongD16`], [`LatLongD24`], [`LatLongD32`] | 16, 24, 32 | 0.305, 0.0190, 0.00119 | 0.567, 0.0352, 0.00224 | less error than [`OctPrecise32`], cheaper than the next to encode |
-//! | [`Ico16`], [`Ico24`], [`Ico32`] | 16, 24, 32 | 0.304, 0.0188, 0.00117 | 0.509, 0.0313, 0.00197 | least error of all, at several times the cost |
-//! | [`Fib16`], [`Fib24`], [`Fib32`] | 16, 24, 32 | 0.303, 0.0189, 0.00118 | 0.611, 0.0382, 0.00239 | sets of points to sample or search by |
+//! | what is encoded often: G-buffers | [`Oct32`] | 32 | 0.00131 / 0.00373 | 1.0 / 1.0 |
+//! |  | [`Oct24`] | 24 | 0.0209 / 0.0594 | 1.3 / 1.2 |
+//! |  | [`Oct16`] | 16 | 0.337 / 0.957 | 1.0 / 1.0 |
+//! | what is encoded once: vertices, textures | [`OctPrecise32`] | 32 | 0.00122 / 0.00247 | 1.8 / 1.0 |
+//! |  | [`OctPrecise24`] | 24 | 0.0195 / 0.0396 | 2.3 / 1.2 |
+//! |  | [`OctPrecise16`] | 16 | 0.315 / 0.638 | 2.4 / 1.1 |
+//! | directions with z >= 0: tangent-space normal maps | [`HemiOct16`] | 16 | 0.240 / 0.553 | 1.5 / 0.7 |
+//! |  | [`HemiOct24`] | 24 | 0.0149 / 0.0343 | 1.5 / 0.8 |
+//! | two snorms and a bit to spare | [`SOct17`] | 17 | 0.240 / 0.553 | 1.1 / 0.9 |
+//! |  | [`SOct25`] | 25 | 0.0149 / 0.0343 | 1.1 / 0.9 |
+//! | least error for the bytes | [`Ico16`] | 16 | 0.304 / 0.509 | 9.3 / 4.2 |
+//! |  | [`Ico24`] | 24 | 0.0188 / 0.0312 | 9.2 / 4.3 |
+//! |  | [`Ico32`] | 32 | 0.00117 / 0.00195 | 9.4 / 4.1 |
+//! | what 32 bits are too coarse for | [`OctPrecise48`] | 48 | 4.80e-6 / 1.15e-5 | 6.3 / 3.7 |
+//! |  | [`OctPrecise52`] | 52 | 1.08e-6 / 4.09e-6 | 16.6 / 3.7 |
+//! | a normal with its tangent | [`Frame32`] | 32 | normal 0.0391 / 0.0787, tangent 0.180 / 0.359 | 7.8 / 4.0 |
+//! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 0.000121 | 9.7 / 4.2 |
+//! <!-- end -->
 //!
-//! Means are measured over uniform directions; maxima are [`Codec::MAX_ERROR_DEG`], rounded up.
+//! Cost is arithmetic on lavapipe, as a multiple of `oct32`'s. Types named `…Precise…` write the format of the fast ones:
+//! their encoder takes longer and finds the nearest code. `docs/codecs.md` of the repository lists all codecs,
+//! `docs/costs.md` says more about when to take which.
 //!
 //! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`].
 //!
-//! The other families are there to compare with and to read what others wrote: [`spherical`], [`cylindrical`],
-//! [`latlong`], [`azimuthal`] (stereographic, equal-area and equidistant), [`cube`], [`projection`], and the raw
-//! components of [`snorm`], [`unorm`], [`float`](mod@float) and [`best_fit`]. Each module says what its family is good for.
+//! The families, each with a module that says what it is good for:
+//!
+//! * octahedral: [`oct`], finer than `f32` [`oct_wide`], of equal area [`eaoct`], with the sign of z apart [`soct`], of a
+//!   hemisphere [`hemioct`];
+//! * numbered points: the lattice of an icosahedron [`ico`], spherical Fibonacci points [`fib`];
+//! * angles: [`spherical`], [`cylindrical`], [`latlong`];
+//! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
+//! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`].
 //!
 //! # What every codec promises
 //!
-//! * `encode` takes any vector: the length does not matter, save to raw component formats, which store the components
-//!   they are given, clamped to [-1, 1]. A vector without a usable direction (zero, infinite,
-//!   NaN, or of an L1 norm outside [2^-64, 2^100)) gets the code of +Z.
-//! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above
-//!   [`Codec::BITS`] are ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller.
-//! * Decoding, encoding and decoding again gives the first vector back, exactly; with [`best_fit`], its direction to
+//! * `encode` takes a vector of any length. Raw component formats differ: they store the components as given, clamped to
+//!   [-1, 1]. A vector without a usable direction gets the code of +Z: zero, infinite, NaN, or with an L1 norm outside
+//!   [2^-64, 2^100).
+//! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above [`Codec::BITS`] are
+//!   ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller.
+//! * Decode, encode and decode again: the second vector equals the first, exactly. With [`best_fit`], its direction is
 //!   within the codec's error.
 //! * Codes are stored little endian and tightly packed in [`Codec::BYTES`] bytes: see [`mod@slice`].
+//! * A code is a file format: its bits never change.
 //!
 //! # Features
 //!
-//! `std` (default) takes square root and floor from the standard library; without it, turn on `libm`. `kernels` is
-//! for the SPIR-V build alone. `rayon` adds slice functions that use all cores.
+//! `std` (default) takes square root and floor from the standard library, and picks the instruction set of slices at run
+//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `kernels` is for the SPIR-V build.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]

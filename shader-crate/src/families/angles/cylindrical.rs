@@ -3,17 +3,19 @@
 //! Source: the pair `(atan2(y, x) / pi, z)` of K. Narkowicz's article on octahedron normals, there called spherical
 //! coordinates. By Archimedes the cylinder around the sphere has its area, so that all codes stand for equal areas.
 //!
+//! <!-- generated: errors cylindrical -->
+//! <!-- end -->
+//!
 //! * Layout: phi / pi in the low half of the code, z in the high half, both snorm in two's complement: a
 //!   VK_FORMAT_R8G8_SNORM at 16 bits, a VK_FORMAT_R16G16_SNORM at 32. phi = -pi and pi are two codes of one angle.
-//! * Error, with m the snorm's largest integer: at most `acos(1 - 1 / 2m)`, about `sqrt(1/m)` radians, for
-//!   directions half a step of z from a pole: 5.09, 1.27 and 0.317 degrees at 16, 24 and 32 bits. Elsewhere half
-//!   the diagonal of a cell, about `sqrt((pi r / 2m)^2 + (1 / 2mr)^2)` with r the distance from the axis: 0.744
-//!   degrees at the equator at 16 bits. Mean over uniform directions: 0.374, 0.0230 and 0.00144.
-//! * +X, -X, +Z and -Z round-trip exactly; +-Y do not, since a quarter turn is half a step off the odd snorm's
+//! * Error, with m the snorm's largest integer: at most `acos(1 - 1 / 2m)`, about `sqrt(1/m)` radians, for directions
+//!   half a step of z from a pole. Elsewhere half the diagonal of a cell, about `sqrt((pi r / 2m)^2 + (1 / 2mr)^2)`
+//!   with r the distance from the axis.
+//! * +X, -X, +Z and -Z round-trip exactly. +-Y do not, since a quarter turn is half a step off the odd snorm's
 //!   integers. Every angle at z = +-1 is the pole, exactly; encoding writes 0 there.
-//! * Good for horizontal directions, and where z itself must be to hand: it is one snorm of the code. One arc
-//!   tangent to encode, one sine and cosine to decode. Weak: the poles, where a step of z turns the direction by
-//!   its square root: eight more bits divide the error there by 4, elsewhere by 16.
+//! * Good for: horizontal directions, and where z itself must be to hand, as one snorm of the code. Encoding takes one
+//!   arc tangent, decoding one sine and cosine. Weakness: the poles, where a step of z turns the direction by its
+//!   square root. Eight more bits divide the error there by 4, elsewhere by 16.
 
 use super::{around_z, scaled};
 use crate::arith::{

@@ -3,49 +3,51 @@
 //! Source: Cigolle et al. 2014, sections 2 ("latlong") and 2.3; Smith et al. 2012, "Encoding normal vectors using
 //! optimized spherical coordinates". Both need a table of where the rings of patches start; here it is a formula.
 //!
+//! <!-- generated: errors latlong -->
+//! <!-- end -->
+//!
 //! # The fast format, [`LatLong`]
 //!
-//! `2^h` rings of equal height from +Z to -Z, h half the code's bits, and in each of them `2^h` patches of equal
-//! width. The index of a patch is `ring 2^h + patch`, so that finding both is a shift and a mask, and it decodes to
-//! its middle.
+//! `2^h` rings of equal height from +Z to -Z, h half the code's bits, and in each of them `2^h` patches of equal width.
+//! The index of a patch is `ring 2^h + patch`, so that finding both is a shift and a mask, and it decodes to its
+//! middle.
 //!
-//! * Layout: the patch in the low half of the code, counted from +X towards +Y; the ring in the high half, counted
-//!   from +Z. Every code is a patch.
-//! * Error: half the diagonal of a patch at the equator, at most `sqrt(5) pi / 2^(h+1)` radians: 0.787, 0.0492 and
-//!   0.00311 degrees at 16, 24 and 32 bits. Mean over uniform directions: 0.354, 0.0221 and 0.00138.
-//! * No axis round-trips exactly: the corners of four patches meet at +-X and +-Y, and +-Z are half a ring off, so
-//!   the commonest normals get the greatest errors. Good for simplicity; [`spherical`](crate::spherical) is as good
-//!   and keeps the axes.
+//! The survey calls its fast format "latlong", says that its patches are of near-equal area and leaves out which they
+//! are. This grid is inferred: it has the errors of the survey's table 1.
+//!
+//! * Layout: the patch in the low half of the code, counted from +X towards +Y; the ring in the high half, counted from
+//!   +Z. Every code is a patch.
+//! * Error: half the diagonal of a patch at the equator, at most `sqrt(5) pi / 2^(h+1)` radians.
+//! * No axis round-trips exactly: the corners of four patches meet at +-X and +-Y, and +-Z are half a ring off, so that
+//!   the commonest normals get the greatest errors.
+//! * Good for: simplicity. [`spherical`](crate::spherical) is as good and keeps the axes.
 //!
 //! # The better format, [`LatLongD`]
 //!
-//! Rings of equal height around the z axis, each with as many patches as keep them about square. The rings'
-//! middles, not their borders, lie on the poles and the equator, and the middles of their patches on the half
-//! planes through +-X and +-Y, so that the six axes are patches' middles. In each hemisphere ring i = 0 ... n has
-//! its middle at i/n of the way from the pole to the equator, and in each quarter turn `k_i` patches: the quarter
-//! from +X to +Y, j = 0 ... `k_i` - 1, has their middles at j/`k_i` of the quarter, and the other three are that
-//! one turned. Ring 0 is the pole.
+//! Rings of equal height around the z axis, each with as many patches as keep them about square. The rings' middles,
+//! not their borders, lie on the poles and the equator, and the middles of their patches on the half planes through +-X
+//! and +-Y, so that the six axes are patches' middles. In each hemisphere ring i = 0 ... n has its middle at i/n of the
+//! way from the pole to the equator, and in each quarter turn `k_i` patches. The quarter from +X to +Y,
+//! `j = 0 ... k_i - 1`, has their middles at j/`k_i` of the quarter, and the other three are that one turned. Ring 0 is
+//! the pole.
 //!
 //! Patch j of ring i has the index `S(i) + j`, with `S(i) = floor(u (A0 + u (A1 + u A2)) + (0.95 h + 0.72515))`,
 //! `h = i - 1/2`, `u = h^2`, evaluated in `f32` in that order, and `k_i = S(i + 1) - S(i)`. The polynomial is a
-//! multiple of the area between the pole and ring i, `1 - cos`, to 3e-4 of its slope; the linear part gives every ring 0.95
-//! patches a quarter more than its area asks, which small rings need, whose patches fan out. For the format S need not
-//! be exact, only the same everywhere, and it is made of sums and products. At 32 bits its rounding to multiples of 32
-//! changes the widths of a ring's patches by up to 0.4 %. The inverse is a square root times a polynomial, good to
-//! 0.34 of a ring, by which the ring is one of two, and a comparison with the border between them settles it.
+//! multiple of the area between the pole and ring i, `1 - cos`, to 3e-4 of its slope. The linear part gives every ring
+//! 0.95 patches a quarter more than its area asks, which small rings need, whose patches fan out. For the format S need
+//! not be exact, only the same everywhere, and it is made of sums and products. At 32 bits its rounding to multiples of
+//! 32 changes the widths of a ring's patches by up to 0.4 %. The inverse is a square root times a polynomial, good to
+//! 0.34 of a ring. That leaves two rings, and a comparison with the border between them settles which.
 //!
-//! * Layout: the index in the low b - 3 bits of the code, the quarter in the next two (0 from +X to +Y, 1 from +Y
-//!   to -X, 2 from -X to -Y, 3 from -Y to +X), the hemisphere in the highest (1 for z < 0). Every code is a patch:
-//!   n and A0 are such that S(n + 1) is `2^(b-3)`. The patches of the equator have a code in each hemisphere.
-//! * Error: at most 0.5668, 0.0352 and 0.00224 degrees at 16, 24 and 32 bits (n = 113, 1782, 29225): the farthest
-//!   corner of all patches, computed for every ring, and the rounding of positions in `f32`. Mean over uniform
-//!   directions: 0.3046, 0.0190 and 0.00119. That is within 1 % of the survey's table, whose 32-bit maximum,
-//!   0.00381, is that of `f32` trigonometry.
-//! * The six axes round-trip exactly. Mirrored at a coordinate plane, a direction decodes to the decoded vector's
-//!   image, exactly; turned by quarters about z, within rounding.
-//! * Good for the least error in 16 bits of all formats here, without a table. Decoding takes a square root, a division
-//!   and about 110 other operations, 5 times as long as [`oct`](crate::oct) takes on lavapipe. Weak: patches next to
-//!   each other in neighbouring rings are unrelated, so codes must not be interpolated.
+//! * Layout: the index in the low b - 3 bits of the code, the quarter in the next two (0 from +X to +Y, 1 from +Y to
+//!   -X, 2 from -X to -Y, 3 from -Y to +X), the hemisphere in the highest (1 for z < 0). Every code is a patch: n and
+//!   A0 are such that S(n + 1) is `2^(b-3)`. The patches of the equator have a code in each hemisphere.
+//! * Error: at most the distance of the farthest corner of all patches, computed for every ring (n = 113, 1782, 29225),
+//!   and the rounding of positions in `f32`. The survey's 32-bit maximum is that of `f32` trigonometry.
+//! * The six axes round-trip exactly. Mirrored at a coordinate plane, a direction decodes to the mirrored vector,
+//!   exactly; turned by quarters about z, within rounding.
+//! * Good for: little error without a table. Weaknesses: the cost. Patches next to each other in neighbouring rings are
+//!   unrelated, so that codes must not be interpolated.
 
 use super::{around_z, scaled};
 use crate::arith::{

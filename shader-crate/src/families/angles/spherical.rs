@@ -1,24 +1,26 @@
 //! Spherical coordinates: the angle from +Z and the angle about it.
 //!
-//! Source: Cigolle et al. 2014, section 2, "spherical": theta in \[0, pi\] and phi in \[-pi, pi\], each mapped to
-//! \[-1, 1\] and stored as a signed integer.
+//! Source: Cigolle et al. 2014, section 2, "spherical": theta in \[0, pi\] and phi in \[-pi, pi\], each mapped to \[-1,
+//! 1\] and stored as a signed integer.
 //!
-//! With b half the code's bits and m the snorm's largest integer, `2^(b-1) - 1`, a code holds `i = round((2 theta /
-//! pi - 1) m)`, the snorm of theta's range, and `j = round(phi / pi 2^(b-1))`. Phi is periodic: its `2^b` steps go
-//! once around, so that -pi and pi are one code and a quarter turn is a whole number of steps. An snorm there would
-//! spend two codes on the same angle and miss +-Y by half a step.
+//! With b half the code's bits and m the snorm's largest integer, `2^(b-1) - 1`, a code holds
+//! `i = round((2 theta / pi - 1) m)`, the snorm of theta's range, and `j = round(phi / pi 2^(b-1))`. Phi is periodic:
+//! its `2^b` steps go once around, so that -pi and pi are one code and a quarter turn is a whole number of steps. An
+//! snorm there would spend two codes on the same angle and miss +-Y by half a step.
+//!
+//! <!-- generated: errors spherical -->
+//! <!-- end -->
 //!
 //! * Layout: i in the low half of the code, j in the high half, both in two's complement: the integers of a
-//!   VK_FORMAT_R8G8_SINT at 16 bits, of a VK_FORMAT_R16G16_SINT at 32. -m is +Z, m is -Z; the pattern -m - 1 counts
-//!   as -m.
-//! * Error: half the diagonal of a cell at the equator, at most `sqrt((pi / 4m)^2 + (pi / 2^b)^2)` radians: 0.788,
-//!   0.197, 0.0983, 0.0492 and 0.00308 degrees at 16, 20, 22, 24 and 32 bits. Mean over uniform directions: 0.355,
-//!   0.0885, 0.0442, 0.0221 and 0.00138. The survey's 32-bit maximum, 0.00957, comes from `f32` trigonometry near
-//!   the poles; the functions of [`math`](crate::math) are exact enough to stay at the cells' own.
+//!   VK_FORMAT_R8G8_SINT at 16 bits, of a VK_FORMAT_R16G16_SINT at 32. -m is +Z, m is -Z; the pattern -m - 1 counts as
+//!   -m.
+//! * Error: half the diagonal of a cell at the equator, at most `sqrt((pi / 4m)^2 + (pi / 2^b)^2)` radians. The
+//!   survey's 32-bit maximum comes from `f32` trigonometry near the poles; the functions of [`arith`](crate::arith) are
+//!   exact enough to stay at the cells' own.
 //! * The six axes round-trip exactly. Every j at theta 0 or pi is the pole, exactly; encoding writes j = 0 there.
-//! * Good for directions that are angles already, and for cheap decoding in hardware that has sines. Weak: codes
-//!   crowd at the poles, cells at the equator are twice as wide as they are high, and two arc tangents to encode
-//!   and two sines with their cosines to decode cost several times what [`oct`](crate::oct) does.
+//! * Good for: directions that are angles already, and cheap decoding in hardware that has sines. Weaknesses: codes
+//!   crowd at the poles, cells at the equator are twice as wide as they are high, and two arc tangents to encode and
+//!   two sines with their cosines to decode cost several times what [`oct`](crate::oct) does.
 
 use super::{around_z, scaled};
 use crate::arith::{

@@ -4,15 +4,17 @@
 //!
 //! The conversion is all integer arithmetic: devices may round their own either way, and flush denormals.
 //!
+//! <!-- generated: errors float -->
+//! <!-- end -->
+//!
 //! * Layout: x in bits 0 to 15, y in 16 to 31, z in 32 to 47: a VK_FORMAT_R16G16B16_SFLOAT.
-//! * Raw: the components are stored as they are, each rounded to the nearest half (ties to even), and come back so:
-//!   lengths from 2^-13 to 2^15 hold their direction, larger components saturate to 65504. The caller renormalises.
-//! * Error: at most `sqrt(2)/3 2^-10` radians (0.0264 degrees), near (1/2, 1/2, 1/2) and its multiples by powers of
-//!   two; unit vectors come nowhere near those, and for them `sqrt(3) 2^-12` (0.0243 degrees) holds.
-//! * The survey's errors, mean 0.00635 and maximum 0.02635 degrees, are those of truncating conversion (measured so:
-//!   0.00634, 0.0255); rounded to nearest they are 0.00606 and 0.0228.
+//! * Raw: the components are stored as they are, each rounded to the nearest half (ties to even), and come back so.
+//!   Lengths from 2^-13 to 2^15 hold their direction; larger components saturate to 65504. The caller renormalises.
+//! * Error: at most `sqrt(2)/3 2^-10` radians, near (1/2, 1/2, 1/2) and its multiples by powers of two. Unit vectors
+//!   come nowhere near those; for them `sqrt(3) 2^-12` holds.
+//! * The survey's errors are those of truncating conversion, which measures the same; rounding to nearest has less.
 //! * Good for: vectors whose length matters too. It spends bits near the axes' planes, where they do not help:
-//!   snorm16x3 has a ninth of the error, `oct32` a fifth in two thirds of the bits.
+//!   [`snorm16x3`](crate::snorm) and [`oct32`](crate::oct) have a fraction of the error.
 //! * The six axes round-trip exactly. Patterns of infinity and NaN, which `encode` never writes, decode to +-65504; -0,
 //!   which it does not write either, to 0; and three zeros, which have no direction, to +Z.
 

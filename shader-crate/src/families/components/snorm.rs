@@ -2,16 +2,18 @@
 //!
 //! Source: Cigolle et al. 2014, sections 1.2 and 3 (snorm x 3).
 //!
+//! <!-- generated: errors snorm -->
+//! <!-- end -->
+//!
 //! * Layout: x in the low bits, then y, then z, in two's complement; `snorm11_11_10` gives x and y 11 bits and z 10.
-//! * Raw: the components are stored as they are, clamped to \[-1, 1\], and come back so. Give a vector of unit length;
-//!   what comes back is off unit length by up to the error, and the caller renormalises.
-//! * Error: at most `asin(sqrt(dx^2 + dy^2 + dz^2))` for unit vectors, the components' half steps being `1/(2 m)`:
-//!   the half diagonal of a cell of the lattice, where it is at right angles to the direction. That is 3.3, 0.39,
-//!   0.097, 0.0687 and 0.00152 degrees at 15, 24, 30, 32 and 48 bits.
-//! * Good for: targets that the hardware converts and blends; encode is three roundings, decode three divisions. A
-//!   third of the bits tells lengths apart: [`oct`](crate::oct) of two thirds the bits is more exact.
+//! * Raw: the components are stored as they are, clamped to \[-1, 1\], and come back so. Give a vector of unit length.
+//!   What comes back is off unit length by up to the error, and the caller renormalises.
+//! * Error: at most `asin(sqrt(dx^2 + dy^2 + dz^2))` for unit vectors, the components' half steps being `1/(2 m)`: the
+//!   half diagonal of a cell of the lattice, where it is at right angles to the direction.
+//! * Good for: targets that the hardware converts and blends. Encoding is three roundings, decoding three divisions. A
+//!   third of the bits tells lengths apart: [`oct`](crate::oct) with two thirds of the bits is more exact.
 //! * The six axes round-trip exactly. The pattern of three zeros has no direction: `decode` takes it as +Z, and
-//!   `encode` writes +Z for vectors of which nothing else is left.
+//!   `encode` writes +Z where all components round to 0.
 
 use crate::arith::{mask, snorm_decode, snorm_encode};
 use crate::codec::Codec;

@@ -2,13 +2,16 @@
 //!
 //! Source: the usual encoding of normal maps; Cigolle et al. 2014, section 1.2 ("scaled and biased unorm").
 //!
+//! <!-- generated: errors unorm -->
+//! <!-- end -->
+//!
 //! * Layout: x in the low byte, then y, then z: a VK_FORMAT_R8G8B8_UNORM. A byte `i` stands for `(2 i - 255) / 255`.
-//! * Raw: the components are stored as they are, clamped to \[-1, 1\], and come back so. Give a vector of unit length;
-//!   what comes back is off unit length by up to the error, and the caller renormalises.
-//! * Error: at most `asin(sqrt(3)/255)`, 0.39 degrees, for unit vectors: the half diagonal of a cell.
-//! * Good for: RGB8 targets that have no snorm, and data that other programs wrote so. [`oct24`](crate::oct) needs no
-//!   more bits and is ten times as exact.
-//! * It cannot hold 0, which becomes 1/255: no axis round-trips exactly, each is off by `sqrt(2)/255` or 0.32 degrees.
+//! * Raw: the components are stored as they are, clamped to \[-1, 1\], and come back so. Give a vector of unit length.
+//!   What comes back is off unit length by up to the error, and the caller renormalises.
+//! * Error: at most `asin(sqrt(3)/255)` for unit vectors: the half diagonal of a cell.
+//! * Good for: RGB8 targets without snorm, and data that other programs wrote so. [`oct24`](crate::oct) needs no more
+//!   bits and has a fraction of the error.
+//! * It cannot hold 0, which becomes 1/255: no axis round-trips exactly, each is off by `sqrt(2)/255` radians.
 
 use crate::arith::{mask, unorm_encode};
 use crate::codec::Codec;

@@ -1,71 +1,75 @@
 //! Icosahedral codes: a triangular lattice on the faces of an icosahedron, warped to be even on the sphere.
 //!
-//! Source: dividing an icosahedron's faces so, into `10 n^2 + 2` points, is the oldest way to geodesic domes and grids
+//! Source: dividing an icosahedron's faces into `10 n^2 + 2` points is the oldest way to geodesic domes and grids
 //! (Coxeter 1971, "Virus macromolecules and geodesic domes", class I). The warp, its inverse and the layout of the
-//! codes are this library's own.
+//! codes are ours.
 //!
 //! # The lattice
 //!
-//! The icosahedron has its vertices at (0, +-1, +-p), (+-p, 0, +-1) and (+-1, +-p, 0), p the golden ratio: it is symmetric
-//! about the coordinate planes, and the axes go through the middles of six edges. A lattice point has a whole number i
-//! for each vertex V of a face, of the sum n, and stands for the direction of the sum of `w(i) V`, `w(i) = i (N - i)`.
+//! The icosahedron has its vertices at (0, +-1, +-p), (+-p, 0, +-1) and (+-1, +-p, 0), p the golden ratio: it is
+//! symmetric about the coordinate planes, and the axes go through the middles of six edges. A lattice point has a whole
+//! number i for each vertex V of a face. Their sum is n, and the point stands for the direction of the sum of `w(i) V`,
+//! with `w(i) = i (N - i)`.
 //!
 //! With `w(i) = i` this would be the flat lattice, which seen from the centre is coarsest in the middle of the faces.
-//! The warp evens that out. `N = n / 0.215` has the least maximum: there the largest circumcircles of the triangles
-//! between neighbours, in a face's middle and at its vertices, are equal to 0.1 %. All of these triangles are acute, so
-//! that no direction is further from all lattice points than the radius of the largest circumcircle. At 16 bits N
-//! is n / 0.2, for a lesser mean: no more than the best that the survey has, which took a table.
+//! The warp evens that out. `N = n / 0.215` has the least maximum: it makes the largest circumcircles of the triangles
+//! between neighbours, in a face's middle and at its vertices, nearly equal. All of these triangles are acute, so that
+//! no direction is farther from all lattice points than the radius of the largest circumcircle. At 16 bits N is n /
+//! 0.2, which lowers the mean to that of the survey's best.
 //!
-//! | degrees | n | N | points | mean error | of the bound's | max error | of the bound's | with arithmetic |
-//! |---|---|---|---|---|---|---|---|---|
-//! | `ico16` | 80 | 400 | 64,002 | 0.30349 | 1.0141 | 0.50853 | 1.0331 | 0.50883 |
-//! | `ico24` | 1294 | 6019 | 16,744,362 | 0.018761 | 1.0030 | 0.031216 | 1.0147 | 0.031222 |
-//! | `ico32` | 20724 | 96391 | 4,294,841,762 | 0.0011715 | 1.0021 | 0.0019490 | 1.0136 | 0.0019568 |
+//! | | n | N | points |
+//! |---|---|---|---|
+//! | `ico16` | 80 | 400 | 64,002 |
+//! | `ico24` | 1294 | 6019 | 16,744,362 |
+//! | `ico32` | 20724 | 96391 | 4,294,841,762 |
 //!
-//! The bound is that of the plane, of equal hexagonal cells as many as the bits have patterns: mean and maximum of no
-//! code are less by more than the sphere's curvature makes up. Of the distance from it at 16 bits 1.2 % are because n = 81
-//! takes more than 16 bits. n is even for the sake of the axes, which costs `ico24` 0.1 % (n = 1295).
+//! <!-- generated: errors ico -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `ico16` | 0.304 | 0.509 | 0.509 |
+//! | `ico24` | 0.0188 | 0.0312 | 0.0312 |
+//! | `ico32` | 0.00117 | 0.00195 | 0.00196 |
+//! <!-- end -->
+//!
+//! The bound that no code can beat is that of the plane, with as many equal hexagonal cells as the bits have patterns.
+//! At 16 bits, part of the distance from it is that n = 81 takes more than 16 bits. n is even for the sake of the axes.
 //!
 //! # Layout
 //!
-//! Eight faces lie in an octant each. Twelve straddle a coordinate plane: with one side across it at right angles, their
-//! base, and the opposite vertex, their apex, in it. Two of them share each base. The points of a base belong to the
-//! one whose apex has a positive coordinate; the points of the other sides belong to the face that straddles, but an
-//! apex to the base that it is an end of.
+//! Eight faces lie in an octant each. Twelve straddle a coordinate plane: one side, their base, crosses it at right
+//! angles, and the opposite vertex, their apex, lies in it. Two of them share each base. The points of a base belong to
+//! the face whose apex has a positive coordinate. The points of the other sides belong to the face that straddles; an
+//! apex belongs to the base that it is an end of.
 //!
 //! * From code 0: six blocks, of n rows of n + 2 codes. Block `2 c + s` has the two faces with the same base, which
-//!   straddle y = 0, z = 0 or x = 0 (c = 0, 1, 2); their base is on the side of z, x or y, positive for s = 0 and
+//!   straddle y = 0, z = 0 or x = 0 (c = 0, 1, 2). Their base is on the side of z, x or y, positive for s = 0 and
 //!   negative for s = 1, and their apices point towards +-x, +-y or +-z. Row r begins with the n + 1 - r points at r
-//!   steps from the base on the face with the positive apex, then come the r + 1 points at n - r steps from it on the
-//!   other, both in the direction from the straddled coordinate's negative side to its positive one.
+//!   steps from the base on the face with the positive apex. The r + 1 points at n - r steps from it on the other face
+//!   follow. Both run from the straddled coordinate's negative side to its positive one.
 //! * From code `6 n (n + 2)`: four blocks, of n - 2 rows of n - 1 codes, with the points within the octants. Block
 //!   `s + 2 t` has two octants, whose signs of y and z are s and t (1 is negative). Let a, b and c be the numbers of
-//!   the vertices in the planes x = 0, z = 0 and y = 0. Row r begins with the n - 2 - r points of c = r + 1 and
-//!   x > 0, then come the r + 1 points of c = n - 2 - r and x < 0, both from a = 1 upwards.
-//! * The last code of row 0 of the six blocks is a second one for the negative apex. Patterns past the last code, `10
-//!   n^2 + 7`, decode as that does. Neither is ever written: each point has one code.
+//!   the vertices in the planes x = 0, z = 0 and y = 0. Row r begins with the n - 2 - r points of c = r + 1 and x > 0;
+//!   the r + 1 points of c = n - 2 - r and x < 0 follow. Both run from a = 1 upwards.
+//! * The last code of row 0 of the six blocks is a second one for the negative apex. Patterns past the last code,
+//!   `10 n^2 + 7`, decode as that does. Neither is ever written: each point has one code.
 //!
 //! # Encoding
 //!
-//! Signs bring a direction to the positive octant, where three linear forms tell its face and are its flat coordinates on
-//! the octant's face; those on one of the three others follow by reflection. The warp is inverted by a cubic that is
-//! good to 1e-4 of an edge (0.002 at 16 bits), and one step of Newton's method from the whole numbers next to that,
-//! which leaves less than 0.002 steps at 16 bits and 0.0001 at the others. Of the triangle's three corners the
-//! nearest is chosen, by the distances between neighbours around there, which are polynomials ([`Squares`]): at 16 bits,
-//! where these change from point to point, a corner is taken that is up to 0.4 % of the maximum further off than the
-//! nearest. (Rounding the three coordinates instead would give cells that reach 7 % beyond the bound.)
+//! Signs bring a direction to the positive octant. There three linear forms tell its face and are its flat coordinates
+//! on the octant's face; those on one of the three other faces follow by reflection. A cubic inverts the warp, good to
+//! 1e-4 of an edge (0.002 at 16 bits). One step of Newton's method from the nearest whole numbers leaves less than
+//! 0.002 steps at 16 bits and 0.0001 at the others. Of the triangle's three corners the nearest is chosen, by the
+//! distances between neighbours around there, which are polynomials ([`Squares`]). At 16 bits, where these change from
+//! point to point, the chosen corner can be farther off than the nearest by 0.4 % of the maximum. (Rounding the three
+//! coordinates instead would give cells that reach 7 % beyond the bound.)
 //!
 //! Newton's step is made of differences of products of the weights `w(i)` and the direction's coordinates, where those
-//! are rounded, all relative to themselves: at 32 bits that is less than 0.01 steps. That, the golden ratio as a float
-//! and the decoder's rounding, of at most 1.2e-7 radians, make the error of a direction at most 6.4e-6 degrees greater
-//! than the nearest lattice point's: 0.4 % of the maximum and 0.0002 % of the mean. At 24 bits it is 5.4e-6.
+//! are rounded, all relative to themselves: at 32 bits that is less than 0.01 steps.
 //!
-//! * The six axes round-trip exactly. Mirrored at a coordinate plane, a direction decodes to the decoded vector's image,
+//! * The six axes round-trip exactly. A direction mirrored at a coordinate plane decodes to the mirrored vector,
 //!   exactly, if it does not lie in the plane; with the axes cyclically exchanged, within rounding.
-//! * Good for: the least error that 16, 24 and 32 bits can have, to 4 %, without a table. Weak: the cost. To encode
-//!   takes 2 divisions and some 230 other operations, six times as many as [`oct`](crate::oct), to decode three times as
-//!   many; on lavapipe, without memory, 9 and 4 times as long, since more of them wait for each other. Codes
-//!   next to each other in neighbouring rows are unrelated, so that they must not be interpolated.
+//! * Good for: the least error that the bits can have, to a few per cent, without a table. Weaknesses: the cost, most
+//!   of all to encode. Neighbouring rows are unrelated, so that codes must not be interpolated.
 
 use crate::arith::{floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32};
 use crate::codec::Codec;

@@ -3,50 +3,52 @@
 //! Source: Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD" (the map). The encoders are ours.
 //!
 //! In the octant of positive components, `r = sqrt(1 - z)` and `phi = 2/pi atan2(y, x)`, both 0 to 1, give the point
-//! (r - r phi, r phi) of the triangle `u + v <= 1`; signs and the fold of the half `z < 0` are
-//! [`oct`](crate::oct)'s. Back, `r = u + v`, `phi = v / r`, `z = 1 - r^2`, and (x, y) is `r sqrt(2 - r^2)` long. Near a
-//! pole `1 - z` cancels; of a vector of length l, r is `sqrt((x^2 + y^2) / (l (l + z)))`.
+//! (r - r phi, r phi) of the triangle `u + v <= 1`. Signs and the fold of the half `z < 0` are [`oct`](crate::oct)'s.
+//! Back, `r = u + v`, `phi = v / r`, `z = 1 - r^2`, and (x, y) has the length `r sqrt(2 - r^2)`. Near a pole `1 - z`
+//! cancels; for a vector of length l, r is `sqrt((x^2 + y^2) / (l (l + z)))`.
 //!
-//! With m the snorm's largest integer, a lattice point lies on ring s = `m r`, a circle of latitude, one of 0 (the
-//! pole) to m (the equator), and is there the point j of 0 to s, at `phi = j / s`. So an octant's lattice is rings of
-//! points at equal distances, and in r and phi, unlike u and v, the sphere's metric is diagonal: with `c^2 = 2 - r^2`,
-//! `4 dr^2 / c^2 + (pi/2)^2 r^2 c^2 dphi^2`. Hence both encoders choose a ring, then the nearest point of that ring:
+//! With m the snorm's largest integer, a lattice point lies on ring `s = m r`, a circle of latitude: 0 is the pole and
+//! m the equator. On its ring it is the point j of 0 to s, at `phi = j / s`. So an octant's lattice is made of rings of
+//! points at equal distances. In r and phi, unlike u and v, the sphere's metric is diagonal: with `c^2 = 2 - r^2`, it
+//! is `4 dr^2 / c^2 + (pi/2)^2 r^2 c^2 dphi^2`. Hence both encoders choose a ring, then the nearest point of that ring:
 //!
-//! * The fast one takes the nearest ring. At the same cost that is better than rounding u and v, whose maximum is
-//!   0.97, 0.24, ... degrees and mean 8 % higher; and there is no bias to either side of an octant's edge.
-//! * The precise one tries the rings on either side, which the nearest of all points is among: along a ring it is at
-//!   most `pi/4 c / m` to the next point, together with half a ring no more than the `2 / (c m)` to a third ring. It
-//!   gives what a search of the cell's four corners does. Two points are compared by their chord, of which see
+//! * The fast one takes the nearest ring. Rounding u and v costs the same and has a larger error, and a bias to one
+//!   side at an octant's edge.
+//! * The precise one tries the rings on either side. The nearest of all points is on one of them: along a ring the next
+//!   point is at most `pi/4 c / m` away, and with half a ring that is no more than the `2 / (c m)` to a third ring. The
+//!   result is that of a search of the cell's four corners. Two points are compared by their chord: see
 //!   [`lattice_precise`].
+//!
+//! <!-- generated: errors eaoct -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `eaoct16` | 0.309 | 0.678 | 0.678 |
+//! | `eaoct16p` | 0.306 | 0.584 | 0.594 |
+//! | `eaoct20` | 0.0769 | 0.168 | 0.169 |
+//! | `eaoct20p` | 0.0761 | 0.147 | 0.148 |
+//! | `eaoct22` | 0.0384 | 0.0841 | 0.0842 |
+//! | `eaoct22p` | 0.0380 | 0.0734 | 0.0738 |
+//! | `eaoct24` | 0.0192 | 0.0421 | 0.0421 |
+//! | `eaoct24p` | 0.0190 | 0.0367 | 0.0369 |
+//! | `eaoct32` | 0.00120 | 0.00263 | 0.00272 |
+//! | `eaoct32p` | 0.00119 | 0.00229 | 0.00239 |
+//! <!-- end -->
 //!
 //! * Layout: x in the low half of the code, y in the high half, both snorm in two's complement; at 24 bits the three
 //!   bytes of [`oct::snorm12x2_to_unorm8x3`](crate::oct::snorm12x2_to_unorm8x3).
-//! * Error: the fast encoder at most `1.5026 / m` radians, half a ring and half a step away from ring 1; the precise
-//!   one `sqrt(1/2 + pi^2 / 8) / m = 1.3168 / m`, the half diagonal of a cell near a pole and a plane y = 0. On the
-//!   equator that is `1.2716 / m`. In degrees, the mean over uniform directions and that bound, to which `f32` adds
-//!   0.00009 at most:
+//! * Error: with the fast encoder at most `1.5026 / m` radians, half a ring and half a step away from ring 1; with the
+//!   precise one at most `sqrt(1/2 + pi^2 / 8) / m = 1.3168 / m`, half the diagonal of a cell near a pole and a plane y
+//!   = 0. Such places are rare: random directions seldom meet them.
+//! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror image
+//!   along that edge. The four corners are all -Z. A direction mirrored at a coordinate plane decodes to the mirrored
+//!   vector, exactly; so does one with x and y swapped, where they differ.
+//! * Good for: less error than [`oct`](crate::oct) in the same format of two snorms, and directions that are averaged,
+//!   sampled or counted, since all cells have the same area. Weaknesses: filtered or interpolated codes bend where u or
+//!   v changes sign and at `z = 0`, as with [`oct`](crate::oct). Encoding takes an arc tangent, decoding a sine and a
+//!   cosine.
 //!
-//! | | 16 | 20 | 22 | 24 | 32 |
-//! |---|---|---|---|---|---|
-//! | `eaoct` | 0.310 / 0.678 | 0.0769 / 0.169 | 0.0384 / 0.0842 | 0.0192 / 0.0421 | 0.00120 / 0.00263 |
-//! | `eaoct*p` | 0.306 / 0.595 | 0.0760 / 0.148 | 0.0380 / 0.0738 | 0.0190 / 0.0369 | 0.00119 / 0.00231 |
-//!
-//!   Such places are rare: the worst of 10^6 uniform directions is 6 to 13 % below the bound, precisely 1 to 2 %.
-//!
-//! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror
-//!   image along that edge; the four corners are all -Z. Mirrored at a coordinate plane, a direction decodes to the
-//!   decoded vector's image, exactly, and so with x and y swapped, where they differ.
-//! * Good for the least error of codes of two snorms: the fast encoder's mean is below that of [`oct`](crate::oct)'s
-//!   precise one. And, with all cells alike in area, for directions that are averaged, sampled or counted. Weaknesses:
-//!   filtered or interpolated codes bend where u or v changes sign and at `z = 0`, as with [`oct`](crate::oct); decoding
-//!   takes a sine and a cosine, encoding an arc tangent.
-//! * Cost: to encode, 2 square roots, 2 divisions and 70 other operations; precisely, 2 divisions and 45 operations more.
-//!   To decode, 1 square root, 1 division and 65 others. With roots and divisions counted as 5 that is 90, 145 and 75,
-//!   where [`oct`](crate::oct) has 39, 105 and 43. Measured, to encode takes 2 (CPU) to 2.5 times (lavapipe) as long as
-//!   [`oct`](crate::oct)'s fast and 1.4 times as long as its precise encoder, to decode 2.3 times.
-//!
-//! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`, so that at 32 bits the
-//! position is good to 2^-6 of a step, and mostly to 2^-9. What that adds to the mean error does not show in four digits.
+//! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`. At 32 bits the position is
+//! good to 2^-6 of a step, and mostly to 2^-9.
 
 use super::{fold, pack, unpack};
 use crate::arith::{

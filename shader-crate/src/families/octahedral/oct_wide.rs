@@ -1,42 +1,38 @@
 //! Octahedral codes finer than `f32`: 24 and 26 bits a component, for positions that one float cannot hold.
 //!
-//! Source: Meyer et al. 2010, section 5 and table 1: octahedral vectors of 52 bits are as exact as three floats. The
-//! mapping is that of [`oct`](crate::oct), which see.
+//! Source: Meyer et al. 2010, section 5 and table 1. Their 52 bits make the code's largest error that of three floats.
+//! The mapping is that of [`oct`](crate::oct).
 //!
-//! * Layout: x in the low bits of the code, y in those above it, both snorm in two's complement: bits 0 to 23 and 24
-//!   to 47, or 0 to 25 and 26 to 51. A code is two words, low word first.
+//! <!-- generated: errors oct_wide -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `oct48` | 5.13e-6 | 1.67e-5 | 1.75e-5 |
+//! | `oct48p` | 4.80e-6 | 1.15e-5 | 1.27e-5 |
+//! | `oct52p` | 1.08e-6 | 4.09e-6 | 5.39e-6 |
+//! <!-- end -->
+//!
+//! * Layout: x in the low bits of the code, y in those above it, both snorm in two's complement: bits 0 to 23 and 24 to
+//!   47, or 0 to 25 and 26 to 51. A code is two words, low word first.
 //! * Error of the code, with `m` the snorm's largest integer: at most `3 / (sqrt(2) m)` radians with the fast encoder
-//!   (Meyer eq. 10), at most `sqrt(2) / m` with the precise one (eq. 11), both largest in the middle of the octants.
-//! * Error of the decoded vector: its components are the floats nearest to the exact ones, which turns it by at most
-//!   `sqrt(3) 2^-25` = 5.16e-8 radians more. At 52 bits that is as much again; the code itself holds what a
-//!   decoder of higher precision gets out of it.
-//!
-//!   | 10^-8 radians | mean | max | bound | with the rounding: mean | max |
-//!   |---|---|---|---|---|---|
-//!   | `oct48` | 8.89 | 25.04 | 25.29 | 8.95 | 29.1 |
-//!   | `oct48p` | 8.31 | 16.78 | 16.86 | 8.37 | 20.2 |
-//!   | `oct52p` | 2.08 | 4.18 | 4.21 | 1.88 | 7.1 |
-//!   | three floats | 1.29 | 4.89 | 5.62 | | |
-//!
-//!   The first three columns are of the nearest code. The last row is what rounding a real-valued direction to `f32`
-//!   does; its bound is Meyer's (eq. 3). 52 bits for 96 have the lesser maximum, not the lesser mean: floats are finer
-//!   near the axes. With the rounding, `oct52p` is helped by what [`OctWidePrecise`] tells of decoded vectors: a fifth
-//!   of all `f32` unit vectors come back exactly.
+//!   (Meyer eq. 10), at most `sqrt(2) / m` with the precise one (eq. 11), both in the middle of the octants.
+//! * Error of the decoded vector: its components are the floats nearest to the exact ones, which turns it by up to
+//!   `sqrt(3) 2^-25` radians more. At 52 bits that is as much again. So the code is as exact as three floats
+//!   (Meyer's eq. 3), and the `f32` vector that it decodes to is not; a decoder of higher precision gets the rest out
+//!   of the code. Measured, as in the table, `oct52p` gains from what [`OctWidePrecise`] tells of decoded vectors: many
+//!   `f32` unit vectors come back exactly.
 //! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror image
-//!   along that edge; the four corners are all -Z. Mirrored directions have mirrored codes, at z = 0 too.
-//! * Good for what shall come back as it went in: measured and engineering geometry, in 6 or 8 bytes for the 12 of
-//!   three floats. For what is only looked at, 32 bits do. Weakness: the cost. On a CPU, to encode takes five times as
-//!   long as the 32-bit codes (`oct52p` 13 times), to decode 12 times.
+//!   along that edge. The four corners are all -Z. Mirrored directions have mirrored codes, at z = 0 too.
+//! * Good for: measured and engineering geometry, in 6 or 8 bytes for the 12 of three floats. For what is only looked
+//!   at, 32 bits do. Weakness: several times the cost of the 32-bit codes.
 //!
 //! # Arithmetic
 //!
 //! A position on the lattice takes 25 bits and some more to round it by; a float has 24. So the encoder takes the
 //! quotient `|x| / (|x| + |y| + |z|)` as a sum of two floats: Knuth's two-sum gives the L1 norm exactly, Dekker's
-//! product the remainder of a first quotient, and that the second. No fused multiplication is used. The position
-//! is good to 2^-20 of a step, even where a device's division is off by some ULP. The decoder corrects a reciprocal
-//! length of 12 bits, whose products are exact, by what its square misses. Neither needs an exact division or root:
-//! with those 3 ULP off, 1 of 10^6 decoded vectors and 50 of 10^6 `oct52p` codes come out differently, in the last
-//! place.
+//! product gives the remainder of a first quotient, and that gives the second. No fused multiplication is used. The
+//! position is good to 2^-20 of a step, even where a device's division is off by some ULP. The decoder corrects a
+//! reciprocal length of 12 bits, whose products are exact, by what its square misses. Where a device's division or root
+//! is 3 ULP off, a few decoded vectors and `oct52p` codes in a million differ in the last place.
 
 use crate::arith::{
     dot, exp2, integer_part, is_negative, mask, negate_if, product_rest, scaled_to_one, small_floor, sqrt,

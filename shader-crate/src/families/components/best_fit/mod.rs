@@ -1,25 +1,33 @@
 //! Best fit codes: three snorm components of a vector whose length is chosen so that it points as it should.
 //!
-//! Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light" (best fit normals); Cigolle et al. 2014,
-//! section 2.2.
+//! Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light" (best fit normals); Cigolle et al. 2014, section
+//! 2.2.
 //!
-//! Rounded unit vectors are but a shell of the cube of whole vectors `[-m, m]^3`. As the decoder's caller normalises,
-//! any whole vector will do, and one of them points nearest. Its length is told by its largest component, the whole
-//! number `k`: with `u = |v| / max`, the candidates are the `round(k u)`. A vector and its double point alike, so the
-//! `k` above `m / 2` are all there is to try: 64 for `m` = 127.
+//! Rounded unit vectors are only a shell of the cube of whole vectors `[-m, m]^3`. As the decoder's caller normalises,
+//! any whole vector will do, and one of them points nearest. Its largest component, the whole number `k`, tells its
+//! length: with `u = |v| / max`, the candidates are the `round(k u)`. A vector and its double point alike, so that only
+//! the `k` above `m / 2` need trying: 64 for `m` = 127.
 //!
-//! * [`CrytekBfn24`] is the original method: one length for all directions of a cell of a table.
-//! * [`SnormBest8`] (snorm8x3P) is the survey's: the best of a cell's four lengths. One direction in eleven has a better
-//!   length.
+//! * [`CrytekBfn24`] takes one length for all directions of a cell of a table, as CryEngine does. Its table and its
+//!   components differ: CryEngine's is a texture of lengths and its code is biased unorm; this one is snorm, and has
+//!   lengths of 64 and more only.
+//! * [`SnormBest8`] (snorm8x3P) takes the best of a cell's four lengths. The survey's takes the lengths of the four
+//!   closest texels, and the vector as it is. For one direction in eleven there is a still better length.
 //! * [`SnormNearest8`] tries the 64, and a few scales in between: no whole vector points nearer.
-//! * The first two work out the lengths of cells; [`EncodeByTable`] looks them up. Their codes are the same. The compute kernels and the `unitvec` program take the table.
-//! * [`SnormBest16`] (snorm16x3P) tries the 64 longest of the 16384 lengths, and the unit vector.
+//! * [`SnormBest16`] (snorm16x3P) tries the 64 longest of the 16384 lengths, and the unit vector. The survey's tries
+//!   five lengths.
+//!
+//! The first two work out the lengths of cells; [`EncodeByTable`] looks them up. Their codes are the same. The compute
+//! kernels and the `unitvec` program take the table.
+//!
+//! <!-- generated: errors best_fit -->
+//! <!-- end -->
 //!
 //! The table ([`fill_table`], 805 KiB): a direction's column and row are `mid / max` and `min / max` of its magnitudes
 //! in order of size, times 640. By symmetry that covers the sphere, and a row is at most its column. A cell is a word,
 //! the bytes of which are four of the lengths 64 to 127; to a shader, a texel of VK_FORMAT_R8G8B8A8_UINT. The low byte
-//! has the length that fits nine directions of the cell, three by three, best in the mean; each byte above it the one
-//! that helps most where the ones before may be taken too. The word of a cell is number
+//! has the length that fits nine directions of the cell, three by three, best in the mean. Each byte above it has the
+//! one that helps most where the ones before may be taken too. The word of a cell is number
 //! `4 (g (2 g + 1) + row) + column`, `g = column / 4` rounded down: four columns side by side have their rows one after
 //! the other, so that a line of a cache has 4 x 4 cells, and half a square is not stored.
 //!
@@ -28,22 +36,17 @@
 //!   never written either, decodes to (0, 0, 0).
 //! * Decoding gives the components as stored, **not normalised**: the longest is at least 0.5. The format is that of
 //!   plain snorm components, so that best fit and plain codes can be mixed.
-//! * Error in degrees, mean and largest over uniform directions, with the survey's in brackets:
-//!   snorm8x3P 0.0308, 0.319 (0.03164, 0.33443), nearest of all 0.0305, 0.319; CrytekBFN24 0.0402, 0.31 seen (0.04027,
-//!   4.78260); snorm16x3P 0.000088, 0.00124 (0.00060, 0.00149).
-//! * Why less than the survey's maximum: an error of 4.78 degrees would be half a step at a length of 6, read where it
-//!   does not fit; here no length is under 64, since short ones gain nothing over their multiples. At 16 bits the survey
-//!   tries five lengths, and the mean falls with the square root of their number.
-//! * Why that table: an encoder by table spends half its time waiting for the table, the longer the larger what is in
-//!   use of it. Four lengths that together fit a cell do as well as those of the four closest of 1024 x 1024 texels, and
-//!   one read has them all; a table of such texels with one read for all four would be five times as large.
-//! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error
-//!   is that of plain components, ten times the mean.
-//! * Cost: the scan of 64 lengths takes some 1900 operations, 40 times those of an octahedral encoder (oct24: 48), and
-//!   SnormNearest8 2200. By table snorm8x3P takes 146 (3 times as many), CrytekBFN24 58, and one read each.
-//!   Decoding is next to free.
+//! * The survey's CrytekBFN24 has a maximum of several degrees. That would be half a step of a length of 6; here no
+//!   length is under 64, since short ones gain nothing over their multiples.
+//! * Why that table: an encoder by table waits for the table half of its time, the longer the more of it is in use.
+//!   Four lengths that together fit a cell do as well as those of the four closest of 1024 x 1024 texels, and one read
+//!   has them all.
+//! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error is
+//!   that of plain components, ten times the mean.
+//! * Cost: trying 64 lengths takes some forty times the operations of an octahedral encoder; by table it takes a few
+//!   times as many, and one read. Decoding is next to free.
 //! * Axes and diagonals (components of 0 and one magnitude) round-trip exactly, but for length; the axes have length 1
-//!   with snorm8x3P and snorm16x3P. Mirrored or permuted, a vector gets the mirrored or permuted code.
+//!   with snorm8x3P and snorm16x3P. A mirrored or permuted vector gets the mirrored or permuted code.
 
 mod scan;
 mod table;

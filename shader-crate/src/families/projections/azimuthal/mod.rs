@@ -1,9 +1,10 @@
 //! Azimuthal codes: a hemisphere on a disk by a classic map projection, the disk on a square or as it is, and one bit
 //! for the hemisphere.
 //!
-//! Source: Cigolle et al. 2014, section 2; Snyder, "Map Projections: A Working Manual", 1987 (the projections);
-//! Shirley and Chiu, "A Low Distortion Map Between Disk and Square", 1997 (concentric); the ellipse map is the
-//! elliptical grid map. Three [`Projection`]s times three [`SquareMap`]s, at five widths.
+//! Source: Cigolle et al. 2014, section 2; Snyder, "Map Projections: A Working Manual", 1987 (the projections); Shirley
+//! and Chiu, "A Low Distortion Map Between Disk and Square", 1997 (concentric). The survey's ellipse map is in its
+//! supplement, not in its text. Ours is inferred: the elliptical grid map, which is not equal-area as the survey's is
+//! said to be, has the means of its table 1. Three [`Projection`]s times three [`SquareMap`]s, at five widths.
 //!
 //! With `rho = sqrt(x^2 + y^2)`, on the unit sphere:
 //!
@@ -15,54 +16,32 @@
 //!
 //! * Layout: u, snorm of `BITS / 2` bits in two's complement, in the low bits; v, n = `BITS / 2 - 1` bits in two's
 //!   complement, above it; the hemisphere (1 for z < 0) in the highest bit.
-//! * v runs from `-2^(n-1)` to `2^(n-1)` in steps of `2^-(n-1)`, where snorm has `2^(n-1) - 1`. Its two ends share
-//!   the pattern of `-2^(n-1)`. They lie on the equator (on the disk as it is, also beyond), which both hemispheres
-//!   share, so that there the highest bit is free to tell them apart: 1 says +1, 0 says -1.
-//! * Error: the table below; never more than [`Codec::MAX_ERROR_DEG`], which is `K / 2^(n-1)` radians. The image of
-//!   the straight segment from a point to its lattice point is at least as long as the angle between their
-//!   directions, and K is the greatest length that half a step of u with half a step of v has on the sphere: see
-//!   [`SquareMap::STRETCH`].
-//! * The six axes round-trip exactly. A direction mirrored at a coordinate plane gets the mirrored vector, exactly.
-//!   x and y cannot be swapped: u has twice the steps.
-//! * Good for: comparison with the survey. [`oct`](crate::oct) has a lower mean error at each
-//!   width and costs less; its precise encoder has a lower maximum too. Of these, [`Eqarea`] with [`Ellipse`] has
-//!   the lowest mean, [`Eqdist`] the lowest maxima. A code of the survey's own program is not one of these: there v
-//!   has other steps.
-//! * Cost: encoding takes 1 (stereo) to 5 (eqarea+ellipse) square roots and 2 to 5 divisions other than by constants
-//!   and, for [`Eqdist`] and [`Concentric`] each, an arc tangent polynomial; decoding takes none to 3 square roots,
-//!   none to 5 divisions, [`Concentric`] a sine and cosine, [`Eqdist`] two polynomials of 4 terms.
-//! * Weaknesses: without a map to the square a part of `1 - pi/4` of the codes is spare; [`Concentric`] creases at
-//!   the diagonals, where its maxima lie. Codes of the equator come in pairs, one for each hemisphere.
+//! * v runs from `-2^(n-1)` to `2^(n-1)` in steps of `2^-(n-1)`, where snorm has `2^(n-1) - 1`. Its two ends share the
+//!   pattern of `-2^(n-1)`. They lie on the equator (on the disk as it is, also beyond), which both hemispheres share.
+//!   So the highest bit is free to tell them apart there: 1 says +1, 0 says -1.
+//! * Error: never more than [`Codec::MAX_ERROR_DEG`], which is `K / 2^(n-1)` radians. The image of the straight segment
+//!   from a point to its lattice point is at least as long as the angle between their directions. K is the greatest
+//!   length that half a step of u with half a step of v has on the sphere: see [`SquareMap::STRETCH`].
+//! * The six axes round-trip exactly. A direction mirrored at a coordinate plane gets the mirrored vector, exactly. x
+//!   and y cannot be swapped: u has twice the steps.
+//! * Good for: comparison with the survey. [`oct`](crate::oct) has a lower mean error at each width and costs less; its
+//!   precise encoder has a lower maximum too. Of these, [`Eqarea`] with [`Ellipse`] has the lowest mean, [`Eqdist`] the
+//!   lowest maxima. A code of the survey's own program is not one of these: its v has other steps.
+//! * Weaknesses: without a map to the square a part of `1 - pi/4` of the codes is spare. [`Concentric`] creases at the
+//!   diagonals, where its maxima lie. Codes of the equator come in pairs, one for each hemisphere.
 //!
-//! Why v is not an snorm: at 16 bits its steps would be 1/63, not 1/64, and the survey's errors are lower than that
-//! gives: the means of stereo, eqarea and eqdist with concentric would be 1.013, 1.012 and 1.011 times the
-//! published ones, and the maximum of eqarea+concentric20 1.041 times. As it is, all 45 means are 0.993 to 1.007
-//! times the published ones. An offset grid without zero (u of 255 steps, v of 127) would come as near, but not
-//! have the axes. The maxima are at most 1.04 times the published ones, over 10^6 directions, with one exception,
-//! eqarea+concentric22 (1.042): the maximum is that of a few cells on the rim at the diagonals, and which
-//! directions come near those is chance. Twelve other samples of 10^6 gave 1.020 to 1.044; the survey's value is
-//! 0.947 of the supremum.
+//! Why v is not an snorm: at 16 bits its steps would be 1/63, not 1/64, and the errors would be above the survey's,
+//! some means by more than a hundredth. As it is, all means agree with the published ones. A grid without zero
+//! (u of 255 steps, v of 127) would come as near, but would not have the axes. The maxima of the equal-area maps with
+//! concentric are those of a few cells on the rim at the diagonals, which a sample hits or misses.
 //!
-//! Why +ellipse is better here at 20 to 32 bits than in the survey, which at 32 bits has maxima of 0.017 to 0.026
-//! degrees: the usual way back to the square, `sqrt(2 + d + 2 sqrt(2) x) / 2 - sqrt(2 + d - 2 sqrt(2) x) / 2` with
-//! `d = x^2 - y^2`, takes the root of a difference that vanishes at the square's corners, so that an error of 2^-24
-//! becomes one of 2^-12. Here that difference does not occur: see [`Ellipse`]. Its maxima at 32 bits are those of
-//! exact arithmetic, 5 to 7 times below the survey's; stereo32's is 0.7 times.
+//! Why +ellipse is better here at 20 to 32 bits than in the survey: the usual way back to the square,
+//! `sqrt(2 + d + 2 sqrt(2) x) / 2 - sqrt(2 + d - 2 sqrt(2) x) / 2` with `d = x^2 - y^2`, takes the root of a difference
+//! that vanishes at the square's corners, so that an error of 2^-24 becomes one of 2^-12. Here that difference does not
+//! occur: see [`Ellipse`]. Its maxima at 32 bits are those of exact arithmetic.
 //!
-//! Mean and greatest error, in degrees, over 10^6 directions and some next to the equator, the poles and the
-//! diagonals:
-//!
-//! | codec | 16 | 20 | 22 | 24 | 32 |
-//! |---|---|---|---|---|---|
-//! | `stereo` | 0.399 / 0.992 | 0.0996 / 0.2491 | 0.0498 / 0.1245 | 0.0248 / 0.0623 | 0.00156 / 0.00389 |
-//! | `stereo_concentric` | 0.374 / 1.318 | 0.0934 / 0.3309 | 0.0467 / 0.1668 | 0.0233 / 0.0851 | 0.00146 / 0.00519 |
-//! | `stereo_ellipse` | 0.381 / 0.992 | 0.0951 / 0.2491 | 0.0475 / 0.1245 | 0.0238 / 0.0623 | 0.00149 / 0.00389 |
-//! | `eqarea` | 0.385 / 0.983 | 0.0962 / 0.2480 | 0.0481 / 0.1235 | 0.0241 / 0.0613 | 0.00150 / 0.00387 |
-//! | `eqarea_concentric` | 0.366 / 1.023 | 0.0913 / 0.2571 | 0.0456 / 0.1283 | 0.0228 / 0.0646 | 0.00143 / 0.00404 |
-//! | `eqarea_ellipse` | 0.350 / 0.905 | 0.0875 / 0.2251 | 0.0437 / 0.1134 | 0.0219 / 0.0567 | 0.00137 / 0.00355 |
-//! | `eqdist` | 0.382 / 0.786 | 0.0955 / 0.1964 | 0.0477 / 0.0983 | 0.0238 / 0.0490 | 0.00149 / 0.00306 |
-//! | `eqdist_concentric` | 0.361 / 1.054 | 0.0901 / 0.2643 | 0.0451 / 0.1322 | 0.0226 / 0.0656 | 0.00141 / 0.00420 |
-//! | `eqdist_ellipse` | 0.355 / 0.781 | 0.0885 / 0.1954 | 0.0442 / 0.0978 | 0.0221 / 0.0489 | 0.00138 / 0.00306 |
+//! <!-- generated: errors azimuthal -->
+//! <!-- end -->
 
 mod disk;
 mod square;

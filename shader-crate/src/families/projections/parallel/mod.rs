@@ -1,38 +1,40 @@
 //! Parallel projections: two components stored, the third reconstructed from unit length.
 //!
-//! Source: Cigolle et al. 2014, section 5, table 3 (XYOnly); Meyer et al. 2010, section 4, eq. 6 (PP, for both
-//! hemispheres) and eq. 7 (SPP, from the six sides, the largest component reconstructed).
+//! Source: Cigolle et al. 2014, section 5, table 3 (XYOnly); Meyer et al. 2010, section 4, eq. 6
+//! (PP, for both hemispheres) and eq. 7 (SPP, from the six sides, the largest component reconstructed).
 //!
-//! `z = sqrt(1 - x^2 - y^2)`. Near the equator a small step of x or y is a large one of z: there the error of XYOnly and
-//! PP grows as the square root of the step, which SPP avoids.
+//! `z = sqrt(1 - x^2 - y^2)`. Near the equator a small step of x or y is a large one of z: there the error of XYOnly
+//! and PP grows as the square root of the step, which SPP avoids.
 //!
-//! * Layout: the first component in the low bits, then the second, both snorm in two's complement; above them, PP the
-//!   sign of z (1 if negative), SPP the sextant in three bits: twice the axis (0, 1, 2), and 1 if negative. Of the
-//!   bits that are left, the first component has half, rounded up. The components of SPP are (y, z), (z, x), (x, y)
-//!   in the sextants of x, y, z; they are at most sqrt(1/2), which is their 1. Sextants 6 and 7, which `encode` never
+//! <!-- generated: errors parallel -->
+//! <!-- end -->
+//!
+//! * Layout: the first component in the low bits, then the second, both snorm in two's complement. Above them PP has
+//!   the sign of z (1 if negative), SPP the sextant in three bits: twice the axis (0, 1, 2), and 1 if negative. Of the
+//!   bits that are left, the first component has half, rounded up. The components of SPP are (y, z), (z, x), (x, y) in
+//!   the sextants of x, y, z; they are at most sqrt(1/2), which is their 1. Sextants 6 and 7, which `encode` never
 //!   writes, count as 4 and 5. `xyonly32f` has x in the low and y in the high half, as half floats.
-//! * Points outside: the corners of the square are no directions, but rounding gets points there that are off the
-//!   disk (for SPP: off the sextant) by part of a step. Those decode to what lies 7/16 of a step inwards along the
-//!   component that matters more; the few that this leaves outside `encode` does not write, but the point one step
-//!   inwards. Points farther out decode as the lattice point below their projection onto the border. So every code
-//!   survives decoding and encoding; normalised instead, points near the border would wander from code to code.
+//! * Points outside: the corners of the square are no directions, but rounding gets points there that are off the disk
+//!   (for SPP: off the sextant) by part of a step. Those decode 7/16 of a step farther inwards along the component that
+//!   matters more. `encode` does not write the few that this leaves outside, but the point one step inwards. Points
+//!   farther out decode as the lattice point below their projection onto the border. So every code survives decoding
+//!   and encoding; normalised instead, points near the border would wander from code to code.
 //! * A vector that is of unit length to within 2^-21 is taken as it is: normalising would move its components by as
 //!   much as its own rounding did, which at 48 bits is a step.
 //! * Domain of XYOnly: z >= 0. A direction below the equator gets the code of its horizontal part, -Z that of +Z.
 //! * Error, with a and b the half steps `1/(2 m)`: XYOnly and PP at most `arccos(1 - d)`, near `sqrt(2 d)`, with
-//!   `d = sqrt(a^2 + b^2)`, on the equator: Meyer's eq. 6, where a = b; SPP `sqrt(a^2 + a b + b^2)` (a and
-//!   b of the stored integers; a step of those is sqrt(1/2) as large), in the octants' middles: eq. 7.
+//!   `d = sqrt(a^2 + b^2)`, on the equator: Meyer's eq. 6, where a = b. SPP at most `sqrt(a^2 + a b + b^2)` (a and b of
+//!   the stored integers; a step of those is sqrt(1/2) as large), in the octants' middles: eq. 7.
 //! * 48 bits: `f32` vectors have components in steps of 2^-24 to 2^-23, as wide as PP's and SPP's. The rounding of the
 //!   squares and of the length, at most 2^-20 of 1, turns a direction on the equator by up to 9.8e-4 radians where PP's
-//!   own error is 5.2e-4; measured are 6.3e-4 in all. SPP's own error is 3.2e-7; along the sextants' borders, where
-//!   the two largest components must be told apart, points move up to three steps inwards, and 1.1e-6 is measured.
-//! * Good for: tangent-space normal maps, whose normals keep near +Z: points inside decode with one square
-//!   root, from snorm values that the hardware may convert and filter; these functions add the divisions and selections
-//!   for points outside. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
-//! * Axes round-trip exactly, all six (XYOnly: the five of its domain). `xyonly32f` spends its bits around x = 0 and
-//!   y = 0, and has the largest steps at the equator, where the smallest are wanted: mean 0.0352 and maximum 1.5
-//!   degrees, hardly less than XYOnly24. (The survey's 0.07759 and 2.10047 are those of truncating conversion,
-//!   measured so: 0.0780 and 2.06.)
+//!   own error is 5.2e-4. SPP's own error is 3.2e-7; along the sextants' borders, where the two largest components must
+//!   be told apart, points move up to three steps inwards.
+//! * Good for: tangent-space normal maps, whose normals keep near +Z. Points inside decode with one square root, from
+//!   snorm values that the hardware may convert and filter; these functions add the divisions and selections for points
+//!   outside. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
+//! * Axes round-trip exactly, all six (XYOnly: the five of its domain). `xyonly32f` spends its bits around x = 0 and y
+//!   = 0, and has the largest steps at the equator, where the smallest are wanted: its errors are about those of
+//!   XYOnly24. (The survey's errors of XYOnly32F are those of truncating conversion, which measures the same.)
 
 mod plane;
 mod xyonly;

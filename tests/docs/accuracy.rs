@@ -1,0 +1,152 @@
+//! The errors of all codecs, as measured for the docs.
+
+use super::compare;
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+use unitvec_host::accuracy::meyer::worst_error;
+use unitvec_host::accuracy::{Row, chart, covering_bound_deg};
+use unitvec_host::backend::Cpu;
+use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Coding, Domain, FRAMES, FrameInfo};
+use unitvec_host::measure::ErrorStats;
+use unitvec_host::sampling;
+use unitvec_tests::repository;
+
+/// Mean and largest error in degrees.
+#[derive(Clone, Copy, Debug)]
+pub struct Errors {
+    pub mean: f64,
+    pub max: f64,
+}
+
+/// Random directions or frames that the committed means are measured over, and those that a test takes.
+const COUNT: usize = 1_000_000;
+const FEW: usize = 30_000;
+
+/// The committed measurements, by codec and what is decoded: a direction, or a frame's normal or tangent.
+fn recorded() -> &'static BTreeMap<(String, String), Errors> {
+    static RECORDED: OnceLock<BTreeMap<(String, String), Errors>> = OnceLock::new();
+    RECORDED.get_or_init(|| {
+        let text = std::fs::read_to_string(repository().join("docs/data/accuracy.csv")).unwrap();
+        let row = |line: &str| {
+            let fields: Vec<&str> = line.split(',').collect();
+            let number = |index: usize| fields[index].parse().unwrap();
+            ((fields[0].into(), fields[1].into()), Errors { mean: number(2), max: number(3) })
+        };
+        text.lines().skip(1).map(row).collect()
+    })
+}
+
+/// The committed errors of a codec: `of` is `direction`, or a frame's `normal` or `tangent`.
+pub fn of(id: &str, of: &str) -> Errors {
+    let found = recorded().get(&(id.to_owned(), of.to_owned()));
+    *found.unwrap_or_else(|| panic!("{id} is not in docs/data/accuracy.csv: cargo xtask docs --measure"))
+}
+
+/// The errors over random directions.
+fn sampled(codec: &CodecInfo, count: usize, seed: u64) -> ErrorStats {
+    let vectors: Vec<[f32; 3]> = sampling::random_directions(codec.domain, seed).take(count).collect();
+    let (mut codes, mut decoded) = (vec![0; count * codec.bytes], vec![[0.0; 3]; count]);
+    codec.encode_cpu(&vectors, &mut codes).unwrap();
+    codec.decode_cpu(&codes, &mut decoded).unwrap();
+    let mut errors = ErrorStats::default();
+    vectors.iter().zip(&decoded).for_each(|(original, decoded)| errors.add(*original, *decoded));
+    errors
+}
+
+/// The errors of normals and tangents over random frames.
+fn sampled_frames(codec: &FrameInfo, count: usize, seed: u64) -> [(&'static str, ErrorStats); 2] {
+    let frames: Vec<[f32; 7]> = sampling::random_frames(seed).take(count).collect();
+    let (mut codes, mut decoded) = (vec![0; count * codec.bytes], vec![[0.0; 7]; count]);
+    codec.encode_cpu(&frames, &mut codes).unwrap();
+    codec.decode_cpu(&codes, &mut decoded).unwrap();
+    [("normal", 0), ("tangent", 3)].map(|(of, first)| {
+        let mut errors = ErrorStats::default();
+        let vector = |frame: &[f32; 7]| [frame[first], frame[first + 1], frame[first + 2]];
+        frames
+            .iter()
+            .zip(&decoded)
+            .for_each(|(original, decoded)| errors.add(vector(original), vector(decoded)));
+        (of, errors)
+    })
+}
+
+/// Measures what the docs state. The maximum of vectors is the largest that a search finds.
+#[test]
+#[ignore = "`cargo xtask docs --measure` runs it: a minute or two"]
+fn measure() {
+    let mut text = String::from("codec,of,mean_deg,max_deg\n");
+    let mut add =
+        |id: &str, of: &str, mean: f64, max: f64| text += &format!("{id},{of},{mean:.6e},{max:.6e}\n");
+    for codec in CATALOGUE {
+        let errors = sampled(codec, COUNT, 1);
+        let (worst, _) = worst_error(&mut Cpu, codec, 1).unwrap();
+        add(codec.id, "direction", errors.mean_deg(), errors.max_deg().max(worst));
+    }
+    for codec in FRAMES {
+        for (of, errors) in sampled_frames(codec, COUNT, 1) {
+            add(codec.id, of, errors.mean_deg(), errors.max_deg());
+        }
+    }
+    let path = repository().join("docs/data/accuracy.csv");
+    unitvec_host::output::write_file(&path, text.as_bytes()).unwrap();
+}
+
+/// Fails unless another, smaller sample agrees with the committed errors: its mean to five standard errors, and its
+/// maximum to a hundredth, by which a search can miss the worst place.
+fn assert_agrees(id: &str, of_what: &str, fresh: &ErrorStats, bound: f32) {
+    let committed = of(id, of_what);
+    let both = format!("{id}: {committed:?} committed, {fresh:?} measured");
+    assert!((fresh.mean_deg() - committed.mean).abs() < 5.0 * fresh.standard_error_deg(), "{both}");
+    assert!(fresh.max_deg() <= 1.01 * committed.max && committed.max <= f64::from(bound), "{both}");
+}
+
+/// The committed errors are those of the codecs, and none but theirs.
+#[test]
+fn committed_errors_are_what_codecs_have() {
+    for codec in CATALOGUE {
+        assert_agrees(codec.id, "direction", &sampled(codec, FEW, 2), codec.max_error_deg);
+    }
+    for codec in FRAMES {
+        let bounds = [codec.max_normal_error_deg, codec.max_tangent_error_deg];
+        for ((of, errors), bound) in sampled_frames(codec, FEW, 2).iter().zip(bounds) {
+            assert_agrees(codec.id, of, errors, bound);
+        }
+    }
+    assert_eq!(recorded().len(), CATALOGUE.len() + 2 * FRAMES.len());
+}
+
+/// The chart's row of a codec.
+fn row(codec: &'static CodecInfo) -> Row {
+    let errors = of(codec.id, "direction");
+    let (bound_mean, bound_max) = covering_bound_deg(codec.bits, codec.domain);
+    Row {
+        table: "docs",
+        id: codec.id,
+        survey_name: codec.survey_name.to_owned(),
+        bits: codec.bits,
+        mean_deg: errors.mean,
+        max_deg: errors.max,
+        survey_mean_deg: None,
+        survey_max_deg: None,
+        bound_mean_deg: Some(bound_mean),
+        bound_max_deg: Some(bound_max),
+        float64_mean_deg: None,
+        float64_max_deg: None,
+        wasted_bits: None,
+        mean_standard_error_deg: 0.0,
+    }
+}
+
+/// The chart shows the committed errors.
+#[test]
+fn the_chart_is_current() {
+    let rows: Vec<Row> = CATALOGUE.iter().map(row).collect();
+    compare(&repository().join("docs/errors.svg"), &chart::svg(&rows).unwrap());
+}
+
+/// The factor by which a codec's error is above that of the covering bound: mean and maximum.
+pub fn over_bound(codec: &CodecInfo) -> [f64; 2] {
+    let (mean, max) = covering_bound_deg(codec.bits, Domain::Sphere);
+    let errors = of(codec.id, "direction");
+    [errors.mean / mean, errors.max / max]
+}

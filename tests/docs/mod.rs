@@ -1,0 +1,87 @@
+//! README, docs and the module docs: what the program writes in them, and what it can check.
+//!
+//! `<!-- generated: NAME -->` begins a generated part, `<!-- end -->` ends it. `cargo xtask docs` writes them all again,
+//! `cargo xtask docs --measure` measures errors first.
+
+mod accuracy;
+mod claims;
+mod costs;
+mod prose;
+mod slices;
+mod tables;
+
+use std::path::{Path, PathBuf};
+use unitvec_tests::repository;
+
+const BEGIN: &str = "<!-- generated: ";
+const END: &str = "<!-- end -->";
+
+/// True where files are to be written and not compared.
+fn is_blessing() -> bool {
+    std::env::var_os("BLESS").is_some()
+}
+
+/// Compares a committed file with what it should be, or writes it.
+fn compare(path: &Path, expected: &str) {
+    let committed = std::fs::read_to_string(path).unwrap_or_default();
+    if is_blessing() && committed != expected {
+        unitvec_host::output::write_file(path, expected.as_bytes()).unwrap();
+    } else {
+        assert!(committed == expected, "{} is stale: cargo xtask docs writes it again", path.display());
+    }
+}
+
+/// The files of these extensions in a folder and below, but for what is built.
+fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && name != "target" && !name.starts_with('.') {
+            found.extend(files(&path, extensions));
+        } else if extensions.iter().any(|extension| name.ends_with(extension)) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+/// All Markdown of the repository.
+fn markdown() -> Vec<PathBuf> {
+    files(&repository(), &[".md"])
+}
+
+/// `text` with its generated parts made anew. A part's lines begin as the line of its marker does: `//! `.
+fn renewed(path: &Path, text: &str) -> String {
+    let mut lines = text.lines();
+    let mut renewed = String::new();
+    while let Some(line) = lines.next() {
+        renewed += line;
+        renewed.push('\n');
+        let Some((indent, name)) = line.split_once(BEGIN) else { continue };
+        let name = name.strip_suffix(" -->").unwrap_or_else(|| panic!("{}: {line}", path.display()));
+        for made in
+            tables::table(name).unwrap_or_else(|| panic!("{}: no table `{name}`", path.display())).lines()
+        {
+            renewed += format!("{indent}{made}").trim_end();
+            renewed.push('\n');
+        }
+        let end = lines.find(|line| line.contains(END));
+        renewed += end.unwrap_or_else(|| panic!("{}: `{name}` does not end", path.display()));
+        renewed.push('\n');
+    }
+    renewed
+}
+
+/// Every generated part says what the catalogue and the measurements say.
+#[test]
+fn generated_parts_are_current() {
+    let sources = files(&repository().join("shader-crate/src"), &[".rs"]);
+    for path in markdown().into_iter().chain(sources) {
+        let text = std::fs::read_to_string(&path).unwrap();
+        if text.contains(BEGIN) {
+            compare(&path, &renewed(&path, &text));
+        }
+    }
+}

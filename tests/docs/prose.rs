@@ -1,0 +1,111 @@
+//! What can be checked of the words around the tables.
+
+use super::{BEGIN, END, files, markdown, tables};
+use std::collections::BTreeSet;
+use std::path::Path;
+use unitvec_host::catalogue::{CATALOGUE, FRAMES};
+use unitvec_tests::repository;
+
+fn read(path: &Path) -> String {
+    std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The targets of Markdown's links and pictures.
+fn links(text: &str) -> impl Iterator<Item = &str> {
+    text.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+}
+
+/// The anchor that GitHub gives a heading.
+fn anchor(heading: &str) -> String {
+    let kept = heading.chars().filter(|c| c.is_alphanumeric() || " -_".contains(*c));
+    kept.collect::<String>().trim().to_lowercase().replace(' ', "-")
+}
+
+fn anchors(path: &Path) -> BTreeSet<String> {
+    let text = read(path);
+    text.lines()
+        .filter(|line| line.starts_with('#'))
+        .map(|line| anchor(line.trim_start_matches('#')))
+        .collect()
+}
+
+/// Every relative link leads to a file, and to a heading of it.
+#[test]
+fn links_resolve() {
+    let mut checked = 0;
+    for path in markdown() {
+        let text = read(&path);
+        for link in links(&text).filter(|link| !link.starts_with("http")) {
+            let (file, heading) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
+            assert!(target.exists(), "{}: {link}", path.display());
+            assert!(heading.is_empty() || anchors(&target).contains(heading), "{}: {link}", path.display());
+            checked += 1;
+        }
+    }
+    assert!(checked > 20);
+}
+
+/// `text` without its generated parts and its code.
+fn by_hand(text: &str) -> String {
+    let (mut kept, mut generated, mut code) = (String::new(), false, false);
+    for line in text.lines() {
+        generated = (generated || line.contains(BEGIN)) && !line.contains(END);
+        code ^= line.trim_start().starts_with("```");
+        if !generated && !code {
+            kept += line;
+            kept.push('\n');
+        }
+    }
+    kept
+}
+
+/// Numbers with decimals that are no measurements of ours: versions, and what the Vulkan specification allows.
+const NOT_MEASURED: [&str; 10] =
+    ["1.1", "1.85", "4.50", "3.00", "0.10.0", "2.0", "0.1.0", "2.5", "4.5", "1.3"];
+
+/// Measurements stand in generated parts only, where they cannot grow old.
+#[test]
+fn measurements_are_generated() {
+    for path in markdown().iter().filter(|path| !path.ends_with("CHANGELOG.md")) {
+        for word in by_hand(&read(path)).split(|c: char| !(c.is_ascii_alphanumeric() || c == '.')) {
+            let word = word.trim_matches('.');
+            let is_decimal = word.contains('.') && word.chars().all(|c| c.is_ascii_digit() || c == '.');
+            assert!(!is_decimal || NOT_MEASURED.contains(&word), "{}: {word}", path.display());
+        }
+    }
+}
+
+/// Where a text says how many bits there are, it says what the catalogue does: of vectors, or of frames too.
+#[test]
+fn widths_are_the_catalogues() {
+    let bits: Vec<u32> = CATALOGUE.iter().map(|codec| codec.bits).collect();
+    let least = bits.iter().min().unwrap();
+    let most = [*bits.iter().max().unwrap(), FRAMES.iter().map(|codec| codec.bits).max().unwrap()];
+    let allowed = most.map(|most| format!("in {least} to {most} bits"));
+    let mut found = 0;
+    for path in files(&repository(), &[".md", "lib.rs", "Cargo.toml"]) {
+        let text = read(&path).replace("\n//! ", " ").replace('\n', " ");
+        for (place, _) in text.match_indices(" bits") {
+            let start = text[..place].rfind("in ").unwrap_or(0);
+            let words = &text[start..place + " bits".len()];
+            if words.split(' ').count() == 5 && words.contains(" to ") {
+                assert!(allowed.iter().any(|allowed| allowed == words), "{}: {words}", path.display());
+                found += 1;
+            }
+        }
+    }
+    assert!(found >= 5, "{found}");
+}
+
+/// The layout of each codec's code is told.
+#[test]
+fn every_layout_is_told() {
+    let text = read(&repository().join("docs/codecs.md"));
+    let (_, layouts) = text.split_once("## Storage layout").unwrap();
+    for id in CATALOGUE.iter().map(|codec| codec.id).chain(FRAMES.iter().map(|codec| codec.id)) {
+        let family = tables::family(id);
+        let names = [id.to_owned(), family.clone(), family.trim_end_matches(['p', 'd']).to_owned()];
+        assert!(names.iter().any(|name| layouts.contains(&format!("`{name}`"))), "{id}");
+    }
+}

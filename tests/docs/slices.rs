@@ -1,0 +1,49 @@
+//! What slices cost on a CPU, as `docs/data/slices.json` has it.
+
+use serde_json::Value;
+use std::sync::OnceLock;
+use unitvec_tests::repository;
+
+fn report() -> &'static Value {
+    static REPORT: OnceLock<Value> = OnceLock::new();
+    REPORT.get_or_init(|| {
+        serde_json::from_slice(&std::fs::read(repository().join("docs/data/slices.json")).unwrap()).unwrap()
+    })
+}
+
+fn rows(operation: &str) -> impl Iterator<Item = (&'static str, [f64; 3])> {
+    let rows = report()["rows"].as_array().unwrap().iter().filter(move |row| row["operation"] == operation);
+    rows.map(|row| (row["name"].as_str().unwrap(), [0, 1, 2].map(|size| row["ns"][size].as_f64().unwrap())))
+}
+
+/// Nanoseconds a vector in slices of 2^10, 2^16 and 2^24 vectors.
+pub fn ns(operation: &str, name: &str) -> [f64; 3] {
+    let found = rows(operation).find(|row| row.0 == name);
+    found.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json")).1
+}
+
+/// Where it was measured.
+pub fn machine() -> String {
+    format!("Measured on: {}.\n", report()["machine"].as_str().unwrap())
+}
+
+/// The table of an operation. What is copied is the vectors as they lie in memory: meshopt's have four components.
+pub fn table(operation: &str) -> String {
+    let mut text = format!(
+        "| {operation} | 1k, ns | 64k, ns | 16M, ns | speed / meshopt16, 64k | speed / memcpy, 16M |\n\
+         |---|---|---|---|---|---|\n"
+    );
+    for (name, own) in rows(operation) {
+        let four_components = operation == "decode" && ["meshopt16", "oct32-i16x4"].contains(&name);
+        let copy = ns(operation, if four_components { "memcpy8" } else { "memcpy12" });
+        text += &format!(
+            "| `{name}` | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |\n",
+            own[0],
+            own[1],
+            own[2],
+            ns(operation, "meshopt16")[1] / own[1],
+            copy[2] / own[2]
+        );
+    }
+    text
+}

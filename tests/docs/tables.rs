@@ -1,0 +1,282 @@
+//! The tables of README, docs and module docs.
+
+use super::accuracy::{self, Errors};
+use super::{costs, files, slices};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use unitvec_host::accuracy::{Table, covering_bound_deg};
+use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, find, find_frame};
+use unitvec_tests::repository;
+
+/// The table of this name, if there is one.
+pub fn table(name: &str) -> Option<String> {
+    let (kind, rest) = name.split_once(' ').unwrap_or((name, ""));
+    Some(match kind {
+        "mirror" => mirror(),
+        "which" => which(false, |id| format!("`{id}`")),
+        "which-type" => which(true, |id| format!("[`{}`]", type_of(id))),
+        "families" => families(),
+        "codecs" => codecs(),
+        "frames" => frames(),
+        "bound" => bound(),
+        "errors" => errors(rest),
+        "costs" => costs::table(),
+        "costs-device" => costs::device(),
+        "slices" => slices::table(rest),
+        "slices-machine" => slices::machine(),
+        _ => return None,
+    })
+}
+
+/// Three digits; decimals where those do not take too many zeros.
+fn degrees(error: f64) -> String {
+    if error < 1e-4 {
+        return format!("{error:.2e}");
+    }
+    let decimals = (2 - error.log10().floor() as i32).max(0) as usize;
+    format!("{error:.decimals$}")
+}
+
+fn mean_and_max(errors: Errors) -> String {
+    format!("{} / {}", degrees(errors.mean), degrees(errors.max))
+}
+
+/// Mean and maximum of a codec of vectors.
+fn errors_of(id: &str) -> String {
+    mean_and_max(accuracy::of(id, "direction"))
+}
+
+/// The error that the bound allows no direction to exceed.
+fn bound_of(codec: &CodecInfo) -> String {
+    degrees(f64::from(codec.max_error_deg))
+}
+
+macro_rules! types {
+    ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
+        /// Identifiers and the names of their types.
+        const TYPES: &[(&str, &str)] = &[$((stringify!($id), stringify!($codec))),*];
+    };
+}
+
+unitvec::for_each_codec!(types);
+
+macro_rules! frame_types {
+    ($([$id:ident $codec:ident, $($rest:tt)*])*) => {
+        /// The same of frames.
+        const FRAME_TYPES: &[(&str, &str)] = &[$((stringify!($id), stringify!($codec))),*];
+    };
+}
+
+unitvec::for_each_frame!(frame_types);
+
+fn type_of(id: &str) -> &'static str {
+    let found = TYPES.iter().chain(FRAME_TYPES).find(|row| row.0 == id);
+    found.unwrap_or_else(|| panic!("{id} is not in the list")).1
+}
+
+/// README's pictures.
+fn mirror() -> String {
+    let ids = ["oct24p", "snorm8x3", "oct16p"];
+    let heads = ids.map(|id| format!("| `{id}`: {} bits ", find(id).unwrap().bits));
+    let pictures = ids.map(|id| format!("| ![{id}](docs/mirror/{id}.png) "));
+    let errors = ids.map(|id| format!("| {}° ", degrees(accuracy::of(id, "direction").mean)));
+    format!(
+        "| floats: 96 bits {}|\n|---|---|---|---|\n| ![floats](docs/mirror/float32x3.png) {}|\n| mean error: 0 {}|\n",
+        heads.concat(),
+        pictures.concat(),
+        errors.concat()
+    )
+}
+
+/// What to take for what, and whether README says so too.
+const WHICH: [(&str, &[&str], bool); 8] = [
+    ("what is encoded often: G-buffers", &["oct32", "oct24", "oct16"], false),
+    ("what is encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], true),
+    ("directions with z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], true),
+    ("two snorms and a bit to spare", &["soct17", "soct25"], false),
+    ("least error for the bytes", &["ico16", "ico24", "ico32"], true),
+    ("very few bits", &["oct8p", "oct12p"], false),
+    ("what 32 bits are too coarse for", &["oct48p", "oct52p"], false),
+    ("a normal with its tangent", &["frame32", "frame64"], true),
+];
+
+fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
+    let mut text = String::from(
+        "| for | codec | bits | mean / max error, degrees | cost: encode / decode |\n|---|---|---|---|---|\n",
+    );
+    for (purpose, ids, in_readme) in WHICH {
+        let shown = if is_whole || in_readme { ids.len() } else { 1 };
+        for (index, id) in ids[..shown].iter().filter(|id| is_there(id)).enumerate() {
+            let purpose = if index == 0 { purpose } else { "" };
+            let (bits, errors) = match find_frame(id) {
+                Some(frame) => (frame.bits, frame_errors(id)),
+                None => (find(id).unwrap().bits, errors_of(id)),
+            };
+            text += &format!("| {purpose} | {} | {bits} | {errors} | {} |\n", name(id), costs::both(id));
+        }
+    }
+    text
+}
+
+/// REMOVE
+fn is_there(id: &str) -> bool {
+    find(id).is_ok() || find_frame(id).is_some()
+}
+
+fn frame_errors(id: &str) -> String {
+    let of = |part| mean_and_max(accuracy::of(id, part));
+    format!("normal {}, tangent {}", of("normal"), of("tangent"))
+}
+
+/// The identifier with N for the first number, `soct17` as a sign beside 16 bits.
+pub fn family(id: &str) -> String {
+    let start = id.find(|c: char| c.is_ascii_digit()).unwrap_or(id.len());
+    let rest = id[start..].trim_start_matches(|c: char| c.is_ascii_digit());
+    format!("{}N{rest}", &id[..start])
+}
+
+/// The file of a family's module, and the subject of its docs: what stands before the colon.
+fn module(family: &str) -> (PathBuf, String) {
+    let folder = repository().join("shader-crate/src/families");
+    let found =
+        files(&folder, &[".rs"]).into_iter().find(|path| path.file_stem().is_some_and(|stem| stem == family));
+    let path = found.unwrap_or_else(|| panic!("no file for {family}"));
+    let text = std::fs::read_to_string(&path).unwrap();
+    let subject = text.trim_start_matches("//! ").split([':', '\n']).next().unwrap_or_default().to_owned();
+    (path.strip_prefix(repository()).unwrap().to_owned(), subject)
+}
+
+/// Families with two parameters at 16, 24 and 32 bits, `soctN` with a bit more: one row each.
+fn families() -> String {
+    let mut rows: BTreeMap<usize, (String, &CodecInfo, [Option<String>; 3])> = BTreeMap::new();
+    let mut order = Vec::new();
+    for codec in
+        CATALOGUE.iter().filter(|codec| !["snorm", "unorm", "float", "best_fit"].contains(&codec.family))
+    {
+        let key = family(codec.id);
+        let index = order.iter().position(|other| *other == key).unwrap_or_else(|| {
+            order.push(key.clone());
+            order.len() - 1
+        });
+        let (.., cells) = rows.entry(index).or_insert((key, codec, [None, None, None]));
+        if let Some(column) = [16, 24, 32].iter().position(|bits| codec.bits / 2 * 2 == *bits) {
+            cells[column] = Some(errors_of(codec.id));
+        }
+    }
+    let mut text =
+        String::from("| identifier | family | 16 bits | 24 bits | 32 bits |\n|---|---|---|---|---|\n");
+    for (key, codec, cells) in rows.into_values() {
+        if let [Some(first), Some(second), Some(third)] = cells {
+            let (path, subject) = module(codec.family);
+            text +=
+                &format!("| `{key}` | [{subject}](../{}) | {first} | {second} | {third} |\n", path.display());
+        }
+    }
+    text
+}
+
+/// The published errors of a codec: mean and maximum.
+fn published(codec: &CodecInfo) -> Option<String> {
+    let tables = [Table::Three, Table::One].into_iter().filter(|table| table.domain() == codec.domain);
+    let mut rows = tables.flat_map(Table::published);
+    let row = rows.find(|row| row.name == codec.survey_name)?;
+    Some(format!("{} / {}", row.mean_error_deg, row.max_error_deg))
+}
+
+/// Every codec.
+fn codecs() -> String {
+    let mut text = String::from(
+        "| codec | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max | cost: encode \
+         / decode |\n|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for codec in CATALOGUE {
+        let format = codec.vk_format.map_or("", |format| format.trim_start_matches("VK_FORMAT_"));
+        let published = published(codec);
+        let name = if published.is_some() { codec.survey_name } else { "" };
+        text += &format!(
+            "| `{}` | {name} | {} | {} | {format} | {} | {} | {} | {} |\n",
+            codec.id,
+            codec.bits,
+            codec.bytes,
+            errors_of(codec.id),
+            bound_of(codec),
+            published.unwrap_or_default(),
+            costs::both(codec.id)
+        );
+    }
+    text
+}
+
+/// Every codec of frames.
+fn frames() -> String {
+    let mut text = String::from(
+        "| codec | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: encode \
+         / decode |\n|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for codec in FRAMES {
+        text += &format!(
+            "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+            codec.id,
+            codec.bits,
+            codec.bytes,
+            codec.vk_format.trim_start_matches("VK_FORMAT_"),
+            mean_and_max(accuracy::of(codec.id, "normal")),
+            degrees(f64::from(codec.max_normal_error_deg)),
+            mean_and_max(accuracy::of(codec.id, "tangent")),
+            degrees(f64::from(codec.max_tangent_error_deg)),
+            costs::both(codec.id)
+        );
+    }
+    text
+}
+
+/// What no code can beat, and how far above it some are.
+fn bound() -> String {
+    let ids = ["icoN", "fibN", "eaoctNp", "latlongNd", "octNp", "octN"];
+    let mut text = String::from("| bits | the bound: mean / max, degrees |");
+    ids.iter().for_each(|id| text += &format!(" `{id}` |"));
+    text += &format!("\n|---|---|{}\n", "---|".repeat(ids.len()));
+    for bits in [16, 24, 32] {
+        let (mean, max) = covering_bound_deg(bits, Domain::Sphere);
+        text += &format!("| {bits} | {} |", mean_and_max(Errors { mean, max }));
+        for id in ids {
+            let codec = find(&id.replace('N', &bits.to_string())).unwrap();
+            let [mean, max] = accuracy::over_bound(codec);
+            text += &format!(" {mean:.3} / {max:.3} |");
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// The errors of a module's codecs.
+fn errors(module: &str) -> String {
+    if module == "frame" {
+        return frame_rows();
+    }
+    let mut text = String::from("| degrees | mean | max | bound |\n|---|---|---|---|\n");
+    for codec in CATALOGUE.iter().filter(|codec| codec.family == module) {
+        let Errors { mean, max } = accuracy::of(codec.id, "direction");
+        text += &format!("| `{}` | {} | {} | {} |\n", codec.id, degrees(mean), degrees(max), bound_of(codec));
+    }
+    text
+}
+
+fn frame_rows() -> String {
+    let mut text = String::from("| degrees | mean | max | bound |\n|---|---|---|---|\n");
+    for codec in FRAMES {
+        for (part, bound) in
+            [("normal", codec.max_normal_error_deg), ("tangent", codec.max_tangent_error_deg)]
+        {
+            let Errors { mean, max } = accuracy::of(codec.id, part);
+            text += &format!(
+                "| `{}`, {part} | {} | {} | {} |\n",
+                codec.id,
+                degrees(mean),
+                degrees(max),
+                degrees(f64::from(bound))
+            );
+        }
+    }
+    text
+}
