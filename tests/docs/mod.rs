@@ -59,7 +59,9 @@ fn renewed(path: &Path, text: &str) -> String {
     while let Some(line) = lines.next() {
         renewed += line;
         renewed.push('\n');
-        let Some((indent, name)) = line.split_once(BEGIN) else { continue };
+        let Some((indent, name)) = line.split_once(BEGIN).filter(|(indent, _)| ["", "//! "].contains(indent)) else {
+            continue;
+        };
         let name = name.strip_suffix(" -->").unwrap_or_else(|| panic!("{}: {line}", path.display()));
         for made in
             tables::table(name).unwrap_or_else(|| panic!("{}: no table `{name}`", path.display())).lines()

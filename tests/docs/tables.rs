@@ -30,7 +30,7 @@ pub fn table(name: &str) -> Option<String> {
 
 /// Three digits; decimals where those do not take too many zeros.
 fn degrees(error: f64) -> String {
-    if error < 1e-4 {
+    if error < 5e-4 {
         return format!("{error:.2e}");
     }
     let decimals = (2 - error.log10().floor() as i32).max(0) as usize;
@@ -79,9 +79,9 @@ fn mirror() -> String {
     let ids = ["oct24p", "snorm8x3", "oct16p"];
     let heads = ids.map(|id| format!("| `{id}`: {} bits ", find(id).unwrap().bits));
     let pictures = ids.map(|id| format!("| ![{id}](docs/mirror/{id}.png) "));
-    let errors = ids.map(|id| format!("| {}° ", degrees(accuracy::of(id, "direction").mean)));
+    let errors = ids.map(|id| format!("| {}° off on average ", degrees(accuracy::of(id, "direction").mean)));
     format!(
-        "| floats: 96 bits {}|\n|---|---|---|---|\n| ![floats](docs/mirror/float32x3.png) {}|\n| mean error: 0 {}|\n",
+        "| floats: 96 bits {}|\n|---|---|---|---|\n| ![floats](docs/mirror/float32x3.png) {}|\n| as they are {}|\n",
         heads.concat(),
         pictures.concat(),
         errors.concat()
@@ -90,13 +90,13 @@ fn mirror() -> String {
 
 /// What to take for what, and whether README says so too.
 const WHICH: [(&str, &[&str], bool); 8] = [
-    ("what is encoded often: G-buffers", &["oct32", "oct24", "oct16"], false),
-    ("what is encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], true),
-    ("directions with z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], true),
+    ("encoded often: G-buffers", &["oct32", "oct24", "oct16"], false),
+    ("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], true),
+    ("z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], true),
     ("two snorms and a bit to spare", &["soct17", "soct25"], false),
     ("least error for the bytes", &["ico16", "ico24", "ico32"], true),
     ("very few bits", &["oct8p", "oct12p"], false),
-    ("what 32 bits are too coarse for", &["oct48p", "oct52p"], false),
+    ("finer than 32 bits", &["oct48p", "oct52p"], false),
     ("a normal with its tangent", &["frame32", "frame64"], true),
 ];
 
@@ -138,8 +138,9 @@ pub fn family(id: &str) -> String {
 /// The file of a family's module, and the subject of its docs: what stands before the colon.
 fn module(family: &str) -> (PathBuf, String) {
     let folder = repository().join("shader-crate/src/families");
-    let found =
-        files(&folder, &[".rs"]).into_iter().find(|path| path.file_stem().is_some_and(|stem| stem == family));
+    let names = [format!("/{family}.rs"), format!("/{family}/mod.rs")];
+    let is_it = |path: &PathBuf| names.iter().any(|name| path.to_string_lossy().ends_with(name));
+    let found = files(&folder, &[".rs"]).into_iter().find(is_it);
     let path = found.unwrap_or_else(|| panic!("no file for {family}"));
     let text = std::fs::read_to_string(&path).unwrap();
     let subject = text.trim_start_matches("//! ").split([':', '\n']).next().unwrap_or_default().to_owned();

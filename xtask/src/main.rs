@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test, spirv and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, docs and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -21,6 +21,7 @@ usage: cargo xtask <command>
   setup                                      install what is missing, and nothing else
   spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead
+  docs [--measure]                           write the tables of README and docs again; --measure measures errors first
   packages                                   build and test each package outside the repository, also with the oldest
                                              dependencies and, with the compiler of `spirv`, without std
 ";
@@ -37,6 +38,7 @@ fn main() -> ExitCode {
         "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
+        "docs" => docs(rest),
         "packages" => setup::run().and_then(|()| packages::run(&repository())),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
@@ -106,6 +108,17 @@ fn spirv(arguments: &[String]) -> Result<(), String> {
     println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
     run(&mut cargo(&["test", "--quiet", "--package", "xtask-spirv"]))?;
     run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
+}
+
+fn docs(arguments: &[String]) -> Result<(), String> {
+    let tests = ["test", "--package", "unitvec-tests", "--test", "unitvec"];
+    let pending = setup::begin()?;
+    let built = run(cargo(&tests).args(WITH_GLSL).arg("--no-run"));
+    pending.finish().and(built)?;
+    if arguments.iter().any(|argument| argument == "--measure") {
+        run(cargo(&tests).args(WITH_GLSL).args(["--", "--ignored", "docs::accuracy::measure"]))?;
+    }
+    run(cargo(&tests).args(WITH_GLSL).args(["--", "docs::"]).env("BLESS", "1"))
 }
 
 /// The cargo that runs this, in the repository's root.

@@ -1,6 +1,7 @@
 //! What depends on the machine: the choice of the instruction set, at run time where the standard library can tell what
-//! the machine has, and prefetching; and slices seen as slices of arrays. All of the crate's `unsafe` is here and in the square root that stands in for the
-//! standard library's.
+//! the machine has; prefetching; and slices seen as slices of arrays. In a build for CPUs, all of the crate's `unsafe` is
+//! here and in the square root that stands in for the standard library's. The SPIR-V build has some more, in `kernels`
+//! and in [`arith`](crate::arith).
 //!
 //! The loops over slices are written once, without intrinsics, in functions that are always inlined. Here they are
 //! inlined once more for each [`Level`], in a function for which the compiler may use that level's instructions. No

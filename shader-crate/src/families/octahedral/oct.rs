@@ -96,8 +96,8 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 /// `A > -H`, and far nearer than right where `B > H`; if not, far is nearer than up where `A > H`, and up nearer than
 /// near where `B > -H`.
 ///
-/// The lattice goes on past the octant's edge z = 0, but the octahedron does not: the far corner of a cell that this
-/// edge cuts is no candidate. It is never the nearest one.
+/// The lattice goes on past the octant's edge z = 0, and the octahedron does not: where this edge cuts a cell, the far
+/// corner is not a point of the octahedron. It never comes out as the nearest one.
 #[inline(always)]
 fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     let middle = Vec2::new(floor(p.x) + 0.5, floor(p.y) + 0.5);

@@ -145,8 +145,8 @@ fn nearest_on_axes(p: Position) -> (i32, i32) {
 /// The lattice point nearest to `p` in angle: of the four corners of its cell, which the nearest of all is among.
 ///
 /// [`oct`](crate::oct) has the measure, `|d x p|^2 / ((p + d) . p)^2` with `d` from `p` to the corner, and why the far
-/// corner of a cell at the octant's edge z = 0 is no candidate. Here the denominator is left out: from corner to
-/// corner it differs by 2^-21 of itself, and less than that counts when what is chosen is 2^-24 radians off. Then any
+/// corner of a cell at the octant's edge z = 0 is left out. Here the denominator is left out too: from corner to corner
+/// it differs by 2^-21 of itself, which matters less than the rounding of the decoded vector, 2^-24 radians. Then any
 /// factor of `p` cancels, and `d` is (a, b, -a-b), since corners and `p` have the sum `m`.
 ///
 /// At 52 bits a corner that decodes to the vector itself costs least: see [`OctWidePrecise`].
