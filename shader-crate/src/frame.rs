@@ -13,6 +13,12 @@
 //! rounded.
 //!
 //! <!-- generated: errors frame -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `frame32`, normal | 0.0391 | 0.0787 | 0.0792 |
+//! | `frame32`, tangent | 0.180 | 0.359 | 0.363 |
+//! | `frame64`, normal | 3.81e-5 | 7.97e-5 | 8.41e-5 |
+//! | `frame64`, tangent | 5.31e-5 | 1.21e-4 | 1.30e-4 |
 //! <!-- end -->
 //!
 //! * Layout: the normal's x in the low 11 (21) bits, y in the next 11 (21), as in [`Oct22`]; above them the angle, 9

@@ -13,16 +13,18 @@ fn report() -> &'static Value {
     })
 }
 
-/// A figure of a codec's row: `operation` is `encode` or `decode`, `source` as in the file.
-fn figure(id: &str, operation: &str, source: &str, key: &str) -> Option<f64> {
-    let mut rows = report()["rows"].as_array().unwrap().iter();
-    let row = rows.find(|row| row["id"] == id && row["direction"] == operation && row["source"] == source)?;
-    row[key].as_f64()
+/// A figure of a codec's row, of SPIR-V from Rust: `operation` is `encode` or `decode`.
+fn figure(id: &str, operation: &str, by_table: bool, key: &str) -> Option<f64> {
+    let is_it = |row: &&Value| {
+        (&row["id"], &row["operation"], &row["backend"]) == (&id.into(), &operation.into(), &"rust".into())
+            && row["by_table"] == by_table
+    };
+    report()["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
 }
 
 /// The arithmetic of encoding or decoding as a multiple of `oct32`'s, where it was measured.
 pub fn cost(id: &str, operation: &str) -> Option<f64> {
-    figure(id, operation, "rust", "alu_ratio_to_oct32")
+    figure(id, operation, false, "alu_ratio_to_oct32")
 }
 
 fn number(value: Option<f64>, digits: usize) -> String {
@@ -49,7 +51,7 @@ pub fn device() -> String {
 
 /// The shipped kernel's speed in per cent of that of a copy.
 fn of_copy(id: &str, operation: &str) -> Option<f64> {
-    let figure = |key| figure(id, operation, "rust", key);
+    let figure = |key| figure(id, operation, false, key);
     Some(100.0 * figure("bytes_per_s")? / figure("copy_bytes_per_s")?)
 }
 
@@ -61,7 +63,7 @@ pub fn table() -> String {
     );
     for format in formats() {
         let cells = [("alu_ratio_to_oct32", 1), ("alu_ratio_to_glsl", 2)].map(|(key, digits)| {
-            ["encode", "decode"].map(|operation| number(figure(format.id, operation, "rust", key), digits))
+            ["encode", "decode"].map(|operation| number(figure(format.id, operation, false, key), digits))
         });
         let copy = ["encode", "decode"].map(|operation| number(of_copy(format.id, operation), 0));
         text += &format!("| `{}` | {} |\n", format.id, [cells.as_flattened(), &copy].concat().join(" | "));
@@ -71,6 +73,6 @@ pub fn table() -> String {
 
 /// The speed of decoding by table as a multiple of that of the codec's own kernel, where a table is made for it.
 pub fn by_table(id: &str) -> Option<f64> {
-    let speed = |source| figure(id, "decode", source, "vectors_per_s");
-    Some(speed("rust-table")? / speed("rust")?)
+    let speed = |by_table| figure(id, "decode", by_table, "vectors_per_s");
+    Some(speed(true)? / speed(false)?)
 }

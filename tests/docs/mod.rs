@@ -59,7 +59,8 @@ fn renewed(path: &Path, text: &str) -> String {
     while let Some(line) = lines.next() {
         renewed += line;
         renewed.push('\n');
-        let Some((indent, name)) = line.split_once(BEGIN).filter(|(indent, _)| ["", "//! "].contains(indent)) else {
+        let Some((indent, name)) = line.split_once(BEGIN).filter(|(indent, _)| ["", "//! "].contains(indent))
+        else {
             continue;
         };
         let name = name.strip_suffix(" -->").unwrap_or_else(|| panic!("{}: {line}", path.display()));

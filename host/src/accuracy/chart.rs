@@ -21,10 +21,10 @@ const COLOURED: [(&str, &str, RGBColor); 7] = [
 const SIZE: (u32, u32) = (900, 1100);
 
 /// Bits from the left end to the right.
-const BITS: std::ops::Range<f64> = 14.0..53.0;
+const BITS: std::ops::Range<f64> = 7.0..53.0;
 
 /// The same where errors are multiples of the bound's: wider codes have f32's errors besides their own.
-const USUAL_BITS: std::ops::Range<f64> = 15.0..34.0;
+const USUAL_BITS: std::ops::Range<f64> = 7.0..34.0;
 
 /// What a panel shows of a row.
 type Value = fn(&Row) -> Option<f64>;
@@ -79,7 +79,7 @@ fn draw_degrees(
         .margin(10)
         .x_label_area_size(35)
         .y_label_area_size(60)
-        .build_cartesian_2d(BITS, (1e-6..10.0).log_scale())?;
+        .build_cartesian_2d(BITS, (1e-6..100.0).log_scale())?;
     chart
         .configure_mesh()
         .x_label_formatter(&|bits| format!("{bits:.0}"))
@@ -87,7 +87,7 @@ fn draw_degrees(
         .y_desc("degrees")
         .light_line_style(WHITE)
         .draw()?;
-    let bound = (14..=52).map(|bits| (f64::from(bits), covering_bound_deg(bits, Domain::Sphere).1));
+    let bound = (7..=52).map(|bits| (f64::from(bits), covering_bound_deg(bits, Domain::Sphere).1));
     chart
         .draw_series(LineSeries::new(bound, BLACK.stroke_width(2)))?
         .label("covering bound")

@@ -12,7 +12,7 @@ use unitvec_host::{Error, Result, output};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Table of the survey, or that of Meyer et al.
+    /// Which table to measure.
     #[arg(long, value_enum, default_value = "all")]
     table: TableName,
     /// Random directions for each row.
@@ -24,7 +24,7 @@ pub struct Arguments {
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendKind,
-    /// Measure all but Meyer's table and frames with float64 intermediates too, as the survey did; minutes more.
+    /// Measure with float64 intermediates too, as the survey did: all but Meyer's table and frames. Takes minutes more.
     #[arg(long)]
     float64: bool,
     /// Write the rows as JSON as well; - for the standard output, instead of the table.
@@ -42,15 +42,15 @@ pub struct Arguments {
 
 #[derive(Clone, Copy, ValueEnum)]
 enum TableName {
-    /// Table 1: all representations, over the sphere.
+    /// The survey's table 1: all representations, over the sphere.
     #[value(name = "1")]
     One,
-    /// Table 3: hemi-oct and its rivals, over the hemisphere.
+    /// The survey's table 3: hemi-oct and its rivals, over the hemisphere.
     #[value(name = "3")]
     Three,
     /// Table 1 of Meyer et al.: bounds, and the largest errors that a search finds.
     Meyer,
-    /// What the survey does not have: codecs closer to the bound, and tangent frames.
+    /// What no published table has: all other codecs, and tangent frames.
     Beyond,
     /// All four.
     All,

@@ -15,10 +15,10 @@ pub struct Arguments {
     /// Codec to measure, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID")]
     codec: Vec<String>,
-    /// Vectors of each dispatch.
+    /// Vectors in a dispatch.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(1..=4_000_000))]
     count: u32,
-    /// Dispatches of which the median counts: of each kernel that measures arithmetic, and twice as many of each other.
+    /// Dispatches of each kernel that measures arithmetic, of which the median counts; the others run twice as often.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     samples: u32,
     /// Write the report as JSON as well; - for the standard output, instead of the table.

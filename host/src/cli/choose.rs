@@ -17,13 +17,13 @@ pub struct Arguments {
     /// Most bits of a code.
     #[arg(long, value_name = "N")]
     bits: Option<u32>,
-    /// No encoders that read a table.
+    /// Leave out encoders that read a table.
     #[arg(long)]
     no_table: bool,
-    /// All directions have z >= 0, as those of tangent-space normal maps do: that saves a bit.
+    /// Directions with z >= 0 only, as in tangent-space normal maps: that saves a bit.
     #[arg(long)]
     hemisphere: bool,
-    /// Costs to choose by: what `unitvec bench --json FILE` wrote on the device in question, instead of lavapipe's.
+    /// Costs to choose by, which `unitvec bench --json FILE` wrote on the device in question; lavapipe's if not given.
     #[arg(long, value_name = "FILE")]
     costs: Option<PathBuf>,
     /// Print JSON instead of a table.

@@ -15,7 +15,7 @@ pub struct Arguments {
     /// Codec, as `unitvec codecs` lists them.
     #[arg(long, value_name = "ID")]
     codec: String,
-    /// What runs it.
+    /// What runs the codec.
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendKind,
     #[command(flatten)]

@@ -4,6 +4,14 @@
 //! optimized spherical coordinates". Both need a table of where the rings of patches start; here it is a formula.
 //!
 //! <!-- generated: errors latlong -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `latlong16` | 0.354 | 0.786 | 0.786 |
+//! | `latlong24` | 0.0221 | 0.0491 | 0.0492 |
+//! | `latlong32` | 0.00138 | 0.00308 | 0.00311 |
+//! | `latlong16d` | 0.305 | 0.567 | 0.567 |
+//! | `latlong24d` | 0.0190 | 0.0351 | 0.0352 |
+//! | `latlong32d` | 0.00119 | 0.00220 | 0.00224 |
 //! <!-- end -->
 //!
 //! # The fast format, [`LatLong`]

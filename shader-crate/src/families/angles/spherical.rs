@@ -9,6 +9,13 @@
 //! snorm there would spend two codes on the same angle and miss +-Y by half a step.
 //!
 //! <!-- generated: errors spherical -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `spherical16` | 0.355 | 0.787 | 0.787 |
+//! | `spherical20` | 0.0885 | 0.197 | 0.197 |
+//! | `spherical22` | 0.0442 | 0.0983 | 0.0985 |
+//! | `spherical24` | 0.0221 | 0.0491 | 0.0493 |
+//! | `spherical32` | 0.00138 | 0.00308 | 0.00312 |
 //! <!-- end -->
 //!
 //! * Layout: i in the low half of the code, j in the high half, both in two's complement: the integers of a

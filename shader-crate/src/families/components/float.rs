@@ -5,6 +5,9 @@
 //! The conversion is all integer arithmetic: devices may round their own either way, and flush denormals.
 //!
 //! <!-- generated: errors float -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `float16x3` | 0.00606 | 0.0234 | 0.0264 |
 //! <!-- end -->
 //!
 //! * Layout: x in bits 0 to 15, y in 16 to 31, z in 32 to 47: a VK_FORMAT_R16G16B16_SFLOAT.

@@ -3,6 +3,13 @@
 //! Source: Cigolle et al. 2014, sections 1.2 and 3 (snorm x 3).
 //!
 //! <!-- generated: errors snorm -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `snorm5x3` | 1.45 | 3.29 | 3.31 |
+//! | `snorm8x3` | 0.170 | 0.390 | 0.391 |
+//! | `snorm10x3` | 0.0423 | 0.0970 | 0.0972 |
+//! | `snorm11_11_10` | 0.0294 | 0.0686 | 0.0687 |
+//! | `snorm16x3` | 0.000659 | 0.00151 | 0.00153 |
 //! <!-- end -->
 //!
 //! * Layout: x in the low bits, then y, then z, in two's complement; `snorm11_11_10` gives x and y 11 bits and z 10.

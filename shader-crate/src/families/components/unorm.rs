@@ -3,6 +3,9 @@
 //! Source: the usual encoding of normal maps; Cigolle et al. 2014, section 1.2 ("scaled and biased unorm").
 //!
 //! <!-- generated: errors unorm -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `unorm8x3` | 0.170 | 0.388 | 0.389 |
 //! <!-- end -->
 //!
 //! * Layout: x in the low byte, then y, then z: a VK_FORMAT_R8G8B8_UNORM. A byte `i` stands for `(2 i - 255) / 255`.
