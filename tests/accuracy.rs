@@ -165,8 +165,10 @@ fn rows_are_written_as_csv() {
 #[test]
 fn float64_intermediates_change_little() {
     let rows = rows(&["--table", "all", "--count", "20000", "--float64"]);
-    let measured: Vec<&Value> = rows.iter().filter(|row| row["float64_mean_deg"].is_number()).collect();
-    assert!(measured.len() >= 85 + 19);
+    // Of more than 32 bits, the rounding of decoded vectors to f32 counts.
+    let is_measured = |row: &&Value| row["float64_mean_deg"].is_number() && number(row, "bits") <= 32.0;
+    let measured: Vec<&Value> = rows.iter().filter(is_measured).collect();
+    assert!(measured.len() > 85);
     for row in measured {
         let (mean, max) = (number(row, "float64_mean_deg"), number(row, "float64_max_deg"));
         assert!((mean / number(row, "mean_deg") - 1.0).abs() < 0.01, "{row}");

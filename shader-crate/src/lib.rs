@@ -35,6 +35,8 @@
 //! | least error for the bytes | [`Ico16`] | 16 | 0.304 / 0.509 | 9.3 / 4.2 |
 //! |  | [`Ico24`] | 24 | 0.0188 / 0.0312 | 9.2 / 4.3 |
 //! |  | [`Ico32`] | 32 | 0.00117 / 0.00195 | 9.4 / 4.1 |
+//! | very few bits | [`OctPrecise8`] | 8 | 5.67 / 11.4 | - / - |
+//! |  | [`OctPrecise12`] | 12 | 1.29 / 2.61 | - / - |
 //! | finer than 32 bits | [`OctPrecise48`] | 48 | 4.80e-6 / 1.15e-5 | 6.3 / 3.7 |
 //! |  | [`OctPrecise52`] | 52 | 1.08e-6 / 4.09e-6 | 16.6 / 3.7 |
 //! | a normal with its tangent | [`Frame32`] | 32 | normal 0.0391 / 0.0787, tangent 0.180 / 0.359 | 7.8 / 4.0 |

@@ -106,7 +106,7 @@ fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
     );
     for (purpose, ids, in_readme) in WHICH {
         let shown = if is_whole || in_readme { ids.len() } else { 1 };
-        for (index, id) in ids[..shown].iter().filter(|id| is_there(id)).enumerate() {
+        for (index, id) in ids[..shown].iter().enumerate() {
             let purpose = if index == 0 { purpose } else { "" };
             let (bits, errors) = match find_frame(id) {
                 Some(frame) => (frame.bits, frame_errors(id)),
@@ -116,11 +116,6 @@ fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
         }
     }
     text
-}
-
-/// REMOVE
-fn is_there(id: &str) -> bool {
-    find(id).is_ok() || find_frame(id).is_some()
 }
 
 fn frame_errors(id: &str) -> String {
