@@ -268,7 +268,8 @@ vec3 unitvec_from_face(vec3 p, uint face) {
     return axis >= 2u ? p : (axis == 0u ? p.zxy : p.yzx);
 }
 
-// two_float: sums and products as two floats, exactly, without fused multiplication.
+// two_float: sums, products and quotients as two floats, and unit vectors as exact as floats are, without fused
+// multiplication.
 
 // x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
 float unitvec_upper_half(float x) {
@@ -292,6 +293,50 @@ float unitvec_product_rest(float a, float b, float product) {
     UNITVEC_PRECISE float rest =
         (((a_upper * b_upper - product) + a_upper * b_lower) + a_lower * b_upper) + a_lower * b_lower;
     return rest;
+}
+
+// The coordinate (2^(bits-1) - 1) x / (sum.x + sum.y), 0 <= x <= sum.x; the quotient's first float is returned.
+float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int integer, out float fraction) {
+    UNITVEC_PRECISE float quotient = x * reciprocal;
+    UNITVEC_PRECISE float product = quotient * sum.x;
+    UNITVEC_PRECISE float product_rest = unitvec_product_rest(quotient, sum.x, product);
+    UNITVEC_PRECISE float remainder = ((x - product) - product_rest) - quotient * sum.y;
+    float steps = unitvec_exp2(int(bits) - 1);
+
+    UNITVEC_PRECISE float first = quotient * steps;
+    int whole = int(first);
+    UNITVEC_PRECISE float beyond = ((first - float(whole)) - quotient) + (remainder * reciprocal) * steps;
+    float carry = floor(beyond);
+    UNITVEC_PRECISE float rest = beyond - carry;
+
+    integer = whole + int(carry);
+    fraction = rest;
+    return quotient;
+}
+
+// Unit vector of upper + lower, whose components are 0 or more; each is the float nearest to the exact one: half an ULP
+// off, and 2^-33 for the arithmetic. upper has whole components of up to 12 bits, whose squares have a sum of up to 2^24;
+// those of lower are at most 1. All products with a reciprocal length of 12 bits are exact, or as good as it.
+vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
+    float squares = unitvec_dot(upper, upper);
+    UNITVEC_PRECISE float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
+    UNITVEC_PRECISE float estimate = 1.0 / sqrt(squares + other_squares);
+    float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
+
+    UNITVEC_PRECISE float scale = reciprocal * reciprocal;
+    float scale_upper = unitvec_upper_half(scale);
+    float squares_upper = unitvec_upper_half(squares);
+    UNITVEC_PRECISE float scale_lower = scale - scale_upper;
+    UNITVEC_PRECISE float squares_lower = squares - squares_upper;
+    UNITVEC_PRECISE float t =
+        ((squares_upper * scale_upper - 1.0) + (squares_upper * scale_lower + squares_lower * scale_upper))
+        + (squares_lower * scale_lower + other_squares * scale);
+    UNITVEC_PRECISE float correction = t * (t * 0.375 - 0.5);
+
+    UNITVEC_PRECISE vec3 first = upper * reciprocal;
+    UNITVEC_PRECISE vec3 second = lower * reciprocal;
+    UNITVEC_PRECISE vec3 v = first + (second + (first + second) * correction);
+    return v;
 }
 
 // trig: trigonometry that gives the same bits on every device.

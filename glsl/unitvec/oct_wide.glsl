@@ -32,25 +32,6 @@ int oct_wide_max(uint bits) {
     return int(unitvec_mask(bits - 1u));
 }
 
-// The coordinate (2^(bits-1) - 1) x / (sum.x + sum.y), 0 <= x <= sum.x; the quotient's first float is returned.
-float oct_wide_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int integer, out float fraction) {
-    UNITVEC_PRECISE float quotient = x * reciprocal;
-    UNITVEC_PRECISE float product = quotient * sum.x;
-    UNITVEC_PRECISE float product_rest = unitvec_product_rest(quotient, sum.x, product);
-    UNITVEC_PRECISE float remainder = ((x - product) - product_rest) - quotient * sum.y;
-    float steps = unitvec_exp2(int(bits) - 1);
-
-    UNITVEC_PRECISE float first = quotient * steps;
-    int whole = int(first);
-    UNITVEC_PRECISE float beyond = ((first - float(whole)) - quotient) + (remainder * reciprocal) * steps;
-    float carry = floor(beyond);
-    UNITVEC_PRECISE float rest = beyond - carry;
-
-    integer = whole + int(carry);
-    fraction = rest;
-    return quotient;
-}
-
 // Where v, which has a direction, lies in the positive octant, after mirroring.
 OctWidePosition oct_wide_position(vec3 v, uint bits) {
     vec3 scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
@@ -64,8 +45,8 @@ OctWidePosition oct_wide_position(vec3 v, uint bits) {
     int y;
     float fraction_x;
     float fraction_y;
-    float part_x = oct_wide_coordinate(scaled.x, sum, reciprocal, bits, x, fraction_x);
-    float part_y = oct_wide_coordinate(scaled.y, sum, reciprocal, bits, y, fraction_y);
+    float part_x = unitvec_coordinate(scaled.x, sum, reciprocal, bits, x, fraction_x);
+    float part_y = unitvec_coordinate(scaled.y, sum, reciprocal, bits, y, fraction_y);
     UNITVEC_PRECISE float part_z = scaled.z * reciprocal;
     p.whole = ivec2(x, y);
     p.fraction = vec2(fraction_x, fraction_y);
@@ -74,32 +55,11 @@ OctWidePosition oct_wide_position(vec3 v, uint bits) {
     return p;
 }
 
-// Unit vector of the lattice point p of the positive octant, each component nearest to the exact one: half an ULP off,
-// and 2^-33 for the arithmetic. All products with a reciprocal length of 12 bits are exact, or as good as it.
+// Unit vector of the lattice point p of the positive octant.
 vec3 oct_wide_decode_octant(ivec3 p, uint bits) {
     uint low_bits = bits - 13u;
-    vec3 upper = vec3(p >> low_bits);
     UNITVEC_PRECISE vec3 lower = vec3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits));
-
-    float squares = unitvec_dot(upper, upper);
-    UNITVEC_PRECISE float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
-    UNITVEC_PRECISE float estimate = 1.0 / sqrt(squares + other_squares);
-    float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
-
-    UNITVEC_PRECISE float scale = reciprocal * reciprocal;
-    float scale_upper = unitvec_upper_half(scale);
-    float squares_upper = unitvec_upper_half(squares);
-    UNITVEC_PRECISE float scale_lower = scale - scale_upper;
-    UNITVEC_PRECISE float squares_lower = squares - squares_upper;
-    UNITVEC_PRECISE float t =
-        ((squares_upper * scale_upper - 1.0) + (squares_upper * scale_lower + squares_lower * scale_upper))
-        + (squares_lower * scale_lower + other_squares * scale);
-    UNITVEC_PRECISE float correction = t * (t * 0.375 - 0.5);
-
-    UNITVEC_PRECISE vec3 first = upper * reciprocal;
-    UNITVEC_PRECISE vec3 second = lower * reciprocal;
-    UNITVEC_PRECISE vec3 v = first + (second + (first + second) * correction);
-    return v;
+    return unitvec_normalize_parts(vec3(p >> low_bits), lower);
 }
 
 // Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the

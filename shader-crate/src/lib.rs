@@ -96,10 +96,6 @@ pub mod slice;
 pub mod table;
 
 pub use codec::{Codec, Domain};
-pub use families::angles::{cylindrical, latlong, spherical};
-pub use families::components::{best_fit, float, snorm, unorm};
-pub use families::lattices::{fib, ico};
-pub use families::octahedral::{eaoct, hemioct, oct, oct_wide, soct};
-pub use families::projections::{azimuthal, cube, parallel};
+pub use families::{angles::*, components::*, lattices::*, octahedral::*, projections::*};
 pub use frame::{Frame, Frame32, Frame64, FrameCodec};
 pub use list::*;

@@ -28,5 +28,5 @@ pub use snorm::{
     snorm_decode, snorm_encode, snorm_integer, snorm_max, unorm_decode, unorm_encode, unorm_max,
 };
 pub use trig::*;
-pub(crate) use two_float::{product_rest, two_sum, upper_half};
+pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};
 pub use vector::{dot, horizontal_length, normalize};

@@ -35,19 +35,11 @@
 //! is 3 ULP off, a few decoded vectors and `oct52p` codes in a million differ in the last place.
 
 use crate::arith::{
-    dot, exp2, integer_part, is_negative, mask, negate_if, product_rest, scaled_to_one, small_floor, sqrt,
-    two_sum, upper_half, whole_to_i32,
+    Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, scaled_to_one, two_sum,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
 use glam::Vec3;
-
-/// A whole number on the lattice, and how far beyond it a position lies: 0 to 1.
-#[derive(Clone, Copy)]
-struct Coordinate {
-    whole: i32,
-    fraction: f32,
-}
 
 /// A direction in the positive octant, on the octahedron `x + y + z = m`.
 #[derive(Clone, Copy)]
@@ -81,25 +73,6 @@ impl Candidate {
 #[inline(always)]
 const fn largest(bits: u32) -> i32 {
     (1 << (bits - 1)) - 1
-}
-
-/// The coordinate `(2^(bits-1) - 1) x / (sum + rest)`, for `x` of 0 to `sum`, and the quotient's first float.
-/// `reciprocal` is `1 / sum`.
-///
-/// With the quotient `q + r`, all but the last of the summands `2^(bits-1) q - q + (2^(bits-1) - 1) r` are exact, and
-/// the last is some steps at most.
-#[inline(always)]
-fn coordinate(x: f32, sum: f32, rest: f32, reciprocal: f32, bits: u32) -> (Coordinate, f32) {
-    let quotient = x * reciprocal;
-    let product = quotient * sum;
-    let remainder = ((x - product) - product_rest(quotient, sum, product)) - quotient * rest;
-    let steps = exp2(bits as i32 - 1);
-
-    let first = quotient * steps;
-    let whole = integer_part(first);
-    let beyond = ((first - whole as f32) - quotient) + (remainder * reciprocal) * steps;
-    let carry = small_floor(beyond);
-    (Coordinate { whole: whole + whole_to_i32(carry), fraction: beyond - carry }, quotient)
 }
 
 /// Where a direction with the L1 norm `norm` lies in the positive octant, after mirroring.
@@ -176,35 +149,14 @@ fn candidate<const BITS: u32>(x: i32, y: i32, a: f32, b: f32, p: Position) -> Ca
     Candidate { x, y, cost: if is_own { -1.0 } else { cost } }
 }
 
-/// The unit vector of the lattice point (x, y, z) of the positive octant; each component is nearest to the exact one:
-/// half an ULP off at most, and 2^-33 for the arithmetic.
-///
-/// With the components' upper 12 bits as one vector and the lower bits as another, all products with a reciprocal
-/// length of 12 bits are exact, or as good as it. What its square misses, `t`, is small and known to 2^-33, and `1 /
-/// sqrt(1 + t)` is `1 - t/2 + 3/8 t^2` to 2^-34.
+/// The unit vector of the lattice point (x, y, z) of the positive octant, as exact as [`normalize_parts`] has it.
 #[inline(always)]
 fn decode_octant<const BITS: u32>(x: i32, y: i32, z: i32) -> Vec3 {
     let low_bits = BITS / 2 - 13;
     let low_mask = (1 << low_bits) - 1;
     let upper = Vec3::new((x >> low_bits) as f32, (y >> low_bits) as f32, (z >> low_bits) as f32);
-    let lower = Vec3::new((x & low_mask) as f32, (y & low_mask) as f32, (z & low_mask) as f32)
-        * exp2(-(low_bits as i32));
-
-    let squares = dot(upper, upper);
-    let other_squares = 2.0 * dot(upper, lower) + dot(lower, lower);
-    let estimate = 1.0 / sqrt(squares + other_squares);
-    let reciprocal = f32::from_bits((estimate.to_bits() + 0x800) & 0xffff_f000);
-
-    let scale = reciprocal * reciprocal;
-    let (scale_upper, squares_upper) = (upper_half(scale), upper_half(squares));
-    let (scale_lower, squares_lower) = (scale - scale_upper, squares - squares_upper);
-    let t = ((squares_upper * scale_upper - 1.0)
-        + (squares_upper * scale_lower + squares_lower * scale_upper))
-        + (squares_lower * scale_lower + other_squares * scale);
-    let correction = t * (t * 0.375 - 0.5);
-
-    let (upper, lower) = (upper * reciprocal, lower * reciprocal);
-    upper + (lower + (upper + lower) * correction)
+    let lower = Vec3::new((x & low_mask) as f32, (y & low_mask) as f32, (z & low_mask) as f32);
+    normalize_parts(upper, lower * exp2(-(low_bits as i32)))
 }
 
 #[inline(always)]
