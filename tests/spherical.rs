@@ -10,20 +10,21 @@ use unitvec_tests::expected::{ANGLE_ROUNDING, MIRROR_X, SWAP};
 use unitvec_tests::tested::{Tested, narrow, widen};
 
 /// 5 * 10^5 directions and those near the coordinate planes get the nearest integers of both angles, except within f32
-/// rounding of a tie.
+/// rounding of a tie; at 48 bits, which take two floats, within 1/16 of a step.
 #[test]
 fn encodes_as_the_oracle() {
-    for codec in Tested::family("spherical") {
+    for codec in Tested::named("spherical", "") {
         let steps_off = |v, code| spherical::steps_off(v, code, codec.bits);
         let directions = sphere(3, 500_000).chain(near_planes(4, 100_000));
-        assert_rounds(&codec, directions, steps_off, 2.0 * steps(codec.bits) * ANGLE_ROUNDING);
+        let rounding = if codec.bits > 32 { 1.0 / 16.0 } else { 2.0 * steps(codec.bits) * ANGLE_ROUNDING };
+        assert_rounds(&codec, directions, steps_off, rounding);
     }
 }
 
 /// Corners of cells at the equator come to 99 % of the bound at least, and nothing exceeds it.
 #[test]
 fn bound_is_attained_at_the_equator() {
-    for codec in Tested::family("spherical") {
+    for codec in Tested::named("spherical", "") {
         let (m, steps) = (largest(codec.bits), steps(codec.bits));
         let mut rng = Rng::new(6);
         let corners = (0..50_000).map(move |_| {
@@ -59,7 +60,7 @@ fn is_tie(v: Vec3, bits: u32) -> bool {
 /// encoding never writes is +Z too.
 #[test]
 fn poles_have_one_code() {
-    for codec in Tested::family("spherical") {
+    for codec in Tested::named("spherical", "") {
         let (half, m) = (codec.bits / 2, largest(codec.bits) as u64);
         for phi in (0..1 << half).step_by(1 << half.saturating_sub(16)) {
             let theta = [(1 << half) - m, (1 << half) - m - 1, m];

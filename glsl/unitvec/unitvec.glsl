@@ -7,6 +7,7 @@
 #include "soct.glsl"
 #include "oct_wide.glsl"
 #include "spherical.glsl"
+#include "spherical_wide.glsl"
 #include "cylindrical.glsl"
 #include "latlong.glsl"
 #include "fib.glsl"

@@ -68,6 +68,7 @@ macro_rules! for_each_codec {
             [spherical22 Spherical22 = spherical::Spherical<22>, "spherical22", Sphere, None]
             [spherical24 Spherical24 = spherical::Spherical<24>, "spherical24", Sphere, None]
             [spherical32 Spherical32 = spherical::Spherical<32>, "spherical32", Sphere, Some("VK_FORMAT_R16G16_SINT")]
+            [spherical48 Spherical48 = spherical_wide::SphericalWide, "spherical48", Sphere, None]
             [cylindrical16 Cylindrical16 = cylindrical::Cylindrical<16>, "cylindrical16", Sphere, Some("VK_FORMAT_R8G8_SNORM")]
             [cylindrical24 Cylindrical24 = cylindrical::Cylindrical<24>, "cylindrical24", Sphere, None]
             [cylindrical32 Cylindrical32 = cylindrical::Cylindrical<32>, "cylindrical32", Sphere, Some("VK_FORMAT_R16G16_SNORM")]

@@ -3,6 +3,7 @@
 pub mod cylindrical;
 pub mod latlong;
 pub mod spherical;
+pub mod spherical_wide;
 
 use crate::arith::{sin_cos_half_turns, without_denormals};
 use crate::direction::or_z;
