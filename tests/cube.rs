@@ -28,9 +28,7 @@ fn encodes_as_the_oracle() {
             [0, 1].map(|i| (position[i] - integers[i] as f64).abs())
         };
         let directions = sphere(3, 500_000).chain(near_planes(4, 50_000)).chain(near_edges(5, 50_000));
-        // f32 holds a position of 22 bits to a quarter of a step.
-        let rounding = if codec.bits > 32 { 0.5 } else { 1.0 / 128.0 };
-        assert_rounds(&codec, directions, steps_off, rounding);
+        assert_rounds(&codec, directions, steps_off, 1.0 / 128.0);
     }
 }
 

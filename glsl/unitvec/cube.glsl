@@ -1,8 +1,9 @@
-// unitvec: cube and warped cube codes of 16, 24 and 32 bits.
+// unitvec: cube codes of 16, 24, 32 and 48 bits, and warped cube codes of 16, 24 and 32.
 //
 // Source: Cigolle et al. 2014, section 2; Meyer et al. 2010, eq. 8.
 //
 //   cube16_encode(v), cube16_decode(code), warpedcube16_encode(v), warpedcube16_decode(code); also 24 and 32
+//   cube48_encode(v), cube48_decode(code)      codes as uvec2, low word first
 //
 // Any v: length does not matter, and +Z stands in for what has no direction. Layout: u in the low ceil((b - 3) / 2) bits,
 // then v, two's complement, over (m + 1/2); the face in the high three: twice the axis, and 1 if negative. (u, v) is
@@ -77,6 +78,47 @@ vec3 warpedcube_decode(uint code, uint bits) {
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)),
         unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);
+}
+
+// Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice that is a whole
+// number over 2^bits - 1.
+int cube_round_wide(float x, float side, uint bits) {
+    UNITVEC_PRECISE float reciprocal = 1.0 / side;
+    int doubled;
+    float fraction;
+    unitvec_coordinate(x, vec2(side, 0.0), reciprocal, bits + 1u, doubled, fraction);
+    return min((doubled + 1) >> 1, int(unitvec_mask(bits - 1u)));
+}
+
+// Integer of the low `bits` bits of a code, in two's complement; the least counts as the next.
+int cube_integer(uint code, uint bits) {
+    return max(int(code << (32u - bits)) >> int(32u - bits), -int(unitvec_mask(bits - 1u)));
+}
+
+uvec2 cube48_encode(vec3 v) {
+    v = unitvec_or_z(v);
+    uint face = unitvec_face_of(v);
+    vec3 p = unitvec_to_face(unitvec_scaled_to_one(v, unitvec_l1_norm(v)), face);
+    int i = cube_round_wide(abs(p.x), abs(p.z), 23u);
+    int j = cube_round_wide(abs(p.y), abs(p.z), 22u);
+    uint low = uint(unitvec_is_negative(p.x) ? -i : i) & unitvec_mask(23u);
+    uint high = uint(unitvec_is_negative(p.y) ? -j : j) & unitvec_mask(22u);
+    return uvec2(low | (high << 23u), (high >> 9u) | (face << 13u));
+}
+
+vec3 cube48_decode(uvec2 code) {
+    int i = cube_integer(code.x, 23u);
+    int j = cube_integer((code.x >> 23u) | (code.y << 9u), 22u);
+    uint face = (code.y >> 13u) & 7u;
+    // Half a side is 2^23 - 1; then a step of u is 2, and one of v 4 + 2 / (2^22 - 1).
+    ivec2 steps = ivec2(2, 4) * abs(ivec2(i, j));
+    UNITVEC_PRECISE float rest = float(abs(j)) * 4.768373e-7;
+    UNITVEC_PRECISE vec3 lower =
+        vec3(float(steps.x & 4095), float(steps.y & 4095) + rest, 4095.0) * unitvec_exp2(-12);
+    vec3 p = unitvec_normalize_parts(vec3(vec2(steps >> 12), 2047.0), lower);
+    p = vec3(unitvec_negate_positive(i < 0, p.x), unitvec_negate_positive(j < 0, p.y),
+        unitvec_negate_if((face & 1u) != 0u, p.z));
+    return unitvec_from_face(p, face);
 }
 
 uint cube16_encode(vec3 v) { return cube_encode(v, 16u); }

@@ -143,6 +143,7 @@ macro_rules! for_each_codec {
             [cube16 Cube16 = cube::Cube<16>, "cube16", Sphere, None]
             [cube24 Cube24 = cube::Cube<24>, "cube24", Sphere, None]
             [cube32 Cube32 = cube::Cube<32>, "cube32", Sphere, None]
+            [cube48 Cube48 = cube::CubeWide, "cube48", Sphere, None]
             [warpedcube16 WarpedCube16 = cube::WarpedCube<16>, "warpedcube16", Sphere, None]
             [warpedcube24 WarpedCube24 = cube::WarpedCube<24>, "warpedcube24", Sphere, None]
             [warpedcube32 WarpedCube32 = cube::WarpedCube<32>, "warpedcube32", Sphere, None]

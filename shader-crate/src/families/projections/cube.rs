@@ -29,6 +29,10 @@
 //!   faces, where the angle of a step is its length. Warped `pi/4 sqrt(8/9 (a^2 + a b + b^2))`, in the corners. Meyer's
 //!   eq. 8 has a = b. With an odd number of bits for u and v together, v's steps are twice u's, and the maximum is
 //!   sqrt(5)/2 times Meyer's.
+//! * 48 bits (`cube48`), two words, low word first: u has 23 bits and v 22, and a step of u is about as wide as one of
+//!   floats. So the encoder takes the quotient as two floats, and the decoder gives the floats nearest to the exact
+//!   components; their rounding moves u by up to 0.87 of half a step, and the code survives. Measured, in radians: error
+//!   of the code 1.09e-7 mean and 2.67e-7 maximum, of the decoded vector 1.09e-7 and 2.69e-7. Meyer's bound is 2.38e-7.
 //! * The survey says, without figures, that cube's error is slightly worse than that of snorm x 3 at the same size.
 //!   Ours is several times lower, and so is Meyer's bound.
 //! * Good for: data that is a cube map anyway. Encoding takes one division, decoding one square root, and both some
@@ -37,8 +41,8 @@
 //! * The six axes round-trip exactly; edges and corners of the cube do not.
 
 use crate::arith::{
-    atan_octant, face_of, floor, from_face, is_negative, negate_if, normalize, signed_code, snorm_integer,
-    snorm_max, tan_octant, to_face,
+    atan_octant, coordinate, exp2, face_of, floor, from_face, is_negative, mask, negate_if, negate_positive,
+    normalize, normalize_parts, scaled_to_one, signed_code, snorm_integer, snorm_max, tan_octant, to_face,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -121,6 +125,73 @@ impl<const BITS: u32> Codec for Cube<BITS> {
         let side = snorm_max(u_bits(BITS)) + 0.5;
         let v_step = side / (snorm_max(v_bits(BITS)) + 0.5);
         from_face(normalize(Vec3::new(e.x, e.y * v_step, negate_if((face & 1) != 0, side))), face)
+    }
+}
+
+/// The whole number nearest to `(2^(bits-1) - 1/2) x / side`, at most `2^(bits-1) - 1`, for `x` of 0 to `side`.
+#[inline(always)]
+fn round_wide(x: f32, side: f32, bits: u32) -> i32 {
+    // Twice that is a whole number over 2^bits - 1.
+    let (doubled, _) = coordinate(x, side, 0.0, 1.0 / side, bits + 1);
+    let rounded = (doubled.whole + 1) >> 1;
+    let m = mask(bits - 1) as i32;
+    if rounded > m { m } else { rounded }
+}
+
+/// The integer of the low `bits` bits of a code, in two's complement, as its magnitude and whether it is negative. The
+/// least counts as the next.
+#[inline(always)]
+fn magnitude(code: u32, bits: u32) -> (i32, bool) {
+    let integer = (code << (32 - bits)) as i32 >> (32 - bits);
+    let size = if integer < 0 { -integer } else { integer };
+    let m = mask(bits - 1) as i32;
+    (if size > m { m } else { size }, integer < 0)
+}
+
+/// Cube code of 48 bits: u of 23, v of 22, the face of 3.
+pub struct CubeWide;
+
+impl CubeWide {
+    const U_BITS: u32 = u_bits(48);
+    const V_BITS: u32 = v_bits(48);
+}
+
+impl Codec for CubeWide {
+    const BITS: u32 = 48;
+    /// `sqrt(a^2 + b^2)`, and `sqrt(3) 2^-25` for the rounding of the decoded vector: 3.19e-7 radians.
+    const MAX_ERROR_DEG: f32 = 1.83e-5;
+    type Code = [u32; 2];
+
+    #[inline(always)]
+    fn encode(v: Vec3) -> [u32; 2] {
+        let (v, norm) = or_z(v);
+        let face = face_of(v);
+        let p = to_face(scaled_to_one(v, norm), face);
+        let side = p.z.abs();
+        let i = round_wide(p.x.abs(), side, Self::U_BITS);
+        let j = round_wide(p.y.abs(), side, Self::V_BITS);
+        let i = if is_negative(p.x) { -i } else { i } as u32 & mask(Self::U_BITS);
+        let j = if is_negative(p.y) { -j } else { j } as u32 & mask(Self::V_BITS);
+        [i | (j << Self::U_BITS), (j >> (32 - Self::U_BITS)) | (face << (Self::U_BITS + Self::V_BITS - 32))]
+    }
+
+    #[inline(always)]
+    fn decode([low, high]: [u32; 2]) -> Vec3 {
+        let (i, left) = magnitude(low, Self::U_BITS);
+        let (j, down) = magnitude((low >> Self::U_BITS) | (high << (32 - Self::U_BITS)), Self::V_BITS);
+        let face = (high >> (Self::U_BITS + Self::V_BITS - 32)) & 7;
+        // Half a side is 2^23 - 1; then a step of u is 2, and one of v `4 + 2 / (2^22 - 1)`.
+        let (u, v) = (2 * i, 4 * j);
+        let rest = j as f32 * (2.0 / mask(Self::V_BITS) as f32);
+        let upper = Vec3::new((u >> 12) as f32, (v >> 12) as f32, 2047.0);
+        let lower = Vec3::new((u & 4095) as f32, (v & 4095) as f32 + rest, 4095.0) * exp2(-12);
+        let p = normalize_parts(upper, lower);
+        let p = Vec3::new(
+            negate_positive(left, p.x),
+            negate_positive(down, p.y),
+            negate_if((face & 1) != 0, p.z),
+        );
+        from_face(p, face)
     }
 }
 
