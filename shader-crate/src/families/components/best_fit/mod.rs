@@ -57,7 +57,9 @@
 mod scan;
 mod table;
 
-pub use table::{TABLE_COLUMNS, TABLE_WORDS, fill_table, table_word};
+#[cfg(not(target_arch = "spirv"))]
+pub use table::fill_table;
+pub use table::{TABLE_COLUMNS, TABLE_WORDS, table_word};
 
 use crate::arith::{signed_code, snorm_decode, snorm_max, sqrt};
 use crate::codec::Codec;
