@@ -1,4 +1,4 @@
-//! What encoding and decoding cost on a device: arithmetic by the survey's method, and how close to memory speed the
+//! What encoding and decoding cost on a device: arithmetic after the survey's method, and how close to memory speed the
 //! shipped kernels run.
 
 use crate::backend::{BackendKind, KernelSource, decode_table};

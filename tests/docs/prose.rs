@@ -86,13 +86,13 @@ fn widths_are_the_catalogues() {
     let mut found = 0;
     for path in files(&repository(), &[".md", "lib.rs", "Cargo.toml"]) {
         let text = read(&path).replace("\n//! ", " ").replace('\n', " ");
-        let words: Vec<&str> = text.split([' ', ',', '.']).collect();
+        let words: Vec<&str> = text.split([' ', ',', '.', ')']).collect();
         for said in words.windows(5).filter(|words| matches!(words, ["in", _, "to", _, "bits"])) {
             assert!(allowed.contains(&said.join(" ")), "{}: {said:?}", path.display());
             found += 1;
         }
     }
-    assert!(found >= 5, "{found}");
+    assert!(found >= 4, "{found}");
 }
 
 /// The layout of each codec's code is told.

@@ -161,8 +161,8 @@ pub fn from_diagonal(d: f32) -> Vec2 {
 ///
 /// Its sign is that of `y`, where 0, -0 and denormals are not negative: from the lower side, -X is near -1, which
 /// comes out when `y` is negative but too small beside `x` to matter, and from the upper side it is 1. Axes and
-/// diagonals (+-1/4, +-3/4) are exact. (0, 0) gives 0, and so does every vector without a usable direction, as
-/// [`is_usable`] has it of `|x| + |y|`: infinite, NaN, or outside [2^-100, 2^100).
+/// diagonals (+-1/4, +-3/4) are exact. (0, 0) gives 0, and so does every vector whose `|x| + |y|` is NaN or outside
+/// \[2^-100, 2^100).
 ///
 /// Error: at most 5.0e-8 (that of rounding alone is 3e-8) and 1.5e-7 relative, over random vectors.
 #[inline(always)]

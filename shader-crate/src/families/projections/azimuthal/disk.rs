@@ -10,7 +10,7 @@ pub struct Disk {
     pub point: Vec2,
     /// Its distance from the middle. Only [`Projection::to_disk`] gives it.
     pub radius: f32,
-    /// `1 - radius^2`: how far it is inside the rim, to a small relative error where the [`SquareMap`] needs that.
+    /// `1 - radius^2`: how far it is inside the rim, to a small relative error where the [`SquareMap`](super::SquareMap) needs that.
     pub rim: f32,
 }
 
