@@ -119,7 +119,7 @@ fn hex(bytes: &[u8]) -> String {
 }
 
 /// A hash of everything in the repository that the modules are made from: the crate's and the SPIR-V build's sources
-/// and the locked versions of the packages that shape the output.
+/// without comments, and the locked versions of the packages that shape the output.
 ///
 /// # Errors
 /// Any error of reading those files.
@@ -134,7 +134,7 @@ pub fn sources_sha256(repository: &Path) -> io::Result<String> {
 
     let mut hash = Sha256::new();
     for (name, file) in named {
-        hash_entry(&mut hash, &name, &fs::read(file)?);
+        hash_entry(&mut hash, &name, code(&fs::read_to_string(file)?).as_bytes());
     }
     let lock = fs::read_to_string(repository.join("Cargo.lock"))?;
     for package in locked_packages(&lock) {
@@ -151,6 +151,11 @@ fn locked_packages(lock: &str) -> impl Iterator<Item = &str> {
     lock.split("[[package]]").filter(|package| {
         SHAPING_PACKAGES.iter().any(|name| package.trim_start().starts_with(&format!("name = \"{name}\"\n")))
     })
+}
+
+/// A file's lines but for those that are comments: they change no module.
+fn code(text: &str) -> String {
+    text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
 }
 
 fn hash_entry(hash: &mut Sha256, name: &str, content: &[u8]) {

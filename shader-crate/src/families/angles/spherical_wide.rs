@@ -3,6 +3,9 @@
 //! Source: Meyer et al. 2010, table 1 (SC at 48 bits); Cigolle et al. 2014, section 2. The mapping is that of
 //! [`spherical`](crate::spherical).
 //!
+//! <!-- generated: errors spherical_wide -->
+//! <!-- end -->
+//!
 //! * Layout: `i = round((2 theta / pi - 1) m)` in bits 0 to 23 of the code, with `m = 2^23 - 1`, and `j = round(phi / pi
 //!   2^23)` in bits 24 to 47, both in two's complement. A code is two words, low word first. -m is +Z, m is -Z; the
 //!   pattern -m - 1 counts as -m.
