@@ -54,7 +54,7 @@
 //! * octahedral: [`oct`], finer than `f32` [`oct_wide`], of equal area [`eaoct`], with the sign of z apart [`soct`], of a
 //!   hemisphere [`hemioct`];
 //! * numbered points: the lattice of an icosahedron [`ico`], spherical Fibonacci points [`fib`];
-//! * angles: [`spherical`], [`cylindrical`], [`latlong`];
+//! * angles: [`spherical`], finer than `f32` [`spherical_wide`], [`cylindrical`], [`latlong`];
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
 //! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`].
 //!

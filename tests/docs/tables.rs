@@ -123,7 +123,7 @@ fn frame_errors(id: &str) -> String {
     format!("normal {}, tangent {}", of("normal"), of("tangent"))
 }
 
-/// The identifier with N for the first number, `soct17` as a sign beside 16 bits.
+/// The identifier with N in place of its first number.
 pub fn family(id: &str) -> String {
     let start = id.find(|c: char| c.is_ascii_digit()).unwrap_or(id.len());
     let rest = id[start..].trim_start_matches(|c: char| c.is_ascii_digit());
