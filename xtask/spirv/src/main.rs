@@ -62,7 +62,7 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         tables: vec![describe::table(&table)],
     };
     let mut files = BTreeMap::from([(manifest::BEST_FIT_TABLE.to_owned(), table)]);
-    for (file, (kernels, bytes)) in modules {
+    for Built { file, kernels, bytes } in modules {
         manifest.interfaces.extend(kernels.iter().map(describe::interface));
         manifest.modules.push(describe::module(&file, &kernels, &bytes));
         files.insert(file, bytes);
@@ -72,8 +72,17 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     Ok(files)
 }
 
-/// Paths in `spirv/` of the modules, with the kernels of each, encoders first, and its bytes.
-fn modules(kernels: Vec<(Kernel, PathBuf)>) -> Result<BTreeMap<String, (Vec<Kernel>, Vec<u8>)>> {
+/// A module as it is shipped.
+struct Built {
+    /// Path in `spirv/`.
+    file: String,
+    /// Its kernels, the encoder first.
+    kernels: Vec<Kernel>,
+    bytes: Vec<u8>,
+}
+
+/// The modules of these kernels, by path.
+fn modules(kernels: Vec<(Kernel, PathBuf)>) -> Result<Vec<Built>> {
     let mut parts: BTreeMap<String, Vec<(Kernel, PathBuf)>> = BTreeMap::new();
     for (kernel, path) in kernels {
         parts.entry(kernel.file()).or_default().push((kernel, path));
@@ -84,7 +93,7 @@ fn modules(kernels: Vec<(Kernel, PathBuf)>) -> Result<BTreeMap<String, (Vec<Kern
         let words = passes::run(named.collect::<Result<_>>()?).with_context(|| file.clone())?;
         let bytes = words.iter().flat_map(|word| word.to_le_bytes()).collect();
         let kernels = parts.into_iter().map(|(kernel, _)| kernel).collect();
-        Ok((file, (kernels, bytes)))
+        Ok(Built { file, kernels, bytes })
     });
     finished.collect()
 }
