@@ -12,7 +12,7 @@ const OP_FUNCTION_CALL: u16 = 57;
 /// there: drivers need not notice either, and one may crash.
 pub(super) fn objection(words: &[u32], entry_point: &str) -> Option<&'static str> {
     const CUT_SHORT: Option<&str> = Some("it is cut short");
-    let mut entry_function = None;
+    let mut is_there = false;
     let mut defined = Vec::new();
     let mut called = Vec::new();
     let mut last_opcode = None;
@@ -21,8 +21,9 @@ pub(super) fn objection(words: &[u32], entry_point: &str) -> Option<&'static str
         let (length, opcode) = ((first >> 16) as usize, *first as u16);
         let Some(operands) = rest.get(1..length) else { return CUT_SHORT };
         match (opcode, operands) {
-            (OP_ENTRY_POINT, [_, function, name @ ..]) if is_literal(name, entry_point) => {
-                entry_function = Some(*function);
+            (OP_ENTRY_POINT, [_, function, name @ ..]) => {
+                is_there |= is_literal(name, entry_point);
+                called.push(*function);
             }
             (OP_FUNCTION, [_, function, ..]) => defined.push(*function),
             (OP_FUNCTION_CALL, [_, _, function, ..]) => called.push(*function),
@@ -31,8 +32,9 @@ pub(super) fn objection(words: &[u32], entry_point: &str) -> Option<&'static str
         last_opcode = Some(opcode);
         rest = &rest[length..];
     }
-    let Some(entry_function) = entry_function else { return Some("it has no such entry point") };
-    called.push(entry_function);
+    if !is_there {
+        return Some("it has no such entry point");
+    }
     let is_whole =
         last_opcode == Some(OP_FUNCTION_END) && called.iter().all(|function| defined.contains(function));
     if is_whole { None } else { CUT_SHORT }
