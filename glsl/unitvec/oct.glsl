@@ -116,11 +116,12 @@ vec4 oct_nearer(vec4 a, vec4 b) {
 
 // As oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
 vec2 oct_searched_corner(vec3 p, float m) {
-    float x = floor(p.x), y = floor(p.y);
-    vec4 near = oct_corner(x, y, p, m);
-    vec4 right = oct_corner(x + 1.0, y, p, m);
-    vec4 up = oct_corner(x, y + 1.0, p, m);
-    vec4 far = oct_corner(x + 1.0, y + 1.0, p, m);
+    vec2 low = floor(p.xy);
+    UNITVEC_PRECISE vec2 high = low + 1.0;
+    vec4 near = oct_corner(low.x, low.y, p, m);
+    vec4 right = oct_corner(high.x, low.y, p, m);
+    vec4 up = oct_corner(low.x, high.y, p, m);
+    vec4 far = oct_corner(high.x, high.y, p, m);
     return oct_nearer(oct_nearer(oct_nearer(near, right), up), far).xy;
 }
 
