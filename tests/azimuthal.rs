@@ -50,15 +50,11 @@ fn check_encode<const PROJECTION: u32, const MAP: u32>(codec: &Tested) {
     assert_rounds(codec, sphere(2, 50_000).chain(near_edges(3, 50_000)), steps_off, POSITION_ROUNDING);
 }
 
-/// Next to edges errors and symmetries are as elsewhere, and no error of 10^6 directions stays far below the bound.
+/// Next to edges errors and symmetries are as elsewhere.
 fn check_edges(codec: &Tested) {
     let edges = Summary::of(near_edges(5, 100_000).map(|v| codec.error_deg(v))).max;
     assert_bounded(codec, edges);
-    let worst = Summary::of(sphere(4, 1_000_000).map(|v| codec.error_deg(v))).max;
-    assert!(worst >= 0.8 * f64::from(codec.max_error_deg), "{}: {worst}, far below the bound", codec.id);
-    for image in symmetries(codec) {
-        assert_commutes(codec, near_edges(7, 10_000), image);
-    }
+    assert_commutes(codec, near_edges(7, 10_000), symmetries(codec));
 }
 
 /// The constant behind the error bound is the oracle's, up to 0.3 %; without a map a 64th of a step is added to half a step

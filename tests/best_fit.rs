@@ -91,11 +91,11 @@ fn nearest_around_the_ray() {
     assert!(excess.max <= CHOICE_ROUNDING_8 && excess.mean <= 1e-5 * mean, "{excess:?} {mean}");
 }
 
-/// The nearest of 8 bits keeps every code's direction exactly: what comes back is parallel. Of 2^21 codes.
+/// The nearest of 8 bits keeps every code's direction exactly: what comes back is parallel. Of a ninth of all.
 #[test]
 fn nearest_keeps_the_direction_of_every_code() {
     let codec = Tested::find("snorm8x3_nearest");
-    for code in codec.codes(12) {
+    for code in codec.codes(12, 22) {
         let again = codec.encode(codec.decode(code));
         let [[ax, ay, az], [bx, by, bz]] = [code, again].map(|code| best_fit::integers(code, 8));
         let cross = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];

@@ -6,7 +6,7 @@ use unitvec_oracle::Summary;
 use unitvec_oracle::projection::{self, Kind};
 use unitvec_tests::checks::{assert_attains, assert_bounded, assert_commutes, assert_stable, assert_total};
 use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere};
-use unitvec_tests::expected::symmetries;
+use unitvec_tests::expected::{MIRROR_X, MIRROR_Y};
 use unitvec_tests::tested::Tested;
 
 /// Directions on and around the equator, at distances of all magnitudes.
@@ -38,9 +38,8 @@ fn borders() {
         let borders = || near_equator(4, 300_000).chain(near_diagonals(5, 300_000));
         assert_stable(&codec, borders().map(|v| codec.encode(v)));
         borders().chain(near_planes(11, 100_000)).for_each(|v| assert_total(&codec, v));
-        for image in symmetries(&codec) {
-            assert_commutes(&codec, near_equator(7, 100_000), image);
-        }
+        // On the equator -0 counts as 0, so not at z = 0.
+        assert_commutes(&codec, near_equator(7, 100_000), &[MIRROR_X, MIRROR_Y]);
         assert_bounded(&codec, Summary::of(near_equator(15, 500_000).map(|v| codec.error_deg(v))).max);
         for v in near_equator(13, 500) {
             for exponent in -60..=60 {

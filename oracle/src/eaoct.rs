@@ -1,7 +1,7 @@
 //! The equal-area octahedral mapping of the sphere.
 
-use super::oct::{Oct, wrap};
-use super::{Oracle, angle_deg, largest, sign_not_zero, snorm};
+use super::oct::{Oct, tangent_squared, wrap};
+use super::{Oracle, largest, sign_not_zero, snorm};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 /// Clarberg's map, and codes whose bits are those of [`Oct`].
@@ -78,9 +78,9 @@ pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
     for x in centre[0] - 3..=centre[0] + 3 {
         for y in centre[1] - 3..=centre[1] + 3 {
             let point = wrap([x, y], m as i64);
-            let angle = angle_deg(v, EaOct::direction(point.map(|i| snorm(i, m))));
-            if angle < best.0 {
-                best = (angle, point);
+            let off = tangent_squared(v, EaOct::direction(point.map(|i| snorm(i, m))));
+            if off < best.0 {
+                best = (off, point);
             }
         }
     }

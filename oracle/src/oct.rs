@@ -43,12 +43,17 @@ impl Oracle for Oct {
 /// The unit vector of a lattice point (survey, section 1.2 and listing 2). In whole numbers up to the length: `f64` does
 /// not hold a quotient by `m`, and on the equator z is exactly 0.
 pub fn lattice_direction(point: [i64; 2], bits: u32) -> [f64; 3] {
+    normalize(lattice_vector(point, bits))
+}
+
+/// The same, of any length.
+fn lattice_vector(point: [i64; 2], bits: u32) -> [f64; 3] {
     let m = (1 << (bits / 2 - 1)) - 1;
     let [x, y] = point.map(|i| i.clamp(-m, m));
     let z = m - x.abs() - y.abs();
     let sign = |i: i64| if i >= 0 { 1 } else { -1 };
     let whole = if z < 0 { [(m - y.abs()) * sign(x), (m - x.abs()) * sign(y), z] } else { [x, y, z] };
-    normalize(whole.map(|i| i as f64))
+    whole.map(|i| i as f64)
 }
 
 /// The three bytes of an oct24 code, the first in the low bits.
@@ -134,16 +139,19 @@ pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
     for x in centre[0] - 3..=centre[0] + 3 {
         for y in centre[1] - 3..=centre[1] + 3 {
             let point = wrap([x, y], m);
-            let direction = lattice_direction(point, bits);
-            // Less than 90 degrees from `v` the tangent orders angles.
-            let (sine, cosine) = (length(cross(v, direction)), dot(v, direction));
-            let off = if cosine > 0.0 { sine / cosine } else { f64::INFINITY };
+            let off = tangent_squared(v, lattice_vector(point, bits));
             if off < best.0 {
                 best = (off, point);
             }
         }
     }
     Oct::pack(best.1, bits)
+}
+
+/// The square of the tangent of the angle between two vectors of any length, which orders angles of less than 90 degrees.
+pub fn tangent_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let (c, cosine) = (cross(a, b), dot(a, b));
+    if cosine > 0.0 { dot(c, c) / (cosine * cosine) } else { f64::INFINITY }
 }
 
 /// The lattice point of the square `[-m, m]^2` that a point beyond its border goes on to: each edge is glued to

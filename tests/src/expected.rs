@@ -2,7 +2,21 @@
 
 use crate::tested::Tested;
 use glam::Vec3;
-use unitvec_oracle::survey;
+use unitvec_oracle::{Summary, survey};
+
+/// Up to how many bits every code is decoded and compared with the reference's vector: as far as its speed allows.
+pub fn every_code_decoded(codec: &Tested) -> u32 {
+    match codec.family {
+        "oct" | "hemioct" => 24,
+        "spherical" => 22,
+        _ => 20,
+    }
+}
+
+/// Up to how many bits every code is decoded, encoded and decoded.
+pub fn every_code_returned(codec: &Tested) -> u32 {
+    every_code_decoded(codec).max(22)
+}
 
 /// How far a decoded vector may be off the exact one.
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +134,12 @@ pub struct Errors {
     pub max: f64,
 }
 
+/// The part of the codec's own bound that the maximum over 10^6 directions comes to at least. Most bounds are attained in
+/// so few places that the families' own tests look for it there.
+pub fn part_of_the_bound(codec: &Tested) -> f64 {
+    if codec.family == "azimuthal" { 0.8 } else { 0.0 }
+}
+
 /// The survey prints five decimals: its figures may be off by half a unit of the last.
 const HALF_DIGIT: f64 = 0.000_005;
 
@@ -130,7 +150,7 @@ pub fn errors(codec: &Tested) -> Option<Errors> {
         let max = published.map_or(f64::INFINITY, |errors| (errors.max + HALF_DIGIT) * 1.04);
         return Some(Errors { mean, mean_within: [within; 2], max });
     }
-    let published = published?;
+    let published = published.or_else(|| hemisphere_with_a_bit_less(codec))?;
     // Of the azimuthal codecs' errors the greatest lie in a few cells, at the disk's rim and on the diagonals, which 10^6
     // directions hit or miss. At 22 bits, with twelve seeds, eqarea's maximum was 1.027 to 1.045 times the survey's and
     // eqarea_concentric's 1.020 to 1.044 times; the survey's own sample stayed 5 % below the supremum.
@@ -145,9 +165,15 @@ pub fn errors(codec: &Tested) -> Option<Errors> {
     Some(Errors { mean: published.mean, mean_within, max: (published.max + HALF_DIGIT) * max })
 }
 
+/// What the survey has for the code inside those of soct.
+fn hemisphere_with_a_bit_less(codec: &Tested) -> Option<Summary> {
+    let bits: u32 = codec.id.strip_prefix("soct")?.parse().ok()?;
+    survey::published(&format!("HemiOct{}", bits - 1))
+}
+
 /// Means of codecs that the survey does not have, or of which ours do better by design (halves rounded, not truncated; a
 /// fuller search of lengths), and how far they may be off, as a part.
-const STATED: [(&str, f64, f64); 22] = [
+const STATED: [(&str, f64, f64); 19] = [
     ("eaoct16", 0.30960, 0.005),
     ("eaoct20", 0.07695, 0.005),
     ("eaoct22", 0.03843, 0.005),
@@ -158,10 +184,6 @@ const STATED: [(&str, f64, f64); 22] = [
     ("eaoct22p", 0.03800, 0.005),
     ("eaoct24p", 0.01900, 0.005),
     ("eaoct32p", 0.001187, 0.005),
-    // The survey's means of the hemisphere with a bit less.
-    ("soct17", 0.24000, 0.01),
-    ("soct25", 0.01489, 0.01),
-    ("soct33", 0.00093, 0.01),
     ("cylindrical16", 0.374, 0.01),
     ("cylindrical24", 0.0230, 0.01),
     ("cylindrical32", 0.00144, 0.01),

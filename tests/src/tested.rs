@@ -112,19 +112,18 @@ impl Tested {
         u64::MAX >> (64 - self.bits)
     }
 
-    /// Codes: every one of up to 22 bits, and of 24 with the families of [`EVERY_CODE_OF_24`], every seventh with others;
-    /// 2^21 of more bits, half of them at even distances and half at random. Then [`edges`](Self::edges).
-    pub fn codes(&self, seed: u64) -> impl Iterator<Item = u64> {
-        let every = self.bits <= 22 || self.bits <= 24 && EVERY_CODE_OF_24.contains(&self.family);
+    /// Codes: every one of up to `every` bits, every third of up to 22, every ninth of up to 25; 2^20 of more bits, half
+    /// of them at even distances and half at random. Then [`edges`](Self::edges).
+    pub fn codes(&self, seed: u64, every: u32) -> impl Iterator<Item = u64> {
         let stride = match self.bits {
-            _ if every => 1,
-            ..=25 => 7,
-            bits => (1 << (bits - 20)) + 1,
+            bits if bits <= every => 1,
+            0..=22 => 3,
+            23..=25 => 9,
+            bits => (1 << (bits - 19)) + 1,
         };
-        let count = if self.bits <= 25 { (1u64 << self.bits).div_ceil(stride) } else { 1 << 20 };
+        let (count, random) = if self.bits <= 25 { (1u64 << self.bits, 0) } else { (stride << 19, 1 << 19) };
         let (mut rng, mask) = (Rng::new(seed), self.mask());
-        let random = if self.bits <= 25 { 0 } else { 1 << 20 };
-        (0..count)
+        (0..count.div_ceil(stride))
             .map(move |i| i.wrapping_mul(stride) & mask)
             .chain((0..random).map(move |_| rng.bits() & mask))
             .chain(self.edges(seed + 1))
@@ -161,10 +160,6 @@ impl Tested {
         points.chain((0..20_000).flat_map(move |i| [i & mask, mask - (i & mask)]))
     }
 }
-
-/// Families with an oracle so fast that all codes of 24 bits are tried, and the one whose codes all come back as
-/// themselves.
-const EVERY_CODE_OF_24: [&str; 3] = ["oct", "hemioct", "fib"];
 
 /// A vector in double precision: exact.
 pub fn widen(v: Vec3) -> [f64; 3] {
