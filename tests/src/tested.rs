@@ -13,6 +13,8 @@ pub struct Tested {
     info: &'static CodecInfo,
     /// The codec once more, in `f64`.
     pub reference: Reference,
+    /// The code of +Z.
+    pub z: u64,
 }
 
 impl Deref for Tested {
@@ -36,7 +38,9 @@ impl Tested {
     fn new(info: &'static CodecInfo) -> Self {
         let reference = Reference::find(info.id).unwrap_or_else(|| panic!("{} has no oracle", info.id));
         assert_eq!(reference.bits, info.bits, "{}", info.id);
-        Self { info, reference }
+        let mut codec = Self { info, reference, z: 0 };
+        codec.z = codec.encode(Vec3::Z);
+        codec
     }
 
     /// The codec with an identifier.

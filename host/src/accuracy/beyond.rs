@@ -12,8 +12,8 @@ pub fn codecs() -> impl Iterator<Item = &'static CodecInfo> {
     let survey: Vec<Published> = [Table::One, Table::Three].into_iter().flat_map(Table::published).collect();
     CATALOGUE.iter().filter(move |codec| {
         let mut methods = meyer::METHODS.iter();
-        let is_meyers =
-            methods.any(|method| method.codec(codec.bits).is_some_and(|other| other.id == codec.id));
+        let is_meyers = meyer::WIDTHS.contains(&codec.bits)
+            && methods.any(|method| method.codec(codec.bits).is_some_and(|other| other.id == codec.id));
         !is_meyers && survey.iter().all(|row| row.name != codec.survey_name)
     })
 }
