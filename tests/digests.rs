@@ -49,7 +49,8 @@ fn codes_are_the_released_ones() {
         }
     }
     if std::env::var_os("BLESS").is_some() {
-        let text = format!("codec,encoded_sha256,decoded_sha256\n{}\n", rows.join("\n"));
+        let new = rows.iter().filter(|row| !RELEASED.contains(row.as_str()));
+        let text = new.fold(RELEASED.to_owned(), |text, row| text + row + "\n");
         let path = unitvec_tests::repository().join("tests/data/digests.csv");
         unitvec_host::output::write_file(&path, text.as_bytes()).unwrap();
     }

@@ -234,7 +234,7 @@ fn scalar_functions_are_the_crates() {
 /// The trigonometry gives the crate's bits, over directions and angles of all sizes.
 #[test]
 fn trigonometry_is_the_crates_to_the_bit() {
-    use unitvec::arith as math;
+    use unitvec::arith;
     let mut inputs = directions(Domain::Sphere, 6);
     inputs.extend(
         directions(Domain::Sphere, 7)
@@ -248,18 +248,20 @@ fn trigonometry_is_the_crates_to_the_bit() {
     type Reference = fn(f32, f32) -> [f32; 3];
     let functions: [(&str, Reference); 4] = [
         ("vec3(unitvec_sin_cos_half_turns(v.x), unitvec_atan2_half_turns(v.y, v.x))", |x, y| {
-            [math::sin_cos_half_turns(x).x, math::sin_cos_half_turns(x).y, math::atan2_half_turns(y, x)]
+            [arith::sin_cos_half_turns(x).x, arith::sin_cos_half_turns(x).y, arith::atan2_half_turns(y, x)]
         }),
         ("vec3(unitvec_from_diagonal(0.5 - min(abs(v.x), 1.0)), 0.0)", |x, _| {
-            let of_x = math::from_diagonal(0.5 - x.abs().min(1.0));
+            let of_x = arith::from_diagonal(0.5 - x.abs().min(1.0));
             [of_x.x, of_x.y, 0.0]
         }),
         ("vec3(unitvec_sin_cos(v.x), unitvec_asin_half_turns(v.y))", |x, y| {
-            [math::sin_cos(x).x, math::sin_cos(x).y, math::asin_half_turns(y)]
+            [arith::sin_cos(x).x, arith::sin_cos(x).y, arith::asin_half_turns(y)]
         }),
         (
             "vec3(unitvec_acos_half_turns(v.x), unitvec_atan_octant(abs(v.y)), unitvec_tan_octant(min(abs(v.x), 1.0)))",
-            |x, y| [math::acos_half_turns(x), math::atan_octant(y.abs()), math::tan_octant(x.abs().min(1.0))],
+            |x, y| {
+                [arith::acos_half_turns(x), arith::atan_octant(y.abs()), arith::tan_octant(x.abs().min(1.0))]
+            },
         ),
     ];
     for (expression, reference) in functions {

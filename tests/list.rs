@@ -2,12 +2,12 @@
 //!
 //! The catalogue, the kernels, the suite, the slices and the benchmarks are made from the list: they need no test here.
 
+use crate::docs::costs::cost;
 use std::collections::BTreeSet;
-use unitvec_catalogue::{CATALOGUE, formats};
+use std::sync::OnceLock;
+use unitvec_catalogue::{Operation, formats};
 use unitvec_host::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_host::accuracy::{Table, beyond};
-#[cfg(feature = "glsl")]
-use unitvec_host::catalogue::Operation;
 #[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;
 use unitvec_host::modules::Modules;
@@ -35,6 +35,12 @@ fn nothing_is_lacking() {
         lacking.extend(
             has.iter().filter(|(_, has)| !has(format.id)).map(|(what, _)| format!("{}: {what}", format.id)),
         );
+        let missing = Operation::ALL.map(|half| format.function(half)).into_iter();
+        lacking.extend(
+            missing
+                .filter(|function| !is_in_glsl(function))
+                .map(|function| format!("{function} in glsl/unitvec")),
+        );
         if oracle_bits(format.id) != Some(format.bits) {
             lacking.push(format!("{}: an oracle of {} bits", format.id, format.bits));
         }
@@ -51,12 +57,29 @@ fn no_released_codec_is_gone() {
     assert!(gone.is_empty(), "{gone:?}");
 }
 
-/// The docs of the GPU's costs have a row for every codec.
+/// What every codec costs on lavapipe is measured: `unitvec bench` measures it.
 #[test]
 fn costs_are_complete() {
-    let is_named = is_named_in(&["docs/costs.md"]);
-    let lacking: Vec<&str> = CATALOGUE.iter().map(|codec| codec.id).filter(|id| !is_named(id)).collect();
-    assert!(lacking.is_empty(), "docs/costs.md lacks {lacking:?}");
+    let is_measured = |id: &str| ["encode", "decode"].iter().all(|half| cost(id, half).is_some());
+    let lacking: Vec<&str> = formats().map(|format| format.id).filter(|id| !is_measured(id)).collect();
+    assert!(lacking.is_empty(), "host/data/costs_lavapipe.json lacks {lacking:?}");
+}
+
+/// Every file of tests belongs to the program of tests: cargo would not miss one that does not.
+#[test]
+fn all_files_of_tests_are_run() {
+    let folder = repository().join("tests");
+    let main = std::fs::read_to_string(folder.join("main.rs")).unwrap();
+    for entry in std::fs::read_dir(&folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_stem().unwrap().to_str().unwrap();
+        let is_test =
+            path.extension().is_some_and(|extension| extension == "rs") || path.join("mod.rs").exists();
+        assert!(
+            !is_test || name == "main" || main.contains(&format!("mod {name};\n")),
+            "tests/main.rs lacks {name}"
+        );
+    }
 }
 
 fn has_kernels(suffix: &'static str) -> Has {
@@ -98,6 +121,16 @@ fn is_named_in(files: &[&str]) -> Has {
 
 fn oracle_bits(id: &str) -> Option<u32> {
     Reference::find(id).map(|codec| codec.bits).or_else(|| Format::find(id).map(Format::bits))
+}
+
+/// Whether a file of `glsl/unitvec/` names a function, which macros may define.
+fn is_in_glsl(function: &str) -> bool {
+    static TEXT: OnceLock<String> = OnceLock::new();
+    let text = TEXT.get_or_init(|| {
+        let files = std::fs::read_dir(repository().join("glsl/unitvec")).unwrap();
+        files.map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap()).collect()
+    });
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|word| word == function)
 }
 
 /// The kernels over GLSL functions that do not compile, with what the compiler says: it names a function that is missing.

@@ -3,7 +3,7 @@
 use glam::Vec3;
 use unitvec::{Codec, Pp16, Pp48, Spp16, Spp48, XyOnly16, XyOnly32F};
 use unitvec_oracle::Summary;
-use unitvec_oracle::projection::{self, Kind};
+use unitvec_oracle::parallel::{self, Kind};
 use unitvec_tests::checks::{assert_attains, assert_bounded, assert_commutes, assert_stable, assert_total};
 use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere};
 use unitvec_tests::expected::{MIRROR_X, MIRROR_Y};
@@ -60,7 +60,7 @@ fn borders() {
 fn attains_meyers_bound() {
     for (kind, name) in [(Kind::Pp, "pp"), (Kind::Spp, "spp")] {
         for codec in Tested::named(name, "") {
-            let bound = projection::bound_deg(kind, codec.bits);
+            let bound = parallel::bound_deg(kind, codec.bits);
             let slack = match codec.id {
                 "pp16" => 0.01,
                 "pp24" => 0.005,
@@ -72,7 +72,7 @@ fn attains_meyers_bound() {
                 "spp48" => 6e-5,
                 _ => 0.05 * bound,
             };
-            let near = (8.0 * projection::half_steps(kind, codec.bits)[1]).clamp(1e-4, 0.3);
+            let near = (8.0 * parallel::half_steps(kind, codec.bits)[1]).clamp(1e-4, 0.3);
             let directions = sphere(14, 300_000)
                 .chain(near_equator(15, 1_000_000))
                 .chain(near_octant_middles(16, 500_000, near))
@@ -86,7 +86,7 @@ fn attains_meyers_bound() {
 #[test]
 fn spp48_is_exact_inside_sextants() {
     let codec = Tested::find("spp48");
-    let bound = projection::bound_deg(Kind::Spp, 48) + 2f64.powi(-23).to_degrees();
+    let bound = parallel::bound_deg(Kind::Spp, 48) + 2f64.powi(-23).to_degrees();
     let inside = sphere(19, 500_000).filter(|v| {
         let mut magnitudes = v.abs().to_array();
         magnitudes.sort_by(f32::total_cmp);

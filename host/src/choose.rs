@@ -143,7 +143,7 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
 
 impl Candidate {
     /// Of both operations; infinite where it was not measured.
-    fn cost(&self) -> f64 {
+    pub fn cost(&self) -> f64 {
         self.encode_cost.zip(self.decode_cost).map_or(f64::INFINITY, |(encode, decode)| encode + decode)
     }
 }

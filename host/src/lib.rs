@@ -1,11 +1,11 @@
 //! What runs the codecs of `unitvec`: the CPU, and any Vulkan device with the SPIR-V from Rust or from GLSL.
 //!
-//! * [`catalogue`]: the one list of codecs, with their CPU functions.
+//! * [`catalogue`]: all codecs by identifier, with their CPU functions.
 //! * [`vulkan`]: devices, buffers, kernels; all `unsafe` is there.
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
-//! * [`accuracy`]: the survey's error tables. [`bench`](mod@bench): its table of costs. [`choose`]: what to take.
+//! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`choose`]: what to take.
 //! * [`mesh`], [`stream`] and [`output`]: files in and out.
 
 #![deny(unsafe_code)]

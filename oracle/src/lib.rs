@@ -15,7 +15,7 @@ pub mod hemioct;
 pub mod ico;
 pub mod latlong;
 pub mod oct;
-pub mod projection;
+pub mod parallel;
 pub mod raw;
 pub mod reference;
 pub mod soct;

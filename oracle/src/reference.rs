@@ -4,7 +4,7 @@
 //! searches those of exact arithmetic to within `f64`'s own error.
 
 use crate::azimuthal::{self, Azimuthal, CONCENTRIC, ELLIPSE, EQAREA, EQDIST, PLAIN, STEREO};
-use crate::projection::{self, Kind};
+use crate::parallel::{self, Kind};
 use crate::{
     Cylindrical, EaOct, Fib, HemiOct, LatLong, LatLongD, Oct, Oracle, Spherical, best_fit, cube, eaoct, ico,
     latlong, oct, raw, soct,
@@ -56,8 +56,8 @@ impl Functions {
         const KINDS: [Kind; 3] = [Kind::XyOnly, Kind::Pp, Kind::Spp];
         Self {
             domain: |v| if KINDS[KIND] == Kind::XyOnly { HemiOct::domain(v) } else { v },
-            is_settled: |code, bits| projection::is_settled(code, KINDS[KIND], bits),
-            ..functions!(|v, bits| projection::encode(v, KINDS[KIND], bits), |code, bits| projection::decode(
+            is_settled: |code, bits| parallel::is_settled(code, KINDS[KIND], bits),
+            ..functions!(|v, bits| parallel::encode(v, KINDS[KIND], bits), |code, bits| parallel::decode(
                 code,
                 KINDS[KIND],
                 bits
@@ -185,8 +185,8 @@ fn components(id: &str) -> Option<Reference> {
             32,
             Functions {
                 domain: HemiOct::domain,
-                is_settled: |code, _| projection::is_settled_halves(code),
-                ..functions!(|v, _| projection::encode_halves(v), |code, _| projection::decode_halves(code))
+                is_settled: |code, _| parallel::is_settled_halves(code),
+                ..functions!(|v, _| parallel::encode_halves(v), |code, _| parallel::decode_halves(code))
             },
         ),
         _ => return None,
@@ -319,10 +319,10 @@ mod tests {
             ("cube24", cube::bound_deg(24)),
             ("warpedcube16", 1.02 * cube::warped_bound_deg(16)),
             ("warpedcube24", cube::warped_bound_deg(24)),
-            ("pp16", projection::bound_deg(Kind::Pp, 16)),
-            ("pp48", projection::bound_deg(Kind::Pp, 48)),
-            ("spp16", 1.03 * projection::bound_deg(Kind::Spp, 16)),
-            ("spp48", 1.1 * projection::bound_deg(Kind::Spp, 48)),
+            ("pp16", parallel::bound_deg(Kind::Pp, 16)),
+            ("pp48", parallel::bound_deg(Kind::Pp, 48)),
+            ("spp16", 1.03 * parallel::bound_deg(Kind::Spp, 16)),
+            ("spp48", 1.1 * parallel::bound_deg(Kind::Spp, 48)),
             ("oct48", oct::domain_bound_deg(48)),
             ("oct52p", oct::range_bound_deg(52)),
             ("fib16", crate::fib::bound_deg(16)),

@@ -9,7 +9,7 @@ fn errors(id: &str) -> Errors {
     of(id, "direction")
 }
 
-/// Costs of encoding and decoding. `None` for codecs that were not measured yet.
+/// Costs of encoding and decoding.
 fn costs_of(id: &str) -> Option<[f64; 2]> {
     Some([costs::cost(id, "encode")?, costs::cost(id, "decode")?])
 }
@@ -31,7 +31,7 @@ fn is_finer(id: &str, than: &str) -> bool {
 fn what_to_take() {
     // `oct32` is among the cheapest of unit vectors: only codes with a sign or a hemisphere decode for less.
     for codec in CATALOGUE.iter().filter(|codec| codec.is_unit && codec.bits <= 32) {
-        let Some([encode, decode]) = costs_of(codec.id) else { continue };
+        let [encode, decode] = costs_of(codec.id).unwrap();
         assert!(
             encode > 0.95 && (decode > 0.95 || ["hemioct", "soct", "cube"].contains(&codec.family)),
             "{}",
@@ -47,7 +47,7 @@ fn what_to_take() {
         // `hemioct` is finer than `oct`, dearer to encode and cheaper to decode.
         let hemioct = costs_of(&id("hemioctN")).unwrap();
         assert!(is_finer(&id("hemioctN"), &id("octNp")) && hemioct[0] > fast.0[0] && hemioct[1] < fast.0[1]);
-        // `ico` is the finest of all; `fib` is between it and `oct…p` in the mean, and dearer to encode.
+        // `ico` has the least maximum of all; `fib` has a lower mean than `oct…p`, and is dearer to encode than `ico`.
         for other in CATALOGUE.iter().filter(|codec| codec.bits == bits && codec.domain == Domain::Sphere) {
             assert!(other.id == id("icoN") || errors(other.id).max > errors(&id("icoN")).max, "{}", other.id);
         }
@@ -80,9 +80,9 @@ fn slices_on_a_cpu() {
     let [first, _, last] = slices::ns("decode", "oct32");
     // 16M are limited by memory.
     assert!(last > 1.2 * first && slices::ns("decode", "memcpy12")[2] > 0.8 * last);
-    // Precise encoders take about twice as long; a table is as fast as `oct16`, and much faster than `latlong16d`.
-    for (fast, precise) in [("oct32", "oct32p"), ("oct16", "oct16p")] {
-        assert!((1.6..2.7).contains(&(slices::ns("encode", precise)[1] / slices::ns("encode", fast)[1])));
+    // What precise encoders take; a table is about as fast as `oct16`, and much faster than `latlong16d`.
+    for (fast, precise, times) in [("oct32", "oct32p", 1.7..2.3), ("oct16", "oct16p", 2.2..2.8)] {
+        assert!(times.contains(&(slices::ns("encode", precise)[1] / slices::ns("encode", fast)[1])));
     }
     let table = slices::ns("decode", "latlong16d-table")[1];
     assert!((table / slices::ns("decode", "oct16")[1] - 1.0).abs() < 0.2);

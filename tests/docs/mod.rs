@@ -5,7 +5,7 @@
 
 mod accuracy;
 mod claims;
-mod costs;
+pub mod costs;
 mod prose;
 mod slices;
 mod tables;

@@ -94,7 +94,7 @@ const WHICH: [(&str, &[&str], bool); 8] = [
     ("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], true),
     ("z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], true),
     ("two snorms and a bit to spare", &["soct17", "soct25"], false),
-    ("least error for the bytes", &["ico16", "ico24", "ico32"], true),
+    ("least maximum error for the bytes", &["ico16", "ico24", "ico32"], true),
     ("very few bits", &["oct8p", "oct12p"], false),
     ("finer than 32 bits", &["oct48p", "oct52p"], false),
     ("a normal with its tangent", &["frame32", "frame64"], true),

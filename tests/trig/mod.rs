@@ -6,7 +6,7 @@ mod values;
 
 use glam::Vec2;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, PI};
-use unitvec::arith as math;
+use unitvec::arith;
 use unitvec_tests::directions::Rng;
 use unitvec_tests::remez::Problem;
 
@@ -19,27 +19,28 @@ const FRAC_1_PI_F32: f64 = std::f32::consts::FRAC_1_PI as f64;
 /// 2^-12: from here to 1 floats are tried densely.
 const SMALL: f32 = 1.0 / 4096.0;
 /// 2^-100: what is less counts as 0.
-const TINY: f32 = math::NEGLIGIBLE;
+const TINY: f32 = arith::NEGLIGIBLE;
 
-const SIN: [f32; 4] = [math::SIN_0, math::SIN_1, math::SIN_2, math::SIN_3];
-const COS: [f32; 4] = [math::COS_0, math::COS_1, math::COS_2, math::COS_3];
+const SIN: [f32; 4] = [arith::SIN_0, arith::SIN_1, arith::SIN_2, arith::SIN_3];
+const COS: [f32; 4] = [arith::COS_0, arith::COS_1, arith::COS_2, arith::COS_3];
 const ATAN: [f32; 9] = [
-    math::ATAN_0,
-    math::ATAN_1,
-    math::ATAN_2,
-    math::ATAN_3,
-    math::ATAN_4,
-    math::ATAN_5,
-    math::ATAN_6,
-    math::ATAN_7,
-    math::ATAN_8,
+    arith::ATAN_0,
+    arith::ATAN_1,
+    arith::ATAN_2,
+    arith::ATAN_3,
+    arith::ATAN_4,
+    arith::ATAN_5,
+    arith::ATAN_6,
+    arith::ATAN_7,
+    arith::ATAN_8,
 ];
 const TAN: [f32; 7] =
-    [math::TAN_0, math::TAN_1, math::TAN_2, math::TAN_3, math::TAN_4, math::TAN_5, math::TAN_6];
+    [arith::TAN_0, arith::TAN_1, arith::TAN_2, arith::TAN_3, arith::TAN_4, arith::TAN_5, arith::TAN_6];
 const DIAGONAL_COS: [f32; 4] =
-    [math::DIAGONAL_COS_0, math::DIAGONAL_COS_1, math::DIAGONAL_COS_2, math::DIAGONAL_COS_3];
-const DIAGONAL_SIN: [f32; 3] = [math::DIAGONAL_SIN_0, math::DIAGONAL_SIN_1, math::DIAGONAL_SIN_2];
-const ASIN: [f32; 6] = [math::ASIN_0, math::ASIN_1, math::ASIN_2, math::ASIN_3, math::ASIN_4, math::ASIN_5];
+    [arith::DIAGONAL_COS_0, arith::DIAGONAL_COS_1, arith::DIAGONAL_COS_2, arith::DIAGONAL_COS_3];
+const DIAGONAL_SIN: [f32; 3] = [arith::DIAGONAL_SIN_0, arith::DIAGONAL_SIN_1, arith::DIAGONAL_SIN_2];
+const ASIN: [f32; 6] =
+    [arith::ASIN_0, arith::ASIN_1, arith::ASIN_2, arith::ASIN_3, arith::ASIN_4, arith::ASIN_5];
 
 /// `r / f(r)` of `u = r^2`: by this the fits with least relative error are weighted.
 fn over_sin(u: f64) -> f64 {
@@ -76,7 +77,7 @@ fn diagonal_sin(d: f64) -> f64 {
 fn coefficients_are_minimax() {
     let sin = Problem { target: |u| 1.0 - PI_F32 * over_sin(u), weight: over_sin, end: 0.0625 };
     let cos = Problem {
-        target: |u| (PI * u.sqrt()).cos() - (1.0 + f64::from(math::COS_0) * u),
+        target: |u| (PI * u.sqrt()).cos() - (1.0 + f64::from(arith::COS_0) * u),
         weight: |u| u * u,
         end: 0.0625,
     };
@@ -99,7 +100,7 @@ fn coefficients_are_minimax() {
         ("diagonal_cos", diagonal_cos, &DIAGONAL_COS, 3.8e-11),
         ("diagonal_sin", diagonal_sin, &DIAGONAL_SIN, 9.8e-10),
     ];
-    assert_eq!(math::COS_0, (-PI * PI / 2.0) as f32);
+    assert_eq!(arith::COS_0, (-PI * PI / 2.0) as f32);
     for (name, problem, constants, bound) in cases {
         let fit = problem.solve(constants.len());
         let rounded: Vec<f32> = fit.coefficients.iter().map(|&c| c as f32).collect();
@@ -115,9 +116,9 @@ fn half_pi_is_split() {
     let cut = |x: f64, bits: i32| (x * 2f64.powi(bits)).floor() / 2f64.powi(bits);
     let high = cut(FRAC_PI_2, 7);
     let middle = cut(FRAC_PI_2 - high, 22);
-    assert_eq!(f64::from(math::HALF_PI_HIGH), high);
-    assert_eq!(f64::from(math::HALF_PI_MIDDLE), middle);
-    assert_eq!(math::HALF_PI_LOW, (FRAC_PI_2 - high - middle) as f32);
+    assert_eq!(f64::from(arith::HALF_PI_HIGH), high);
+    assert_eq!(f64::from(arith::HALF_PI_MIDDLE), middle);
+    assert_eq!(arith::HALF_PI_LOW, (FRAC_PI_2 - high - middle) as f32);
 }
 
 /// The GLSL mirror has the same constants.
@@ -139,15 +140,15 @@ fn glsl_constants_are_the_crates() {
     let mut constants: Vec<(String, f32)> =
         families.iter().flat_map(|(name, values)| numbered(name, values)).collect();
     let others = [
-        ("HALF_PI_HIGH", math::HALF_PI_HIGH),
-        ("HALF_PI_MIDDLE", math::HALF_PI_MIDDLE),
-        ("HALF_PI_LOW", math::HALF_PI_LOW),
+        ("HALF_PI_HIGH", arith::HALF_PI_HIGH),
+        ("HALF_PI_MIDDLE", arith::HALF_PI_MIDDLE),
+        ("HALF_PI_LOW", arith::HALF_PI_LOW),
         ("PI", std::f32::consts::PI),
         ("FRAC_1_PI", std::f32::consts::FRAC_1_PI),
         ("FRAC_2_PI", std::f32::consts::FRAC_2_PI),
-        ("NEGLIGIBLE", math::NEGLIGIBLE),
-        ("ENORMOUS", math::ENORMOUS),
-        ("MAX_RADIANS", math::MAX_RADIANS),
+        ("NEGLIGIBLE", arith::NEGLIGIBLE),
+        ("ENORMOUS", arith::ENORMOUS),
+        ("MAX_RADIANS", arith::MAX_RADIANS),
         ("MIN_NORM", unitvec::direction::MIN_NORM),
         ("MAX_NORM", unitvec::direction::MAX_NORM),
         ("MIN_POSITIVE", f32::MIN_POSITIVE),
@@ -225,12 +226,12 @@ fn cos_half_turns(t: f64) -> f64 {
 /// Error over all floats from 2^-100 to 1.
 #[test]
 fn sin_cos_half_turns_error() {
-    Worst::of(positive(1.0), |t| math::sin_cos_half_turns(t).y, sin_half_turns).assert_within(
+    Worst::of(positive(1.0), |t| arith::sin_cos_half_turns(t).y, sin_half_turns).assert_within(
         "sin_half_turns",
         7.4e-8,
         1.2e-7,
     );
-    Worst::of(positive(1.0), |t| math::sin_cos_half_turns(t).x, cos_half_turns).assert_within(
+    Worst::of(positive(1.0), |t| arith::sin_cos_half_turns(t).x, cos_half_turns).assert_within(
         "cos_half_turns",
         7.4e-8,
         1.2e-7,
@@ -241,7 +242,7 @@ fn sin_cos_half_turns_error() {
 #[test]
 fn sin_cos_half_turns_has_unit_length() {
     let length = |t| {
-        let [x, y] = math::sin_cos_half_turns(t).to_array().map(f64::from);
+        let [x, y] = arith::sin_cos_half_turns(t).to_array().map(f64::from);
         x.hypot(y)
     };
     let worst = positive(0.5).map(|t| (length(t) - 1.0).abs()).fold(0.0, f64::max);
@@ -253,31 +254,31 @@ fn sin_cos_half_turns_has_unit_length() {
 #[test]
 fn from_diagonal_error() {
     let both = || positive(0.5).chain(positive(0.5).map(|d| -d));
-    let cos = |d| math::from_diagonal(d).x - math::from_diagonal(d).y;
-    let sin = |d| math::from_diagonal(d).x + math::from_diagonal(d).y;
+    let cos = |d| arith::from_diagonal(d).x - arith::from_diagonal(d).y;
+    let sin = |d| arith::from_diagonal(d).x + arith::from_diagonal(d).y;
     let angle = |d: f64| FRAC_PI_2 * (d + 0.5);
     let any = f64::INFINITY;
-    Worst::of(both(), |d| math::from_diagonal(d).x, diagonal_cos).assert_within("diagonal cos", 5.9e-8, any);
-    Worst::of(both(), |d| math::from_diagonal(d).y, diagonal_sin).assert_within("diagonal sin", 2.0e-8, any);
+    Worst::of(both(), |d| arith::from_diagonal(d).x, diagonal_cos).assert_within("diagonal cos", 5.9e-8, any);
+    Worst::of(both(), |d| arith::from_diagonal(d).y, diagonal_sin).assert_within("diagonal sin", 2.0e-8, any);
     Worst::of(both(), cos, |d| angle(d).cos()).assert_within("cos from diagonal", 9.9e-8, any);
     Worst::of(both(), sin, |d| angle(d).sin()).assert_within("sin from diagonal", 9.9e-8, any);
 
     let length = |d| f64::from(cos(d)).hypot(f64::from(sin(d)));
     let worst = both().map(|d| (length(d) - 1.0).abs()).fold(0.0, f64::max);
     assert!(worst <= 1.1e-7, "{worst:e}");
-    let end = math::from_diagonal(0.5);
-    assert_eq!((end, math::from_diagonal(-0.5)), (Vec2::new(0.5, 0.5), Vec2::new(0.5, -0.5)));
+    let end = arith::from_diagonal(0.5);
+    assert_eq!((end, arith::from_diagonal(-0.5)), (Vec2::new(0.5, 0.5), Vec2::new(0.5, -0.5)));
 }
 
 /// Error over all floats from 2^-100 to 1.
 #[test]
 fn octant_functions_error() {
-    Worst::of(positive(1.0), math::atan_octant, |r| r.atan() / FRAC_PI_4).assert_within(
+    Worst::of(positive(1.0), arith::atan_octant, |r| r.atan() / FRAC_PI_4).assert_within(
         "atan_octant",
         5.3e-8,
         1.1e-7,
     );
-    Worst::of(positive(1.0), math::tan_octant, |t| (t * FRAC_PI_4).tan()).assert_within(
+    Worst::of(positive(1.0), arith::tan_octant, |t| (t * FRAC_PI_4).tan()).assert_within(
         "tan_octant",
         5.1e-8,
         1.1e-7,
@@ -288,28 +289,36 @@ fn octant_functions_error() {
 #[test]
 fn asin_and_acos_error() {
     let both = || positive(1.0).chain(positive(1.0).map(|x| -x));
-    Worst::of(positive(1.0), math::asin_half_turns, |x| x.asin() / PI).assert_within(
+    Worst::of(positive(1.0), arith::asin_half_turns, |x| x.asin() / PI).assert_within(
         "asin_half_turns",
         4.4e-8,
         2.5e-7,
     );
-    Worst::of(both(), math::acos_half_turns, |x| x.acos() / PI).assert_within(
+    Worst::of(both(), arith::acos_half_turns, |x| x.acos() / PI).assert_within(
         "acos_half_turns",
         7.1e-8,
         1.6e-7,
     );
-    Worst::of(positive(1.0), math::asin, f64::asin).assert_within("asin", 2.1e-7, 3.3e-7);
-    Worst::of(both(), math::acos, f64::acos).assert_within("acos", 3.9e-7, 2.3e-7);
+    Worst::of(positive(1.0), arith::asin, f64::asin).assert_within("asin", 2.1e-7, 3.3e-7);
+    Worst::of(both(), arith::acos, f64::acos).assert_within("acos", 3.9e-7, 2.3e-7);
 }
 
 /// Error up to 1, up to 2^13, and relative near 0.
 #[test]
 fn radian_sin_cos_error() {
-    let last = math::MAX_RADIANS.next_down();
-    Worst::of(positive(1.0), math::sin, f64::sin).assert_within("sin to 1", 1.3e-7, 2.0e-7);
-    Worst::of(positive(1.0), math::cos, f64::cos).assert_within("cos to 1", 1.3e-7, 2.0e-7);
-    Worst::of(floats(1.0, last, 17), math::sin, f64::sin).assert_within("sin to 2^13", 1.3e-7, f64::INFINITY);
-    Worst::of(floats(1.0, last, 17), math::cos, f64::cos).assert_within("cos to 2^13", 1.3e-7, f64::INFINITY);
+    let last = arith::MAX_RADIANS.next_down();
+    Worst::of(positive(1.0), arith::sin, f64::sin).assert_within("sin to 1", 1.3e-7, 2.0e-7);
+    Worst::of(positive(1.0), arith::cos, f64::cos).assert_within("cos to 1", 1.3e-7, 2.0e-7);
+    Worst::of(floats(1.0, last, 17), arith::sin, f64::sin).assert_within(
+        "sin to 2^13",
+        1.3e-7,
+        f64::INFINITY,
+    );
+    Worst::of(floats(1.0, last, 17), arith::cos, f64::cos).assert_within(
+        "cos to 2^13",
+        1.3e-7,
+        f64::INFINITY,
+    );
 }
 
 /// The floats around every multiple of pi/4 up to 2^13, where the quadrant changes or a function is near 0: error
@@ -320,11 +329,11 @@ fn radian_sin_cos_near_multiples_of_a_quarter_pi() {
         let nearest = (f64::from(k) * FRAC_PI_4) as f32;
         (nearest.to_bits() - 50..=nearest.to_bits() + 50).map(f32::from_bits)
     };
-    let arguments = || (1..10_000).flat_map(around).filter(|x| *x < math::MAX_RADIANS);
-    Worst::of(arguments(), math::sin, f64::sin).assert_within("sin", 1.3e-7, f64::INFINITY);
-    Worst::of(arguments(), math::cos, f64::cos).assert_within("cos", 1.3e-7, f64::INFINITY);
+    let arguments = || (1..10_000).flat_map(around).filter(|x| *x < arith::MAX_RADIANS);
+    Worst::of(arguments(), arith::sin, f64::sin).assert_within("sin", 1.3e-7, f64::INFINITY);
+    Worst::of(arguments(), arith::cos, f64::cos).assert_within("cos", 1.3e-7, f64::INFINITY);
     for x in arguments().flat_map(|x| [x, -x]) {
-        assert!(no_negative_zero(math::sin_cos(x)), "{x}");
+        assert!(no_negative_zero(arith::sin_cos(x)), "{x}");
     }
 }
 
@@ -358,10 +367,10 @@ fn atan2_error() {
     let (mut half_turns, mut radians, mut octants) = (Worst::default(), Worst::default(), Worst::default());
     for v in vectors(10_000_000) {
         let exact = f64::from(v.y).atan2(f64::from(v.x));
-        half_turns.add(v.y, math::atan2_half_turns(v.y, v.x), exact / PI);
-        radians.add(v.y, math::atan2(v.y, v.x), exact);
+        half_turns.add(v.y, arith::atan2_half_turns(v.y, v.x), exact / PI);
+        radians.add(v.y, arith::atan2(v.y, v.x), exact);
         if 0.0 <= v.y && v.y <= v.x {
-            octants.add(v.y, math::atan_octant_ratio(v.y, v.x), exact / FRAC_PI_4);
+            octants.add(v.y, arith::atan_octant_ratio(v.y, v.x), exact / FRAC_PI_4);
         }
     }
     half_turns.assert_within("atan2_half_turns", 5.0e-8, 1.5e-7);

@@ -81,7 +81,11 @@ fn reason(found: &[Candidate]) -> String {
     let alike: Vec<&Candidate> = rest.iter().filter(|other| other.bytes == best.bytes).collect();
     let mut text =
         format!("{}: no codec that meets the demand takes fewer bytes than {}", best.id, best.bytes);
+    let measured = best.cost().is_finite() && alike.iter().all(|other| other.cost().is_finite());
     match alike.as_slice() {
+        _ if !measured && !alike.is_empty() => {
+            text += "; what it costs, or one of as few bytes, was not measured";
+        }
         [] => text += ", and no other as few",
         [_] => text += ", and the one other that takes as few costs more arithmetic",
         others => {

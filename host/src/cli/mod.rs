@@ -41,7 +41,7 @@ enum Command {
     Encode(convert::Arguments),
     /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
     Decode(convert::Arguments),
-    /// Measure the errors of all codecs: the survey's tables again, beside the published figures, and what they lack.
+    /// Measure the errors of all codecs, beside the figures that the survey publishes.
     Accuracy(accuracy::Arguments),
     /// Measure what encoding and decoding cost on a device, beside the survey's figures.
     Bench(bench::Arguments),

@@ -1,4 +1,5 @@
-//! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate.
+//! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate. Long, since half of the file are its unit tests,
+//! which make broken files one field at a time.
 
 use std::collections::HashSet;
 use std::path::Path;

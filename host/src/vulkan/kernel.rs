@@ -1,3 +1,6 @@
+//! Compute kernels and what runs them: pipelines, staging and dispatches share the lifetimes that their `unsafe` calls rely
+//! on, and so stand in one file.
+
 use super::buffer::{Buffer, Place};
 use super::{Device, Error, Named, spirv};
 use ash::vk;

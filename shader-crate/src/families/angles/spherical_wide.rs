@@ -16,8 +16,7 @@
 //!   adds: 1/16 of a step along each angle. Meyer's bound, for a layout that leaves a bit unused, is 3.74e-7.
 //! * Error of the decoded vector: the rounding of its components adds up to `sqrt(3) 2^-25` radians.
 //! * The six axes round-trip exactly. Every j at theta 0 or pi is the pole, exactly; encoding writes j = 0 there.
-//! * Good for: angles that were measured, and comparison. Weakness: [`OctPrecise48`](crate::OctPrecise48) is more exact
-//!   and cheaper.
+//! * Good for: angles that were measured, and comparison. Weakness: [`OctPrecise48`](crate::OctPrecise48) is more exact.
 //!
 //! # Arithmetic
 //!

@@ -18,7 +18,7 @@
 //! * Error: at most `asin(sqrt(dx^2 + dy^2 + dz^2))` for unit vectors, the components' half steps being `1/(2 m)`: the
 //!   half diagonal of a cell of the lattice, where it is at right angles to the direction.
 //! * Good for: targets that the hardware converts and blends. Encoding is three roundings, decoding three divisions. A
-//!   third of the bits tells lengths apart: [`oct`](crate::oct) with two thirds of the bits is more exact.
+//!   third of the bits tells lengths apart: [`oct`](crate::oct) with as many bits is several times as exact.
 //! * The six axes round-trip exactly. The pattern of three zeros has no direction: `decode` takes it as +Z, and
 //!   `encode` writes +Z where all components round to 0.
 

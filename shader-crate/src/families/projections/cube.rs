@@ -36,7 +36,7 @@
 //! * The survey says, without figures, that cube's error is slightly worse than that of snorm x 3 at the same size.
 //!   Ours is several times lower, and so is Meyer's bound.
 //! * Good for: data that is a cube map anyway. Encoding takes one division, decoding one square root, and both some
-//!   selections; warped two polynomials more each way. Of the 3 bits for the face, 0.4 are wasted: [`oct`](crate::oct)
+//!   selections; warped two polynomials more each way. Six faces waste 0.4 of the 3 bits for the face: [`oct`](crate::oct)
 //!   with as many bits is more exact.
 //! * The six axes round-trip exactly; edges and corners of the cube do not.
 

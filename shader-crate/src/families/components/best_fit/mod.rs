@@ -49,8 +49,8 @@
 //!   has them all.
 //! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error is
 //!   that of plain components, ten times the mean.
-//! * Cost: trying 64 lengths takes some forty times the operations of an octahedral encoder; by table it takes a few
-//!   times as many, and one read. Decoding is next to free.
+//! * Cost: trying 64 lengths takes many times the operations of an octahedral encoder; by table it takes several times
+//!   as many, and one read. Decoding is next to free.
 //! * Axes and diagonals (components of 0 and one magnitude) round-trip exactly, but for length; the axes have length 1
 //!   with snorm8x3P and snorm16x3P. A mirrored or permuted vector gets the mirrored or permuted code.
 
