@@ -1,5 +1,5 @@
 //! What every codec of the list is put to the test with: a function a property. A codec's differences from the others are in
-//! [`expected`](crate::expected).
+//! [`expected`].
 
 use crate::checks::{assert_bounded, assert_commutes, assert_decodes, assert_stable, assert_total};
 use crate::directions::{AXES, Rng, any_vector, hemisphere, near_planes, sphere};
