@@ -17,8 +17,8 @@
 //! * Layout: u = x + y in the low bits, v = x - y above it, both snorm of half of `BITS - 1` bits in two's complement;
 //!   in the highest bit 1 for z < 0. 33 bits take two words, with the sign in bit 0 of the higher one.
 //! * Error: that of [`hemioct`](crate::hemioct) with a bit less, at most `sqrt(3/2) / m` radians
-//!   (m the snorm's largest integer). A bit more divides errors by `sqrt(2)` on average; this one divides
-//!   [`oct`](crate::oct)'s maximum by `sqrt(3)`.
+//!   (m the snorm's largest integer). The bit divides [`oct`](crate::oct)'s maximum by
+//!   `sqrt(3)`, where a bit more usually gains `sqrt(2)`.
 //! * The six axes round-trip exactly. A direction mirrored at a coordinate plane, or with x and y swapped, gets the
 //!   mirrored vector, exactly.
 //! * Good for: formats with a bit to spare beside two snorms, such as packed vertices or G-buffers. Decoding needs no
