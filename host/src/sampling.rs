@@ -111,9 +111,9 @@ const MAGNITUDES: [f32; 18] = [
     0.0,
     f32::from_bits(1),
     1e-40,
-    f32::MIN_POSITIVE.next_down(),
+    below(f32::MIN_POSITIVE),
     f32::MIN_POSITIVE,
-    MIN_NORM.next_down(),
+    below(MIN_NORM),
     MIN_NORM,
     1e-10,
     0.25,
@@ -122,11 +122,16 @@ const MAGNITUDES: [f32; 18] = [
     1.0,
     3.0,
     1e20,
-    MAX_NORM.next_down(),
+    below(MAX_NORM),
     MAX_NORM,
     f32::MAX,
     f32::INFINITY,
 ];
+
+/// The float next to a positive one, below it.
+const fn below(x: f32) -> f32 {
+    f32::from_bits(x.to_bits() - 1)
+}
 
 /// Every triple of [`MAGNITUDES`], of both signs, and NaN.
 fn odd_triples() -> Vec<[f32; 3]> {
@@ -139,7 +144,9 @@ fn odd_triples() -> Vec<[f32; 3]> {
 /// Vectors whose L1 norm is just in or just out of the usable range, with the norm in one component, two or three.
 fn ends_of_the_usable_norms() -> Vec<[f32; 3]> {
     let parts = [[1.0, 0.0, 0.0], [0.5, 0.5, 0.0], [0.5, 0.25, 0.25], [0.75, 0.1875, 0.0625]];
-    let norms = [MIN_NORM, MAX_NORM].into_iter().flat_map(|norm| [norm.next_down(), norm, norm.next_up()]);
+    let norms = [MIN_NORM, MAX_NORM]
+        .into_iter()
+        .flat_map(|norm| [below(norm), norm, f32::from_bits(norm.to_bits() + 1)]);
     let vectors = norms.flat_map(|norm| parts.map(|part| part.map(|c| c * norm)));
     vectors.flat_map(|v| in_every_place(v).flat_map(with_every_sign)).collect()
 }
@@ -157,8 +164,7 @@ fn fold_lines() -> Vec<[f32; 3]> {
 fn ties() -> Vec<[f32; 3]> {
     const HALF_ULP: f32 = f32::EPSILON / 2.0;
     const SCALES: [f32; 5] = [MIN_NORM, 2.0 * MIN_NORM, 16.0 * MIN_NORM, 1.0, 1e12];
-    const THIRDS: [f32; 5] =
-        [0.0, f32::from_bits(1), -1e-40, f32::MIN_POSITIVE.next_down(), -f32::MIN_POSITIVE];
+    const THIRDS: [f32; 5] = [0.0, f32::from_bits(1), -1e-40, below(f32::MIN_POSITIVE), -f32::MIN_POSITIVE];
     let mut vectors = Vec::new();
     for (scale, third) in SCALES.into_iter().flat_map(|scale| THIRDS.map(|third| (scale, third))) {
         for large in [1.0, 1.0 + f32::EPSILON, 1.5, 2.0 - f32::EPSILON] {
