@@ -6,7 +6,7 @@ use unitvec_host::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode
 use unitvec_host::catalogue::{self, Domain, Operation, find, find_format, formats};
 use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan};
 use unitvec_host::modules::Modules;
-use unitvec_host::vulkan::{Device, Error, Runner};
+use unitvec_host::vulkan::{Device, Error, Runner, SENTINEL};
 use unitvec_host::{glsl, mesh, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
 
@@ -84,13 +84,14 @@ fn conform_ends_where_a_backend_does_not_open() {
     assert_eq!(error.to_string(), "no such backend");
 }
 
-/// The last invocation's group may be incomplete, and a dispatch's last workgroup: every count around those sizes.
+/// The last invocation's group may be incomplete, and a dispatch's last workgroup: every count around those sizes, in buffers
+/// that hold no more than so many elements, rounded up to words.
 #[test]
 fn any_number_of_elements_can_be_dispatched() {
     let device = lavapipe();
     for source in [embedded(), from_glsl()] {
         let mut gpu = Gpu::new(&device, source, true).unwrap();
-        for id in ["oct16", "oct24p", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
+        for id in ["oct8", "oct16", "oct24p", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
             let format = find_format(id).unwrap();
             let floats = format.element.floats();
             let random = sampling::random_elements(format.element, Domain::Sphere, 3);
@@ -111,6 +112,48 @@ fn any_number_of_elements_can_be_dispatched() {
             }
         }
     }
+    assert_no_validation_messages(device);
+}
+
+/// Kernels write what the count asks for and both buffers hold, and 0 to what is left of the last word; nothing more.
+#[test]
+fn kernels_keep_to_the_count_and_to_both_buffers() {
+    let device = lavapipe();
+    let mut runner = Runner::new(&device, 16, true).unwrap();
+    let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
+    let frame = [0.48f32, 0.64, -0.6, 1.0, 0.0, 0.0, -1.0];
+    for id in ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
+        let format = find_format(id).unwrap();
+        let mut elements = frame[..format.element.floats()].to_vec();
+        let mut codes = vec![0; format.bytes];
+        Cpu.encode(format, &elements, &mut codes).unwrap();
+        Cpu.decode(format, &codes, &mut elements).unwrap();
+        let elements: Vec<u8> = elements.iter().flat_map(|f| f.to_le_bytes()).collect();
+        for (operation, read, written) in
+            [(Operation::Encode, &elements, &codes), (Operation::Decode, &codes, &elements)]
+        {
+            let name = format.function(operation);
+            let from_rust = runner.kernel(&modules.load(&name).unwrap(), &name, None).unwrap();
+            let from_glsl = compiler.kernel(format, operation).unwrap();
+            let from_glsl = runner.kernel(&from_glsl, glsl::ENTRY_POINT, None).unwrap();
+            for kernel in [from_rust, from_glsl] {
+                for (count, input, output) in
+                    [(5, 12, 12), (12, 5, 12), (12, 7, 12), (12, 12, 5), (12, 12, 7)]
+                {
+                    let input = read.repeat(input);
+                    let mut actual = vec![0; (written.len() * output).next_multiple_of(4)];
+                    runner.run(&kernel, count, &input, &mut actual).unwrap();
+                    let held = input.len().next_multiple_of(4) / read.len();
+                    let mut expected = written.repeat(count.min(held).min(actual.len() / written.len()));
+                    expected.resize(expected.len().next_multiple_of(4), 0);
+                    let untouched = SENTINEL.to_le_bytes().into_iter().cycle();
+                    expected.extend(untouched.take(actual.len() - expected.len()));
+                    assert_eq!(actual, expected, "{name}: {count}, {}, {}", input.len(), actual.len());
+                }
+            }
+        }
+    }
+    drop(runner);
     assert_no_validation_messages(device);
 }
 

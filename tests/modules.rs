@@ -4,10 +4,12 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
-use unitvec_host::catalogue::{Operation, formats};
+use unitvec_host::catalogue::{Operation, find_format, formats};
 #[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;
-use unitvec_host::manifest::{BEST_FIT_TABLE, Manifest, Module, sha256_hex, sources_sha256};
+use unitvec_host::manifest::{
+    Access, BEST_FIT_TABLE, Manifest, Module, SCHEMA, schema, sha256_hex, sources_sha256,
+};
 use unitvec_tests::repository;
 
 fn folder() -> PathBuf {
@@ -39,7 +41,7 @@ fn the_manifest_lists_two_modules_of_every_codec() {
             let file = format!("{folder}/{name}.spv");
             let module = manifest.modules.iter().find(|module| module.file == file);
             let module = module.unwrap_or_else(|| panic!("no module {file}"));
-            assert_eq!(module.codec.as_deref(), id, "{file}");
+            assert_eq!(module.codec.as_ref().map(|codec| codec.id.as_str()), id, "{file}");
             let actual = module.entry_points.iter().map(|entry| (entry.name.clone(), entry.operation));
             let entry_point = |operation| (format!("{name}_{operation}{suffix}"), operation);
             let both = Operation::ALL.map(entry_point);
@@ -75,13 +77,38 @@ fn the_interfaces_are_those_of_the_codecs() {
     }
 }
 
-/// The files that the manifest lists, with the SHA-256 that it says, and nothing else.
+/// What the manifest says of a codec is what the catalogue says.
+#[test]
+fn the_codecs_are_those_of_the_catalogue() {
+    let described = manifest().modules.into_iter().filter_map(|module| module.codec);
+    for codec in described {
+        let format = find_format(&codec.id).unwrap();
+        assert_eq!(
+            (codec.element, codec.bits, codec.bytes as usize, codec.vk_format.as_deref()),
+            (format.element, format.bits, format.bytes, format.vk_format),
+            "{}",
+            codec.id
+        );
+    }
+}
+
+/// The schema beside the manifest is that of the types that it is read into, which take no other members.
+#[test]
+fn the_schema_is_that_of_the_manifest() {
+    let manifest = std::fs::read_to_string(folder().join("manifest.json")).unwrap();
+    assert_eq!(std::fs::read_to_string(folder().join(SCHEMA)).unwrap(), schema(), "run `cargo xtask spirv`");
+    assert!(manifest.contains(&format!("\"$schema\": \"{SCHEMA}\"")));
+    let with_another = manifest.replacen("{", "{ \"another\": 1,", 1);
+    assert!(serde_json::from_str::<Manifest>(&with_another).is_err());
+}
+
+/// The files that the manifest lists, with the SHA-256 that it says, the schema, and nothing else.
 #[test]
 fn the_folder_holds_what_the_manifest_lists() {
     let manifest = manifest();
     let modules = manifest.modules.iter().map(|module| (&module.file, &module.sha256));
     let tables = manifest.tables.iter().map(|table| (&table.file, &table.sha256));
-    let mut expected = BTreeSet::from(["manifest.json", "cost", "kernels"].map(str::to_owned));
+    let mut expected = BTreeSet::from(["manifest.json", SCHEMA, "cost", "kernels"].map(str::to_owned));
     for (file, sha256) in modules.chain(tables) {
         assert_eq!(*sha256, sha256_hex(&std::fs::read(folder().join(file)).unwrap()), "{file}");
         expected.insert(file.clone());
@@ -172,7 +199,8 @@ fn modules_need_vulkan_1_1_and_nothing_else() {
     }
 }
 
-/// What a host has to know: names, workgroups, and of each buffer the bytes that an invocation takes of it.
+/// What a host has to know: names, workgroups, and of each buffer whether it is only read, and its array's element:
+/// a word, but for cost kernels what a vector takes.
 #[test]
 fn entry_points_are_as_the_manifest_says() {
     let interfaces = manifest().interfaces;
@@ -190,15 +218,18 @@ fn entry_points_are_as_the_manifest_says() {
             let interface = &interfaces[&entry.interface];
             let mode = spirv.all(OP_EXECUTION_MODE).find(|operands| operands[0] == function).unwrap();
             assert_eq!(mode[1..], [&[LOCAL_SIZE], &interface.workgroup_size[..]].concat(), "{name}");
-            let expected = interface.bindings.iter().map(|binding| {
-                let bytes = binding.bytes_per_vector.map(|bytes| bytes * interface.vectors_per_invocation);
-                (binding.binding, binding.access == "read", bytes)
-            });
-            let mut actual = spirv.buffers(function);
-            for table in actual.iter_mut().skip(2) {
-                table.2 = None;
+            let expected = interface
+                .bindings
+                .iter()
+                .map(|binding| (interface.descriptor_set, binding.binding, binding.access == Access::Read));
+            let actual = spirv.buffers(function);
+            let found = actual.iter().map(|&(set, binding, is_read, _)| (set, binding, is_read));
+            assert_eq!(found.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{name}");
+            let is_cost = interface.vectors_per_workgroup == interface.workgroup_size[0];
+            for (buffer, binding) in actual.iter().zip(&interface.bindings[..2]) {
+                let element = if is_cost { binding.bytes_per_vector } else { Some(binding.size_multiple) };
+                assert_eq!(Some(buffer.3), element, "{name}");
             }
-            assert_eq!(actual, expected.collect::<Vec<_>>(), "{name}");
         }
     }
 }
@@ -262,9 +293,9 @@ impl Spirv {
             .map(|operands| &operands[2..])
     }
 
-    /// The storage buffers that a function reads and writes, by binding: whether it only reads them, and the bytes from
-    /// one element to the next.
-    fn buffers(&self, function: u32) -> Vec<(u32, bool, Option<u32>)> {
+    /// The storage buffers that a function reads and writes: set, binding, whether it only reads them, and the bytes from one
+    /// element to the next.
+    fn buffers(&self, function: u32) -> Vec<(u32, u32, bool, u32)> {
         let is_start = |instruction: &&Instruction| {
             instruction.opcode == OP_FUNCTION && instruction.operands[1] == function
         };
@@ -278,7 +309,8 @@ impl Spirv {
         buffers
     }
 
-    fn buffer(&self, variable: u32) -> Option<(u32, bool, Option<u32>)> {
+    fn buffer(&self, variable: u32) -> Option<(u32, u32, bool, u32)> {
+        let set = self.decoration(variable, DESCRIPTOR_SET)?[0];
         let binding = self.decoration(variable, BINDING)?[0];
         let of = |opcode, id, n: usize| {
             self.all(opcode).find(|operands: &&[u32]| operands[0] == id).map(|operands| operands[n])
@@ -286,7 +318,7 @@ impl Spirv {
         let pointer = self.all(OP_VARIABLE).find(|operands| operands[1] == variable)?[0];
         let array = of(OP_TYPE_STRUCT, of(OP_TYPE_POINTER, pointer, 2)?, 1)?;
         let stride = self.decoration(array, ARRAY_STRIDE)?[0];
-        Some((binding, self.decoration(variable, NON_WRITABLE).is_some(), Some(stride)))
+        Some((set, binding, self.decoration(variable, NON_WRITABLE).is_some(), stride))
     }
 }
 
@@ -307,6 +339,7 @@ const ACCESSES: [u32; 3] = [65, 66, 68];
 const ARRAY_STRIDE: u32 = 6;
 const NON_WRITABLE: u32 = 24;
 const BINDING: u32 = 33;
+const DESCRIPTOR_SET: u32 = 34;
 const NO_CONTRACTION: u32 = 42;
 const SHADER: u32 = 1;
 const LOGICAL: u32 = 0;

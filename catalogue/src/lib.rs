@@ -154,6 +154,8 @@ pub struct Format {
     pub bytes: usize,
     /// What it encodes.
     pub element: Element,
+    /// The Vulkan format with the code's layout, where there is one.
+    pub vk_format: Option<&'static str>,
     /// The directions it is made for.
     pub domain: Domain,
     /// As in [`CodecInfo`].
@@ -163,7 +165,7 @@ pub struct Format {
 
 /// What is encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum Element {
     /// Vectors of three floats.
     Vector,
@@ -303,9 +305,9 @@ pub trait Coding<const N: usize> {
 
 impl Coding<3> for CodecInfo {
     fn format(&self) -> Format {
-        let Self { id, bits, bytes, domain, encodes_by_table, functions, .. } = *self;
-        let functions = AnyFunctions::Vector(functions);
-        Format { id, bits, bytes, element: Element::Vector, domain, encodes_by_table, functions }
+        let Self { id, bits, bytes, vk_format, domain, encodes_by_table, functions, .. } = *self;
+        let (element, functions) = (Element::Vector, AnyFunctions::Vector(functions));
+        Format { id, bits, bytes, element, vk_format, domain, encodes_by_table, functions }
     }
 
     fn functions(&self) -> &Functions<3> {
@@ -315,10 +317,10 @@ impl Coding<3> for CodecInfo {
 
 impl Coding<7> for FrameInfo {
     fn format(&self) -> Format {
-        let Self { id, bits, bytes, functions, .. } = *self;
-        let (element, domain) = (Element::Frame, Domain::Sphere);
-        let functions = AnyFunctions::Frame(functions);
-        Format { id, bits, bytes, element, domain, encodes_by_table: false, functions }
+        let Self { id, bits, bytes, vk_format, functions, .. } = *self;
+        let (element, functions) = (Element::Frame, AnyFunctions::Frame(functions));
+        let (vk_format, domain) = (Some(vk_format), Domain::Sphere);
+        Format { id, bits, bytes, element, vk_format, domain, encodes_by_table: false, functions }
     }
 
     fn functions(&self) -> &Functions<7> {

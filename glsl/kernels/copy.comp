@@ -1,5 +1,5 @@
 // Reads and writes as many bytes as a codec's kernel, and does no more with them than it takes to read them all: what
-// the memory allows. The compiler is given BYTES, ENCODE or DECODE, and FRAME where it is frames that are encoded.
+// the memory allows; of a last group of fewer than four, nothing. The compiler is given BYTES, ENCODE or DECODE, and FRAME where it is frames that are encoded.
 #version 450
 
 #ifdef FRAME
@@ -25,7 +25,7 @@ layout(set = 0, binding = 1) writeonly buffer Output { Written written[]; };
 
 void main() {
     uint i = gl_GlobalInvocationID.x;
-    if (i * 4u >= vectors) return;
+    if (i * 4u + 4u > vectors) return;
     for (int n = 0; n < WRITTEN; ++n) {
         uint w = 0u;
         for (int k = n; k < READ; k += WRITTEN) w ^= read[i].w[k];

@@ -1,23 +1,27 @@
-// Encodes four vectors an invocation. The compiler is given ENCODE, the codec's function, BYTES, its code's size, and
-// TABLE where the codec encodes by the table of best_fit.glsl.
+// Encodes four vectors or frames an invocation. The compiler is given ENCODE, the codec's function, BYTES, its code's size,
+// FRAME for codecs of frames (normal, tangent, handedness), and TABLE where the codec encodes by the table of
+// best_fit.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-layout(local_size_x = 64) in;
 #include "table.glsl"
 #include "../unitvec/unitvec.glsl"
 #include "words.glsl"
 
-layout(push_constant) uniform Count { uint vectors; };
-layout(set = 0, binding = 0) readonly buffer Input { Vectors vector_groups[]; };
-layout(set = 0, binding = 1) writeonly buffer Output { Codes code_groups[]; };
+vec3 vector(uint w[READ], int first) {
+    return uintBitsToFloat(uvec3(w[first], w[first + 1], w[first + 2]));
+}
 
-void main() {
-    uint i = gl_GlobalInvocationID.x;
-    if (i * 4u >= vectors) return;
+uint[WRITTEN] convert(uint w[READ]) {
     CODE c[4];
     for (int n = 0; n < 4; ++n) {
-        c[n] = ENCODE(vec3(vector_groups[i].f[3 * n], vector_groups[i].f[3 * n + 1], vector_groups[i].f[3 * n + 2]));
+#ifdef FRAME
+        c[n] = ENCODE(vector(w, 7 * n), vec4(vector(w, 7 * n + 3), uintBitsToFloat(w[7 * n + 6])));
+#else
+        c[n] = ENCODE(vector(w, 3 * n));
+#endif
     }
-    code_groups[i] = pack(c);
+    return pack(c);
 }
+
+#include "group.glsl"

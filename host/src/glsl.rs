@@ -59,11 +59,7 @@ impl Compiler {
     /// [`Error::NoSource`] or [`Error::Rejected`].
     pub fn kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
-        let file = match format.element {
-            Element::Vector => format!("{operation}.comp"),
-            Element::Frame => format!("frame_{operation}.comp"),
-        };
-        self.kernel_file(&file, &function, &macros(format, operation))
+        self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation))
     }
 
     /// The SPIR-V of the kernel that measures a codec's arithmetic.

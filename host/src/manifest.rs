@@ -1,6 +1,8 @@
-//! `spirv/manifest.json`: what the committed modules are and which sources they came from.
+//! `spirv/manifest.json`: what the committed modules are, how to call them and which sources they came from. The types below
+//! define the file; [`schema`] is made of them.
 
-use crate::catalogue::Operation;
+use crate::catalogue::{Element, Operation};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -10,85 +12,140 @@ use std::{fs, io};
 /// Name of the manifest file in the modules' folder.
 pub const FILE_NAME: &str = "manifest.json";
 
+/// Name of the manifest's JSON schema in the same folder.
+pub const SCHEMA: &str = "manifest.schema.json";
+
 /// File of the table of lengths of [`unitvec::best_fit`].
 pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
 
 /// The kernel that decodes two-byte codes of any codec by a table.
 pub const DECODE_BY_TABLE: &str = "decode_by_table";
 
-/// The manifest of a folder of SPIR-V modules.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// SPIR-V modules with compute kernels that encode and decode unit vectors, and how to call them.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Manifest {
+    /// The JSON schema of this file.
+    #[serde(rename = "$schema")]
+    pub schema: String,
+    /// The least Vulkan version that takes the modules.
+    pub vulkan: String,
+    /// The version of SPIR-V that they are in.
+    pub spirv: String,
+    /// All SPIR-V capabilities that they declare.
+    pub capabilities: Vec<String>,
+    /// Members of VkPhysicalDeviceFeatures and its like that have to be enabled.
+    pub features: Vec<String>,
     /// Version of rust-gpu that compiled the modules.
     pub rust_gpu: String,
     /// rust-gpu's target: the SPIR-V environment.
     pub target: String,
-    /// [`sources_sha256`] of the tree they were compiled from.
+    /// A hash of the sources that they were compiled from.
     pub sources_sha256: String,
-    /// The interfaces that entry points share, by name.
+    /// How to call a kernel, by the names that entry points refer to.
     pub interfaces: BTreeMap<String, Interface>,
-    /// Tables that modules bind.
+    /// Tables that some kernels read.
     pub tables: Vec<Table>,
     /// The modules, by file name.
     pub modules: Vec<Module>,
 }
 
-/// One SPIR-V module.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// A SPIR-V module.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Module {
     /// Path in the manifest's folder.
     pub file: String,
-    /// Codec identifier; none for kernels that serve several.
-    pub codec: Option<String>,
+    /// The codec; none for kernels that serve several.
+    pub codec: Option<Codec>,
     /// SHA-256 of the file.
     pub sha256: String,
     /// Its kernels.
     pub entry_points: Vec<EntryPoint>,
 }
 
+/// A codec.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Codec {
+    /// Identifier.
+    pub id: String,
+    /// What it encodes.
+    #[schemars(with = "ElementName")]
+    pub element: Element,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: u32,
+    /// The VkFormat that has the code's layout, where there is one.
+    pub vk_format: Option<String>,
+}
+
 /// A compute kernel.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct EntryPoint {
     /// Its name.
     pub name: String,
     /// Half of the codec.
+    #[schemars(with = "OperationName")]
     pub operation: Operation,
     /// The name of its interface.
     pub interface: String,
 }
 
-/// What a host has to know to run a kernel.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// How to call a kernel. A vector is whatever it encodes or decodes: a frame, with codecs of frames.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Interface {
     /// Size of a workgroup.
     pub workgroup_size: [u32; 3],
-    /// Vectors that one invocation takes: the buffers are padded to a multiple of it.
-    pub vectors_per_invocation: u32,
-    /// Storage buffers, all in descriptor set 0.
+    /// Vectors that a workgroup takes. To be dispatched: the number of vectors divided by this, rounded up; 1; 1.
+    pub vectors_per_workgroup: u32,
+    /// The descriptor set that has all bindings.
+    pub descriptor_set: u32,
+    /// The buffers.
     pub bindings: Vec<Binding>,
-    /// Push constants.
+    /// Push constants, for the compute stage.
     pub push_constants: Vec<PushConstant>,
 }
 
-/// A storage buffer.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+/// A buffer.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Binding {
     /// Binding number.
     pub binding: u32,
-    /// `read` or `write`.
-    pub access: String,
+    /// Its VkDescriptorType.
+    pub descriptor_type: String,
+    /// What the kernel does with it.
+    pub access: Access,
     /// What it holds.
     pub content: String,
-    /// Bytes a vector takes in it; none for a table.
+    /// Bytes that a vector takes in it; none for a table.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bytes_per_vector: Option<u32>,
+    /// The buffer's range is what the vectors take, or the table, rounded up to a multiple of these bytes. Kernels process
+    /// no vector that lies outside one of their buffers, and write 0 to what rounding adds.
+    pub size_multiple: u32,
     /// The table to bind, where it is one of the manifest's: its file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
 }
 
+/// What a kernel does with a buffer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Access {
+    /// It reads.
+    Read,
+    /// It writes, and never reads.
+    Write,
+}
+
 /// A file of constant data.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct Table {
     /// File name in the manifest's folder.
     pub file: String,
@@ -99,7 +156,8 @@ pub struct Table {
 }
 
 /// A push constant.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
 pub struct PushConstant {
     /// Byte offset.
     pub offset: u32,
@@ -107,6 +165,34 @@ pub struct PushConstant {
     pub r#type: String,
     /// What it holds.
     pub content: String,
+}
+
+/// [`Element`] as the schema has it.
+#[derive(JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(dead_code)]
+enum ElementName {
+    /// Three packed f32.
+    Vector,
+    /// Seven packed f32: normal, tangent, handedness.
+    Frame,
+}
+
+/// [`Operation`] as the schema has it.
+#[derive(JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[allow(dead_code)]
+enum OperationName {
+    /// Vectors or frames to codes.
+    Encode,
+    /// Codes to vectors or frames.
+    Decode,
+}
+
+/// The JSON schema of the manifest, as text.
+pub fn schema() -> String {
+    // A schema is plain JSON: serialising it has no way to fail.
+    serde_json::to_string_pretty(&schemars::schema_for!(Manifest)).unwrap_or_default() + "\n"
 }
 
 /// SHA-256 of `bytes` in hexadecimal.

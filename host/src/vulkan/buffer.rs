@@ -7,7 +7,8 @@ pub(super) struct Buffer {
     pub(super) raw: vk::Buffer,
     memory: vk::DeviceMemory,
     mapped: Option<*mut u8>,
-    size: usize,
+    /// In bytes, whole words.
+    pub(super) size: usize,
     device: Arc<Device>,
 }
 
@@ -22,6 +23,7 @@ pub(super) enum Place {
 
 impl Buffer {
     pub(super) fn new(device: &Arc<Device>, size: usize, place: Place) -> Result<Self, Error> {
+        let size = size.next_multiple_of(4);
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;

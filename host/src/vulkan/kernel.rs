@@ -11,7 +11,7 @@ use std::sync::{Arc, PoisonError};
 /// Bytes of the largest element a buffer holds: a tangent frame of seven f32.
 pub(super) const MAX_ELEMENT: usize = 28;
 
-/// Vectors of one invocation, but for kernels that measure: buffers are padded to a multiple of this.
+/// Vectors of one invocation, but for kernels that measure.
 pub const GROUP: usize = 4;
 
 /// Invocations of one workgroup.
@@ -19,7 +19,7 @@ pub const WORKGROUP: usize = 64;
 
 /// What output buffers are filled with before a run, so that output which a kernel fails to write stands out: NaN as
 /// a component, and a code that none of the tests' inputs gives throughout.
-const SENTINEL: u32 = 0x7fc0_dead;
+pub const SENTINEL: u32 = 0x7fc0_dead;
 
 /// A compute kernel with the interface of `spirv/manifest.json`: binding 0 in, binding 1 out, binding 2 a table, the
 /// number of vectors as push constant.
@@ -67,7 +67,7 @@ pub struct Runner {
 }
 
 fn buffer_size(capacity: usize) -> usize {
-    capacity.next_multiple_of(GROUP) * MAX_ELEMENT
+    capacity * MAX_ELEMENT
 }
 
 /// A device buffer and, where the host cannot map it, its staging buffer.
@@ -237,10 +237,13 @@ impl Runner {
         let size = buffer_size(self.capacity);
         let input = &input[..input.len().min(size)];
         self.input.host_mut().write(input);
+        let written = output.len().min(size);
+        self.bind(0, &self.input, input.len());
+        self.bind(1, &self.output, written);
         if let Some(table) = &dispatch.kernel.table {
-            self.bind_table(table);
+            self.bind(2, &table.data, table.data.device.size);
         }
-        self.record(dispatch, input.len(), output.len().min(size))?;
+        self.record(dispatch, input.len(), written)?;
         self.submit_and_wait()?;
         self.output.host().read(output);
         self.elapsed()
@@ -272,37 +275,29 @@ impl Runner {
             [vk::DescriptorPoolSize::default().ty(vk::DescriptorType::STORAGE_BUFFER).descriptor_count(3)];
         let pool = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
         let layouts = [self.layout.set];
-        let whole = |buffer: &Staged| {
-            [vk::DescriptorBufferInfo::default().buffer(buffer.device.raw).range(vk::WHOLE_SIZE)]
-        };
-        let (input, output) = (whole(&self.input), whole(&self.output));
-        // SAFETY: the create infos are valid; the pool has room for the one set; the buffers live as long as it.
+        // SAFETY: the create infos are valid; the pool has room for the one set.
         unsafe {
             self.descriptors = device.create_descriptor_pool(&pool, None).named("vkCreateDescriptorPool")?;
             let allocate = vk::DescriptorSetAllocateInfo::default()
                 .descriptor_pool(self.descriptors)
                 .set_layouts(&layouts);
             self.set = device.allocate_descriptor_sets(&allocate).named("vkAllocateDescriptorSets")?[0];
-            let write = vk::WriteDescriptorSet::default()
-                .dst_set(self.set)
-                .descriptor_type(vk::DescriptorType::STORAGE_BUFFER);
-            let writes =
-                [write.dst_binding(0).buffer_info(&input), write.dst_binding(1).buffer_info(&output)];
-            device.update_descriptor_sets(&writes, &[]);
         }
         Ok(())
     }
 
-    fn bind_table(&self, table: &Table) {
-        let buffer =
-            [vk::DescriptorBufferInfo::default().buffer(table.data.device.raw).range(vk::WHOLE_SIZE)];
+    /// Binds the first `bytes` bytes of a buffer, and the rest of the last word: what lies beyond does not exist for the
+    /// kernel.
+    fn bind(&self, binding: u32, buffer: &Staged, bytes: usize) {
+        let range = bytes.next_multiple_of(4).max(4) as u64;
+        let buffer = [vk::DescriptorBufferInfo::default().buffer(buffer.device.raw).range(range)];
         let write = vk::WriteDescriptorSet::default()
             .dst_set(self.set)
-            .dst_binding(2)
+            .dst_binding(binding)
             .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
             .buffer_info(&buffer);
-        // SAFETY: the set is not in use, since each submission is waited for; kernels keep their tables alive, and a
-        // set with a table that is gone is bound only for kernels that do not read binding 2.
+        // SAFETY: the set is not in use, since each submission is waited for; buffers have whole words, and live as long as
+        // the set or, tables, as the kernels that read them: a set with a table that is gone is bound only for others.
         unsafe { self.device.raw.update_descriptor_sets(&[write], &[]) };
     }
 

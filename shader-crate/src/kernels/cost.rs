@@ -4,9 +4,13 @@
 //! that nothing can be moved out of the loop, and sums the results. Four go at a time, so that the loop takes little and
 //! each can start before the one before it is done. The same loop with next to nothing in it is the baseline to subtract.
 
-use super::words::CodeWords;
-use crate::codec::Code;
+use super::{CodeWords, element};
+use crate::best_fit::{EncodeByTable, TABLE_WORDS};
+use crate::codec::{Code, Codec};
+use crate::frame::{Frame, FrameCodec};
+use crate::{for_each_codec, for_each_frame};
 use glam::Vec3;
+use spirv_std::spirv;
 
 /// How much to do.
 #[derive(Clone, Copy)]
@@ -28,7 +32,7 @@ const STEP: u32 = 0x9e37_79b9;
 
 /// Sums the codes of a vector and its neighbours.
 #[inline(always)]
-pub fn encode<C: Code>(
+fn encode<C: Code>(
     index: usize,
     work: Work,
     input: &[[u32; 3]],
@@ -64,7 +68,7 @@ fn total([low, high]: CodeWords) -> u32 {
 
 /// Sums the components of the vectors of a code and its successors.
 #[inline(always)]
-pub fn decode(
+fn decode(
     index: usize,
     work: Work,
     input: &[[u32; 3]],
@@ -92,13 +96,141 @@ pub fn decode(
 
 /// The baseline's code: the sum of the components' bits.
 #[inline(always)]
-pub fn nothing_encoded(v: Vec3) -> u32 {
+fn nothing_encoded(v: Vec3) -> u32 {
     v.x.to_bits().wrapping_add(v.y.to_bits()).wrapping_add(v.z.to_bits())
 }
 
 /// The baseline's vector: a number from 1 to 2 made of the code's bits, thrice. As bare bits it might be a denormal,
 /// which some processors add slowly.
 #[inline(always)]
-pub fn nothing_decoded([low, _]: CodeWords) -> Vec3 {
+fn nothing_decoded([low, _]: CodeWords) -> Vec3 {
     Vec3::splat(f32::from_bits((low >> 9) | 0x3f80_0000))
+}
+
+/// The kernel that encodes with a codec; `by_table` as a second argument for codecs that encode by a table.
+macro_rules! encode_kernel {
+    ($codec:ident) => {
+        /// Encodes a vector and its neighbours.
+        #[spirv(compute(threads(64)))]
+        pub fn encode_cost(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] work: &Work,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+        ) {
+            super::encode(id.x as usize, *work, input, output, crate::$codec::encode);
+        }
+    };
+    ($codec:ident by_table) => {
+        /// Encodes a vector and its neighbours.
+        #[spirv(compute(threads(64)))]
+        pub fn encode_cost(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] work: &Work,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[u32],
+        ) {
+            if table.len() < TABLE_WORDS {
+                return;
+            }
+            // SAFETY: the table has all its words, and encoders look up no others.
+            #[allow(unsafe_code)]
+            let word = |index| unsafe { element(table, index) };
+            super::encode(id.x as usize, *work, input, output, |v| crate::$codec::encode_by(v, word));
+        }
+    };
+}
+
+/// A module of kernels for each codec, named after it.
+macro_rules! kernels {
+    ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => { $(
+        #[doc = concat!("Kernels of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            encode_kernel!($codec $($by)?);
+
+            /// Decodes a code and its successors.
+            #[spirv(compute(threads(64)))]
+            pub fn decode_cost(
+                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+                #[spirv(push_constant)] work: &Work,
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            ) {
+                super::decode(id.x as usize, *work, input, output, |words| {
+                    crate::$codec::decode(Code::from_words(words))
+                });
+            }
+        }
+    )* };
+}
+
+for_each_codec!(kernels);
+
+/// A module of kernels for each codec of frames, named after it.
+macro_rules! frame_kernels {
+    ($([$id:ident $codec:ident, $($rest:tt)*])*) => { $(
+        #[doc = concat!("Kernels of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            /// Encodes a vector and its neighbours, each as normal and, turned about (1, 1, 1), as tangent.
+            #[spirv(compute(threads(64)))]
+            pub fn encode_cost(
+                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+                #[spirv(push_constant)] work: &Work,
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            ) {
+                super::encode(id.x as usize, *work, input, output, |v| {
+                    crate::$codec::encode(Frame { normal: v, tangent: Vec3::new(v.y, v.z, v.x), handedness: v.x })
+                });
+            }
+
+            /// Decodes a code and its successors.
+            #[spirv(compute(threads(64)))]
+            pub fn decode_cost(
+                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+                #[spirv(push_constant)] work: &Work,
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            ) {
+                super::decode(id.x as usize, *work, input, output, |words| {
+                    let frame = crate::$codec::decode(Code::from_words(words));
+                    frame.normal + frame.tangent * frame.handedness
+                });
+            }
+        }
+    )* };
+}
+
+for_each_frame!(frame_kernels);
+
+/// What the cost kernels do besides encoding and decoding, to be subtracted.
+pub mod baseline {
+    use super::*;
+
+    /// Fetches and sums as `encode_cost` does.
+    #[spirv(compute(threads(64)))]
+    pub fn encode_cost(
+        #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+        #[spirv(push_constant)] work: &Work,
+        #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+        #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+    ) {
+        super::encode(id.x as usize, *work, input, output, nothing_encoded);
+    }
+
+    /// Fetches and sums as `decode_cost` does.
+    #[spirv(compute(threads(64)))]
+    pub fn decode_cost(
+        #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+        #[spirv(push_constant)] work: &Work,
+        #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+        #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+    ) {
+        super::decode(id.x as usize, *work, input, output, nothing_decoded);
+    }
 }

@@ -2,10 +2,10 @@
 
 use crate::kernel::Kernel;
 use anyhow::{Context, Result, bail};
-use cargo_gpu_install::install::Install;
+use cargo_gpu_install::install::{Install, InstalledBackend};
 use cargo_gpu_install::spirv_builder::ModuleResult;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// rust-gpu's name of Vulkan 1.1.
 pub const TARGET: &str = "spirv-unknown-vulkan1.1";
@@ -13,8 +13,12 @@ pub const TARGET: &str = "spirv-unknown-vulkan1.1";
 /// Version of rust-gpu.
 pub const RUST_GPU: &str = "0.10.0";
 
-/// Compiles the kernels; each has a module of its own, not optimised, in a file.
-pub fn kernels(repository: &Path) -> Result<Vec<(Kernel, PathBuf)>> {
+/// Features of `shader-crate` that have kernels. rust-gpu holds a copy of all that it compiles for each kernel, so memory and
+/// time grow with the square of what is compiled at once.
+const FEATURES: [&str; 2] = ["kernels", "cost-kernels"];
+
+/// Compiles the kernels to the words of a module each, not optimised.
+pub fn kernels(repository: &Path) -> Result<Vec<(Kernel, Vec<u32>)>> {
     let shader_crate = repository.join("shader-crate");
     eprintln!("spirv: installing rust-gpu {RUST_GPU}, if it is not there (takes minutes the first time)");
     let mut install = Install::from_shader_crate(shader_crate.clone());
@@ -23,29 +27,42 @@ pub fn kernels(repository: &Path) -> Result<Vec<(Kernel, PathBuf)>> {
     let backend = install.run().context(
         "rust-gpu could not be installed: it needs rustup and the nightly toolchain named in README.md",
     )?;
-    eprintln!("spirv: compiling {}", shader_crate.display());
+    let mut kernels = Vec::new();
+    for feature in FEATURES {
+        eprintln!("spirv: compiling the {feature} of {}", shader_crate.display());
+        kernels.extend(compile(&backend, &shader_crate, feature)?);
+    }
+    Ok(kernels)
+}
+
+fn compile(
+    backend: &InstalledBackend,
+    shader_crate: &Path,
+    feature: &str,
+) -> Result<Vec<(Kernel, Vec<u32>)>> {
     let compiled = backend
-        .to_spirv_builder(&shader_crate, TARGET)
+        .to_spirv_builder(shader_crate, TARGET)
         .multimodule(true)
         .release(true)
         .deny_warnings(true)
         .shader_crate_default_features(false)
-        .shader_crate_features(["kernels".to_owned()])
+        .shader_crate_features([feature.to_owned()])
         // rust-gpu's own run of the optimiser folds chains of float operations.
         .extra_arg("--no-spirv-opt")
         .target_dir_path("target/spirv-build")
         .build()
         .context("rust-gpu could not compile shader-crate")?;
     match compiled.module {
-        ModuleResult::MultiModule(modules) => {
-            modules.into_iter().map(|(entry, path)| Ok((Kernel::of_entry_point(&entry)?, path))).collect()
-        }
+        ModuleResult::MultiModule(modules) => modules
+            .into_iter()
+            .map(|(entry, path)| Ok((Kernel::of_entry_point(&entry)?, words(&path)?)))
+            .collect(),
         ModuleResult::SingleModule(path) => bail!("rust-gpu made one module, {}", path.display()),
     }
 }
 
 /// The words of a module's file.
-pub fn words(path: &Path) -> Result<Vec<u32>> {
+fn words(path: &Path) -> Result<Vec<u32>> {
     let bytes = fs::read(path).with_context(|| format!("reading {}", path.display()))?;
     Ok(bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect())
 }

@@ -1,9 +1,17 @@
 //! The manifest's words about kernels, modules and tables.
 
 use crate::kernel::Kernel;
-use unitvec_host::catalogue::{Element, Operation};
-use unitvec_host::manifest::{self, Binding, EntryPoint, Interface, Module, PushConstant, Table};
+use unitvec_host::catalogue::{Element, Format, Operation};
+use unitvec_host::manifest::{
+    self, Access, Binding, Codec, EntryPoint, Interface, Module, PushConstant, Table,
+};
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
+
+/// All kernels' buffers.
+const STORAGE_BUFFER: &str = "VK_DESCRIPTOR_TYPE_STORAGE_BUFFER";
+
+/// Bytes of a word: kernels read and write no less.
+const WORD: u32 = 4;
 
 /// The table of [`unitvec::best_fit`], of these bytes.
 pub fn table(bytes: &[u8]) -> Table {
@@ -26,17 +34,23 @@ pub fn module(file: &str, kernels: &[Kernel], bytes: &[u8]) -> Module {
     });
     Module {
         file: file.to_owned(),
-        codec: kernels.first().and_then(|kernel| kernel.codec).map(|codec| codec.id.to_owned()),
+        codec: kernels.first().and_then(|kernel| kernel.codec).map(codec),
         sha256: manifest::sha256_hex(bytes),
         entry_points: entry_points.collect(),
     }
+}
+
+fn codec(format: Format) -> Codec {
+    let Format { id, element, bits, bytes, vk_format, .. } = format;
+    let (id, vk_format) = (id.to_owned(), vk_format.map(str::to_owned));
+    Codec { id, element, bits, bytes: bytes as u32, vk_format }
 }
 
 /// A kernel's interface and the name of that.
 pub fn interface(kernel: &Kernel) -> (String, Interface) {
     let [input, output] = buffers(kernel);
     let mut name = format!("{} to {}", input.name, output.name);
-    let mut bindings = vec![input.binding(0, "read"), output.binding(1, "write")];
+    let mut bindings = vec![input.binding(0, Access::Read), output.binding(1, Access::Write)];
     if kernel.name() == manifest::DECODE_BY_TABLE {
         let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
         bindings.push(table_binding(content, None));
@@ -52,7 +66,8 @@ pub fn interface(kernel: &Kernel) -> (String, Interface) {
     }
     let interface = Interface {
         workgroup_size: [WORKGROUP as u32, 1, 1],
-        vectors_per_invocation: if kernel.is_cost { 1 } else { GROUP as u32 },
+        vectors_per_workgroup: (WORKGROUP * if kernel.is_cost { 1 } else { GROUP }) as u32,
+        descriptor_set: 0,
         bindings,
         push_constants,
     };
@@ -71,12 +86,14 @@ impl Buffer {
         Self { name: name.to_owned(), content, bytes_per_vector }
     }
 
-    fn binding(&self, binding: u32, access: &str) -> Binding {
+    fn binding(&self, binding: u32, access: Access) -> Binding {
         Binding {
             binding,
-            access: access.to_owned(),
+            descriptor_type: STORAGE_BUFFER.to_owned(),
+            access,
             content: self.content.to_owned(),
             bytes_per_vector: Some(self.bytes_per_vector as u32),
+            size_multiple: WORD,
             table: None,
         }
     }
@@ -115,9 +132,11 @@ fn buffers(kernel: &Kernel) -> [Buffer; 2] {
 fn table_binding(content: &str, file: Option<&str>) -> Binding {
     Binding {
         binding: 2,
-        access: "read".to_owned(),
+        descriptor_type: STORAGE_BUFFER.to_owned(),
+        access: Access::Read,
         content: content.to_owned(),
         bytes_per_vector: None,
+        size_multiple: WORD,
         table: file.map(str::to_owned),
     }
 }

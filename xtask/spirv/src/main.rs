@@ -54,6 +54,11 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
 
     let table: Vec<u8> = best_fit_table().iter().flat_map(|word| word.to_le_bytes()).collect();
     let mut manifest = Manifest {
+        schema: manifest::SCHEMA.to_owned(),
+        vulkan: "1.1".to_owned(),
+        spirv: "1.3".to_owned(),
+        capabilities: vec!["Shader".to_owned()],
+        features: Vec::new(),
         rust_gpu: compile::RUST_GPU.to_owned(),
         target: compile::TARGET.to_owned(),
         sources_sha256: manifest::sources_sha256(repository)?,
@@ -61,7 +66,10 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         modules: Vec::new(),
         tables: vec![describe::table(&table)],
     };
-    let mut files = BTreeMap::from([(manifest::BEST_FIT_TABLE.to_owned(), table)]);
+    let mut files = BTreeMap::from([
+        (manifest::BEST_FIT_TABLE.to_owned(), table),
+        (manifest::SCHEMA.to_owned(), manifest::schema().into_bytes()),
+    ]);
     for Built { file, kernels, bytes } in modules {
         manifest.interfaces.extend(kernels.iter().map(describe::interface));
         manifest.modules.push(describe::module(&file, &kernels, &bytes));
@@ -82,17 +90,17 @@ struct Built {
 }
 
 /// The modules of these kernels, by path.
-fn modules(kernels: Vec<(Kernel, PathBuf)>) -> Result<Vec<Built>> {
-    let mut parts: BTreeMap<String, Vec<(Kernel, PathBuf)>> = BTreeMap::new();
-    for (kernel, path) in kernels {
-        parts.entry(kernel.file()).or_default().push((kernel, path));
+fn modules(kernels: Vec<(Kernel, Vec<u32>)>) -> Result<Vec<Built>> {
+    let mut parts: BTreeMap<String, Vec<(Kernel, Vec<u32>)>> = BTreeMap::new();
+    for (kernel, words) in kernels {
+        parts.entry(kernel.file()).or_default().push((kernel, words));
     }
     let finished = parts.into_par_iter().map(|(file, mut parts)| {
         parts.sort_by_key(|(kernel, _)| kernel.operation);
-        let named = parts.iter().map(|(kernel, path)| Ok((kernel.name(), compile::words(path)?)));
-        let words = passes::run(named.collect::<Result<_>>()?).with_context(|| file.clone())?;
+        let (kernels, modules): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
+        let named = kernels.iter().map(Kernel::name).zip(modules);
+        let words = passes::run(named.collect()).with_context(|| file.clone())?;
         let bytes = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-        let kernels = parts.into_iter().map(|(kernel, _)| kernel).collect();
         Ok(Built { file, kernels, bytes })
     });
     finished.collect()

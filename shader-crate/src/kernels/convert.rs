@@ -1,0 +1,189 @@
+//! Kernels that encode and decode.
+//!
+//! Binding 0 is the input, binding 1 the output, the push constant is the number of vectors. Vectors are three
+//! packed f32, frames seven: normal, tangent, handedness. Codes are dense bytes. Both buffers are arrays of 32-bit words and
+//! hold at least the words that the vectors and codes fill. Where one is shorter, only the vectors that both hold are done.
+//! An invocation takes four consecutive vectors, which is what makes any code width end on whole words; the last takes what
+//! is left. Workgroups have 64 invocations.
+//!
+//! Binding 2 is a table, where the kernel reads one: that of [`best_fit`](crate::best_fit) for `snorm8x3p_encode` and
+//! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose
+//! codes take two bytes. A kernel whose table is too short writes nothing.
+
+use super::words::{Codes, Element, GROUP, Words};
+use super::{CodeWords, element};
+use crate::best_fit::{EncodeByTable, TABLE_WORDS};
+use crate::codec::{Code, Codec};
+use crate::frame::FrameCodec;
+use crate::{for_each_codec, for_each_frame};
+use glam::Vec3;
+use spirv_std::spirv;
+
+/// Number of vectors to process.
+#[derive(Clone, Copy)]
+#[repr(C)]
+pub struct Count {
+    /// The number.
+    pub vectors: u32,
+}
+
+/// Vectors or frames that buffers of these numbers of words hold and the host asks for: at most `count`.
+#[inline(always)]
+fn number<E: Element, W: Codes>(count: Count, words: usize, code_words: usize) -> usize {
+    let held = words / (E::Four::LEN / GROUP);
+    let codes_held = code_words * 4 / W::LEN;
+    let held = if held < codes_held { held } else { codes_held };
+    let count = count.vectors as usize;
+    if count < held { count } else { held }
+}
+
+#[inline(always)]
+fn encode<E: Element, W: Codes, C: Code>(
+    index: usize,
+    count: Count,
+    input: &[u32],
+    output: &mut [u32],
+    encode: impl Fn(E) -> C,
+) {
+    let number = number::<E, W>(count, input.len(), output.len());
+    let first = index * GROUP;
+    if first < number {
+        let here = number - first;
+        // SAFETY: both buffers hold `number` of what they are buffers of, so `here`, not 0, from this group on.
+        #[allow(unsafe_code)]
+        let words = unsafe { E::Four::load(input, index, here) };
+        let [a, b, c, d] = E::unpack(words);
+        let codes =
+            W::pack([encode(a).to_words(), encode(b).to_words(), encode(c).to_words(), encode(d).to_words()]);
+        // SAFETY: as above.
+        #[allow(unsafe_code)]
+        unsafe {
+            codes.store(output, index, here)
+        };
+    }
+}
+
+#[inline(always)]
+fn decode<E: Element, W: Codes>(
+    index: usize,
+    count: Count,
+    input: &[u32],
+    output: &mut [u32],
+    decode: impl Fn(CodeWords) -> E,
+) {
+    let number = number::<E, W>(count, output.len(), input.len());
+    let first = index * GROUP;
+    if first < number {
+        let here = number - first;
+        // SAFETY: as in `encode`.
+        #[allow(unsafe_code)]
+        let words = unsafe { W::load(input, index, here) };
+        let [a, b, c, d] = words.unpack();
+        let elements = E::pack([decode(a), decode(b), decode(c), decode(d)]);
+        // SAFETY: as in `encode`.
+        #[allow(unsafe_code)]
+        unsafe {
+            elements.store(output, index, here)
+        };
+    }
+}
+
+/// The kernel that encodes with a codec; `by_table` as a last argument for codecs that encode by a table.
+macro_rules! encode_kernel {
+    ($codec:ident) => {
+        /// Encodes four vectors or frames.
+        #[spirv(compute(threads(64)))]
+        pub fn encode(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] count: &Count,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+        ) {
+            super::encode::<_, FourCodes, _>(id.x as usize, *count, input, output, crate::$codec::encode);
+        }
+    };
+    ($codec:ident by_table) => {
+        /// Encodes four vectors.
+        #[spirv(compute(threads(64)))]
+        pub fn encode(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] count: &Count,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[u32],
+        ) {
+            if table.len() < TABLE_WORDS {
+                return;
+            }
+            // SAFETY: the table has all its words, and encoders look up no others.
+            #[allow(unsafe_code)]
+            let word = |index| unsafe { element(table, index) };
+            super::encode::<_, FourCodes, _>(id.x as usize, *count, input, output, |v| {
+                crate::$codec::encode_by(v, word)
+            });
+        }
+    };
+}
+
+/// A module of kernels for each codec, named after it.
+macro_rules! kernels {
+    ($trait:ident: $([$id:ident $codec:ident $(($by:ident))?])*) => { $(
+        #[doc = concat!("Kernels of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            /// The words that four codes fill.
+            type FourCodes = [u32; <crate::$codec as $trait>::BYTES];
+
+            encode_kernel!($codec $($by)?);
+
+            /// Decodes four codes.
+            #[spirv(compute(threads(64)))]
+            pub fn decode(
+                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+                #[spirv(push_constant)] count: &Count,
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
+                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            ) {
+                super::decode::<_, FourCodes>(id.x as usize, *count, input, output, |words| {
+                    crate::$codec::decode(Code::from_words(words))
+                });
+            }
+        }
+    )* };
+}
+
+macro_rules! codec_kernels {
+    ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
+        kernels! { Codec: $([$id $codec $(($by))?])* }
+    };
+}
+
+macro_rules! frame_kernels {
+    ($([$id:ident $codec:ident, $($rest:tt)*])*) => {
+        kernels! { FrameCodec: $([$id $codec])* }
+    };
+}
+
+for_each_codec!(codec_kernels);
+for_each_frame!(frame_kernels);
+
+/// Decodes four codes of two bytes by looking their vectors up.
+#[spirv(compute(threads(64)))]
+pub fn decode_by_table(
+    #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+    #[spirv(push_constant)] count: &Count,
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[[u32; 3]],
+) {
+    if table.len() < 1 << 16 {
+        return;
+    }
+    decode::<_, [u32; 2]>(id.x as usize, *count, input, output, |[code, _]| {
+        // SAFETY: the table has 2^16 elements.
+        #[allow(unsafe_code)]
+        let [x, y, z] = unsafe { element(table, code & 0xffff) };
+        Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
+    });
+}
