@@ -225,7 +225,7 @@ fn approached(q: Vec2, at: Vec2, m: f32) -> Vec2 {
 
 /// Packs a lattice point of the 24-bit format (`m` = 2047) into three bytes, the first in the low bits.
 ///
-/// The bytes are those of listing 5, for an RGB8 texture: with `u = x + 2047` and `v = y + 2047` of 12 bits each,
+/// The bytes are those of listing 5, which takes them for an RGB8 texture: with `u = x + 2047` and `v = y + 2047` of 12 bits each,
 /// `u >> 4`, `(u & 15) << 4 | v >> 8` and `v & 255`.
 #[inline(always)]
 pub fn snorm12x2_to_unorm8x3(e: Vec2) -> u32 {
