@@ -5,6 +5,7 @@ mod azimuthal;
 mod best_fit;
 mod catalogue;
 mod cli;
+mod client;
 mod components;
 #[cfg(feature = "glsl")]
 mod conformance;

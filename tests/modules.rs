@@ -189,6 +189,9 @@ fn unmarked_results(name: &str, spirv: &Spirv, arithmetic: &[u32], fewest: usize
 /// Any device of Vulkan 1.1 takes them, with no feature turned on.
 #[test]
 fn modules_need_vulkan_1_1_and_nothing_else() {
+    let manifest = manifest();
+    assert_eq!((manifest.vulkan.as_str(), manifest.spirv.as_str()), ("1.1", "1.3"));
+    assert_eq!((manifest.capabilities, manifest.features), (vec!["Shader".to_owned()], vec![]));
     for (module, spirv) in all_modules() {
         let name = &module.file;
         let bytes = std::fs::read(folder().join(name)).unwrap();

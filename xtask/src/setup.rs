@@ -33,11 +33,12 @@ const TO_BUILD_FROM_SOURCE: [Package; 6] = [
 ];
 
 /// What the programs need once they are built: drivers and all they bring along.
-const TO_RUN: [Package; 4] = [
+const TO_RUN: [Package; 5] = [
     Package { name: "libvulkan1", purpose: "the Vulkan loader" },
     Package { name: "mesa-vulkan-drivers", purpose: "lavapipe, Vulkan on the CPU" },
     Package { name: "vulkan-validationlayers", purpose: "Vulkan validation in tests" },
     Package { name: "glslang-tools", purpose: "GLSL ES validation in tests" },
+    Package { name: "python3", purpose: "a client of the kernels in tests" },
 ];
 
 /// Packages that are being installed while cargo builds.
