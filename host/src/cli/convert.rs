@@ -1,3 +1,4 @@
+use super::summary::{MeshSummary, Options, Summary};
 use super::{OpenBackend, Vulkan};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -5,10 +6,12 @@ use std::io::{Cursor, Read};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
-use unitvec_host::catalogue::{Element, Format, find_format};
-use unitvec_host::output::{Output, open_input};
-use unitvec_host::stream::{self, Input, Named, Sink};
-use unitvec_host::{Error, Result, mesh};
+use unitvec_host::catalogue::{Domain, Element, Format, find_format};
+use unitvec_host::input::{Input, RAW_ENDINGS};
+use unitvec_host::mesh::{self, FileFormat, Frames, MeshError};
+use unitvec_host::output::{Output, write_file};
+use unitvec_host::stream::{self, Counts, Named, Sink};
+use unitvec_host::{Error, Result};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -20,62 +23,153 @@ pub struct Arguments {
     backend: BackendKind,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// Input file, - for the standard input. To encode: raw f32, or a mesh, known by its ending (obj, ply, gltf, glb). A
-    /// frame is normal, tangent and handedness. To decode: codes.
+    /// Take the input as raw f32, or as codes to decode, whatever its name and first bytes say.
+    #[arg(long)]
+    raw: bool,
+    #[command(flatten)]
+    summary: Options,
+    /// Input file, - for the standard input.
+    ///
+    /// To encode: a mesh, known by its first bytes (glTF, PLY) or its ending (.obj, .ply, .gltf, .glb), or raw f32: .bin,
+    /// .f32, .raw, the standard input, pipes, and any file with --raw. A frame is normal, tangent and handedness. To
+    /// decode: codes.
     r#in: PathBuf,
     /// Output file, - for the standard output. A file is replaced only once the new one is complete.
     out: PathBuf,
 }
 
+#[derive(Args)]
+pub struct NormalsArguments {
+    /// Export whole tangent frames, seven f32 each: normal, tangent and handedness. The mesh needs tangents.
+    #[arg(long)]
+    frames: bool,
+    #[command(flatten)]
+    summary: Options,
+    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY.
+    mesh: PathBuf,
+    /// Output file, - for the standard output.
+    out: PathBuf,
+}
+
 pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
     let format = find_format(&arguments.codec)?;
-    let (path, size) = (arguments.r#in.as_path(), format.element.bytes());
-    if !mesh::is_mesh(path) {
-        return convert(arguments, format, open_input(path)?, elements(path, size), stream::encode);
-    }
-    let floats = match format.element {
-        Element::Vector => mesh::read(path)?.normals.into_flattened(),
-        Element::Frame => mesh::read_frames(path)?.into_flattened(),
+    let mut conversion = Conversion::start(arguments, format)?;
+    let mut input = Input::open(&arguments.r#in)?;
+    let (counts, mesh) = match input.mesh() {
+        Some(mesh_format) if !arguments.raw => {
+            let (floats, mesh) = read_mesh(&arguments.r#in, input, mesh_format, format.element)?;
+            let count = (floats.len() / format.element.floats()) as u64;
+            let counts = conversion.run(&mut Cursor::new(raw(&floats)), Some(count), stream::encode)?;
+            (Counts { no_direction: counts.no_direction + mesh.filled, ..counts }, Some(mesh))
+        }
+        _ if arguments.raw || input.is_raw() => {
+            let count = input.length().map(|length| length / format.element.bytes() as u64);
+            (conversion.run(&mut input, count, stream::encode)?, None)
+        }
+        _ => return Err(unknown_input(&arguments.r#in)),
     };
-    let bytes: Vec<u8> = floats.into_iter().flat_map(f32::to_le_bytes).collect();
-    let count = (bytes.len() / size) as u64;
-    convert(arguments, format, Box::new(Cursor::new(bytes)), Some(count), stream::encode)
+    conversion.finish(|| Summary::of_encoding(format, counts, mesh))
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
-    let path = arguments.r#in.as_path();
-    if mesh::is_mesh(path) {
-        let path = path.display();
-        return Err(Error::Usage(format!("{path} is a mesh, not codes; `unitvec encode` makes codes of it")));
-    }
     let format = find_format(&arguments.codec)?;
-    convert(arguments, format, open_input(path)?, elements(path, format.bytes), stream::decode)
+    let mut conversion = Conversion::start(arguments, format)?;
+    let mut input = Input::open(&arguments.r#in)?;
+    if input.mesh().is_some() && !arguments.raw {
+        return Err(Error::Usage(format!(
+            "{} is a mesh, not codes; `unitvec encode` makes codes of it, and --raw takes it as codes",
+            arguments.r#in.display()
+        )));
+    }
+    let count = input.length().map(|length| length / format.bytes as u64);
+    let count = conversion.run(&mut input, count, stream::decode)?;
+    conversion.finish(|| Summary::of_decoding(format, count))
+}
+
+/// Exports the normals of a mesh, or its frames, as [`encode`] takes them.
+pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
+    let (path, element) = (&arguments.mesh, if arguments.frames { Element::Frame } else { Element::Vector });
+    let input = Input::open(path)?;
+    let format = input.mesh().ok_or_else(|| MeshError::UnknownFormat { path: path.clone() })?;
+    let (floats, mesh) = read_mesh(path, input, format, element)?;
+    write_file(&arguments.out, &raw(&floats))?;
+    let mut counts = Counts { no_direction: mesh.filled, ..Counts::default() };
+    counts.add(element, Domain::Sphere, &floats);
+    let summary = Summary::of_export(element, counts, mesh);
+    arguments.summary.print(&summary, path, &arguments.out)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn unknown_input(path: &Path) -> Error {
+    let raw = RAW_ENDINGS.map(|ending| format!(".{ending}")).join(", ");
+    Error::Usage(format!(
+        "{} is neither a mesh (.obj, .ply, .gltf, .glb) nor named as raw f32 ({raw}); if it is raw f32, add --raw",
+        path.display()
+    ))
+}
+
+/// The floats of a mesh's normals, +Z where they were computed and have no direction, or of its frames.
+fn read_mesh(
+    path: &Path,
+    input: Input,
+    format: FileFormat,
+    element: Element,
+) -> Result<(Vec<f32>, MeshSummary)> {
+    let bytes = input.read_all()?;
+    let (floats, parts, filled) = match element {
+        Element::Vector => {
+            let mut mesh = mesh::parse(path, format, &bytes)?;
+            let filled = mesh.fill_with_z();
+            (mesh.normals.into_flattened(), mesh.parts, filled)
+        }
+        Element::Frame => {
+            let Frames { frames, parts } = mesh::parse_frames(path, format, &bytes)?;
+            (frames.into_flattened(), parts, 0)
+        }
+    };
+    Ok((floats, MeshSummary { parts, filled: filled as u64 }))
+}
+
+fn raw(floats: &[f32]) -> Vec<u8> {
+    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
 }
 
 /// [`stream::encode`] or [`stream::decode`].
-type Conversion = fn(&mut dyn Backend, Format, Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<u64>;
+type Convert<T> = fn(&mut dyn Backend, Format, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
-fn convert(
-    arguments: &Arguments,
+/// A backend at work, and the file that it will have written.
+struct Conversion<'a> {
+    arguments: &'a Arguments,
     format: Format,
-    mut input: Box<dyn Read>,
-    count: Option<u64>,
-    conversion: Conversion,
-) -> Result<ExitCode> {
-    let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
-    let bar = progress_bar(count, format.element.plural());
-    let mut output = Output::create(&arguments.out)?;
-    let from: Input<'_> = Named::new(&arguments.r#in, &mut input);
-    let to: Sink<'_> = Named::new(&arguments.out, &mut output);
-    conversion(open.backend.as_mut(), format, from, to, &mut |done| bar.set_position(done))?;
-    output.finish()?;
-    bar.finish_and_clear();
-    Ok(open.close())
+    open: OpenBackend,
+    output: Output,
 }
 
-/// Elements of `size` bytes in a file; `None` where the length is unknown.
-fn elements(path: &Path, size: usize) -> Option<u64> {
-    path.metadata().ok().filter(|file| file.is_file()).map(|file| file.len() / size as u64)
+impl<'a> Conversion<'a> {
+    fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
+        let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
+        let output = Output::create(&arguments.out)?;
+        Ok(Self { arguments, format, open, output })
+    }
+
+    /// Converts all of the input, of so many elements if that is known.
+    fn run<T>(&mut self, input: &mut dyn Read, count: Option<u64>, convert: Convert<T>) -> Result<T> {
+        let bar = progress_bar(count, self.format.element.plural());
+        let from: stream::Input<'_> = Named::new(&self.arguments.r#in, input);
+        let to: Sink<'_> = Named::new(&self.arguments.out, &mut self.output);
+        let converted = convert(self.open.backend.as_mut(), self.format, from, to, &mut |done| {
+            bar.set_position(done);
+        })?;
+        bar.finish_and_clear();
+        Ok(converted)
+    }
+
+    fn finish(self, summary: impl FnOnce() -> Summary) -> Result<ExitCode> {
+        self.output.finish()?;
+        let Arguments { summary: options, r#in, out, .. } = self.arguments;
+        options.print(&summary(), r#in, out)?;
+        Ok(self.open.close())
+    }
 }
 
 /// A bar on a terminal.

@@ -7,6 +7,7 @@ mod codecs;
 mod conform;
 mod convert;
 mod devices;
+mod summary;
 
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
@@ -38,9 +39,17 @@ enum Command {
     Devices(Vulkan),
     /// Encode raw little-endian f32: three a vector, seven a tangent frame; or the normals of a mesh (obj, ply, gltf,
     /// glb), or its normals and tangents (gltf, glb).
+    ///
+    /// The order of a mesh's codes: of OBJ the `vn` lines, once each, or, where normals are computed, the `v` lines; of PLY
+    /// the vertices; of glTF the meshes in file order, of each its primitives, of each its vertices. Accessors that
+    /// several primitives share come once, at the first of them: --json says where each primitive begins. Each vertex has
+    /// its code: +Z where it has no face to compute a normal from.
     Encode(convert::Arguments),
     /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
     Decode(convert::Arguments),
+    /// Export the normals of a mesh as raw little-endian f32, which `encode` takes, or its tangent frames; in the order
+    /// of `encode --help`.
+    Normals(convert::NormalsArguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
     Accuracy(accuracy::Arguments),
     /// Measure what encoding and decoding cost on a device, beside the survey's figures.
@@ -59,6 +68,7 @@ impl Arguments {
             Command::Devices(vulkan) => devices::run(&vulkan),
             Command::Encode(arguments) => convert::encode(&arguments),
             Command::Decode(arguments) => convert::decode(&arguments),
+            Command::Normals(arguments) => convert::normals(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
