@@ -127,7 +127,7 @@ fn read_mesh(
             (frames.into_flattened(), parts, 0)
         }
     };
-    Ok((floats, MeshSummary { parts, filled: filled as u64 }))
+    Ok((floats, MeshSummary::new(parts, filled as u64)))
 }
 
 fn raw(floats: &[f32]) -> Vec<u8> {

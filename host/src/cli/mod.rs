@@ -40,10 +40,11 @@ enum Command {
     /// Encode raw little-endian f32: three a vector, seven a tangent frame; or the normals of a mesh (obj, ply, gltf,
     /// glb), or its normals and tangents (gltf, glb).
     ///
-    /// The order of a mesh's codes: of OBJ the `vn` lines, once each, or, where normals are computed, the `v` lines; of PLY
-    /// the vertices; of glTF the meshes in file order, of each its primitives, of each its vertices. Accessors that
-    /// several primitives share come once, at the first of them: --json says where each primitive begins. Each vertex has
-    /// its code: +Z where it has no face to compute a normal from.
+    /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
+    /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
+    /// primitives share comes once, at the first of them. --json says where each primitive begins.
+    ///
+    /// A vertex without a face to compute its normal from gets +Z.
     Encode(convert::Arguments),
     /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
     Decode(convert::Arguments),

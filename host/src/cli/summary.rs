@@ -16,8 +16,8 @@ pub struct Options {
     /// Do not print the line of counts to the standard error.
     #[arg(long, short)]
     quiet: bool,
-    /// Print the counts as JSON, and of a mesh where each primitive begins, in place of the line: to the standard output,
-    /// or to the standard error where the output goes to the former.
+    /// Print the counts as JSON instead of the line, and of a mesh where each primitive begins: to the standard output, or
+    /// to the standard error if OUT is the standard output.
     #[arg(long)]
     json: bool,
 }
@@ -29,8 +29,8 @@ impl Options {
             let [input, output] = [input, output].map(|path| path.display().to_string());
             to_json(&Report { input, output, summary })
         };
-        // Where the standard error is closed, the exit status has to do.
         match (self.json, self.quiet) {
+            // Where the standard error is closed, the exit status has to do.
             (true, _) if output == Path::new("-") => {
                 let _ = write!(std::io::stderr(), "{}", json(summary));
             }
@@ -75,11 +75,18 @@ pub struct Summary {
 /// Where the vectors of a mesh come from.
 #[derive(Serialize)]
 pub struct MeshSummary {
+    meshes: usize,
     /// Computed normals that are +Z for want of a direction.
     #[serde(rename = "computed_without_direction")]
     pub filled: u64,
-    /// The primitives.
-    pub parts: Vec<Part>,
+    parts: Vec<Part>,
+}
+
+impl MeshSummary {
+    /// Of a mesh of these parts, in which so many computed normals were filled with +Z.
+    pub fn new(parts: Vec<Part>, filled: u64) -> Self {
+        Self { meshes: mesh_count(&parts), filled, parts }
+    }
 }
 
 impl Summary {
@@ -129,7 +136,7 @@ impl Summary {
     fn line(&self) -> String {
         let mut line = counted(self.count, self.element.plural());
         if let Some(mesh) = &self.mesh {
-            line += &format!(" from {}", counted(mesh_count(&mesh.parts) as u64, "meshes"));
+            line += &format!(" from {}", counted(mesh.meshes as u64, "meshes"));
         }
         if let Some(count) = self.without_direction {
             let of = if self.element == Element::Frame { "normals " } else { "" };

@@ -20,11 +20,11 @@ pub use format::FileFormat;
 ///
 /// Their order:
 ///
-/// * OBJ: the `vn` lines, once each, in file order, whichever of them the faces use. Where these are computed, one normal
-///   for each `v` line, in file order.
+/// * OBJ: the `vn` lines in file order, once each, whether or not the faces use them. Where normals are computed, there is
+///   one for each `v` line, in file order.
 /// * PLY: one normal for each vertex, in file order.
-/// * glTF: the meshes in file order, of each its primitives, of each its vertices. What several primitives share comes
-///   once, at the first of them: an accessor of normals, or, where these are computed, one of positions. [`parts`]
+/// * glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex. What several primitives share
+///   comes once, at the first of them: an accessor of normals or, where normals are computed, of positions. [`parts`]
 ///   says where each primitive begins. Nodes, skins and morph targets are not applied.
 ///
 /// [`parts`]: Self::parts
