@@ -233,7 +233,7 @@ fn encode_says_it_in_json() {
     let part = |mesh: u64, name: Value, first: u64, count: u64, computed: bool| json!({"mesh": mesh, "name": name, "primitive": 0, "first": first, "count": count, "computed": computed});
     let expected = json!({
         "input": path(&mesh), "output": path(&codes), "codec": "oct16", "element": "vector", "count": 7,
-        "without_direction": 3, "meshes": 2, "computed_without_direction": 1,
+        "without_direction": 3, "meshes": 2,
         "parts": [part(0, Value::Null, 0, 3, false), part(1, "bare".into(), 3, 4, true)],
     });
     assert_eq!(json, expected);
@@ -330,7 +330,7 @@ fn normals_are_exported() {
     let told = run(["normals", path(&two), path(&out)]);
     assert_eq!(
         stderr(&told),
-        "7 vectors from 2 meshes, 3 without a direction (1 stored as +Z, 2 as in the file), normals computed from \
+        "7 vectors from 2 meshes, 3 without a direction (1 written as +Z, 2 as in the file), normals computed from \
          faces: in 1 of 2 primitives\n"
     );
     let normals: Vec<[f32; 3]> = elements(&std::fs::read(&out).unwrap());
@@ -346,6 +346,7 @@ fn normals_are_exported() {
     assert_eq!(elements::<7>(&std::fs::read(&out).unwrap()), original);
     let json: Value = serde_json::from_slice(&told.stdout).unwrap();
     assert_eq!((&json["element"], &json["count"]), (&"frame".into(), &10.into()));
+    assert_eq!((&json["written_as_z"], json["parts"].as_array().unwrap().len()), (&0.into(), 1));
     assert_eq!((&json["tangents_without_direction"], &json["codec"]), (&0.into(), &Value::Null));
     assert_eq!(run(["normals", "--quiet", path(&framed), "-"]).stdout.len(), 120);
 }

@@ -1,6 +1,7 @@
 //! Input files, and what they hold: a mesh, raw floats, or what the name and the first bytes do not tell.
 
-use crate::mesh::{FileFormat, MeshError};
+use crate::catalogue::Element;
+use crate::mesh::{self, FileFormat, Frames, Mesh, MeshError, Part};
 use crate::{Error, Result};
 use std::fs::File;
 use std::io::{self, Cursor, Read};
@@ -48,15 +49,17 @@ impl Input {
         self.length
     }
 
-    /// All of it.
+    /// Reads all of it as a mesh: `parse` is [`mesh::parse`] or [`mesh::parse_frames`].
     ///
     /// # Errors
-    /// [`MeshError::Read`].
-    pub fn read_all(mut self) -> Result<Vec<u8>, MeshError> {
+    /// [`MeshError::UnknownFormat`] where it is none, and what `parse` meets.
+    pub fn parse<T>(mut self, parse: fn(&Path, FileFormat, &[u8]) -> Result<T, MeshError>) -> Result<T> {
+        let path = self.path;
+        let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: path.clone() })?;
         let mut bytes = Vec::new();
         match self.reader.read_to_end(&mut bytes) {
-            Ok(_) => Ok(bytes),
-            Err(source) => Err(MeshError::Read { path: self.path, source }),
+            Ok(_) => Ok(parse(&path, format, &bytes)?),
+            Err(source) => Err(Error::Read { path, source }),
         }
     }
 }
@@ -65,6 +68,55 @@ impl Read for Input {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         self.reader.read(buffer)
     }
+}
+
+/// Vectors or frames to encode: those of a mesh, or raw ones.
+pub struct Elements {
+    /// Little-endian f32. Computed normals without a direction are zero.
+    pub floats: Box<dyn Read>,
+    /// The number of elements, where it is known.
+    pub count: Option<u64>,
+    /// Where those of a mesh lie.
+    pub parts: Option<Vec<Part>>,
+}
+
+impl Elements {
+    /// Opens a file or, with `-`, the standard input: as a mesh where it is one, as raw floats where [`Input::is_raw`]. With
+    /// `raw`, as raw floats in any case.
+    ///
+    /// # Errors
+    /// [`Error::UnknownInput`] if it is neither, and whatever reading it meets.
+    pub fn open(path: &Path, element: Element, raw: bool) -> Result<Self> {
+        let input = Input::open(path)?;
+        match (input.mesh, element) {
+            _ if raw => Ok(Self::raw(input, element)),
+            (Some(_), Element::Vector) => {
+                let Mesh { normals, parts } = input.parse(mesh::parse)?;
+                Ok(Self::of_mesh(&normals, parts))
+            }
+            (Some(_), Element::Frame) => {
+                let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+                Ok(Self::of_mesh(&frames, parts))
+            }
+            (None, _) if input.is_raw() => Ok(Self::raw(input, element)),
+            (None, _) => Err(Error::UnknownInput { path: path.to_owned() }),
+        }
+    }
+
+    fn raw(input: Input, element: Element) -> Self {
+        let count = input.length.map(|length| length / element.bytes() as u64);
+        Self { floats: Box::new(input), count, parts: None }
+    }
+
+    fn of_mesh<const N: usize>(elements: &[[f32; N]], parts: Vec<Part>) -> Self {
+        let floats = Box::new(Cursor::new(to_bytes(elements.as_flattened())));
+        Self { floats, count: Some(elements.len() as u64), parts: Some(parts) }
+    }
+}
+
+/// Floats as little-endian bytes.
+pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
+    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
 }
 
 fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
@@ -91,9 +143,10 @@ mod tests {
             let bytes: Vec<u8> = (0..length).map(|at| (at % 251) as u8).collect();
             let path = folder.path().join("a.bin");
             std::fs::write(&path, &bytes).unwrap();
-            let input = Input::open(&path).unwrap();
+            let (mut input, mut read) = (Input::open(&path).unwrap(), Vec::new());
             assert_eq!(input.length(), Some(length as u64));
-            assert!(input.read_all().unwrap() == bytes, "{length}");
+            input.read_to_end(&mut read).unwrap();
+            assert!(read == bytes, "{length}");
         }
     }
 

@@ -1,14 +1,14 @@
-use super::summary::{MeshSummary, Options, Summary};
+use super::summary::{Options, Summary};
 use super::{OpenBackend, Vulkan};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{Cursor, Read};
-use std::path::{Path, PathBuf};
+use std::io::Read;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
 use unitvec_host::catalogue::{Domain, Element, Format, find_format};
-use unitvec_host::input::{Input, RAW_ENDINGS};
-use unitvec_host::mesh::{self, FileFormat, Frames, MeshError};
+use unitvec_host::input::{Elements, Input, to_bytes};
+use unitvec_host::mesh::{self, Frames};
 use unitvec_host::output::{Output, write_file};
 use unitvec_host::stream::{self, Counts, Named, Sink};
 use unitvec_host::{Error, Result};
@@ -54,21 +54,9 @@ pub struct NormalsArguments {
 pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
     let format = find_format(&arguments.codec)?;
     let mut conversion = Conversion::start(arguments, format)?;
-    let mut input = Input::open(&arguments.r#in)?;
-    let (counts, mesh) = match input.mesh() {
-        Some(mesh_format) if !arguments.raw => {
-            let (floats, mesh) = read_mesh(&arguments.r#in, input, mesh_format, format.element)?;
-            let count = (floats.len() / format.element.floats()) as u64;
-            let counts = conversion.run(&mut Cursor::new(raw(&floats)), Some(count), stream::encode)?;
-            (Counts { no_direction: counts.no_direction + mesh.filled, ..counts }, Some(mesh))
-        }
-        _ if arguments.raw || input.is_raw() => {
-            let count = input.length().map(|length| length / format.element.bytes() as u64);
-            (conversion.run(&mut input, count, stream::encode)?, None)
-        }
-        _ => return Err(unknown_input(&arguments.r#in)),
-    };
-    conversion.finish(|| Summary::of_encoding(format, counts, mesh))
+    let mut elements = Elements::open(&arguments.r#in, format.element, arguments.raw)?;
+    let counts = conversion.run(&mut elements.floats, elements.count, stream::encode)?;
+    conversion.finish(&Summary::of_encoding(format, counts, elements.parts))
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
@@ -83,55 +71,26 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
     }
     let count = input.length().map(|length| length / format.bytes as u64);
     let count = conversion.run(&mut input, count, stream::decode)?;
-    conversion.finish(|| Summary::of_decoding(format, count))
+    conversion.finish(&Summary::of_decoding(format, count))
 }
 
-/// Exports the normals of a mesh, or its frames, as [`encode`] takes them.
+/// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
-    let (path, element) = (&arguments.mesh, if arguments.frames { Element::Frame } else { Element::Vector });
-    let input = Input::open(path)?;
-    let format = input.mesh().ok_or_else(|| MeshError::UnknownFormat { path: path.clone() })?;
-    let (floats, mesh) = read_mesh(path, input, format, element)?;
-    write_file(&arguments.out, &raw(&floats))?;
-    let mut counts = Counts { no_direction: mesh.filled, ..Counts::default() };
-    counts.add(element, Domain::Sphere, &floats);
-    let summary = Summary::of_export(element, counts, mesh);
-    arguments.summary.print(&summary, path, &arguments.out)?;
-    Ok(ExitCode::SUCCESS)
-}
-
-fn unknown_input(path: &Path) -> Error {
-    let raw = RAW_ENDINGS.map(|ending| format!(".{ending}")).join(", ");
-    Error::Usage(format!(
-        "{} is neither a mesh (.obj, .ply, .gltf, .glb) nor named as raw f32 ({raw}); if it is raw f32, add --raw",
-        path.display()
-    ))
-}
-
-/// The floats of a mesh's normals, +Z where they were computed and have no direction, or of its frames.
-fn read_mesh(
-    path: &Path,
-    input: Input,
-    format: FileFormat,
-    element: Element,
-) -> Result<(Vec<f32>, MeshSummary)> {
-    let bytes = input.read_all()?;
-    let (floats, parts, filled) = match element {
-        Element::Vector => {
-            let mut mesh = mesh::parse(path, format, &bytes)?;
-            let filled = mesh.fill_with_z();
-            (mesh.normals.into_flattened(), mesh.parts, filled)
-        }
-        Element::Frame => {
-            let Frames { frames, parts } = mesh::parse_frames(path, format, &bytes)?;
-            (frames.into_flattened(), parts, 0)
-        }
+    let input = Input::open(&arguments.mesh)?;
+    let (element, floats, parts, filled) = if arguments.frames {
+        let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+        (Element::Frame, frames.into_flattened(), parts, 0)
+    } else {
+        let mut mesh = input.parse(mesh::parse)?;
+        let filled = mesh.fill_with_z();
+        (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled as u64)
     };
-    Ok((floats, MeshSummary::new(parts, filled as u64)))
-}
-
-fn raw(floats: &[f32]) -> Vec<u8> {
-    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
+    write_file(&arguments.out, &to_bytes(&floats))?;
+    let mut counts = Counts { no_direction: filled, ..Counts::default() };
+    counts.add(element, Domain::Sphere, &floats);
+    let summary = Summary::of_export(element, counts, parts, filled);
+    arguments.summary.print(&summary, &arguments.mesh, &arguments.out)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// [`stream::encode`] or [`stream::decode`].
@@ -164,10 +123,10 @@ impl<'a> Conversion<'a> {
         Ok(converted)
     }
 
-    fn finish(self, summary: impl FnOnce() -> Summary) -> Result<ExitCode> {
+    fn finish(self, summary: &Summary) -> Result<ExitCode> {
         self.output.finish()?;
         let Arguments { summary: options, r#in, out, .. } = self.arguments;
-        options.print(&summary(), r#in, out)?;
+        options.print(summary, r#in, out)?;
         Ok(self.open.close())
     }
 }

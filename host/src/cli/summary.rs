@@ -68,24 +68,22 @@ pub struct Summary {
     below_equator: Option<u64>,
     #[serde(skip)]
     keeps_lengths: bool,
+    /// Of an export: computed normals without a direction, in whose place +Z was written.
+    #[serde(rename = "written_as_z", skip_serializing_if = "Option::is_none")]
+    filled: Option<u64>,
     #[serde(flatten)]
     mesh: Option<MeshSummary>,
 }
 
-/// Where the vectors of a mesh come from.
 #[derive(Serialize)]
-pub struct MeshSummary {
+struct MeshSummary {
     meshes: usize,
-    /// Computed normals that are +Z for want of a direction.
-    #[serde(rename = "computed_without_direction")]
-    pub filled: u64,
     parts: Vec<Part>,
 }
 
-impl MeshSummary {
-    /// Of a mesh of these parts, in which so many computed normals were filled with +Z.
-    pub fn new(parts: Vec<Part>, filled: u64) -> Self {
-        Self { meshes: mesh_count(&parts), filled, parts }
+impl From<Vec<Part>> for MeshSummary {
+    fn from(parts: Vec<Part>) -> Self {
+        Self { meshes: mesh_count(&parts), parts }
     }
 }
 
@@ -99,12 +97,13 @@ impl Summary {
             tangents_without_direction: None,
             below_equator: None,
             keeps_lengths: false,
+            filled: None,
             mesh: None,
         }
     }
 
     /// Of `unitvec encode`.
-    pub fn of_encoding(format: Format, counts: Counts, mesh: Option<MeshSummary>) -> Self {
+    pub fn of_encoding(format: Format, counts: Counts, parts: Option<Vec<Part>>) -> Self {
         let is_raw =
             catalogue::find(format.id).is_ok_and(|codec| !codec.is_unit && codec.family != "best_fit");
         Self {
@@ -113,7 +112,7 @@ impl Summary {
             tangents_without_direction: (format.element == Element::Frame).then_some(counts.no_tangent),
             below_equator: (format.domain == Domain::Hemisphere).then_some(counts.below),
             keeps_lengths: is_raw,
-            mesh,
+            mesh: parts.map(MeshSummary::from),
             ..Self::new(format.element, counts.elements)
         }
     }
@@ -123,12 +122,13 @@ impl Summary {
         Self { codec: Some(format.id), ..Self::new(format.element, count) }
     }
 
-    /// Of `unitvec normals`.
-    pub fn of_export(element: Element, counts: Counts, mesh: MeshSummary) -> Self {
+    /// Of `unitvec normals`, which filled so many normals with +Z.
+    pub fn of_export(element: Element, counts: Counts, parts: Vec<Part>, filled: u64) -> Self {
         Self {
             without_direction: Some(counts.no_direction),
             tangents_without_direction: (element == Element::Frame).then_some(counts.no_tangent),
-            mesh: Some(mesh),
+            filled: Some(filled),
+            mesh: Some(parts.into()),
             ..Self::new(element, counts.elements)
         }
     }
@@ -144,10 +144,10 @@ impl Summary {
             let _ = write!(line, ", {count} {of}without a direction{}", self.stored(count));
         }
         if let Some(count) = self.tangents_without_direction {
-            let stored = match (count, self.codec) {
+            let stored = match (count, self.filled) {
                 (0, _) => "",
-                (_, Some(_)) => " (stored as a perpendicular to the normal)",
-                (_, None) => " (as in the file)",
+                (_, None) => " (stored as a perpendicular to the normal)",
+                (_, Some(_)) => " (as in the file)",
             };
             let _ = write!(line, ", {count} tangents without a direction{stored}");
         }
@@ -166,12 +166,14 @@ impl Summary {
 
     /// What became of the vectors or normals without a direction.
     fn stored(&self, count: u64) -> String {
-        let filled = self.mesh.as_ref().map_or(0, |mesh| mesh.filled);
-        match (self.codec, count - filled) {
+        match self.filled {
             _ if count == 0 => String::new(),
-            (Some(_), _) | (None, 0) => " (stored as +Z)".to_owned(),
-            (None, _) if filled == 0 => " (as in the file)".to_owned(),
-            (None, own) => format!(" ({filled} stored as +Z, {own} as in the file)"),
+            Some(0) => " (as in the file)".to_owned(),
+            Some(filled) if filled < count => {
+                format!(" ({filled} written as +Z, {} as in the file)", count - filled)
+            }
+            Some(_) => " (written as +Z)".to_owned(),
+            None => " (stored as +Z)".to_owned(),
         }
     }
 }
