@@ -1,7 +1,7 @@
 //! The program's commands, run as a user runs them.
 
 use base64::Engine;
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::path::Path;
 use unitvec_host::catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
 use unitvec_host::measure::angle_deg;
@@ -154,6 +154,201 @@ fn a_mesh_is_encoded_as_its_normals() {
     assert!(output.status.success(), "{}", stderr(&output));
     let normals = mesh::read(&bunny).unwrap().normals;
     assert_eq!(std::fs::read(&codes).unwrap().len(), 2 * normals.len());
+}
+
+/// A glTF file with two meshes. The first has normals: +X, zero and NaN. The second, `bare`, has four vertices and one
+/// face, which faces -Z and does not use its second vertex.
+fn two_meshes() -> String {
+    let normals = raw(&[[1.0, 0.0, 0.0], [0.0; 3], [f32::NAN, 0.0, 0.0]]);
+    let corners = raw(&[[0.0, 0.0, 0.0], [1.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
+    let uri = base64::engine::general_purpose::STANDARD.encode([normals, corners, vec![0, 2, 3]].concat());
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"meshes":[
+        {{"primitives":[{{"mode":0,"attributes":{{"POSITION":1,"NORMAL":0}}}}]}},
+        {{"name":"bare","primitives":[{{"attributes":{{"POSITION":2}},"indices":3}}]}}],
+        "buffers":[{{"byteLength":87,"uri":"data:;base64,{uri}"}}],
+        "bufferViews":[{{"buffer":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":48}},
+        {{"buffer":0,"byteOffset":84,"byteLength":3}}],
+        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}},
+        {{"bufferView":1,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}},
+        {{"bufferView":1,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}},
+        {{"bufferView":2,"componentType":5121,"count":3,"type":"SCALAR"}}]}}"#
+    )
+}
+
+/// The directions of [`two_meshes`] as a codec that keeps the axes decodes them.
+const OF_TWO_MESHES: [[f32; 3]; 7] = {
+    let (x, z, down) = ([1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
+    [x, z, z, down, z, down, down]
+};
+
+fn decoded(codes: &[u8]) -> Vec<[f32; 3]> {
+    elements(&run_with_input(["decode", "--codec", "oct16", "--quiet", "-", "-"], codes).stdout)
+}
+
+/// One line says how many vectors came from where, and what became of those without a direction; each vertex has its
+/// place.
+#[test]
+fn encode_says_what_it_did_with_a_mesh() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, codes] = ["two.gltf", "codes"].map(|name| folder.path().join(name));
+    std::fs::write(&mesh, two_meshes()).unwrap();
+    let arguments = ["encode", "--codec", "oct16", path(&mesh), path(&codes)];
+    let told = run(arguments);
+    assert_eq!(
+        stderr(&told),
+        "7 vectors from 2 meshes, 3 without a direction (stored as +Z), normals computed from faces: in 1 of 2 \
+         primitives\n"
+    );
+    assert_eq!(stdout(&told), "");
+    assert_eq!(decoded(&std::fs::read(&codes).unwrap()), OF_TWO_MESHES);
+    let quiet = run([&arguments[..], &["--quiet"]].concat());
+    assert!(quiet.status.success() && quiet.stderr.is_empty() && quiet.stdout.is_empty());
+}
+
+/// The issue's mesh: four vertices, three of which a face uses, give four codes, the third that of +Z.
+#[test]
+fn an_unused_vertex_keeps_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, codes] = ["four.obj", "codes"].map(|name| folder.path().join(name));
+    std::fs::write(&mesh, "v 0 0 0\nv 0 1 0\nv 5 5 5\nv 1 0 0\nf 1 2 4\n").unwrap();
+    let told = stderr(&run(["encode", "--codec", "oct16", path(&mesh), path(&codes)]));
+    let (z, down) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
+    assert_eq!(decoded(&std::fs::read(&codes).unwrap()), [down, down, z, down]);
+    let line =
+        "4 vectors from 1 mesh, 1 without a direction (stored as +Z), normals computed from faces: yes\n";
+    assert_eq!(told, line);
+}
+
+/// JSON has the facts of the line, and where each primitive begins. It goes where the codes do not.
+#[test]
+fn encode_says_it_in_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, codes] = ["two.gltf", "codes"].map(|name| folder.path().join(name));
+    std::fs::write(&mesh, two_meshes()).unwrap();
+    let encode = |out| run(["encode", "--json", "--codec", "oct16", path(&mesh), out]);
+    let to_file = encode(path(&codes));
+    assert!(to_file.stderr.is_empty());
+    let mut json: Value = serde_json::from_slice(&to_file.stdout).unwrap();
+    let part = |mesh: u64, name: Value, first: u64, count: u64, computed: bool| json!({"mesh": mesh, "name": name, "primitive": 0, "first": first, "count": count, "computed": computed});
+    let expected = json!({
+        "input": path(&mesh), "output": path(&codes), "codec": "oct16", "element": "vector", "count": 7,
+        "without_direction": 3, "meshes": 2,
+        "parts": [part(0, Value::Null, 0, 3, false), part(1, "bare".into(), 3, 4, true)],
+    });
+    assert_eq!(json, expected);
+    let to_stdout = encode("-");
+    assert_eq!(to_stdout.stdout, std::fs::read(&codes).unwrap());
+    json["output"] = "-".into();
+    assert_eq!(serde_json::from_slice::<Value>(&to_stdout.stderr).unwrap(), json);
+}
+
+/// The line of raw vectors and frames, of codecs that need words of their own, and of decoding.
+#[test]
+fn lines_of_raw_input() {
+    let vectors = raw(&[[0.0f32; 3], [0.0, 0.6, -0.8], [3.0, 0.0, 0.0], [f32::NAN; 3], [0.0, 0.0, 1.0]]);
+    let [normal, none] = [[0.0, 0.0, 1.0], [0.0f32; 3]];
+    let frame = |normal: [f32; 3], tangent: [f32; 3]| [raw(&[normal, tangent]), raw(&[[1.0]])].concat();
+    let frames = [frame(normal, none), frame(none, none), frame(normal, [1.0, 0.0, 0.0])].concat();
+    for (command, codec, input, line) in [
+        ("encode", "oct16", &vectors, "5 vectors, 2 without a direction (stored as +Z)"),
+        (
+            "encode",
+            "hemioct16",
+            &vectors,
+            "5 vectors, 2 without a direction (stored as +Z), 1 below the equator (moved up to it)",
+        ),
+        (
+            "encode",
+            "snorm8x3",
+            &vectors,
+            "5 vectors, 2 without a direction (stored as +Z), components stored as given, clamped",
+        ),
+        ("encode", "snorm8x3p", &vectors, "5 vectors, 2 without a direction (stored as +Z)"),
+        (
+            "encode",
+            "frame32",
+            &frames,
+            "3 frames, 1 normals without a direction (stored as +Z), 2 tangents without a direction (stored as a \
+             perpendicular to the normal)",
+        ),
+        ("encode", "oct16", &vectors[48..].to_vec(), "1 vector, 0 without a direction"),
+        ("decode", "oct16", &vectors[..10].to_vec(), "5 vectors"),
+        ("decode", "frame64", &vectors[..8].to_vec(), "1 frame"),
+    ] {
+        let told = run_with_input([command, "--codec", codec, "-", "-"], input);
+        assert_eq!(stderr(&told), format!("{line}\n"), "{command} {codec}");
+    }
+}
+
+/// The header and the chunk of a GLB.
+fn glb(json: &str) -> Vec<u8> {
+    let json = format!("{json:<0$}", json.len().next_multiple_of(4));
+    let [length, whole] = [json.len(), json.len() + 20].map(|length| (length as u32).to_le_bytes());
+    [b"glTF", &2u32.to_le_bytes()[..], &whole, &length, b"JSON", json.as_bytes()].concat()
+}
+
+/// First bytes tell a mesh whatever its ending, and from a pipe; `--raw` takes it as floats all the same. Raw floats need
+/// a known ending or `--raw`.
+#[test]
+fn files_are_known_by_their_first_bytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let ply = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float nx\nproperty float ny\nproperty float nz\n\
+        end_header\n1 0 0\n";
+    let x = vec![[1.0, 0.0, 0.0]];
+    let vrm = glb(&two_meshes());
+    for (name, content, expected) in [
+        ("a.vrm", &vrm[..], OF_TWO_MESHES.to_vec()),
+        ("a.bin", &vrm, OF_TWO_MESHES.to_vec()),
+        ("a.obj", two_meshes().as_bytes(), OF_TWO_MESHES.to_vec()),
+        ("a.unknown", ply.as_bytes(), x.clone()),
+        ("a.glb", ply.as_bytes(), x.clone()),
+        ("a.f32", &raw(&x), x.clone()),
+        ("a.RAW", &raw(&x), x),
+    ] {
+        let file = folder.path().join(name);
+        std::fs::write(&file, content).unwrap();
+        let from_file = run(["encode", "--codec", "oct16", path(&file), "-"]);
+        assert_eq!(decoded(&from_file.stdout), expected, "{name}: {}", stderr(&from_file));
+        let from_pipe = run_with_input(["encode", "--codec", "oct16", "-", "-"], content);
+        assert_eq!(from_pipe.stdout, from_file.stdout, "{name}");
+    }
+    let floats = folder.path().join("a.vrm");
+    std::fs::write(&floats, &vrm[..12]).unwrap();
+    let told = stderr(&run(["encode", "--raw", "--codec", "oct16", path(&floats), "-"]));
+    assert!(told.starts_with("1 vector, "), "{told}");
+    let told = stderr(&run(["decode", "--raw", "--codec", "oct32", path(&floats), "-"]));
+    assert_eq!(told, "3 vectors\n");
+}
+
+/// What `normals` exports is what `encode` takes: the same codes, and the file's own normals untouched.
+#[test]
+fn normals_are_exported() {
+    let folder = tempfile::tempdir().unwrap();
+    let [two, framed, out] = ["two.glb", "framed.gltf", "out.bin"].map(|name| folder.path().join(name));
+    std::fs::write(&two, glb(&two_meshes())).unwrap();
+    let told = run(["normals", path(&two), path(&out)]);
+    assert_eq!(
+        stderr(&told),
+        "7 vectors from 2 meshes, 3 without a direction (1 written as +Z, 2 as in the file), normals computed from \
+         faces: in 1 of 2 primitives\n"
+    );
+    let normals: Vec<[f32; 3]> = elements(&std::fs::read(&out).unwrap());
+    assert_eq!(normals[1], [0.0; 3]);
+    assert!(normals[2][0].is_nan());
+    assert_eq!((normals[0], &normals[3..]), (OF_TWO_MESHES[0], &OF_TWO_MESHES[3..]));
+    let codes = |input| run(["encode", "--codec", "oct16", input, "-"]).stdout;
+    assert_eq!(codes(path(&out)), codes(path(&two)));
+
+    let original: Vec<[f32; 7]> = sampling::random_frames(3).take(10).collect();
+    std::fs::write(&framed, gltf(&original)).unwrap();
+    let told = run(["normals", "--frames", "--json", path(&framed), path(&out)]);
+    assert_eq!(elements::<7>(&std::fs::read(&out).unwrap()), original);
+    let json: Value = serde_json::from_slice(&told.stdout).unwrap();
+    assert_eq!((&json["element"], &json["count"]), (&"frame".into(), &10.into()));
+    assert_eq!((&json["written_as_z"], json["parts"].as_array().unwrap().len()), (&0.into(), 1));
+    assert_eq!((&json["tangents_without_direction"], &json["codec"]), (&0.into(), &Value::Null));
+    assert_eq!(run(["normals", "--quiet", path(&framed), "-"]).stdout.len(), 120);
 }
 
 #[test]

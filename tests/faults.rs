@@ -150,6 +150,55 @@ fn a_mesh_that_is_none() {
     }
 }
 
+/// A file that is neither a mesh nor named as raw floats is refused with the remedy.
+#[test]
+fn a_file_of_an_unknown_kind() {
+    let folder = folder();
+    for name in ["a.fbx", "a.vrm", "bin", "a.oct16"] {
+        let input = file(&folder, name, &[0; 24]);
+        let output = folder.path().join("out");
+        assert_fails(&mut encode("oct16", &input, &output), 2, &[name, ".glb", ".f32", "add --raw"]);
+        assert_fails(
+            &mut command(["normals".as_ref(), input.as_os_str(), output.as_os_str()]),
+            1,
+            &[name, ".glb"],
+        );
+        std::fs::remove_file(input).unwrap();
+    }
+    assert!(names(&folder).is_empty());
+}
+
+/// A mesh by another name is no codes either.
+#[test]
+fn a_mesh_to_decode() {
+    let folder = folder();
+    for content in [&b"glTF\x02\0\0\0"[..], b"ply\nformat", b"{\"asset\":{}}"] {
+        let input = file(&folder, "codes", content);
+        let mut decode = command(["decode", "--codec", "oct16"]);
+        let words = ["codes is a mesh", "unitvec encode", "--raw"];
+        assert_fails(decode.args([&input, &folder.path().join("out")]), 2, &words);
+    }
+    assert_eq!(names(&folder), ["codes"]);
+}
+
+/// Compressed geometry gets the way to decompress it, and no message ends in two marks.
+#[test]
+fn gltf_extensions_that_are_not_read() {
+    let folder = folder();
+    for (extension, remedy) in [
+        ("KHR_draco_mesh_compression", "`gltf-transform copy "),
+        ("EXT_meshopt_compression", "`gltf-transform copy "),
+        ("KHR_meshopt_compression", "export it without compression"),
+        ("KHR_of_the_future", "export it again"),
+    ] {
+        let content = format!(r#"{{"asset":{{"version":"2.0"}},"extensionsRequired":["{extension}"]}}"#);
+        let input = file(&folder, "a.gltf", content.as_bytes());
+        let mut encode = encode("oct16", &input, &folder.path().join("out"));
+        let output = assert_fails(&mut encode, 1, &["a.gltf", extension, remedy]);
+        assert!(!stderr(&output).contains(";;"), "{}", stderr(&output));
+    }
+}
+
 /// A mesh without tangents, or in a format that has none, does not give frames.
 #[test]
 fn a_mesh_without_tangents() {

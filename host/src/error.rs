@@ -1,4 +1,4 @@
-use crate::{catalogue, glsl, mesh, modules, vulkan};
+use crate::{catalogue, glsl, input, mesh, modules, vulkan};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -39,6 +39,16 @@ pub enum Error {
         path: PathBuf,
         /// Cause.
         source: io::Error,
+    },
+    /// A file that is no mesh and does not have the name of raw floats.
+    #[error(
+        "{} is neither a mesh (.obj, .ply, .gltf, .glb) nor named as raw f32 (.{}); if it is raw f32, add --raw",
+        .path.display(),
+        input::RAW_ENDINGS.join(", .")
+    )]
+    UnknownInput {
+        /// Its path.
+        path: PathBuf,
     },
     /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
     #[error("cannot write {}: {source}; check that its folder exists, may be written to and has room", .path.display())]
@@ -88,7 +98,10 @@ impl Error {
     pub fn is_usage(&self) -> bool {
         matches!(
             self,
-            Self::Usage(_) | Self::UnknownCodec(_) | Self::Vulkan(vulkan::Error::UnknownDevice { .. })
+            Self::Usage(_)
+                | Self::UnknownCodec(_)
+                | Self::UnknownInput { .. }
+                | Self::Vulkan(vulkan::Error::UnknownDevice { .. })
         )
     }
 }

@@ -6,7 +6,7 @@
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
 //! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`choose`]: what to take.
-//! * [`mesh`], [`stream`] and [`output`]: files in and out.
+//! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
 
 #![deny(unsafe_code)]
 
@@ -17,6 +17,7 @@ pub mod choose;
 pub mod conform;
 mod error;
 pub mod glsl;
+pub mod input;
 pub mod manifest;
 pub mod measure;
 pub mod mesh;

@@ -1,7 +1,7 @@
 //! Output files that exist whole or not at all.
 
 use crate::{Error, Result};
-use std::fs::{File, OpenOptions};
+use std::fs::OpenOptions;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
@@ -134,22 +134,4 @@ pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
     let mut output = Output::create(path)?;
     output.write_all(content).map_err(|source| Error::writing(path, source))?;
     output.finish()
-}
-
-/// Opens a file to read; `-` is the standard input.
-///
-/// # Errors
-/// [`Error::Read`].
-pub fn open_input(path: &Path) -> Result<Box<dyn io::Read>> {
-    if path == Path::new("-") {
-        return Ok(Box::new(io::stdin().lock()));
-    }
-    let refuse_folder = |file: File| match file.metadata()?.is_dir() {
-        true => Err(io::ErrorKind::IsADirectory.into()),
-        false => Ok(file),
-    };
-    match File::open(path).and_then(refuse_folder) {
-        Ok(file) => Ok(Box::new(file)),
-        Err(source) => Err(Error::Read { path: path.to_owned(), source }),
-    }
 }

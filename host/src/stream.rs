@@ -1,7 +1,8 @@
 //! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
 
 use crate::backend::{Backend, CHUNK};
-use crate::catalogue::Format;
+use crate::catalogue::{Domain, Element, Format};
+use crate::mesh::has_direction;
 use crate::{Error, Result};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
@@ -31,8 +32,37 @@ pub type Input<'a> = Named<'a, dyn Read + 'a>;
 /// Where bytes go to.
 pub type Sink<'a> = Named<'a, dyn Write + 'a>;
 
+/// What was encoded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Vectors or frames.
+    pub elements: u64,
+    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]): stored as +Z.
+    pub no_direction: u64,
+    /// Tangents of frames without one: any perpendicular to the normal is stored.
+    pub no_tangent: u64,
+    /// Vectors below the equator that a codec of the hemisphere cannot store.
+    pub below: u64,
+}
+
+impl Counts {
+    /// Counts elements that lie one after the other, for a codec of this domain.
+    pub fn add(&mut self, element: Element, domain: Domain, floats: &[f32]) {
+        let of =
+            |at: usize| floats.chunks_exact(element.floats()).map(move |e| [e[at], e[at + 1], e[at + 2]]);
+        let without = |at| of(at).filter(|vector| !has_direction(*vector)).count() as u64;
+        self.elements += (floats.len() / element.floats()) as u64;
+        self.no_direction += without(0);
+        if element == Element::Frame {
+            self.no_tangent += without(3);
+        }
+        if domain == Domain::Hemisphere {
+            self.below += of(0).filter(|vector| vector[2] < 0.0 && has_direction(*vector)).count() as u64;
+        }
+    }
+}
+
 /// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` is told the elements done so far.
-/// Returns their number.
 ///
 /// # Errors
 /// [`Error::Truncated`] if the input ends within an element, and whatever reading, encoding or writing meets.
@@ -42,14 +72,14 @@ pub fn encode(
     mut input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
-) -> Result<u64> {
+) -> Result<Counts> {
     let (floats, unit) = (format.element.floats(), format.element.plural());
     let mut elements = vec![0.0; CHUNK * floats];
     let mut codes = vec![0; CHUNK * format.bytes];
-    let mut done = 0;
+    let mut done = Counts::default();
     loop {
         let bytes = bytemuck::cast_slice_mut(&mut elements);
-        let count = read_elements(&mut input, bytes, format.element.bytes(), unit, done)?;
+        let count = read_elements(&mut input, bytes, format.element.bytes(), unit, done.elements)?;
         if count == 0 {
             return Ok(done);
         }
@@ -57,8 +87,8 @@ pub fn encode(
         swap_if_big_endian(elements);
         backend.encode(format, elements, codes)?;
         write(&mut output, codes)?;
-        done += count as u64;
-        progress(done);
+        done.add(format.element, format.domain, elements);
+        progress(done.elements);
     }
 }
 
@@ -165,7 +195,7 @@ mod tests {
         }
     }
 
-    fn run_encode(input: &[u8], output: &mut dyn Write) -> Result<u64> {
+    fn run_encode(input: &[u8], output: &mut dyn Write) -> Result<Counts> {
         let codec = find_format("oct24").unwrap();
         let (from, to) = (Path::new("in"), Path::new("out"));
         encode(&mut Cpu, codec, Named::new(from, &mut Trickle(input)), Named::new(to, output), &mut |_| ())
@@ -175,8 +205,37 @@ mod tests {
     fn short_reads_do_not_cut_the_input() {
         let mut codes = Vec::new();
         let one: Vec<u8> = [0.0f32, 0.0, 1.0].iter().flat_map(|c| c.to_le_bytes()).collect();
-        assert_eq!(run_encode(&one.repeat(100), &mut codes).unwrap(), 100);
+        assert_eq!(run_encode(&one.repeat(100), &mut codes).unwrap().elements, 100);
         assert_eq!(codes.len(), 300);
+    }
+
+    fn count(codec: &str, elements: &[f32]) -> Counts {
+        let input: Vec<u8> = elements.iter().flat_map(|c| c.to_le_bytes()).collect();
+        let (path, codec) = (Path::new("a"), find_format(codec).unwrap());
+        let (mut input, mut output) = (&input[..], io::sink());
+        encode(&mut Cpu, codec, Named::new(path, &mut input), Named::new(path, &mut output), &mut |_| ())
+            .unwrap()
+    }
+
+    /// Vectors without a direction are counted, normals and tangents of frames apart.
+    #[test]
+    fn vectors_without_a_direction_are_counted() {
+        let [zero, nan, tiny, huge, x] =
+            [[0.0; 3], [f32::NAN, 0.0, 1.0], [1e-30; 3], [f32::INFINITY, 0.0, 0.0], [1.0, 0.0, 0.0]];
+        let vectors = [zero, nan, tiny, huge, x, [0.0, 5.0, 0.0], [0.0, -0.0, -0.0]].concat();
+        let expected = Counts { elements: 7, no_direction: 5, ..Counts::default() };
+        assert_eq!(count("oct32", &vectors), expected);
+        let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[1.0]].concat();
+        let frames = [frame(zero, zero), frame(x, nan), frame(zero, x), frame(x, x), frame(x, huge)].concat();
+        let expected = Counts { elements: 5, no_direction: 2, no_tangent: 3, below: 0 };
+        assert_eq!(count("frame32", &frames), expected);
+    }
+
+    /// What lies below the equator is counted for codecs of the hemisphere alone.
+    #[test]
+    fn vectors_below_the_equator_are_counted() {
+        let vectors = [0.0, 0.6, -0.8, 0.0, 1.0, -0.0, 0.0, f32::NAN, -1.0, 0.0, 0.0, 1.0];
+        assert_eq!((count("hemioct16", &vectors).below, count("oct16", &vectors).below), (1, 0));
     }
 
     #[test]

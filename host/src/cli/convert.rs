@@ -1,14 +1,17 @@
+use super::summary::{Options, Summary};
 use super::{OpenBackend, Vulkan};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
-use std::io::{Cursor, Read};
-use std::path::{Path, PathBuf};
+use std::io::Read;
+use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
-use unitvec_host::catalogue::{Element, Format, find_format};
-use unitvec_host::output::{Output, open_input};
-use unitvec_host::stream::{self, Input, Named, Sink};
-use unitvec_host::{Error, Result, mesh};
+use unitvec_host::catalogue::{Domain, Element, Format, find_format};
+use unitvec_host::input::{Elements, Input, to_bytes};
+use unitvec_host::mesh::{self, Frames};
+use unitvec_host::output::{Output, write_file};
+use unitvec_host::stream::{self, Counts, Named, Sink};
+use unitvec_host::{Error, Result};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -20,62 +23,112 @@ pub struct Arguments {
     backend: BackendKind,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// Input file, - for the standard input. To encode: raw f32, or a mesh, known by its ending (obj, ply, gltf, glb). A
-    /// frame is normal, tangent and handedness. To decode: codes.
+    /// Take the input as raw f32, or as codes to decode, whatever its name and first bytes say.
+    #[arg(long)]
+    raw: bool,
+    #[command(flatten)]
+    summary: Options,
+    /// Input file, - for the standard input.
+    ///
+    /// To encode: a mesh, known by its first bytes (glTF, PLY) or its ending (.obj, .ply, .gltf, .glb), or raw f32: .bin,
+    /// .f32, .raw, the standard input, pipes, and any file with --raw. A frame is normal, tangent and handedness. To
+    /// decode: codes.
     r#in: PathBuf,
     /// Output file, - for the standard output. A file is replaced only once the new one is complete.
     out: PathBuf,
 }
 
+#[derive(Args)]
+pub struct NormalsArguments {
+    /// Export whole tangent frames, seven f32 each: normal, tangent and handedness. The mesh needs tangents.
+    #[arg(long)]
+    frames: bool,
+    #[command(flatten)]
+    summary: Options,
+    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY.
+    mesh: PathBuf,
+    /// Output file, - for the standard output.
+    out: PathBuf,
+}
+
 pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
     let format = find_format(&arguments.codec)?;
-    let (path, size) = (arguments.r#in.as_path(), format.element.bytes());
-    if !mesh::is_mesh(path) {
-        return convert(arguments, format, open_input(path)?, elements(path, size), stream::encode);
-    }
-    let floats = match format.element {
-        Element::Vector => mesh::read(path)?.normals.into_flattened(),
-        Element::Frame => mesh::read_frames(path)?.into_flattened(),
-    };
-    let bytes: Vec<u8> = floats.into_iter().flat_map(f32::to_le_bytes).collect();
-    let count = (bytes.len() / size) as u64;
-    convert(arguments, format, Box::new(Cursor::new(bytes)), Some(count), stream::encode)
+    let mut conversion = Conversion::start(arguments, format)?;
+    let mut elements = Elements::open(&arguments.r#in, format.element, arguments.raw)?;
+    let counts = conversion.run(&mut elements.floats, elements.count, stream::encode)?;
+    conversion.finish(&Summary::of_encoding(format, counts, elements.parts))
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
-    let path = arguments.r#in.as_path();
-    if mesh::is_mesh(path) {
-        let path = path.display();
-        return Err(Error::Usage(format!("{path} is a mesh, not codes; `unitvec encode` makes codes of it")));
-    }
     let format = find_format(&arguments.codec)?;
-    convert(arguments, format, open_input(path)?, elements(path, format.bytes), stream::decode)
+    let mut conversion = Conversion::start(arguments, format)?;
+    let mut input = Input::open(&arguments.r#in)?;
+    if input.mesh().is_some() && !arguments.raw {
+        return Err(Error::Usage(format!(
+            "{} is a mesh, not codes; `unitvec encode` makes codes of it, and --raw takes it as codes",
+            arguments.r#in.display()
+        )));
+    }
+    let count = input.length().map(|length| length / format.bytes as u64);
+    let count = conversion.run(&mut input, count, stream::decode)?;
+    conversion.finish(&Summary::of_decoding(format, count))
+}
+
+/// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
+pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
+    let input = Input::open(&arguments.mesh)?;
+    let (element, floats, parts, filled) = if arguments.frames {
+        let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+        (Element::Frame, frames.into_flattened(), parts, 0)
+    } else {
+        let mut mesh = input.parse(mesh::parse)?;
+        let filled = mesh.fill_with_z();
+        (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled as u64)
+    };
+    write_file(&arguments.out, &to_bytes(&floats))?;
+    let mut counts = Counts { no_direction: filled, ..Counts::default() };
+    counts.add(element, Domain::Sphere, &floats);
+    let summary = Summary::of_export(element, counts, parts, filled);
+    arguments.summary.print(&summary, &arguments.mesh, &arguments.out)?;
+    Ok(ExitCode::SUCCESS)
 }
 
 /// [`stream::encode`] or [`stream::decode`].
-type Conversion = fn(&mut dyn Backend, Format, Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<u64>;
+type Convert<T> = fn(&mut dyn Backend, Format, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
-fn convert(
-    arguments: &Arguments,
+/// A backend at work, and the file that it will have written.
+struct Conversion<'a> {
+    arguments: &'a Arguments,
     format: Format,
-    mut input: Box<dyn Read>,
-    count: Option<u64>,
-    conversion: Conversion,
-) -> Result<ExitCode> {
-    let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
-    let bar = progress_bar(count, format.element.plural());
-    let mut output = Output::create(&arguments.out)?;
-    let from: Input<'_> = Named::new(&arguments.r#in, &mut input);
-    let to: Sink<'_> = Named::new(&arguments.out, &mut output);
-    conversion(open.backend.as_mut(), format, from, to, &mut |done| bar.set_position(done))?;
-    output.finish()?;
-    bar.finish_and_clear();
-    Ok(open.close())
+    open: OpenBackend,
+    output: Output,
 }
 
-/// Elements of `size` bytes in a file; `None` where the length is unknown.
-fn elements(path: &Path, size: usize) -> Option<u64> {
-    path.metadata().ok().filter(|file| file.is_file()).map(|file| file.len() / size as u64)
+impl<'a> Conversion<'a> {
+    fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
+        let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
+        let output = Output::create(&arguments.out)?;
+        Ok(Self { arguments, format, open, output })
+    }
+
+    /// Converts all of the input, of so many elements if that is known.
+    fn run<T>(&mut self, input: &mut dyn Read, count: Option<u64>, convert: Convert<T>) -> Result<T> {
+        let bar = progress_bar(count, self.format.element.plural());
+        let from: stream::Input<'_> = Named::new(&self.arguments.r#in, input);
+        let to: Sink<'_> = Named::new(&self.arguments.out, &mut self.output);
+        let converted = convert(self.open.backend.as_mut(), self.format, from, to, &mut |done| {
+            bar.set_position(done);
+        })?;
+        bar.finish_and_clear();
+        Ok(converted)
+    }
+
+    fn finish(self, summary: &Summary) -> Result<ExitCode> {
+        self.output.finish()?;
+        let Arguments { summary: options, r#in, out, .. } = self.arguments;
+        options.print(summary, r#in, out)?;
+        Ok(self.open.close())
+    }
 }
 
 /// A bar on a terminal.

@@ -7,6 +7,7 @@ mod codecs;
 mod conform;
 mod convert;
 mod devices;
+mod summary;
 
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
@@ -38,9 +39,18 @@ enum Command {
     Devices(Vulkan),
     /// Encode raw little-endian f32: three a vector, seven a tangent frame; or the normals of a mesh (obj, ply, gltf,
     /// glb), or its normals and tangents (gltf, glb).
+    ///
+    /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
+    /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
+    /// primitives share comes once, at the first of them. --json says where each primitive begins.
+    ///
+    /// A vertex without a face to compute its normal from gets +Z.
     Encode(convert::Arguments),
     /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
     Decode(convert::Arguments),
+    /// Export the normals of a mesh as raw little-endian f32, which `encode` takes, or its tangent frames; in the order
+    /// of `encode --help`.
+    Normals(convert::NormalsArguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
     Accuracy(accuracy::Arguments),
     /// Measure what encoding and decoding cost on a device, beside the survey's figures.
@@ -59,6 +69,7 @@ impl Arguments {
             Command::Devices(vulkan) => devices::run(&vulkan),
             Command::Encode(arguments) => convert::encode(&arguments),
             Command::Decode(arguments) => convert::decode(&arguments),
+            Command::Normals(arguments) => convert::normals(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),

@@ -1,10 +1,11 @@
 //! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate. Long, since half of the file are its unit tests,
 //! which make broken files one field at a time.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 use std::path::Path;
 
-use ::gltf::accessor::{DataType, Dimensions};
+use ::gltf::accessor::{DataType, Dimensions, Item, Iter};
 use ::gltf::buffer::{Source, View};
 use ::gltf::json;
 use ::gltf::mesh::Mode;
@@ -16,37 +17,38 @@ use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use glam::{DVec3, Vec3};
 use percent_encoding::percent_decode_str;
 
-use super::{Mesh, MeshError, area_weighted, check_finite, finish, parse_error};
+use super::{Frames, Mesh, MeshError, Part, area_weighted, check_finite, finish, parse_error};
 
 const FORMAT: &str = "glTF";
 
-/// Reads the normals of all primitives of all meshes, each accessor of normals once.
-///
-/// They are as the accessors have them: neither nodes nor skins nor morph targets are applied.
+/// Reads the normals of all primitives of all meshes, as [`Mesh`] says.
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     let (document, file) = load(path, bytes)?;
-    let (mut normals, mut computed, mut seen) = (Vec::new(), false, HashSet::new());
-    for primitive in document.meshes().flat_map(|mesh| mesh.primitives()) {
+    let faces = file.faces_to_compute_from(&document)?;
+    let mut all = Collected::default();
+    for (mesh, primitive) in primitives(&document) {
         match primitive.get(&Semantic::Normals) {
-            Some(accessor) if !seen.insert(accessor.index()) => {}
-            Some(_) => {
+            Some(accessor) => all.add(&mesh, &primitive, Accessors::Normals(accessor.index()), || {
                 check_finite(path, &file.positions(&primitive)?)?;
-                normals.extend(file.normals(&primitive)?);
-            }
+                file.normals(&primitive)
+            })?,
             None => {
-                normals.extend(file.computed_normals(&primitive)?);
-                computed = true;
+                let accessor = file.attribute(&primitive, &Semantic::Positions)?.index();
+                all.add(&mesh, &primitive, Accessors::Faces(accessor), || {
+                    let faces = faces.get(&accessor).into_iter().flatten().copied();
+                    area_weighted(path, &file.positions(&primitive)?, faces)
+                })?;
             }
         }
     }
-    finish(path, normals, computed)
+    finish(path, Mesh { normals: all.elements, parts: all.parts })
 }
 
-/// Reads the tangent frames of all primitives of all meshes, each pair of accessors once, as [`parse`].
-pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Vec<[f32; 7]>, MeshError> {
+/// Reads the tangent frames of all primitives of all meshes, as [`Frames`] says.
+pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshError> {
     let (document, file) = load(path, bytes)?;
-    let (mut frames, mut seen) = (Vec::new(), HashSet::new());
-    for primitive in document.meshes().flat_map(|mesh| mesh.primitives()) {
+    let mut all = Collected::default();
+    for (mesh, primitive) in primitives(&document) {
         let [Some(normals), Some(tangents)] =
             [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
         else {
@@ -55,13 +57,65 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Vec<[f32; 7]>, M
         if normals.count() != tangents.count() {
             return Err(file.error("a primitive has normals and tangents of different number"));
         }
-        if seen.insert((normals.index(), tangents.index())) {
+        all.add(&mesh, &primitive, Accessors::Frames(normals.index(), tangents.index()), || {
             check_finite(path, &file.positions(&primitive)?)?;
-            let frames_of_it = file.normals(&primitive)?.into_iter().zip(file.tangents(&primitive)?);
-            frames.extend(frames_of_it.map(|([x, y, z], [a, b, c, d])| [x, y, z, a, b, c, d]));
-        }
+            let frames = file.normals(&primitive)?.into_iter().zip(file.tangents(&primitive)?);
+            Ok(frames.map(|([x, y, z], [a, b, c, d])| [x, y, z, a, b, c, d]).collect())
+        })?;
     }
-    if frames.is_empty() { Err(MeshError::NoTangents { path: path.into() }) } else { Ok(frames) }
+    if all.elements.is_empty() {
+        return Err(MeshError::NoTangents { path: path.into() });
+    }
+    Ok(Frames { frames: all.elements, parts: all.parts })
+}
+
+fn primitives(document: &Document) -> impl Iterator<Item = (::gltf::Mesh<'_>, Primitive<'_>)> {
+    document.meshes().flat_map(|mesh| mesh.primitives().map(move |primitive| (mesh.clone(), primitive)))
+}
+
+/// The accessors that the elements of a primitive come from.
+#[derive(PartialEq, Eq, Hash)]
+enum Accessors {
+    Normals(usize),
+    /// Computed: the accessor of positions.
+    Faces(usize),
+    /// Those of normals and of tangents.
+    Frames(usize, usize),
+}
+
+/// The elements of the primitives so far, and where those of each lie.
+#[derive(Default)]
+struct Collected<const N: usize> {
+    elements: Vec<[f32; N]>,
+    parts: Vec<Part>,
+    /// First and count of what was read already.
+    places: HashMap<Accessors, (usize, usize)>,
+}
+
+impl<const N: usize> Collected<N> {
+    /// Adds a primitive; what comes from the same accessors is read once.
+    fn add(
+        &mut self,
+        mesh: &::gltf::Mesh,
+        primitive: &Primitive,
+        from: Accessors,
+        read: impl FnOnce() -> Result<Vec<[f32; N]>, MeshError>,
+    ) -> Result<(), MeshError> {
+        let computed = matches!(from, Accessors::Faces(_));
+        let (first, count) = match self.places.entry(from) {
+            Entry::Occupied(place) => *place.get(),
+            Entry::Vacant(place) => {
+                let elements = read()?;
+                let range = *place.insert((self.elements.len(), elements.len()));
+                self.elements.extend(elements);
+                range
+            }
+        };
+        let name = mesh.name().map(str::to_owned);
+        let (mesh, primitive) = (mesh.index(), primitive.index());
+        self.parts.push(Part { mesh, name, primitive, first, count, computed });
+        Ok(())
+    }
 }
 
 /// Parses and validates the parts that hold geometry.
@@ -74,6 +128,7 @@ fn load<'p>(path: &'p Path, bytes: &[u8]) -> Result<(Document, File<'p>), MeshEr
     }
     let Gltf { document, blob } = Gltf::from_slice_without_validation(bytes).map_err(error)?;
     let root = geometry_of(document.into_json());
+    check_not_compressed(path, &root)?;
     check_position_indices(path, &root)?;
     let document = Document::from_json(root).map_err(error)?;
     let buffers = read_buffers(path, &document, blob.as_deref())?;
@@ -88,9 +143,12 @@ fn u32_from_le(bytes: &[u8]) -> u32 {
 /// application's own, does not fail the validation of a mesh that can be read.
 fn geometry_of(root: json::Root) -> json::Root {
     const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
+    /// Attributes in integers, which are read here.
+    const QUANTIZATION: &str = "KHR_mesh_quantization";
     let json::Root { accessors, asset, buffers, buffer_views, mut meshes, mut extensions_required, .. } =
         root;
-    extensions_required.retain(|name| !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
+    extensions_required
+        .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
     for primitive in meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
         primitive.attributes.retain(|semantic, _| {
             use json::validation::Checked::Valid;
@@ -100,6 +158,30 @@ fn geometry_of(root: json::Root) -> json::Root {
         primitive.targets = None;
     }
     json::Root { accessors, asset, buffers, buffer_views, meshes, extensions_required, ..Default::default() }
+}
+
+/// Refuses geometry that only a decompressor can read. Where an extension is used but not required, the file has the
+/// geometry uncompressed as well.
+fn check_not_compressed(path: &Path, root: &json::Root) -> Result<(), MeshError> {
+    /// Extension, what it is, and whether glTF-Transform decompresses it.
+    const COMPRESSIONS: [(&str, &str, bool); 3] = [
+        ("KHR_draco_mesh_compression", "Draco", true),
+        ("EXT_meshopt_compression", "meshoptimizer", true),
+        ("KHR_meshopt_compression", "meshoptimizer", false),
+    ];
+    let is_required = |name: &str| root.extensions_required.iter().any(|required| required == name);
+    let Some((extension, method, decompresses)) = COMPRESSIONS.into_iter().find(|c| is_required(c.0)) else {
+        return Ok(());
+    };
+    let remedy = match decompresses {
+        true => format!(
+            "decompress it first, for example with `gltf-transform copy {} uncompressed.glb` (npm package \
+             @gltf-transform/cli)",
+            path.display()
+        ),
+        false => "export it without compression".to_owned(),
+    };
+    Err(MeshError::Compressed { path: path.into(), extension, method, remedy })
 }
 
 /// Checks the one index that the validation of the `gltf` crate uses before it is validated.
@@ -158,31 +240,33 @@ struct File<'p> {
 
 impl File<'_> {
     fn positions(&self, primitive: &Primitive) -> Result<Vec<DVec3>, MeshError> {
-        self.check(primitive, &Semantic::Positions, Dimensions::Vec3)?;
-        let positions = primitive.reader(|buffer| self.data(buffer)).read_positions();
-        let positions = positions.ok_or_else(|| self.error("unreadable positions"))?;
-        Ok(positions.map(|position| Vec3::from(position).as_dvec3()).collect())
+        let positions = self.vectors::<3>(primitive, &Semantic::Positions, Dimensions::Vec3)?;
+        Ok(positions.into_iter().map(|position| Vec3::from(position).as_dvec3()).collect())
     }
 
     fn normals(&self, primitive: &Primitive) -> Result<Vec<[f32; 3]>, MeshError> {
-        self.check(primitive, &Semantic::Normals, Dimensions::Vec3)?;
-        let normals = primitive.reader(|buffer| self.data(buffer)).read_normals();
-        Ok(normals.ok_or_else(|| self.error("unreadable normals"))?.collect())
+        self.vectors(primitive, &Semantic::Normals, Dimensions::Vec3)
     }
 
     fn tangents(&self, primitive: &Primitive) -> Result<Vec<[f32; 4]>, MeshError> {
-        self.check(primitive, &Semantic::Tangents, Dimensions::Vec4)?;
-        let tangents = primitive.reader(|buffer| self.data(buffer)).read_tangents();
-        Ok(tangents.ok_or_else(|| self.error("unreadable tangents"))?.collect())
+        self.vectors(primitive, &Semantic::Tangents, Dimensions::Vec4)
     }
 
-    fn computed_normals(&self, primitive: &Primitive) -> Result<Vec<[f32; 3]>, MeshError> {
-        let positions = self.positions(primitive)?;
-        let corners = match primitive.indices() {
-            Some(accessor) => self.indices(primitive, &accessor)?,
-            None => (0..).take(positions.len()).collect(),
-        };
-        area_weighted(self.path, &positions, triangles(primitive.mode(), &corners))
+    /// The triangles of the primitives without normals, by their accessor of positions: where primitives share one, all
+    /// their faces count at each vertex.
+    fn faces_to_compute_from(&self, document: &Document) -> Result<HashMap<usize, Vec<[i64; 3]>>, MeshError> {
+        let mut faces: HashMap<usize, Vec<_>> = HashMap::new();
+        for (_, primitive) in primitives(document) {
+            if primitive.get(&Semantic::Normals).is_none() {
+                let positions = self.attribute(&primitive, &Semantic::Positions)?;
+                let corners = match primitive.indices() {
+                    Some(accessor) => self.indices(&primitive, &accessor)?,
+                    None => (0..).take(positions.count()).collect(),
+                };
+                faces.entry(positions.index()).or_default().extend(triangles(primitive.mode(), &corners));
+            }
+        }
+        Ok(faces)
     }
 
     fn indices(&self, primitive: &Primitive, accessor: &Accessor) -> Result<Vec<i64>, MeshError> {
@@ -195,20 +279,62 @@ impl File<'_> {
         Ok(indices.ok_or_else(|| self.error("unreadable indices"))?.into_u32().map(i64::from).collect())
     }
 
-    /// Checks that a primitive has this attribute, in floats of these dimensions.
-    fn check(
+    fn attribute<'a>(
+        &self,
+        primitive: &Primitive<'a>,
+        semantic: &Semantic,
+    ) -> Result<Accessor<'a>, MeshError> {
+        primitive.get(semantic).ok_or_else(|| self.error(format!("a primitive has no {semantic:?}")))
+    }
+
+    /// An attribute in floats or, as `KHR_mesh_quantization` has it, in integers: normalised for normals and tangents,
+    /// of any kind for positions.
+    fn vectors<const N: usize>(
         &self,
         primitive: &Primitive,
         semantic: &Semantic,
         dimensions: Dimensions,
-    ) -> Result<(), MeshError> {
-        let accessor = primitive.get(semantic);
-        let accessor = accessor.ok_or_else(|| self.error(format!("a primitive has no {semantic:?}")))?;
-        if (accessor.data_type(), accessor.dimensions()) != (DataType::F32, dimensions) {
-            let index = accessor.index();
-            return Err(self.error(format!("accessor {index} does not have {dimensions:?} of floats")));
-        }
-        self.check_extents(&accessor)
+    ) -> Result<Vec<[f32; N]>, MeshError>
+    where
+        [f32; N]: Item,
+        [i8; N]: Item,
+        [u8; N]: Item,
+        [i16; N]: Item,
+        [u16; N]: Item,
+    {
+        let accessor = self.attribute(primitive, semantic)?;
+        self.check_extents(&accessor)?;
+        let is_position = *semantic == Semantic::Positions;
+        let vectors = match (accessor.data_type(), accessor.normalized()) {
+            _ if accessor.dimensions() != dimensions => None,
+            (DataType::F32, _) => self.components(&accessor, |c: f32| c),
+            (DataType::I8, true) => self.components(&accessor, |c: i8| snorm(c, i8::MAX)),
+            (DataType::I16, true) => self.components(&accessor, |c: i16| snorm(c, i16::MAX)),
+            // Only faces are made of positions, and their normals do not depend on the scale.
+            (DataType::I8, false) if is_position => self.components(&accessor, |c: i8| c.into()),
+            (DataType::I16, false) if is_position => self.components(&accessor, |c: i16| c.into()),
+            (DataType::U8, _) if is_position => self.components(&accessor, |c: u8| c.into()),
+            (DataType::U16, _) if is_position => self.components(&accessor, |c: u16| c.into()),
+            _ => None,
+        };
+        vectors.ok_or_else(|| {
+            let kinds =
+                if is_position { "floats or short integers" } else { "floats or normalised integers" };
+            self.error(format!("accessor {} does not have {dimensions:?} of {kinds}", accessor.index()))
+        })
+    }
+
+    /// The vectors of an accessor of the type `T`; `None` where the parser does not read it.
+    fn components<T, const N: usize>(
+        &self,
+        accessor: &Accessor,
+        to_f32: impl Fn(T) -> f32,
+    ) -> Option<Vec<[f32; N]>>
+    where
+        [T; N]: Item,
+    {
+        let vectors = Iter::<[T; N]>::new(accessor.clone(), |buffer| self.data(buffer))?;
+        Some(vectors.map(|vector| vector.map(&to_f32)).collect())
     }
 
     /// Checks that all parts of an accessor lie in their buffers: the reader takes that for granted.
@@ -255,6 +381,11 @@ impl File<'_> {
     }
 }
 
+/// A signed normalised integer as glTF defines it: the lowest value counts as the one above it.
+fn snorm<T: Into<f32>>(value: T, max: T) -> f32 {
+    (value.into() / max.into()).max(-1.0)
+}
+
 /// The triangles of a primitive, wound as the specification orders them; points and lines have none.
 fn triangles(mode: Mode, corners: &[i64]) -> Vec<[i64; 3]> {
     match mode {
@@ -271,6 +402,7 @@ fn triangles(mode: Mode, corners: &[i64]) -> Vec<[i64; 3]> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::mesh_count;
     use super::super::tests::{CUBE_CORNERS, CUBE_FACES, Scratch, assert_close, cube_normals};
     use super::*;
 
@@ -341,9 +473,9 @@ mod tests {
     #[test]
     fn reads_and_computes() {
         let mesh = read(&cube(WITH_NORMALS)).unwrap();
-        assert_eq!((mesh.normals, mesh.computed), (cube_normals(), false));
+        assert_eq!((mesh.computed(), mesh.normals), (0, cube_normals()));
         let mesh = read(&cube(WITHOUT_NORMALS)).unwrap();
-        assert!(mesh.computed);
+        assert_eq!(mesh.computed(), 1);
         assert_close(&mesh.normals, &cube_normals());
     }
 
@@ -351,8 +483,99 @@ mod tests {
     #[test]
     fn all_primitives() {
         let mesh = read(&cube(&format!("{WITH_NORMALS},{WITHOUT_NORMALS},{WITH_NORMALS}"))).unwrap();
-        assert!(mesh.computed);
         assert_close(&mesh.normals, &[cube_normals(), cube_normals()].concat());
+        let parts: Vec<_> = mesh.parts.iter().map(|p| (p.primitive, p.first, p.count, p.computed)).collect();
+        assert_eq!(parts, [(0, 0, 8, false), (1, 8, 8, true), (2, 0, 8, false)]);
+    }
+
+    /// Parts name their meshes, in the order of the file.
+    #[test]
+    fn parts_of_several_meshes() {
+        let second = format!(r#""meshes":[{{"name":"caf\u00e9","primitives":[{WITHOUT_NORMALS}]}},"#);
+        let document = json(WITH_NORMALS, "").replace(r#""meshes":["#, &second);
+        let mesh = read(&glb(&document, Some(&cube_buffer()))).unwrap();
+        let parts: Vec<_> = mesh.parts.iter().map(|p| (p.mesh, p.name.as_deref(), p.first)).collect();
+        assert_eq!(parts, [(0, Some("caf\u{e9}"), 0), (1, None, 8)]);
+        assert_eq!(mesh_count(&mesh.parts), 2);
+    }
+
+    /// Primitives without normals that share their positions give one normal a vertex, of all their faces; a vertex that
+    /// none of them uses is zero.
+    #[test]
+    fn shared_positions() {
+        // The first three faces of the cube, and the last three.
+        let halves = json(r#"{"attributes":{"POSITION":0},"indices":2},{"attributes":{"POSITION":0},"indices":4}"#, "")
+            .replace(r#""count":36,"type":"SCALAR"}"#, r#""count":18,"type":"SCALAR"}"#)
+            .replace(
+                r#""type":"VEC4"}"#,
+                r#""type":"VEC4"},{"bufferView":2,"byteOffset":36,"componentType":5123,"count":18,"type":"SCALAR"}"#,
+            );
+        let mesh = read(&glb(&halves, Some(&cube_buffer()))).unwrap();
+        assert_close(&mesh.normals, &cube_normals());
+        assert!(mesh.parts.iter().all(|part| (part.first, part.count) == (0, 8)));
+        let one_face = json(WITHOUT_NORMALS, "").replace(r#""count":36"#, r#""count":6"#);
+        let mesh = read(&glb(&one_face, Some(&cube_buffer()))).unwrap();
+        // The first face is that of z = -1, corners 0 to 3.
+        assert_eq!(mesh.normals, [[[0.0, 0.0, -1.0]; 4], [[0.0; 3]; 4]].concat());
+    }
+
+    /// The cube with normals and tangents as integers of this component type and size, four to a vector.
+    fn quantized(component_type: u32, normalized: bool, size: usize, integers: &[u8]) -> Vec<u8> {
+        let length = integers.len() / 2;
+        let document = json(WITH_TANGENTS, "")
+            .replacen('{', r#"{"extensionsRequired":["KHR_mesh_quantization"],"#, 1)
+            .replace(r#""byteLength":392"#, &format!(r#""byteLength":{}"#, 392 + integers.len()))
+            .replace(
+                r#""byteOffset":96,"byteLength":96"#,
+                &format!(r#""byteOffset":392,"byteLength":{length},"byteStride":{}"#, 4 * size),
+            )
+            .replace(
+                r#""byteOffset":264,"byteLength":128"#,
+                &format!(r#""byteOffset":{},"byteLength":{length}"#, 392 + length),
+            );
+        let (positions, attributes) = document.split_at(document.find(r#"{"bufferView":1,"#).unwrap());
+        let kind = format!(r#""normalized":{normalized},"componentType":{component_type}"#);
+        let document = format!("{positions}{}", attributes.replace(r#""componentType":5126"#, &kind));
+        glb(&document, Some(&[&cube_buffer(), integers].concat()))
+    }
+
+    /// Normals and tangents of `KHR_mesh_quantization` are c / max, the lowest integer -1: as the specification says.
+    #[test]
+    fn quantized_normals() {
+        let path = Path::new("a.glb");
+        let bytes: Vec<i8> = (0..64).map(|k| [0, 127, -127, -128, 1, -64][k % 6]).collect();
+        let words: Vec<i16> = (0..64).map(|k| [0, 32767, -32767, -32768, 1, -16384][k % 6]).collect();
+        let of_bytes = quantized(5120, true, 1, &bytes.iter().map(|&c| c as u8).collect::<Vec<_>>());
+        let of_words =
+            quantized(5122, true, 2, &words.iter().flat_map(|c| c.to_le_bytes()).collect::<Vec<_>>());
+        for (file, [one, low]) in
+            [(of_bytes, [1.0 / 127.0, -64.0 / 127.0]), (of_words, [1.0 / 32767.0, -16384.0 / 32767.0])]
+        {
+            let value = |k: usize| [0.0, 1.0, -1.0, -1.0, one, low][k % 6];
+            let Frames { frames, .. } = parse_frames(path, &file).unwrap();
+            assert_eq!(frames.len(), 8);
+            for (vertex, frame) in frames.iter().enumerate() {
+                let expected = [0, 1, 2, 32, 33, 34, 35].map(|k| value(4 * vertex + k));
+                assert_eq!(*frame, expected);
+                assert_eq!(read(&file).unwrap().normals[vertex], expected[..3]);
+            }
+        }
+    }
+
+    /// Integers that are not normalised, or unsigned, are no normals; as positions they serve.
+    #[test]
+    fn integers_of_other_kinds() {
+        for (component_type, normalized) in [(5120, false), (5121, true)] {
+            assert!(is_parse(&read(&quantized(component_type, normalized, 1, &[1; 64]))));
+        }
+        for (component_type, centre) in [(5120, 0u8), (5121, 128)] {
+            let document = json(WITHOUT_NORMALS, "").replacen("5126", &component_type.to_string(), 1);
+            let mut buffer = cube_buffer();
+            for (byte, corner) in buffer.iter_mut().zip(CUBE_CORNERS.as_flattened()) {
+                *byte = centre.wrapping_add_signed(*corner as i8);
+            }
+            assert_close(&read(&glb(&document, Some(&buffer))).unwrap().normals, &cube_normals());
+        }
     }
 
     /// Frames come back bit for bit, those of a pair of accessors once.
@@ -365,7 +588,12 @@ mod tests {
             .collect();
         let read = |bytes: &[u8]| parse_frames(Path::new("a.glb"), bytes);
         let twice = format!("{WITH_TANGENTS},{WITH_TANGENTS}");
-        assert_eq!(read(&cube(&twice)).unwrap(), expected);
+        let Frames { frames, parts } = read(&cube(&twice)).unwrap();
+        assert_eq!(frames, expected);
+        assert_eq!(
+            parts.iter().map(|p| (p.primitive, p.first, p.count)).collect::<Vec<_>>(),
+            [(0, 0, 8), (1, 0, 8)]
+        );
         assert_eq!(super::tests::read(&cube(&twice)).unwrap().normals, cube_normals());
         for without in [WITH_NORMALS, WITHOUT_NORMALS] {
             let result = read(&cube(&format!("{WITH_TANGENTS},{without}")));
@@ -447,7 +675,8 @@ mod tests {
         let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         assert_eq!(faces_up(5, [a, b, d, c]).unwrap().normals, [[0.0, 0.0, 1.0]; 4]);
         assert_eq!(faces_up(6, [a, b, c, d]).unwrap().normals, [[0.0, 0.0, 1.0]; 4]);
-        assert_eq!(faces_up(4, [a, b, c, d]).unwrap().normals, [[0.0, 0.0, 1.0]; 3]);
+        let (z, unused) = ([0.0, 0.0, 1.0], [0.0; 3]);
+        assert_eq!(faces_up(4, [a, b, c, d]).unwrap().normals, [z, z, z, unused]);
         for points_or_lines in 0..4 {
             let result = faces_up(points_or_lines, [a, b, c, d]);
             assert!(matches!(result, Err(MeshError::NoFaces { .. })));
@@ -483,7 +712,24 @@ mod tests {
         let required = |name| document.replacen('{', &format!(r#"{{"extensionsRequired":["{name}"],"#), 1);
         let read = |name| read(&glb(&required(name), Some(&cube_buffer())));
         assert_eq!(read("KHR_materials_unlit").unwrap().normals, cube_normals());
-        assert!(is_parse(&read("KHR_draco_mesh_compression")));
+        assert!(is_parse(&read("KHR_of_the_future")));
+        for (name, remedy) in [
+            ("KHR_draco_mesh_compression", "gltf-transform copy a.glb"),
+            ("EXT_meshopt_compression", "gltf-transform copy a.glb"),
+            ("KHR_meshopt_compression", "export it without"),
+        ] {
+            let error = read(name).unwrap_err();
+            assert!(matches!(error, MeshError::Compressed { .. }), "{error}");
+            assert!([name, remedy].iter().all(|word| error.to_string().contains(word)), "{error}");
+        }
+    }
+
+    /// Where compression is not required, the file has the geometry uncompressed.
+    #[test]
+    fn compression_that_is_not_required() {
+        let used = r#"{"extensionsUsed":["EXT_meshopt_compression"],"#;
+        let document = json(WITH_NORMALS, "").replacen('{', used, 1);
+        assert_eq!(read(&glb(&document, Some(&cube_buffer()))).unwrap().normals, cube_normals());
     }
 
     /// Every number that the `gltf` crate would trust is checked first.

@@ -3,6 +3,7 @@
 //! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
 //! ASCII files). Where a file has none, they are computed from its faces.
 
+mod format;
 mod gltf;
 mod obj;
 mod ply;
@@ -11,18 +12,87 @@ use glam::DVec3;
 use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
+use unitvec::direction::{is_usable, l1_norm};
+
+pub use format::FileFormat;
 
 /// Vertex normals of a mesh file.
+///
+/// Their order:
+///
+/// * OBJ: the `vn` lines in file order, once each, whether or not the faces use them. Where normals are computed, there is
+///   one for each `v` line, in file order.
+/// * PLY: one normal for each vertex, in file order.
+/// * glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex. What several primitives share
+///   comes once, at the first of them: an accessor of normals or, where normals are computed, of positions. [`parts`]
+///   says where each primitive begins. Nodes, skins and morph targets are not applied.
+///
+/// [`parts`]: Self::parts
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mesh {
-    /// One normal a vertex, as the file has it, or area-weighted unit normals where `computed`.
+    /// The normals: as the file has them, or unit normals weighted by the areas of the faces.
     ///
-    /// An OBJ file's list of normals is taken once, in file order, however often its faces refer to
-    /// it. Computed normals leave out each vertex without a normal of its own: one that no face uses,
-    /// or whose faces have no area or cancel.
+    /// A computed normal is zero where the vertex has no face, or faces whose areas vanish or cancel.
     pub normals: Vec<[f32; 3]>,
-    /// True where the file had no normals; for glTF, where at least one primitive had none.
+    /// Where the normals of each primitive of a glTF file lie. One part for OBJ and for PLY.
+    pub parts: Vec<Part>,
+}
+
+impl Mesh {
+    /// Number of primitives, whole files for OBJ and PLY, that had no normals.
+    pub fn computed(&self) -> usize {
+        self.parts.iter().filter(|part| part.computed).count()
+    }
+
+    /// Replaces the computed normals that are zero by +Z. Returns how many.
+    pub fn fill_with_z(&mut self) -> usize {
+        let mut filled = 0;
+        for part in self.parts.iter().filter(|part| part.computed) {
+            for normal in &mut self.normals[part.first..][..part.count] {
+                if !has_direction(*normal) {
+                    *normal = [0.0, 0.0, 1.0];
+                    filled += 1;
+                }
+            }
+        }
+        filled
+    }
+}
+
+/// Tangent frames of a glTF file, in the order of [`Mesh`]; each pair of accessors comes once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frames {
+    /// Normal, tangent and handedness of each vertex, as the file has them.
+    pub frames: Vec<[f32; 7]>,
+    /// Where the frames of each primitive lie.
+    pub parts: Vec<Part>,
+}
+
+/// Where the vertices of a mesh or primitive lie.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Part {
+    /// Index of the mesh in the file.
+    pub mesh: usize,
+    /// The mesh's name, where a glTF file gives one.
+    pub name: Option<String>,
+    /// Index of the primitive in its mesh.
+    pub primitive: usize,
+    /// Index of its first vector or frame.
+    pub first: usize,
+    /// Number of its vectors or frames.
+    pub count: usize,
+    /// True where the normals were computed from faces.
     pub computed: bool,
+}
+
+/// Number of different meshes that `parts` belong to.
+pub fn mesh_count(parts: &[Part]) -> usize {
+    parts.chunk_by(|a, b| a.mesh == b.mesh).count()
+}
+
+/// True where a vector has a direction that codecs can use: see [`unitvec::direction`].
+pub fn has_direction(vector: [f32; 3]) -> bool {
+    is_usable(l1_norm(vector.into()))
 }
 
 /// Why a mesh file gives no normals.
@@ -80,11 +150,23 @@ pub enum MeshError {
         /// The mesh file.
         path: PathBuf,
     },
-    /// The file name has no known extension.
+    /// Neither the ending nor the first bytes are those of a mesh.
     #[error("{path} is no known mesh file; use .obj, .ply, .gltf or .glb")]
     UnknownFormat {
         /// The file.
         path: PathBuf,
+    },
+    /// The geometry of a glTF file is compressed.
+    #[error("{path} is compressed by {method} ({extension}); {remedy}")]
+    Compressed {
+        /// The mesh file.
+        path: PathBuf,
+        /// The glTF extension that it requires.
+        extension: &'static str,
+        /// What compressed it.
+        method: &'static str,
+        /// What to do.
+        remedy: String,
     },
     /// A glTF buffer is absent, short or of an unknown kind.
     #[error("buffer {buffer} of {path}: {reason}; keep the .bin files beside the .gltf or export a .glb")]
@@ -98,46 +180,55 @@ pub enum MeshError {
     },
 }
 
-#[derive(Clone, Copy)]
-enum Format {
-    Obj,
-    Ply,
-    Gltf,
-}
-
-/// True if `path` ends in obj, ply, gltf or glb (any case).
-pub fn is_mesh(path: &Path) -> bool {
-    format_of(path).is_some()
-}
-
-/// Reads the vertex normals of a mesh file, of the format its extension names.
+/// Reads the vertex normals of a mesh file, of the format that [`FileFormat::of`] tells.
 ///
 /// # Errors
 ///
 /// Every [`MeshError`]; no input makes it panic.
 pub fn read(path: &Path) -> Result<Mesh, MeshError> {
-    match open(path)? {
-        (Format::Obj, bytes) => obj::parse(path, &bytes),
-        (Format::Ply, bytes) => ply::parse(path, &bytes),
-        (Format::Gltf, bytes) => gltf::parse(path, &bytes),
-    }
+    let (format, bytes) = open(path)?;
+    parse(path, format, &bytes)
 }
 
-/// Reads the tangent frames of the vertices of a glTF file, as it has them: normal, tangent, handedness.
+/// Reads the tangent frames of the vertices of a glTF file.
 ///
 /// # Errors
 ///
 /// As [`read`]; [`MeshError::NoTangents`] for a file without them.
-pub fn read_frames(path: &Path) -> Result<Vec<[f32; 7]>, MeshError> {
-    match open(path)? {
-        (Format::Gltf, bytes) => gltf::parse_frames(path, &bytes),
-        _ => Err(MeshError::NoTangents { path: path.into() }),
+pub fn read_frames(path: &Path) -> Result<Frames, MeshError> {
+    let (format, bytes) = open(path)?;
+    parse_frames(path, format, &bytes)
+}
+
+/// Reads the vertex normals of a mesh file in memory; `path` stands in errors, and files beside it may be read.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    match format {
+        FileFormat::Obj => obj::parse(path, bytes),
+        FileFormat::Ply => ply::parse(path, bytes),
+        FileFormat::Gltf => gltf::parse(path, bytes),
     }
 }
 
-fn open(path: &Path) -> Result<(Format, Vec<u8>), MeshError> {
-    let format = format_of(path).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
+/// Reads the tangent frames of a mesh file in memory, as [`parse`].
+///
+/// # Errors
+///
+/// As [`read_frames`].
+pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Frames, MeshError> {
+    match format {
+        FileFormat::Gltf => gltf::parse_frames(path, bytes),
+        FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoTangents { path: path.into() }),
+    }
+}
+
+fn open(path: &Path) -> Result<(FileFormat, Vec<u8>), MeshError> {
     let bytes = std::fs::read(path).map_err(|source| MeshError::Read { path: path.into(), source })?;
+    let format =
+        FileFormat::of(path, &bytes).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
     Ok((format, bytes))
 }
 
@@ -150,29 +241,29 @@ pub fn read_obj(name: &Path, text: &[u8]) -> Result<Mesh, MeshError> {
     obj::parse(name, text)
 }
 
-fn format_of(path: &Path) -> Option<Format> {
-    match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
-        "obj" => Some(Format::Obj),
-        "ply" => Some(Format::Ply),
-        "gltf" | "glb" => Some(Format::Gltf),
-        _ => None,
-    }
+/// The [`Mesh`] of a file with one list of normals.
+fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh, MeshError> {
+    let count = normals.len();
+    let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
+    finish(path, Mesh { normals, parts: vec![part] })
 }
 
-/// The [`Mesh`] of a reader's `normals`, or [`MeshError::NoFaces`] where there are none.
-fn finish(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh, MeshError> {
-    if normals.is_empty() {
+/// A reader's `mesh`, or [`MeshError::NoFaces`] where it has no normal, or none with a direction among computed ones.
+fn finish(path: &Path, mesh: Mesh) -> Result<Mesh, MeshError> {
+    let has_own = mesh.computed() < mesh.parts.len();
+    if mesh.normals.is_empty() || !(has_own || mesh.normals.iter().any(|normal| has_direction(*normal))) {
         return Err(MeshError::NoFaces { path: path.into() });
     }
-    Ok(Mesh { normals, computed })
+    Ok(mesh)
 }
 
-/// A [`MeshError::Parse`]; `reason` is cut to one line, since parsers quote the input at length.
+/// A [`MeshError::Parse`]; `reason` is cut to one line, since parsers quote the input at length, and loses the mark that
+/// it may end with, since the message goes on.
 fn parse_error(path: &Path, format: &'static str, reason: impl Display) -> MeshError {
     const MAX_CHARS: usize = 200;
     let reason = reason.to_string();
     let line = reason.split(|c: char| c.is_whitespace() || c.is_control()).filter(|word| !word.is_empty());
-    let line = line.collect::<Vec<_>>().join(" ");
+    let line = line.collect::<Vec<_>>().join(" ").trim_end_matches([';', '.', ' ']).to_owned();
     let cut = line.char_indices().nth(MAX_CHARS).map(|(at, _)| at);
     let reason = cut.map_or(line.clone(), |at| format!("{}...", &line[..at]));
     MeshError::Parse { path: path.into(), format, reason }
@@ -194,7 +285,7 @@ fn fan(polygon: &[i64]) -> impl Iterator<Item = [i64; 3]> {
 
 /// Area-weighted unit vertex normals: the normalised sum of the cross products of a vertex's faces.
 ///
-/// A vertex whose sum is zero has no normal and is left out.
+/// A vertex whose sum is zero keeps its place with a normal of zero.
 fn area_weighted(
     path: &Path,
     positions: &[DVec3],
@@ -208,8 +299,12 @@ fn area_weighted(
         let normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
         [a, b, c].into_iter().for_each(|corner| sums[corner] += normal);
     }
-    let used = sums.into_iter().filter(|sum| sum.length() > 0.0);
-    Ok(used.map(|sum| (sum / sum.length()).as_vec3().to_array()).collect())
+    Ok(sums.into_iter().map(|sum| unit_or_zero(sum).as_vec3().to_array()).collect())
+}
+
+/// Dividing by the length serves the smallest vectors, for which glam's `normalize_or_zero` gives zero.
+fn unit_or_zero(v: DVec3) -> DVec3 {
+    if v.length() > 0.0 { v / v.length() } else { DVec3::ZERO }
 }
 
 fn resolve(path: &Path, triangle: [i64; 3], vertices: usize) -> Result<[usize; 3], MeshError> {
@@ -296,13 +391,28 @@ mod tests {
         assert_close(&normals, &[edge, edge, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
     }
 
-    /// Vertices without a defined normal are left out: unused, in a degenerate face, or cancelled.
+    /// Vertices without a defined normal keep their place: unused, in a degenerate face, or cancelled.
     #[test]
-    fn undefined_normals_are_left_out() {
+    fn undefined_normals_are_zero() {
         let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
-        let positions = [corners.as_slice(), &[[5.0; 3]]].concat();
-        assert_eq!(weighted(&positions, &[[0, 1, 2], [3, 3, 0]]).unwrap(), [[0.0, 0.0, 1.0]; 3]);
-        assert_eq!(weighted(&positions, &[[0, 1, 2], [0, 2, 1]]).unwrap(), [[0.0; 3]; 0]);
+        let positions = [&[[5.0; 3]], corners.as_slice()].concat();
+        let expected = [&[[0.0; 3]], [[0.0, 0.0, 1.0]; 3].as_slice()].concat();
+        assert_eq!(weighted(&positions, &[[1, 2, 3], [0, 0, 1]]).unwrap(), expected);
+        assert_eq!(weighted(&positions, &[[1, 2, 3], [1, 3, 2]]).unwrap(), [[0.0; 3]; 4]);
+    }
+
+    /// Computed normals of zero become +Z, also where parts overlap; a file's own stay as they are.
+    #[test]
+    fn filling_with_z() {
+        let part = |first, computed| Part { mesh: 0, name: None, primitive: 0, first, count: 2, computed };
+        let (zero, x) = ([0.0; 3], [1.0, 0.0, 0.0]);
+        let mut mesh = Mesh {
+            normals: vec![zero, x, zero, x],
+            parts: vec![part(0, false), part(2, true), part(2, true)],
+        };
+        assert_eq!(mesh.computed(), 2);
+        assert_eq!(mesh.fill_with_z(), 1);
+        assert_eq!(mesh.normals, [zero, x, [0.0, 0.0, 1.0], x]);
     }
 
     /// The sums neither overflow nor vanish for the largest and the smallest `f32` coordinates.
@@ -334,13 +444,13 @@ mod tests {
         assert!([[].as_slice(), &[1], &[1, 2]].iter().all(|short| fan(short).next().is_none()));
     }
 
-    /// The extension decides, in any case, before the file is opened.
+    /// A file that cannot be read is reported before its format, and one that is no mesh by its name.
     #[test]
-    fn extensions() {
-        assert!(["a.obj", "b/a.PLY", "a.b.glTF", "a.Glb"].iter().all(|name| is_mesh(Path::new(name))));
-        assert!(["obj", ".obj", "a.stl", "a.obj.gz"].iter().all(|name| !is_mesh(Path::new(name))));
-        assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::UnknownFormat { .. })));
-        assert!(matches!(read(Path::new("absent.ply")), Err(MeshError::Read { .. })));
+    fn files_that_are_no_meshes() {
+        let scratch = Scratch::new("none");
+        std::fs::write(scratch.path("a.stl"), b"solid").unwrap();
+        assert!(matches!(read(&scratch.path("a.stl")), Err(MeshError::UnknownFormat { .. })));
+        assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::Read { .. })));
         assert!(matches!(read_frames(Path::new("absent.glb")), Err(MeshError::Read { .. })));
     }
 
@@ -368,10 +478,17 @@ mod tests {
             MeshError::UnknownFormat { path: path() },
             MeshError::NoTangents { path: path() },
             MeshError::MissingBuffer { path: path(), buffer: 0, reason: "it has 1 of its 2 bytes".into() },
+            MeshError::Compressed {
+                path: path(),
+                extension: "EXT_meshopt_compression",
+                method: "meshoptimizer",
+                remedy: "export it without compression".into(),
+            },
+            parse_error(Path::new(PATH), "glTF", "invalid glTF: asset: unsupported extension; "),
         ];
         for message in errors.map(|error| error.to_string()) {
             assert!(message.contains(PATH) && !message.contains(char::is_control), "{message}");
-            assert!(message.chars().count() < 300, "{message}");
+            assert!(message.chars().count() < 300 && !message.contains(";;"), "{message}");
         }
     }
 }

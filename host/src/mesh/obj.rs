@@ -1,6 +1,6 @@
 //! Wavefront OBJ, parsed by `obj`.
 
-use super::{Mesh, MeshError, area_weighted, check_finite, fan, finish, parse_error};
+use super::{Mesh, MeshError, area_weighted, check_finite, fan, one_part, parse_error};
 use glam::Vec3;
 use obj::ObjData;
 use std::path::Path;
@@ -14,11 +14,11 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     let positions: Vec<_> = data.position.into_iter().map(|p| Vec3::from(p).as_dvec3()).collect();
     if !data.normal.is_empty() {
         check_finite(path, &positions)?;
-        return finish(path, data.normal, false);
+        return one_part(path, data.normal, false);
     }
     let polygons = data.objects.into_iter().flat_map(|object| object.groups).flat_map(|group| group.polys);
     let faces: Vec<Vec<i64>> = polygons.map(|face| face.0.iter().map(|c| c.0 as i64).collect()).collect();
-    finish(path, area_weighted(path, &positions, faces.iter().flat_map(|face| fan(face)))?, true)
+    one_part(path, area_weighted(path, &positions, faces.iter().flat_map(|face| fan(face)))?, true)
 }
 
 /// The lines that the normals come from. Of the others, the parser refuses those it does not know, and it loses faces
@@ -58,7 +58,7 @@ mod tests {
     #[test]
     fn computes_over_all_objects() {
         let mesh = read(&cube()).unwrap();
-        assert!(mesh.computed);
+        assert_eq!(mesh.computed(), 1);
         assert_close(&mesh.normals, &cube_normals());
     }
 
@@ -68,11 +68,20 @@ mod tests {
         let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 2 0\nvn nan 0 0\n\
             o a\nf 1//2 2//2 3//1\no b\nvn 5 0 0\nf -3//-1 2//1 3//1\n";
         let mesh = read(text).unwrap();
-        assert!(!mesh.computed);
+        assert_eq!(mesh.computed(), 0);
         assert_eq!(mesh.normals.len(), 4);
         assert_eq!(mesh.normals[..2], [[0.0, 0.0, 1.0], [0.0, 2.0, 0.0]]);
         assert!(mesh.normals[2][0].is_nan());
         assert_eq!(mesh.normals[3], [5.0, 0.0, 0.0]);
+    }
+
+    /// A vertex that no face uses, first, between or last, keeps its place.
+    #[test]
+    fn unused_vertices_keep_their_place() {
+        let mesh = read("v 9 9 9\nv 0 0 0\nv 1 0 0\nv 8 8 8\nv 0 1 0\nv 7 7 7\nf 2 3 5\n").unwrap();
+        let (z, none) = ([0.0, 0.0, 1.0], [0.0; 3]);
+        assert_eq!(mesh.normals, [none, z, z, none, z, none]);
+        assert_eq!((mesh.parts.len(), mesh.parts[0].first, mesh.parts[0].count), (1, 0, 6));
     }
 
     /// Normals need neither positions nor faces, and there may be fewer than vertices.

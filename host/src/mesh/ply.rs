@@ -8,7 +8,7 @@ use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAcces
 
 use glam::DVec3;
 
-use super::{Mesh, MeshError, area_weighted, check_finite, fan, finish, parse_error};
+use super::{Mesh, MeshError, area_weighted, check_finite, fan, one_part, parse_error};
 
 const FORMAT: &str = "PLY";
 
@@ -25,11 +25,11 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     match source {
         Source::Normals => {
             check_finite(path, &positions)?;
-            finish(path, vertices.into_iter().map(|vertex| vertex.normal).collect(), false)
+            one_part(path, vertices.into_iter().map(|vertex| vertex.normal).collect(), false)
         }
         Source::Faces => {
             let triangles = faces.iter().flat_map(|face| fan(&face.0));
-            finish(path, area_weighted(path, &positions, triangles)?, true)
+            one_part(path, area_weighted(path, &positions, triangles)?, true)
         }
     }
 }
@@ -264,7 +264,7 @@ mod tests {
         for encoding in ENCODINGS {
             for list in INDICES {
                 let mesh = read(&cube(encoding, list)).unwrap();
-                assert!(mesh.computed);
+                assert_eq!(mesh.computed(), 1);
                 assert_close(&mesh.normals, &cube_normals());
             }
         }
@@ -276,7 +276,7 @@ mod tests {
         for encoding in ENCODINGS {
             let mesh = read(&with_normals(encoding, 4.0)).unwrap();
             assert_eq!(mesh.normals, [[0.5, -3.0, 0.25], [4.0, -3.0, 0.25]]);
-            assert!(!mesh.computed);
+            assert_eq!(mesh.computed(), 0);
         }
         assert!(read(&with_normals(ENCODINGS[1], f32::NAN)).unwrap().normals[1][0].is_nan());
     }
@@ -288,6 +288,16 @@ mod tests {
             0 0 0\n1 0 0\n0 1 0\n3 0 1 {last}\n"
         )
         .into_bytes()
+    }
+
+    /// A vertex that no face uses keeps its place.
+    #[test]
+    fn unused_vertices_keep_their_place() {
+        let text = String::from_utf8(triangle("int", "2")).unwrap();
+        let text = text.replace("vertex 3", "vertex 4").replace("0 0 0\n1 0", "9 9 9\n0 0 0\n1 0");
+        let mesh = read(text.replace("3 0 1 2", "3 1 2 3").as_bytes()).unwrap();
+        let z = [0.0, 0.0, 1.0];
+        assert_eq!(mesh.normals, [[0.0; 3], z, z, z]);
     }
 
     /// Every integer type serves as an index; a float does not.

@@ -1,0 +1,174 @@
+//! Input files, and what they hold: a mesh, raw floats, or what the name and the first bytes do not tell.
+
+use crate::catalogue::Element;
+use crate::mesh::{self, FileFormat, Frames, Mesh, MeshError, Part};
+use crate::{Error, Result};
+use std::fs::File;
+use std::io::{self, Cursor, Read};
+use std::path::{Path, PathBuf};
+
+/// Endings of files that hold raw floats.
+pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
+
+/// A file or stream that was opened to be read.
+pub struct Input {
+    path: PathBuf,
+    reader: Box<dyn Read>,
+    length: Option<u64>,
+    mesh: Option<FileFormat>,
+}
+
+impl Input {
+    /// Opens a file; `-` is the standard input. Looks at its first bytes, which are still there to be read.
+    ///
+    /// # Errors
+    /// [`Error::Read`].
+    pub fn open(path: &Path) -> Result<Self> {
+        let error = |source| Error::Read { path: path.to_owned(), source };
+        let (mut reader, length) = open(path).map_err(error)?;
+        let mut head = Vec::new();
+        reader.by_ref().take(FileFormat::HEAD as u64).read_to_end(&mut head).map_err(error)?;
+        let mesh = FileFormat::of(path, &head);
+        let reader = Box::new(Cursor::new(head).chain(reader));
+        Ok(Self { path: path.to_owned(), reader, length, mesh })
+    }
+
+    /// The format of the mesh that it holds, if it does.
+    pub fn mesh(&self) -> Option<FileFormat> {
+        self.mesh
+    }
+
+    /// True where raw floats can be expected: one of [`RAW_ENDINGS`], the standard input, a pipe or a device.
+    pub fn is_raw(&self) -> bool {
+        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        self.length.is_none() || RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending))
+    }
+
+    /// Its length in bytes, where it is a file.
+    pub fn length(&self) -> Option<u64> {
+        self.length
+    }
+
+    /// Reads all of it as a mesh: `parse` is [`mesh::parse`] or [`mesh::parse_frames`].
+    ///
+    /// # Errors
+    /// [`MeshError::UnknownFormat`] where it is none, and what `parse` meets.
+    pub fn parse<T>(mut self, parse: fn(&Path, FileFormat, &[u8]) -> Result<T, MeshError>) -> Result<T> {
+        let path = self.path;
+        let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: path.clone() })?;
+        let mut bytes = Vec::new();
+        match self.reader.read_to_end(&mut bytes) {
+            Ok(_) => Ok(parse(&path, format, &bytes)?),
+            Err(source) => Err(Error::Read { path, source }),
+        }
+    }
+}
+
+impl Read for Input {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        self.reader.read(buffer)
+    }
+}
+
+/// Vectors or frames to encode: those of a mesh, or raw ones.
+pub struct Elements {
+    /// Little-endian f32. Computed normals without a direction are zero.
+    pub floats: Box<dyn Read>,
+    /// The number of elements, where it is known.
+    pub count: Option<u64>,
+    /// Where those of a mesh lie.
+    pub parts: Option<Vec<Part>>,
+}
+
+impl Elements {
+    /// Opens a file or, with `-`, the standard input: as a mesh where it is one, as raw floats where [`Input::is_raw`]. With
+    /// `raw`, as raw floats in any case.
+    ///
+    /// # Errors
+    /// [`Error::UnknownInput`] if it is neither, and whatever reading it meets.
+    pub fn open(path: &Path, element: Element, raw: bool) -> Result<Self> {
+        let input = Input::open(path)?;
+        match (input.mesh, element) {
+            _ if raw => Ok(Self::raw(input, element)),
+            (Some(_), Element::Vector) => {
+                let Mesh { normals, parts } = input.parse(mesh::parse)?;
+                Ok(Self::of_mesh(&normals, parts))
+            }
+            (Some(_), Element::Frame) => {
+                let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+                Ok(Self::of_mesh(&frames, parts))
+            }
+            (None, _) if input.is_raw() => Ok(Self::raw(input, element)),
+            (None, _) => Err(Error::UnknownInput { path: path.to_owned() }),
+        }
+    }
+
+    fn raw(input: Input, element: Element) -> Self {
+        let count = input.length.map(|length| length / element.bytes() as u64);
+        Self { floats: Box::new(input), count, parts: None }
+    }
+
+    fn of_mesh<const N: usize>(elements: &[[f32; N]], parts: Vec<Part>) -> Self {
+        let floats = Box::new(Cursor::new(to_bytes(elements.as_flattened())));
+        Self { floats, count: Some(elements.len() as u64), parts: Some(parts) }
+    }
+}
+
+/// Floats as little-endian bytes.
+pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
+    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
+}
+
+fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
+    if path == Path::new("-") {
+        return Ok((Box::new(io::stdin().lock()), None));
+    }
+    let file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if metadata.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What was looked at is read again, and all after it.
+    #[test]
+    fn the_first_bytes_are_read_again() {
+        let folder = tempfile::tempdir().unwrap();
+        for length in [0, 3, FileFormat::HEAD, FileFormat::HEAD + 5] {
+            let bytes: Vec<u8> = (0..length).map(|at| (at % 251) as u8).collect();
+            let path = folder.path().join("a.bin");
+            std::fs::write(&path, &bytes).unwrap();
+            let (mut input, mut read) = (Input::open(&path).unwrap(), Vec::new());
+            assert_eq!(input.length(), Some(length as u64));
+            input.read_to_end(&mut read).unwrap();
+            assert!(read == bytes, "{length}");
+        }
+    }
+
+    /// Raw floats are known by the ending, in any case; a mesh is known by its first bytes whatever its ending.
+    #[test]
+    fn what_a_file_holds() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, bytes, expected) in [
+            ("a.bin", &b"\0\0\0\0"[..], (None, true)),
+            ("a.F32", b"", (None, true)),
+            ("a.raw", b"{", (None, true)),
+            ("a.fbx", b"Kaydara FBX Binary", (None, false)),
+            ("bin", b"", (None, false)),
+            ("a.vrm", b"glTF\x02\0\0\0", (Some(FileFormat::Gltf), false)),
+            ("b.bin", b"ply\nformat", (Some(FileFormat::Ply), true)),
+            ("a.obj", b"", (Some(FileFormat::Obj), false)),
+        ] {
+            let path = folder.path().join(name);
+            std::fs::write(&path, bytes).unwrap();
+            let input = Input::open(&path).unwrap();
+            assert_eq!((input.mesh(), input.is_raw()), expected, "{name}");
+        }
+        assert!(matches!(Input::open(folder.path()), Err(Error::Read { .. })));
+    }
+}

@@ -1,0 +1,81 @@
+//! Which format a mesh file has.
+
+use std::path::Path;
+
+/// A format of mesh files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileFormat {
+    /// Wavefront OBJ: text, known by its ending alone.
+    Obj,
+    /// PLY.
+    Ply,
+    /// glTF 2.0, as JSON or binary.
+    Gltf,
+}
+
+impl FileFormat {
+    /// As many of a file's first bytes as [`of`](Self::of) should be given. JSON may begin with much else than what
+    /// tells that it is glTF.
+    pub const HEAD: usize = 1 << 20;
+
+    /// The format that the first bytes tell; where they tell none, that of the ending, in any case: obj, ply, gltf, glb.
+    /// So a VRM file, which is a GLB by another name, is read as one.
+    pub fn of(path: &Path, head: &[u8]) -> Option<Self> {
+        let is_ply = head.starts_with(b"ply\n") || head.starts_with(b"ply\r");
+        let is_gltf = head.starts_with(b"glTF") || is_gltf_json(head);
+        match (is_ply, is_gltf) {
+            (true, _) => Some(Self::Ply),
+            (_, true) => Some(Self::Gltf),
+            _ => Self::of_ending(path),
+        }
+    }
+
+    fn of_ending(path: &Path) -> Option<Self> {
+        match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
+            "obj" => Some(Self::Obj),
+            "ply" => Some(Self::Ply),
+            "gltf" | "glb" => Some(Self::Gltf),
+            _ => None,
+        }
+    }
+}
+
+/// True for a JSON object with `asset`, which every glTF file must have.
+fn is_gltf_json(head: &[u8]) -> bool {
+    const KEY: &[u8] = b"\"asset\"";
+    head.trim_ascii_start().starts_with(b"{") && head.windows(KEY.len()).any(|bytes| bytes == KEY)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without telling bytes the ending decides, in any case.
+    #[test]
+    fn endings() {
+        let of = |name| FileFormat::of(Path::new(name), b"\0\0\x80\x3f");
+        assert_eq!(of("a.obj"), Some(FileFormat::Obj));
+        assert_eq!(of("b/a.PLY"), Some(FileFormat::Ply));
+        assert_eq!([of("a.b.glTF"), of("a.Glb")], [Some(FileFormat::Gltf); 2]);
+        assert_eq!(["obj", ".obj", "a.stl", "a.obj.gz", "-"].map(of), [None; 5]);
+    }
+
+    /// Telling bytes decide whatever the ending; bytes that are close to them do not.
+    #[test]
+    fn first_bytes() {
+        for (head, format) in [
+            (&b"glTF\x02\0\0\0"[..], FileFormat::Gltf),
+            (b"{\"asset\":{\"version\":\"2.0\"}}", FileFormat::Gltf),
+            (b"\n {\n \"accessors\": [],\n \"asset\": {", FileFormat::Gltf),
+            (b"ply\nformat ascii 1.0\n", FileFormat::Ply),
+            (b"ply\r\nformat", FileFormat::Ply),
+        ] {
+            for name in ["a.vrm", "a.bin", "a.obj", "a", "-"] {
+                assert_eq!(FileFormat::of(Path::new(name), head), Some(format), "{name}");
+            }
+        }
+        for head in [&b""[..], b"glT", b"plyglTF", b"{\"assets\":0}", b"[\"asset\"]", b"{", b"ply"] {
+            assert_eq!(FileFormat::of(Path::new("a.bin"), head), None, "{head:?}");
+        }
+    }
+}
