@@ -8,7 +8,7 @@ use std::{fs, io};
 /// A folder of modules with its manifest.
 pub struct Modules {
     folder: Folder,
-    manifest: Manifest,
+    manifest: Box<Manifest>,
 }
 
 /// A folder of modules that cannot be used.
