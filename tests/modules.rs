@@ -4,11 +4,11 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
-use unitvec_host::catalogue::{Operation, find_format, formats};
+use unitvec_host::catalogue::{self, Operation, find_format, formats};
 #[cfg(feature = "glsl")]
 use unitvec_host::glsl::Compiler;
 use unitvec_host::manifest::{
-    Access, BEST_FIT_TABLE, Manifest, Module, SCHEMA, schema, sha256_hex, sources_sha256,
+    BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, schema, sha256_hex, sources_sha256,
 };
 use unitvec_tests::repository;
 
@@ -89,6 +89,15 @@ fn the_codecs_are_those_of_the_catalogue() {
             "{}",
             codec.id
         );
+        let bounds = match catalogue::find_frame(&codec.id) {
+            Some(frame) => vec![frame.max_normal_error_deg, frame.max_tangent_error_deg],
+            None => vec![catalogue::find(&codec.id).unwrap().max_error_deg],
+        };
+        assert_eq!(codec.max_error_deg, bounds, "{}", codec.id);
+    }
+    for table in manifest().tables {
+        let size = std::fs::metadata(folder().join(&table.file)).unwrap().len();
+        assert_eq!(u64::from(table.bytes), size, "{}", table.file);
     }
 }
 
@@ -224,7 +233,7 @@ fn entry_points_are_as_the_manifest_says() {
             let expected = interface
                 .bindings
                 .iter()
-                .map(|binding| (interface.descriptor_set, binding.binding, binding.access == Access::Read));
+                .map(|binding| (interface.descriptor_set, binding.binding, binding.role != Role::Output));
             let actual = spirv.buffers(function);
             let found = actual.iter().map(|&(set, binding, is_read, _)| (set, binding, is_read));
             assert_eq!(found.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{name}");

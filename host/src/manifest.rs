@@ -22,7 +22,7 @@ pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
 pub const DECODE_BY_TABLE: &str = "decode_by_table";
 
 /// SPIR-V modules with compute kernels that encode and decode unit vectors, and how to call them.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Manifest {
     /// The JSON schema of this file.
@@ -51,12 +51,12 @@ pub struct Manifest {
 }
 
 /// A SPIR-V module.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Module {
-    /// Path in the manifest's folder.
+    /// Path relative to the manifest's folder, with `/`.
     pub file: String,
-    /// The codec; none for kernels that serve several.
+    /// The codec; null for kernels that serve several.
     pub codec: Option<Codec>,
     /// SHA-256 of the file.
     pub sha256: String,
@@ -65,7 +65,7 @@ pub struct Module {
 }
 
 /// A codec.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Codec {
     /// Identifier.
@@ -77,15 +77,19 @@ pub struct Codec {
     pub bits: u32,
     /// Bytes of a stored code.
     pub bytes: u32,
-    /// The VkFormat that has the code's layout, where there is one.
+    /// The VkFormat that has the code's layout; null where there is none.
     pub vk_format: Option<String>,
+    /// True where decoded vectors have unit length. The others are raw components: normalise them.
+    pub is_unit: bool,
+    /// Upper bound of the error in degrees: of a vector, or of a frame's normal and then of its tangent.
+    pub max_error_deg: Vec<f32>,
 }
 
 /// A compute kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EntryPoint {
-    /// Its name.
+    /// Its name, which no other entry point of the manifest has.
     pub name: String,
     /// Half of the codec.
     #[schemars(with = "OperationName")]
@@ -94,13 +98,15 @@ pub struct EntryPoint {
     pub interface: String,
 }
 
-/// How to call a kernel. A vector is whatever it encodes or decodes: a frame, with codecs of frames.
+/// How to call a kernel. A vector is whatever it encodes or decodes: a frame, with codecs of frames. Kernels that measure,
+/// those in `cost/`, take three f32 of a frame as well.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Interface {
     /// Size of a workgroup.
     pub workgroup_size: [u32; 3],
-    /// Vectors that a workgroup takes. To be dispatched: the number of vectors divided by this, rounded up; 1; 1.
+    /// Vectors that a workgroup takes. To be dispatched: the number of vectors divided by this, rounded up; 1; 1. For no
+    /// vectors, nothing.
     pub vectors_per_workgroup: u32,
     /// The descriptor set that has all bindings.
     pub descriptor_set: u32,
@@ -116,31 +122,37 @@ pub struct Interface {
 pub struct Binding {
     /// Binding number.
     pub binding: u32,
+    /// What it is to the kernel.
+    pub role: Role,
     /// Its VkDescriptorType.
     pub descriptor_type: String,
-    /// What the kernel does with it.
-    pub access: Access,
     /// What it holds.
     pub content: String,
-    /// Bytes that a vector takes in it; none for a table.
+    /// Bytes that a vector takes in it; absent for a table.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bytes_per_vector: Option<u32>,
-    /// The buffer's range is what the vectors take, or the table, rounded up to a multiple of these bytes. Kernels process
-    /// no vector that lies outside one of their buffers, and write 0 to what rounding adds.
+    /// Bytes of a table; absent for others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bytes: Option<u32>,
+    /// The descriptor's range is what the vectors or the table take, rounded up to a multiple of these bytes. Kernels process
+    /// no vector that lies outside one of the ranges, ignore what rounding adds to the input, and write 0 to what it adds to
+    /// the output.
     pub size_multiple: u32,
-    /// The table to bind, where it is one of the manifest's: its file.
+    /// The table to bind, where it is one of the manifest's: its file. Otherwise absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
 }
 
-/// What a kernel does with a buffer.
+/// What a buffer is to a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Access {
-    /// It reads.
-    Read,
-    /// It writes, and never reads.
-    Write,
+pub enum Role {
+    /// What is encoded or decoded: only read.
+    Input,
+    /// The result: only written.
+    Output,
+    /// Constant data: only read.
+    Table,
 }
 
 /// A file of constant data.
@@ -149,6 +161,8 @@ pub enum Access {
 pub struct Table {
     /// File name in the manifest's folder.
     pub file: String,
+    /// Its size.
+    pub bytes: u32,
     /// Its layout.
     pub layout: String,
     /// SHA-256 of the file.
@@ -161,10 +175,20 @@ pub struct Table {
 pub struct PushConstant {
     /// Byte offset.
     pub offset: u32,
-    /// Type: `u32`.
+    /// Type: `u32`, four bytes.
     pub r#type: String,
     /// What it holds.
-    pub content: String,
+    pub content: Constant,
+}
+
+/// What a push constant holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Constant {
+    /// The number of vectors.
+    Count,
+    /// How often each is encoded or decoded.
+    Repetitions,
 }
 
 /// [`Element`] as the schema has it.

@@ -97,13 +97,13 @@ class Kernel:
 
     def content(self, binding, count, given):
         """What a buffer holds before the kernel runs, and how many of its bytes count."""
-        if "bytes_per_vector" not in binding:
+        if binding["role"] == "table":
             tables = [table for table in self.manifest["tables"] if table["file"] == binding.get("table")]
             require(tables, f"{self.name} reads a table that is not in the manifest")
             table = self.read(tables[0])
             return table, len(table)
         length = count * binding["bytes_per_vector"]
-        if binding["access"] == "write":
+        if binding["role"] == "output":
             return b"", length
         require(len(given) == length, f"the input should have {length} bytes and has {len(given)}")
         return given, length
@@ -228,7 +228,7 @@ def run(kernel, device, count, given):
         content, length = kernel.content(binding, count, given)
         buffer, address = device.buffer(length + -length % binding["size_multiple"], content)
         buffers.append(buffer)
-        if binding["access"] == "write":
+        if binding["role"] == "output":
             output = address, length
     descriptors, set_layout = device.descriptor_set([binding["binding"] for binding in bindings], buffers)
     offset = interface["push_constants"][0]["offset"]

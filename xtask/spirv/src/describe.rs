@@ -1,9 +1,9 @@
 //! The manifest's words about kernels, modules and tables.
 
 use crate::kernel::Kernel;
-use unitvec_host::catalogue::{Element, Format, Operation};
+use unitvec_host::catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
 use unitvec_host::manifest::{
-    self, Access, Binding, Codec, EntryPoint, Interface, Module, PushConstant, Table,
+    self, Binding, Codec, Constant, EntryPoint, Interface, Module, PushConstant, Table,
 };
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
 
@@ -17,6 +17,7 @@ const WORD: u32 = 4;
 pub fn table(bytes: &[u8]) -> Table {
     Table {
         file: manifest::BEST_FIT_TABLE.to_owned(),
+        bytes: bytes.len() as u32,
         layout: "words of four lengths of one byte, the best alone lowest; column and row are 640 mid / max and 640 min / max \
                  of a direction's magnitudes, rounded down; word 4 (g (2 g + 1) + row) + column, g = column / 4 rounded \
                  down; to be bound as u32 words, little endian"
@@ -42,27 +43,34 @@ pub fn module(file: &str, kernels: &[Kernel], bytes: &[u8]) -> Module {
 
 fn codec(format: Format) -> Codec {
     let Format { id, element, bits, bytes, vk_format, .. } = format;
+    let (is_unit, max_error_deg) = match (find(id), find_frame(id)) {
+        (Ok(codec), _) => (codec.is_unit, vec![codec.max_error_deg]),
+        (Err(_), frame) => {
+            let bounds = frame.map(|frame| vec![frame.max_normal_error_deg, frame.max_tangent_error_deg]);
+            (true, bounds.unwrap_or_default())
+        }
+    };
     let (id, vk_format) = (id.to_owned(), vk_format.map(str::to_owned));
-    Codec { id, element, bits, bytes: bytes as u32, vk_format }
+    Codec { id, element, bits, bytes: bytes as u32, vk_format, is_unit, max_error_deg }
 }
 
 /// A kernel's interface and the name of that.
 pub fn interface(kernel: &Kernel) -> (String, Interface) {
     let [input, output] = buffers(kernel);
     let mut name = format!("{} to {}", input.name, output.name);
-    let mut bindings = vec![input.binding(0, Access::Read), output.binding(1, Access::Write)];
+    let mut bindings = vec![input.binding(0, Role::Input), output.binding(1, Role::Output)];
     if kernel.name() == manifest::DECODE_BY_TABLE {
         let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
-        bindings.push(table_binding(content, None));
+        bindings.push(table_binding(content, Element::Vector.bytes() << 16, None));
     } else if kernel.encodes_by_table() {
-        bindings.push(table_binding("table", Some(manifest::BEST_FIT_TABLE)));
+        bindings.push(table_binding("table", size_of_val(best_fit_table()), Some(manifest::BEST_FIT_TABLE)));
     }
     if bindings.len() > 2 {
         name += " by a table";
     }
-    let mut push_constants = vec![constant(0, "number of vectors")];
+    let mut push_constants = vec![constant(0, Constant::Count)];
     if kernel.is_cost {
-        push_constants.push(constant(4, "repetitions of each"));
+        push_constants.push(constant(4, Constant::Repetitions));
     }
     let interface = Interface {
         workgroup_size: [WORKGROUP as u32, 1, 1],
@@ -86,13 +94,14 @@ impl Buffer {
         Self { name: name.to_owned(), content, bytes_per_vector }
     }
 
-    fn binding(&self, binding: u32, access: Access) -> Binding {
+    fn binding(&self, binding: u32, role: Role) -> Binding {
         Binding {
             binding,
+            role,
             descriptor_type: STORAGE_BUFFER.to_owned(),
-            access,
             content: self.content.to_owned(),
             bytes_per_vector: Some(self.bytes_per_vector as u32),
+            bytes: None,
             size_multiple: WORD,
             table: None,
         }
@@ -103,7 +112,7 @@ impl Buffer {
 fn buffers(kernel: &Kernel) -> [Buffer; 2] {
     let vectors = || Buffer::new("vectors", "three f32 a vector, packed", Element::Vector.bytes());
     if kernel.is_cost {
-        let sums = Buffer::new("sums", "sum of the results", 4);
+        let sums = Buffer::new("sums", "u32 a vector: the sum of its codes; or f32, of its components", 4);
         return match kernel.operation {
             Operation::Encode => [vectors(), sums],
             Operation::Decode => {
@@ -129,18 +138,19 @@ fn buffers(kernel: &Kernel) -> [Buffer; 2] {
     }
 }
 
-fn table_binding(content: &str, file: Option<&str>) -> Binding {
+fn table_binding(content: &str, bytes: usize, file: Option<&str>) -> Binding {
     Binding {
         binding: 2,
+        role: Role::Table,
         descriptor_type: STORAGE_BUFFER.to_owned(),
-        access: Access::Read,
         content: content.to_owned(),
         bytes_per_vector: None,
+        bytes: Some(bytes as u32),
         size_multiple: WORD,
         table: file.map(str::to_owned),
     }
 }
 
-fn constant(offset: u32, content: &str) -> PushConstant {
-    PushConstant { offset, r#type: "u32".to_owned(), content: content.to_owned() }
+fn constant(offset: u32, content: Constant) -> PushConstant {
+    PushConstant { offset, r#type: "u32".to_owned(), content }
 }
