@@ -7,6 +7,7 @@ mod codecs;
 mod conform;
 mod convert;
 mod devices;
+mod progress;
 mod summary;
 
 use clap::{Args, Parser, Subcommand};
