@@ -9,6 +9,7 @@ mod convert;
 mod devices;
 mod progress;
 mod summary;
+mod table;
 
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
@@ -213,6 +214,11 @@ fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
         writer.serialize(row).map_err(|error| failed(error.to_string()))?;
     }
     writer.into_inner().map_err(|error| failed(error.to_string()))
+}
+
+/// Degrees with six decimals, or four digits of what they would not show.
+fn degrees(error: f64) -> String {
+    if error < 0.0001 { format!("{error:.3e}") } else { format!("{error:.6}") }
 }
 
 /// JSON with a final newline.
