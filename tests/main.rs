@@ -24,6 +24,7 @@ mod hemioct;
 mod ico;
 mod latlong;
 mod list;
+mod loss;
 mod modules;
 mod oct;
 mod oct_wide;
@@ -32,6 +33,7 @@ mod slices;
 mod soct;
 mod spherical;
 mod suite;
+mod terminal;
 mod totality;
 mod trig;
 

@@ -8,6 +8,43 @@ use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::Path;
 
+/// What to take for one purpose.
+pub struct Recommendation {
+    /// The purpose.
+    pub purpose: &'static str,
+    /// Identifiers, the first choice first.
+    pub codecs: &'static [&'static str],
+    /// How many of them the short table has, that of the README.
+    pub in_short: usize,
+}
+
+/// What to take for what.
+pub const RECOMMENDED: [Recommendation; 8] = [
+    recommend("encoded often: G-buffers", &["oct32", "oct24", "oct16"], 1),
+    recommend("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], 3),
+    recommend("z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], 2),
+    recommend("two snorms and a bit to spare", &["soct17", "soct25"], 1),
+    recommend("least maximum error for the bytes", &["ico16", "ico24", "ico32"], 3),
+    recommend("very few bits", &["oct8p", "oct12p"], 1),
+    recommend("finer than 32 bits", &["oct48p", "oct52p"], 1),
+    recommend("a normal with its tangent", &["frame32", "frame64"], 2),
+];
+
+const fn recommend(
+    purpose: &'static str,
+    codecs: &'static [&'static str],
+    in_short: usize,
+) -> Recommendation {
+    Recommendation { purpose, codecs, in_short }
+}
+
+impl Recommendation {
+    /// Those of the short table.
+    pub fn short(&self) -> &'static [&'static str] {
+        &self.codecs[..self.in_short]
+    }
+}
+
 /// What a codec has to do.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {

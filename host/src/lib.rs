@@ -6,6 +6,7 @@
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
 //! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`choose`]: what to take.
+//! * [`loss`]: errors over the vectors of files.
 //! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
 
 #![deny(unsafe_code)]
@@ -18,6 +19,7 @@ pub mod conform;
 mod error;
 pub mod glsl;
 pub mod input;
+pub mod loss;
 pub mod manifest;
 pub mod measure;
 pub mod mesh;

@@ -126,6 +126,19 @@ fn plain_permissions(builder: &mut tempfile::Builder<'_, '_>) {
     let _ = builder;
 }
 
+/// Refuses to write binary data to a terminal, which would show noise and might obey it: `-` where the standard output
+/// `is_terminal`.
+///
+/// # Errors
+/// [`Error::Usage`].
+pub fn refuse_binary(path: &Path, is_terminal: bool) -> Result<()> {
+    if path == Path::new("-") && is_terminal {
+        let message = "the output is binary and would go to the terminal; name a file instead of -, or redirect: > FILE";
+        return Err(Error::Usage(message.to_owned()));
+    }
+    Ok(())
+}
+
 /// Writes a whole small file, as [`Output`] does.
 ///
 /// # Errors

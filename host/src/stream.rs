@@ -69,26 +69,45 @@ impl Counts {
 pub fn encode(
     backend: &mut dyn Backend,
     format: Format,
-    mut input: Input<'_>,
+    input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
 ) -> Result<Counts> {
-    let (floats, unit) = (format.element.floats(), format.element.plural());
-    let mut elements = vec![0.0; CHUNK * floats];
     let mut codes = vec![0; CHUNK * format.bytes];
     let mut done = Counts::default();
-    loop {
-        let bytes = bytemuck::cast_slice_mut(&mut elements);
-        let count = read_elements(&mut input, bytes, format.element.bytes(), unit, done.elements)?;
-        if count == 0 {
-            return Ok(done);
-        }
-        let (elements, codes) = (&mut elements[..count * floats], &mut codes[..count * format.bytes]);
-        swap_if_big_endian(elements);
+    for_each_chunk(input, format.element, &mut |elements, _| {
+        let codes = &mut codes[..elements.len() / format.element.floats() * format.bytes];
         backend.encode(format, elements, codes)?;
         write(&mut output, codes)?;
         done.add(format.element, format.domain, elements);
         progress(done.elements);
+        Ok(())
+    })?;
+    Ok(done)
+}
+
+/// Reads raw vectors or frames until the input ends, and hands on at most [`CHUNK`] of them at a time, with the number of
+/// those before.
+///
+/// # Errors
+/// [`Error::Truncated`] if the input ends within an element, and whatever reading or `each` meets.
+pub fn for_each_chunk(
+    mut input: Input<'_>,
+    element: Element,
+    each: &mut dyn FnMut(&[f32], u64) -> Result<()>,
+) -> Result<()> {
+    let mut elements = vec![0.0; CHUNK * element.floats()];
+    let mut done = 0;
+    loop {
+        let bytes = bytemuck::cast_slice_mut(&mut elements);
+        let count = read_elements(&mut input, bytes, element.bytes(), element.plural(), done)?;
+        if count == 0 {
+            return Ok(());
+        }
+        let elements = &mut elements[..count * element.floats()];
+        swap_if_big_endian(elements);
+        each(elements, done)?;
+        done += count as u64;
     }
 }
 

@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use unitvec_host::accuracy::{Table, covering_bound_deg};
 use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, find, find_frame};
+use unitvec_host::choose::RECOMMENDED;
 use unitvec_tests::repository;
 
 /// The table of this name, if there is one.
@@ -88,26 +89,14 @@ fn mirror() -> String {
     )
 }
 
-/// What to take for what, and whether README says so too.
-const WHICH: [(&str, &[&str], bool); 8] = [
-    ("encoded often: G-buffers", &["oct32", "oct24", "oct16"], false),
-    ("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], true),
-    ("z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], true),
-    ("two snorms and a bit to spare", &["soct17", "soct25"], false),
-    ("least maximum error for the bytes", &["ico16", "ico24", "ico32"], true),
-    ("very few bits", &["oct8p", "oct12p"], false),
-    ("finer than 32 bits", &["oct48p", "oct52p"], false),
-    ("a normal with its tangent", &["frame32", "frame64"], true),
-];
-
 fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
     let mut text = String::from(
         "| for | codec | bits | mean / max error, degrees | cost: encode / decode |\n|---|---|---|---|---|\n",
     );
-    for (purpose, ids, in_readme) in WHICH {
-        let shown = if is_whole || in_readme { ids.len() } else { 1 };
-        for (index, id) in ids[..shown].iter().enumerate() {
-            let purpose = if index == 0 { purpose } else { "" };
+    for row in RECOMMENDED {
+        let shown = if is_whole { row.codecs } else { row.short() };
+        for (index, id) in shown.iter().enumerate() {
+            let purpose = if index == 0 { row.purpose } else { "" };
             let (bits, errors) = match find_frame(id) {
                 Some(frame) => (frame.bits, frame_errors(id)),
                 None => (find(id).unwrap().bits, errors_of(id)),

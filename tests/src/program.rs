@@ -40,7 +40,7 @@ pub fn path() -> &'static Path {
 pub fn command<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>) -> Command {
     let mut command = Command::new(path());
     command.args(arguments).stdin(Stdio::null());
-    for name in ["UNITVEC_SPIRV", "UNITVEC_VULKAN_LOADER"] {
+    for name in ["UNITVEC_COLUMNS", "UNITVEC_SPIRV", "UNITVEC_VULKAN_LOADER"] {
         command.env_remove(name);
     }
     command.env("UNITVEC_DEVICE", "lavapipe");

@@ -1,4 +1,5 @@
-use super::{OpenBackend, Vulkan, counts, print, reports_to_stdout, to_csv, to_json};
+use super::table::{Layout, Wide, left, left_out, right, wrapped};
+use super::{OpenBackend, Vulkan, counts, degrees, print, reports_to_stdout, to_csv, to_json};
 use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
@@ -36,6 +37,8 @@ pub struct Arguments {
     /// Draw a chart of the errors against bits, with the covering bound, as SVG.
     #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
+    #[command(flatten)]
+    wide: Wide,
     #[command(flatten)]
     vulkan: Vulkan,
 }
@@ -133,7 +136,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     bar.finish_and_clear();
 
     if !to_stdout {
-        print(&table_text(&rows, &missing))?;
+        print(&table_text(&rows, &missing, arguments.float64, arguments.wide.columns()))?;
     }
     if let Some(path) = &arguments.chart {
         let failed = |error: Box<dyn std::error::Error>| {
@@ -169,81 +172,84 @@ fn degrees_or_none(error: Option<f64>) -> String {
     error.map_or_else(|| "-".to_owned(), degrees)
 }
 
-/// Six decimals, or four digits of what they would not show.
-fn degrees(error: f64) -> String {
-    if error < 0.0001 { format!("{error:.3e}") } else { format!("{error:.6}") }
-}
+/// The column of the published names.
+const SURVEY: usize = 2;
 
-/// Mean and maximum with float64 intermediates, where they were measured.
-fn float64_columns(row: &Row) -> String {
-    match (row.float64_mean_deg, row.float64_max_deg) {
-        (Some(mean), Some(max)) => format!("  {:>10} {:>10}", degrees(mean), degrees(max)),
-        _ => String::new(),
+/// The columns of the table; those with float64 intermediates were asked for.
+fn table(float64: bool, columns: Option<usize>) -> Layout {
+    let mut all = vec![
+        left("table", 5).rank(4),
+        left("codec", 22),
+        left("survey", 19).rank(7),
+        right("bits", 4),
+        right("mean", 9).apart(),
+        right("survey", 9).rank(5),
+        right("ratio", 6).rank(2),
+        right("max", 9).apart(),
+        right("survey", 9).rank(5),
+        right("ratio", 6).rank(3),
+        right("bound mean", 10).apart().rank(6),
+        right("bound max", 10).rank(6),
+        right("waste", 6).rank(1),
+    ];
+    if float64 {
+        all.extend([right("mean f64", 10).apart(), right("max f64", 10)]);
     }
+    Layout::new(all, columns)
 }
 
-fn table_text(rows: &[Row], missing: &[String]) -> String {
-    let mut text = format!(
+/// What the columns mean.
+fn legend(columns: Option<usize>) -> String {
+    wrapped(
         "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal covering; waste is \
-         bits against it; --float64 adds mean and max with float64 intermediates\n\
-         {:<5} {:<22} {:<19} {:>4}  {:>9} {:>9} {:>6}  {:>9} {:>9} {:>6}  {:>10} {:>10} {:>6}\n",
-        "table",
-        "codec",
-        "survey",
-        "bits",
-        "mean",
-        "survey",
-        "ratio",
-        "max",
-        "survey",
-        "ratio",
-        "bound mean",
-        "bound max",
-        "waste"
-    );
+         bits against it; --float64 adds mean and max with float64 intermediates",
+        "",
+        columns,
+    ) + "\n"
+}
+
+fn table_text(rows: &[Row], missing: &[String], float64: bool, columns: Option<usize>) -> String {
+    let table = table(float64, columns);
+    let mut text = legend(columns) + &table.heading();
     for row in rows {
         let number = |value: Option<f64>, digits: usize| {
             value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
         };
-        let (mean, ratio) = row.survey_mean_deg.map_or_else(
-            || ("-".to_owned(), "-".to_owned()),
-            |mean| (format!("{mean:.5}"), format!("{:.3}", row.mean_deg / mean)),
-        );
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "{:<5} {:<22} {:<19} {:>4}  {:>9} {mean:>9} {ratio:>6}  {:>9} {:>9} {:>6}  {:>10} {:>10} {:>6}{}",
-            row.table,
-            row.id,
-            row.survey_name,
-            row.bits,
-            degrees(row.mean_deg),
-            degrees(row.max_deg),
-            degrees_or_none(row.survey_max_deg),
-            number(row.survey_max_deg.map(|max| row.max_deg / max), 3),
-            degrees_or_none(row.bound_mean_deg),
-            degrees_or_none(row.bound_max_deg),
-            number(row.wasted_bits, 2),
-            float64_columns(row)
-        );
+        // What of a frame the errors are of stands in the survey's column.
+        let of = if row.table == "frames" && !table.shows(SURVEY) { &row.survey_name } else { "" };
+        text += &table.line(&[
+            &row.table,
+            &format!("{} {of}", row.id).trim_end(),
+            &row.survey_name,
+            &row.bits,
+            &degrees(row.mean_deg),
+            &number(row.survey_mean_deg, 5),
+            &number(row.survey_mean_deg.map(|mean| row.mean_deg / mean), 3),
+            &degrees(row.max_deg),
+            &degrees_or_none(row.survey_max_deg),
+            &number(row.survey_max_deg.map(|max| row.max_deg / max), 3),
+            &degrees_or_none(row.bound_mean_deg),
+            &degrees_or_none(row.bound_max_deg),
+            &number(row.wasted_bits, 2),
+            &degrees_or_none(row.float64_mean_deg),
+            &degrees_or_none(row.float64_max_deg),
+        ]);
     }
+    // Writing to a String cannot fail.
     for bits in [16, 24, 32] {
         if let Some(best) = beyond::beats_the_survey(rows, bits) {
-            let _ = writeln!(
-                text,
-                "{}{bits} bits: {} has a lower maximum than every row of table 1 and a mean no higher",
-                if bits == 16 { "\n" } else { "" },
+            let found = format!(
+                "{bits} bits: {} has a lower maximum than every row of table 1 and a mean no higher",
                 best.id
             );
+            let _ =
+                writeln!(text, "{}{}", if bits == 16 { "\n" } else { "" }, wrapped(&found, "    ", columns));
         }
     }
     if !missing.is_empty() {
-        let _ = writeln!(
-            text,
-            "\n{} rows of the survey are not implemented: {}",
-            missing.len(),
-            missing.join(", ")
-        );
+        let list =
+            format!("{} rows of the survey are not implemented: {}", missing.len(), missing.join(", "));
+        let _ = writeln!(text, "\n{}", wrapped(&list, "", columns));
     }
-    text
+    text + &left_out(&[&table])
 }

@@ -1,3 +1,4 @@
+use super::table::{Layout, Wide, left, left_out, right, wrapped};
 use super::{Vulkan, chosen_formats, print, reports_to_stdout, status_after_validation, to_csv, to_json};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -31,6 +32,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     markdown: Option<PathBuf>,
     #[command(flatten)]
+    wide: Wide,
+    #[command(flatten)]
     vulkan: Vulkan,
 }
 
@@ -43,8 +46,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         samples: arguments.samples as usize,
         throughput_samples: 2 * arguments.samples as usize,
     };
+    let columns = arguments.wide.columns();
+    let table = table(columns);
     if !to_stdout {
-        print(&heading(device.info(), &options))?;
+        print(&(wrapped(&legend(device.info(), &options), "    ", columns) + &table.heading()))?;
     }
     let bar = progress_bar(chosen.len() as u64);
     let mut bench = Bench::new(&device, arguments.vulkan.modules()?, options)?;
@@ -54,7 +59,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         let measured = bench.measure(format)?;
         if !to_stdout {
             let mut printed = Ok(ExitCode::SUCCESS);
-            bar.suspend(|| printed = print(&lines(&measured)));
+            bar.suspend(|| printed = print(&lines(&table, &measured)));
             printed?;
         }
         rows.extend(measured);
@@ -75,7 +80,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         output::write_file(path, markdown(&report).as_bytes())?;
     }
     if !to_stdout {
-        print(&summary(&report))?;
+        print(&(wrapped(&summary(&report), "", columns) + &left_out(&[&table])))?;
     }
     Ok(status_after_validation(&instance.validation_messages(), true))
 }
@@ -88,7 +93,7 @@ fn progress_bar(length: u64) -> ProgressBar {
     bar
 }
 
-fn heading(device: &DeviceInfo, options: &Options) -> String {
+fn legend(device: &DeviceInfo, options: &Options) -> String {
     let warning = match device.kind {
         DeviceKind::Software => {
             "warning: this device is a CPU: its ratios say little of GPUs, and other programs disturb it\n"
@@ -100,45 +105,33 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
          arithmetic: nanoseconds a vector, median of {} dispatches of {} vectors, 100 times each, less a baseline; +- is \
          largest less smallest; ratios are medians of those of dispatches side by side; / oct32 is SPIR-V from Rust; \
          survey is its GTX 680\n\
-         throughput: of the shipped kernels, 10^6 vectors a second, and of a copy of as many bytes\n\n\
-         {:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>7}\n\
-         {:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8} {:>8} {:>8} {:>7}\n",
-        device.name,
-        device.kind,
-        device.driver,
-        device.api_version,
-        options.samples,
-        options.count,
-        "codec",
-        "",
-        "ns",
-        "",
-        "ns",
-        "",
-        "rust /",
-        "",
-        "survey",
-        "10^6/s",
-        "10^6/s",
-        "% of",
-        "by",
-        "",
-        "",
-        "rust",
-        "+-",
-        "glsl",
-        "+-",
-        "glsl",
-        "/ oct32",
-        "ns",
-        "rust",
-        "glsl",
-        "copy",
-        "table",
+         throughput: of the shipped kernels, 10^6 vectors a second, and of a copy of as many bytes\n\n",
+        device.name, device.kind, device.driver, device.api_version, options.samples, options.count,
     )
 }
 
-fn lines(rows: &[Row]) -> String {
+fn table(columns: Option<usize>) -> Layout {
+    Layout::new(
+        vec![
+            left("codec", 20),
+            left("", 6),
+            right("ns\nrust", 8),
+            right("\n+-", 7).rank(7),
+            right("ns\nglsl", 8).rank(3),
+            right("\n+-", 7).rank(8),
+            right("rust /\nglsl", 6).rank(2),
+            right("\n/ oct32", 7),
+            right("survey\nns", 7).rank(5),
+            right("10^6/s\nrust", 8).apart(),
+            right("10^6/s\nglsl", 8).rank(4),
+            right("% of\ncopy", 8).rank(1),
+            right("by\ntable", 7).rank(6),
+        ],
+        columns,
+    )
+}
+
+fn lines(table: &Layout, rows: &[Row]) -> String {
     let mut text = String::new();
     for operation in Operation::ALL {
         let of = |backend, by_table| {
@@ -148,25 +141,22 @@ fn lines(rows: &[Row]) -> String {
         let (Some(rust), Some(glsl)) = (of(BackendKind::Rust, false), of(BackendKind::Glsl, false)) else {
             continue;
         };
-        let table = of(BackendKind::Rust, true).map(|row| row.vectors_per_s / 1e6);
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "{:<20} {:<6} {:>8} {:>7} {:>8} {:>7} {:>6} {:>7} {:>7}  {:>8.1} {:>8.1} {:>8.0} {:>7}",
-            rust.id,
-            operation,
-            number(rust.alu_ns_per_vector, 4),
-            number(rust.alu_spread_ns, 4),
-            number(glsl.alu_ns_per_vector, 4),
-            number(glsl.alu_spread_ns, 4),
-            number(rust.alu_ratio_to_glsl, 3),
-            number(rust.alu_ratio_to_oct32, 2),
-            number(rust.survey_ns_per_vector, 4),
-            rust.vectors_per_s / 1e6,
-            glsl.vectors_per_s / 1e6,
-            100.0 * rust.bytes_per_s / rust.copy_bytes_per_s,
-            number(table, 1),
-        );
+        let by_table = of(BackendKind::Rust, true).map(|row| row.vectors_per_s / 1e6);
+        text += &table.line(&[
+            &rust.id,
+            &operation.to_string(),
+            &number(rust.alu_ns_per_vector, 4),
+            &number(rust.alu_spread_ns, 4),
+            &number(glsl.alu_ns_per_vector, 4),
+            &number(glsl.alu_spread_ns, 4),
+            &number(rust.alu_ratio_to_glsl, 3),
+            &number(rust.alu_ratio_to_oct32, 2),
+            &number(rust.survey_ns_per_vector, 4),
+            &format_args!("{:.1}", rust.vectors_per_s / 1e6),
+            &format_args!("{:.1}", glsl.vectors_per_s / 1e6),
+            &format_args!("{:.0}", 100.0 * rust.bytes_per_s / rust.copy_bytes_per_s),
+            &number(by_table, 1),
+        ]);
     }
     text
 }

@@ -1,3 +1,4 @@
+use super::table::{Layout, Wide, left, right, wrapped};
 use super::{print, to_json};
 use clap::Args;
 use std::fmt::Write;
@@ -29,6 +30,8 @@ pub struct Arguments {
     /// Print JSON instead of a table.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    wide: Wide,
 }
 
 /// Codecs that are shown.
@@ -61,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if arguments.json {
         print(&to_json(&Report { costs_of: costs.device(), reason, candidates: &found }))?;
     } else {
-        print(&table(&found, &costs, &reason))?;
+        print(&table(&found, &costs, &reason, arguments.wide.columns()))?;
     }
     Ok(if found.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }
@@ -100,40 +103,46 @@ fn reason(found: &[Candidate]) -> String {
     text
 }
 
-fn table(found: &[Candidate], costs: &Costs, reason: &str) -> String {
+fn table(found: &[Candidate], costs: &Costs, reason: &str, columns: Option<usize>) -> String {
+    let table = Layout::new(
+        vec![
+            left("codec", 20),
+            right("bits", 4),
+            right("bytes", 5),
+            right("max", 10).apart(),
+            right("mean", 10),
+            right("encode", 7).apart(),
+            right("decode", 7),
+        ],
+        columns,
+    );
     let mut text = String::new();
     if !found.is_empty() {
-        let _ = writeln!(
-            text,
+        let legend = format!(
             "errors in degrees: the upper bound of the maximum, the mean measured; cost of arithmetic as multiples of \
-             oct32's on {}\n{:<20} {:>4} {:>5}  {:>10} {:>10}  {:>7} {:>7}",
-            costs.device(),
-            "codec",
-            "bits",
-            "bytes",
-            "max",
-            "mean",
-            "encode",
-            "decode"
+             oct32's on {}",
+            costs.device()
         );
+        text += &wrapped(&legend, "", columns);
+        text.push('\n');
+        text += &table.heading();
     }
     for codec in found.iter().take(SHOWN) {
         let cost = |cost: Option<f64>| cost.map_or_else(|| "-".to_owned(), |cost| format!("{cost:.1}"));
-        let _ = writeln!(
-            text,
-            "{:<20} {:>4} {:>5}  {:>10.3e} {:>10.3e}  {:>7} {:>7}",
-            codec.id,
-            codec.bits,
-            codec.bytes,
-            codec.max_error_deg,
-            codec.mean_error_deg,
-            cost(codec.encode_cost),
-            cost(codec.decode_cost)
-        );
+        text += &table.line(&[
+            &codec.id,
+            &codec.bits,
+            &codec.bytes,
+            &format_args!("{:.3e}", codec.max_error_deg),
+            &format_args!("{:.3e}", codec.mean_error_deg),
+            &cost(codec.encode_cost),
+            &cost(codec.decode_cost),
+        ]);
     }
     if found.len() > SHOWN {
+        // Writing to a String cannot fail.
         let _ = writeln!(text, "and {} more; --json lists them", found.len() - SHOWN);
     }
-    let _ = writeln!(text, "\n{reason}");
+    let _ = writeln!(text, "\n{}", wrapped(reason, "", columns));
     text
 }

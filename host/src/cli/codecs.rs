@@ -1,6 +1,6 @@
+use super::table::{self, Layout, left, right};
 use super::{print, to_json};
 use clap::Args;
-use std::fmt::Write;
 use std::process::ExitCode;
 use unitvec_host::Result;
 use unitvec_host::catalogue::{
@@ -12,10 +12,12 @@ pub struct Arguments {
     /// Print JSON instead of a table.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    wide: table::Wide,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    print(&if arguments.json { to_json(&entries()) } else { table() })
+    print(&if arguments.json { to_json(&entries()) } else { tables(arguments.wide.columns()) })
 }
 
 /// A row of `--json`: what the catalogue says, and the names to call.
@@ -52,62 +54,65 @@ fn yes(flag: bool) -> &'static str {
     if flag { "yes" } else { "no" }
 }
 
-fn table() -> String {
-    let mut text = format!(
-        "{:<20} {:<19} {:>4} {:>5}  {:<7} {:>15}  {:<5} {:<5} {:<35} {}\n",
-        "codec",
-        "survey",
-        "bits",
-        "bytes",
-        "domain",
-        "max error (deg)",
-        "unit",
-        "axes",
-        "Vulkan format",
-        "GLSL"
+fn tables(columns: Option<usize>) -> String {
+    let vectors = Layout::new(
+        vec![
+            left("codec", 20),
+            left("survey", 19).rank(5),
+            right("bits", 4),
+            right("bytes", 5),
+            left("domain", 7).apart(),
+            right("max error (deg)", 15),
+            left("unit", 5).apart().rank(3),
+            left("axes", 5).rank(4),
+            left("Vulkan format", 35).rank(1),
+            left("GLSL", 19).rank(2),
+        ],
+        columns,
     );
+    let frames = Layout::new(
+        vec![
+            left("codec of frames", 20),
+            right("bits", 4),
+            right("bytes", 5),
+            right("max normal error (deg)", 22).apart(),
+            right("max tangent error (deg)", 23),
+            left("Vulkan format", 35).apart().rank(1),
+            left("GLSL", 19).rank(2),
+        ],
+        columns,
+    );
+    let mut text = vectors.heading();
     for codec in CATALOGUE {
         let domain = match codec.domain {
             Domain::Sphere => "sphere",
             Domain::Hemisphere => "z >= 0",
         };
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "{:<20} {:<19} {:>4} {:>5}  {domain:<7} {:>15.7}  {:<5} {:<5} {:<35} {}",
-            codec.id,
-            codec.survey_name,
-            codec.bits,
-            codec.bytes,
-            codec.max_error_deg,
-            yes(codec.is_unit),
-            yes(codec.exact_axes),
-            codec.vk_format.unwrap_or("-"),
-            codec.glsl_file()
-        );
+        text += &vectors.line(&[
+            &codec.id,
+            &codec.survey_name,
+            &codec.bits,
+            &codec.bytes,
+            &domain,
+            &format_args!("{:.7}", codec.max_error_deg),
+            &yes(codec.is_unit),
+            &yes(codec.exact_axes),
+            &codec.vk_format.unwrap_or("-"),
+            &codec.glsl_file(),
+        ]);
     }
-    let _ = writeln!(
-        text,
-        "\n{:<20} {:>4} {:>5}  {:>22} {:>23}  {:<35} GLSL",
-        "codec of frames",
-        "bits",
-        "bytes",
-        "max normal error (deg)",
-        "max tangent error (deg)",
-        "Vulkan format"
-    );
+    text.push('\n');
+    text += &frames.heading();
     for codec in FRAMES {
-        let _ = writeln!(
-            text,
-            "{:<20} {:>4} {:>5}  {:>22.7} {:>23.7}  {:<35} {}",
-            codec.id,
-            codec.bits,
-            codec.bytes,
-            codec.max_normal_error_deg,
-            codec.max_tangent_error_deg,
-            codec.vk_format,
-            codec.glsl_file()
-        );
+        text += &frames.line(&[
+            &codec.id,
+            &codec.bits,
+            &codec.bytes,
+            &format_args!("{:.7}", codec.max_normal_error_deg),
+            &format_args!("{:.7}", codec.max_tangent_error_deg),
+            &codec.vk_format,
+            &codec.glsl_file(),
+        ]);
     }
-    text
+    text + &table::left_out(&[&vectors, &frames])
 }

@@ -1,3 +1,4 @@
+use super::table::{Layout, Wide, left, left_out, right, wrapped};
 use super::{Vulkan, chosen_formats, counts, print, status_after_validation, to_json};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -27,6 +28,8 @@ pub struct Arguments {
     /// Write the report as JSON as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    #[command(flatten)]
+    wide: Wide,
     #[command(flatten)]
     vulkan: Vulkan,
     /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given.
@@ -65,8 +68,10 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     };
 
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
+    let columns = arguments.wide.columns();
+    let table = table(columns);
     if !to_stdout {
-        print(&heading(device.info(), &options))?;
+        print(&(heading(device.info(), &options, columns) + &table.heading()))?;
     }
     let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
     let bar = progress_bar(plans.iter().map(Plan::work).sum());
@@ -74,7 +79,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     conform::run(plans, open, &mut |done| bar.inc(done), &mut |row| {
         bar.set_message(row.id);
         if !to_stdout {
-            bar.suspend(|| print(&line(&row)))?;
+            bar.suspend(|| print(&lines(&table, &row, columns)))?;
         }
         rows.push(row);
         Ok(())
@@ -97,7 +102,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         output::write_file(path, to_json(&report).as_bytes())?;
     }
     if !to_stdout {
-        print(&verdict(&report, messages.len()))?;
+        print(&(wrapped(&verdict(&report, messages.len()), "", columns) + &left_out(&[&table])))?;
     }
     Ok(status_after_validation(&messages, report.agreed))
 }
@@ -119,13 +124,11 @@ fn progress_bar(length: u64) -> ProgressBar {
     ProgressBar::new(length).with_style(style)
 }
 
-fn heading(device: &DeviceInfo, options: &Options) -> String {
-    format!(
+fn heading(device: &DeviceInfo, options: &Options, columns: Option<usize>) -> String {
+    let text = format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), {} mesh normals, special vectors; {}\n\
-         diff: codes and vectors that differ from the CPU's in any bit\n\n\
-         {:<20} {:>4} {:>10} {:>10}  {:>13} {:>13}\n\
-         {:<20} {:>4} {:>10} {:>10}  {:>13} {:>13}\n",
+         diff: codes and vectors that differ from the CPU's in any bit\n\n",
         device.name,
         device.kind,
         device.driver,
@@ -134,18 +137,22 @@ fn heading(device: &DeviceInfo, options: &Options) -> String {
         options.seed,
         options.normals.len(),
         codes_covered(options.all_codes_up_to, options.count),
-        "codec",
-        "bits",
-        "mean",
-        "max",
-        "encode diff",
-        "decode diff",
-        "",
-        "",
-        "degrees",
-        "degrees",
-        "rust / glsl",
-        "rust / glsl",
+    );
+    wrapped(&text, "    ", columns)
+}
+
+fn table(columns: Option<usize>) -> Layout {
+    let diff = ["encode", "decode"].map(|operation| format!("{operation} diff\nrust / glsl"));
+    Layout::new(
+        vec![
+            left("codec", 20),
+            right("bits", 4),
+            right("mean\ndegrees", 10),
+            right("max\ndegrees", 10),
+            right(&diff[0], 13).apart(),
+            right(&diff[1], 13),
+        ],
+        columns,
     )
 }
 
@@ -154,27 +161,23 @@ fn codes_covered(all_up_to: u32, count: usize) -> String {
     format!("all codes of up to {all_up_to} bits, {count} random codes of more")
 }
 
-fn line(row: &Row) -> String {
+fn lines(table: &Layout, row: &Row, columns: Option<usize>) -> String {
     let pair = |mismatches: &Mismatches| {
         [BackendKind::Rust, BackendKind::Glsl]
             .map(|kind| mismatches.get(&kind).map_or_else(|| "-".to_owned(), u64::to_string))
             .join(" / ")
     };
-    let mut text = format!(
-        "{:<20} {:>4} {:>10.6} {:>10.6}  {:>13} {:>13}\n",
-        row.id,
-        row.bits,
-        row.mean_deg,
-        row.max_deg,
-        pair(&row.encode_mismatches),
-        pair(&row.decode_mismatches),
-    );
-    // Writing to a String cannot fail.
+    let errors = |mean: f64, max: f64| [mean, max].map(|error| format!("{error:.6}"));
+    let [mean, max] = errors(row.mean_deg, row.max_deg);
+    let (encode, decode) = (pair(&row.encode_mismatches), pair(&row.decode_mismatches));
+    let mut text = table.line(&[&row.id, &row.bits, &mean, &max, &encode, &decode]);
     if let (Some(mean), Some(max)) = (row.tangent_mean_deg, row.tangent_max_deg) {
-        let _ = writeln!(text, "{:<25} {mean:>10.6} {max:>10.6}", "  its tangents");
+        let [mean, max] = errors(mean, max);
+        text += &table.line(&[&"  its tangents", &"", &mean, &max]);
     }
     for example in &row.examples {
-        let _ = writeln!(text, "    {example}");
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "{}", wrapped(&format!("    {example}"), "        ", columns));
     }
     text
 }

@@ -1,15 +1,15 @@
 use super::summary::{Options, Summary};
-use super::{OpenBackend, Vulkan};
+use super::{OpenBackend, Vulkan, progress};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
-use std::io::Read;
+use indicatif::ProgressBar;
+use std::io::{IsTerminal, Read, stdout};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
 use unitvec_host::catalogue::{Domain, Element, Format, find_format};
 use unitvec_host::input::{Elements, Input, to_bytes};
 use unitvec_host::mesh::{self, Frames};
-use unitvec_host::output::{Output, write_file};
+use unitvec_host::output::{Output, refuse_binary, write_file};
 use unitvec_host::stream::{self, Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 
@@ -76,6 +76,7 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
+    refuse_binary(&arguments.out, stdout().is_terminal())?;
     let input = Input::open(&arguments.mesh)?;
     let (element, floats, parts, filled) = if arguments.frames {
         let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
@@ -106,6 +107,7 @@ struct Conversion<'a> {
 
 impl<'a> Conversion<'a> {
     fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
+        refuse_binary(&arguments.out, stdout().is_terminal())?;
         let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
         let output = Output::create(&arguments.out)?;
         Ok(Self { arguments, format, open, output })
@@ -118,6 +120,7 @@ impl<'a> Conversion<'a> {
         let to: Sink<'_> = Named::new(&self.arguments.out, &mut self.output);
         let converted = convert(self.open.backend.as_mut(), self.format, from, to, &mut |done| {
             bar.set_position(done);
+            progress::show_if_due(&bar);
         })?;
         bar.finish_and_clear();
         Ok(converted)
@@ -131,15 +134,11 @@ impl<'a> Conversion<'a> {
     }
 }
 
-/// A bar on a terminal.
+/// A bar, or a count where the number of elements is unknown.
 fn progress_bar(count: Option<u64>, unit: &str) -> ProgressBar {
-    let style = |template: &str| {
-        ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
+    let template = match count {
+        Some(_) => format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{eta}} left"),
+        None => format!("{{spinner}} {{human_pos}} {unit}, {{elapsed}}"),
     };
-    match count {
-        Some(count) => ProgressBar::new(count)
-            .with_style(style(&format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{per_sec}}"))),
-        None => ProgressBar::no_length()
-            .with_style(style(&format!("{{spinner}} {{human_pos}} {unit}, {{per_sec}}"))),
-    }
+    progress::bar(count, &template)
 }

@@ -1,3 +1,4 @@
+use super::table::{terminal_columns, wrapped};
 use super::{Vulkan, print};
 use std::fmt::Write;
 use std::process::ExitCode;
@@ -17,6 +18,6 @@ pub fn run(vulkan: &Vulkan) -> Result<ExitCode> {
             device.index, device.name, device.kind, device.driver, device.api_version
         );
     }
-    text.push_str("* is the device that would be used; choose another with --device or UNITVEC_DEVICE\n");
-    print(&text)
+    text += "* is the device that would be used; choose another with --device or UNITVEC_DEVICE\n";
+    print(&wrapped(&text, "    ", terminal_columns()))
 }

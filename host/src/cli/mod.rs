@@ -7,7 +7,10 @@ mod codecs;
 mod conform;
 mod convert;
 mod devices;
+mod error;
+mod progress;
 mod summary;
+mod table;
 
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
@@ -51,6 +54,14 @@ enum Command {
     /// Export the normals of a mesh as raw little-endian f32, which `encode` takes, or its tangent frames; in the order
     /// of `encode --help`.
     Normals(convert::NormalsArguments),
+    /// Measure the errors of codecs over the vectors or frames of your own meshes and raw files.
+    ///
+    /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
+    /// between the vectors and what they are decoded to, in degrees, and the vector with the largest, counted from 0.
+    /// Median and percentile are the least error that so many do not exceed, to within 0.03 %. Vectors without a usable
+    /// direction are counted and left out. A frame's normal and tangent are measured apart; a tangent that is not
+    /// perpendicular to its normal comes back perpendicular, and the turn counts as error.
+    Error(error::Arguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
     Accuracy(accuracy::Arguments),
     /// Measure what encoding and decoding cost on a device, beside the survey's figures.
@@ -70,6 +81,7 @@ impl Arguments {
             Command::Encode(arguments) => convert::encode(&arguments),
             Command::Decode(arguments) => convert::decode(&arguments),
             Command::Normals(arguments) => convert::normals(&arguments),
+            Command::Error(arguments) => error::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
@@ -212,6 +224,11 @@ fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
         writer.serialize(row).map_err(|error| failed(error.to_string()))?;
     }
     writer.into_inner().map_err(|error| failed(error.to_string()))
+}
+
+/// Degrees with six decimals, or four digits of what they would not show.
+fn degrees(error: f64) -> String {
+    if error < 0.0001 { format!("{error:.3e}") } else { format!("{error:.6}") }
 }
 
 /// JSON with a final newline.
