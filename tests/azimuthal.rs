@@ -154,9 +154,9 @@ fn layout() {
     assert_eq!(EqdistEllipse16::encode(Vec3::new(1.0, 1.0, 0.0)), 0xc07f);
     assert_eq!(StereoConcentric24::encode(Vec3::new(1.0, -1.0, 0.0)), 0x40_07ff);
     // The pattern of u that encoding never writes is -1; corners that it never writes are an axis.
-    assert_eq!(Stereo16::decode(0x0080), Vec3::NEG_X);
-    assert_eq!(Stereo16::decode(0x407f), Vec3::NEG_Y);
-    assert_eq!(Stereo16::decode(0x3f7f), Vec3::X);
+    assert_eq!(Stereo16::decode_vec3(0x0080), Vec3::NEG_X);
+    assert_eq!(Stereo16::decode_vec3(0x407f), Vec3::NEG_Y);
+    assert_eq!(Stereo16::decode_vec3(0x3f7f), Vec3::X);
 }
 
 /// The square's corners, where the survey's ellipse codes err by up to 0.026 degrees at 32 bits: the error stays below the

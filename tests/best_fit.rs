@@ -24,7 +24,7 @@ fn table() -> Vec<u32> {
 
 /// The angle in degrees between a direction and a code of 8 bits a component.
 fn code_error(v: Vec3, code: u32) -> f64 {
-    angle_deg(widen(v), widen(SnormBest8::decode(code)))
+    angle_deg(widen(v), widen(SnormBest8::decode_vec3(code)))
 }
 
 /// The integers of every code of small ones, which the sampled codes of the suite hardly have, are what decoding gives over
@@ -290,7 +290,7 @@ fn layout() {
     assert_eq!(SnormBest8::encode(Vec3::NAN), 0x7f_00_00);
     assert_eq!(SnormBest16::encode(Vec3::NEG_Y), [0x8001_0000, 0]);
     assert_eq!(SnormBest16::encode(Vec3::ZERO), [0, 0x7fff]);
-    assert_eq!(SnormBest8::decode(0x80_81_80), Vec3::NEG_ONE);
-    assert_eq!(SnormBest16::decode([0x8000_8001, 0x8000]), Vec3::NEG_ONE);
-    assert_eq!(SnormBest8::decode(0), Vec3::ZERO);
+    assert_eq!(SnormBest8::decode_vec3(0x80_81_80), Vec3::NEG_ONE);
+    assert_eq!(SnormBest16::decode_vec3([0x8000_8001, 0x8000]), Vec3::NEG_ONE);
+    assert_eq!(SnormBest8::decode_vec3(0), Vec3::ZERO);
 }

@@ -3,8 +3,8 @@
 use base64::Engine;
 use serde_json::{Value, json};
 use std::path::Path;
+use unitvec::angle_deg;
 use unitvec_host::catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
-use unitvec_host::measure::angle_deg;
 use unitvec_host::{mesh, sampling};
 use unitvec_tests::program::{run, run_with_input, stderr, stdout};
 use unitvec_tests::{BACKENDS, repository};

@@ -63,7 +63,7 @@ fn components_are_raw() {
     assert_eq!(round_trip::<Unorm8x3>(Vec3::new(3.0, -1e20, 1.0)), Vec3::new(1.0, -1.0, 1.0));
     assert_eq!(round_trip::<Float16x3>(Vec3::new(3.0, -1e20, 0.25)), Vec3::new(3.0, -65504.0, 0.25));
     assert_eq!(round_trip::<Float16x3>(Vec3::splat(1e-9)), Vec3::Z);
-    assert_eq!(Float16x3::decode([0xfc00_7e00, 0xffff]), Vec3::new(65504.0, -65504.0, -65504.0));
+    assert_eq!(Float16x3::decode_vec3([0xfc00_7e00, 0xffff]), Vec3::new(65504.0, -65504.0, -65504.0));
 }
 
 /// Every half decodes to its number, and every number between two neighbours to the nearer one, ties to the even one.

@@ -72,6 +72,6 @@ fn layout() {
     assert_eq!(Cylindrical24::encode(Vec3::Y), 0x000_400);
     assert_eq!(Cylindrical32::encode(Vec3::new(0.0, -3.0, 4.0)), 0x6666_c000);
     for code in [0x007f, 0x0080, 0x0081] {
-        assert_eq!(Cylindrical16::decode(code), Vec3::NEG_X);
+        assert_eq!(Cylindrical16::decode_vec3(code), Vec3::NEG_X);
     }
 }

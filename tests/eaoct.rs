@@ -149,11 +149,11 @@ fn layout() {
     assert_eq!(EaOct16::encode(Vec3::NEG_Y), 0x8100);
     assert_eq!(EaOct16::encode(Vec3::Z), 0x0000);
     assert_eq!(EaOct32::encode(Vec3::NEG_Z), 0x7fff_7fff);
-    assert_eq!(EaOct16::decode(0x0080), Vec3::NEG_X);
-    assert_eq!(EaOct22::decode(1 << 21), Vec3::NEG_Y);
-    assert_eq!(EaOct32::decode(0x8000_8000), Vec3::NEG_Z);
+    assert_eq!(EaOct16::decode_vec3(0x0080), Vec3::NEG_X);
+    assert_eq!(EaOct22::decode_vec3(1 << 21), Vec3::NEG_Y);
+    assert_eq!(EaOct32::decode_vec3(0x8000_8000), Vec3::NEG_Z);
     assert_eq!(EaOct24::encode(Vec3::X), 0xff_e7ff);
-    assert_eq!(EaOct24::decode(0xff_f7ff), Vec3::X);
+    assert_eq!(EaOct24::decode_vec3(0xff_f7ff), Vec3::X);
 }
 
 /// The coefficients of phi are what the Remez exchange gives, rounded to f32, and leave the error the docs state.
@@ -188,7 +188,7 @@ fn coefficients_are_minimax() {
 #[test]
 fn rings_are_of_equal_area() {
     for ring in 0u16..=127 {
-        let (z, part) = (EaOct16::decode(u32::from(ring)).z, f32::from(ring) / 127.0);
+        let (z, part) = (EaOct16::decode_vec3(u32::from(ring)).z, f32::from(ring) / 127.0);
         assert!((1.0 - z - part * part).abs() <= f32::EPSILON, "{ring}: {z}");
     }
 }

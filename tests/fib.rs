@@ -140,14 +140,14 @@ fn layout() {
     let expected =
         [(0, 0.0, 32767.5), (1, 0.618_034, 32766.5), (2, 0.236_068, 32765.5), (3, 0.854_102, 32764.5)];
     for (code, turns, height) in expected {
-        let v = Fib16::decode(code);
+        let v = Fib16::decode_vec3(code);
         assert_eq!(v.z, height / 32768.0);
         let turn = spherical::azimuth(widen(v)) / 2.0;
         assert!(spherical::around(turn, turns, 1.0) < 1e-6, "{code}: {turn}");
     }
-    assert_eq!(Fib16::decode(0xffff).z, -32767.5 / 32768.0);
-    assert_eq!(Fib24::decode(0x80_0000).z, -0.5f32.powi(24));
-    assert_eq!(Fib32::decode(0x7fff_ffff).z, 0.5f32.powi(32));
+    assert_eq!(Fib16::decode_vec3(0xffff).z, -32767.5 / 32768.0);
+    assert_eq!(Fib24::decode_vec3(0x80_0000).z, -0.5f32.powi(24));
+    assert_eq!(Fib32::decode_vec3(0x7fff_ffff).z, 0.5f32.powi(32));
 }
 
 /// Directions of all kinds: uniform ones, those near the planes and axes, and those around both poles.

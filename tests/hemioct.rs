@@ -42,7 +42,7 @@ fn layout() {
     assert_eq!(HemiOct16::encode(Vec3::Y), 0x817f);
     assert_eq!(HemiOct24::encode(Vec3::NEG_X), 0x801801);
     assert_eq!(HemiOct32::encode(Vec3::NEG_Y), 0x7fff_8001);
-    assert_eq!(HemiOct16::decode(0x8080), Vec3::NEG_X);
-    assert_eq!(HemiOct24::decode(0x800_800), Vec3::NEG_X);
-    assert_eq!(HemiOct32::decode(0x8000_8000), Vec3::NEG_X);
+    assert_eq!(HemiOct16::decode_vec3(0x8080), Vec3::NEG_X);
+    assert_eq!(HemiOct24::decode_vec3(0x800_800), Vec3::NEG_X);
+    assert_eq!(HemiOct32::decode_vec3(0x8000_8000), Vec3::NEG_X);
 }

@@ -243,7 +243,7 @@ fn layout() {
     assert_eq!(Ico16::encode(Vec3::new(0.0, 1.0, p)), 80);
     assert_eq!(Ico16::encode(Vec3::new(0.01, -0.001, 1.0)), 82 + 39);
     assert_eq!(Ico16::encode(Vec3::new(-0.01, 0.001, 1.0)), 79 * 82 + 2 + 40);
-    assert_eq!(Ico16::decode(81), Ico16::decode(3 * 80 * 82 + 80));
+    assert_eq!(Ico16::decode_vec3(81), Ico16::decode_vec3(3 * 80 * 82 + 80));
     // The octants' middles are not lattice points, for 80 is not a multiple of 3.
     let first = 6 * 80 * 82;
     assert_eq!(Ico24::encode(Vec3::Z), 647);
@@ -256,5 +256,5 @@ fn layout() {
         let [other_row, other_column] = [(other - first) / 79 % 78, (other - first) % 79];
         assert_eq!([other_row, other_column], [77 - row, row + 1 + column]);
     }
-    assert_eq!(Ico16::decode(64_007), Ico16::decode(0xffff));
+    assert_eq!(Ico16::decode_vec3(64_007), Ico16::decode_vec3(0xffff));
 }

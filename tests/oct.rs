@@ -195,7 +195,7 @@ fn oct24_has_the_bytes_of_listings_4_and_5() {
             if x.abs().max(y.abs()) < 2047 {
                 assert_eq!(oct::bytes(encoded.into()), bytes, "{x} {y}");
             } else {
-                assert_eq!(Oct24::decode(encoded), Oct24::decode(code as u32), "{x} {y}");
+                assert_eq!(Oct24::decode_vec3(encoded), Oct24::decode_vec3(code as u32), "{x} {y}");
             }
         }
     }
@@ -204,13 +204,13 @@ fn oct24_has_the_bytes_of_listings_4_and_5() {
 /// The patterns that encoding never writes: a snorm's least integer is -1, and the biased 4095 of oct24 is +1.
 #[test]
 fn spare_patterns_are_ones() {
-    assert_eq!(Oct16::decode(0x0080), Vec3::NEG_X);
-    assert_eq!(Oct16::decode(0x8000), Vec3::NEG_Y);
-    assert_eq!(Oct20::decode(1 << 9), Vec3::NEG_X);
-    assert_eq!(Oct22::decode(1 << 21), Vec3::NEG_Y);
-    assert_eq!(Oct32::decode(0x8000), Vec3::NEG_X);
-    assert_eq!(Oct32::decode(0x8000_8000), Vec3::NEG_Z);
+    assert_eq!(Oct16::decode_vec3(0x0080), Vec3::NEG_X);
+    assert_eq!(Oct16::decode_vec3(0x8000), Vec3::NEG_Y);
+    assert_eq!(Oct20::decode_vec3(1 << 9), Vec3::NEG_X);
+    assert_eq!(Oct22::decode_vec3(1 << 21), Vec3::NEG_Y);
+    assert_eq!(Oct32::decode_vec3(0x8000), Vec3::NEG_X);
+    assert_eq!(Oct32::decode_vec3(0x8000_8000), Vec3::NEG_Z);
     // In hexadecimal the digits of u and v, 7ff for 0 and fff for the spare pattern of +1, come one after the other.
-    assert_eq!(Oct24::decode(oct::code([0xff, 0xf7, 0xff]) as u32), Vec3::X);
-    assert_eq!(Oct24::decode(oct::code([0x7f, 0xff, 0xff]) as u32), Vec3::Y);
+    assert_eq!(Oct24::decode_vec3(oct::code([0xff, 0xf7, 0xff]) as u32), Vec3::X);
+    assert_eq!(Oct24::decode_vec3(oct::code([0x7f, 0xff, 0xff]) as u32), Vec3::Y);
 }

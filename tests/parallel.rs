@@ -110,5 +110,5 @@ fn layouts() {
     assert_eq!(Pp48::encode(Vec3::NEG_Z), [0, 0x8000]);
     assert_eq!(Spp16::encode(Vec3::NEG_Y), 3 << 13);
     assert_eq!(Spp48::encode(Vec3::NEG_Z), [0, 5 << 13]);
-    assert_eq!(Spp16::decode(7 << 13), Vec3::NEG_Z);
+    assert_eq!(Spp16::decode_vec3(7 << 13), Vec3::NEG_Z);
 }

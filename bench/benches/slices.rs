@@ -59,7 +59,7 @@ fn encode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vec
     group.bench_function(format!("{}-plain", C::NAME), |b| {
         b.iter(|| {
             for (code, v) in black_box(&mut codes).iter_mut().zip(black_box(vectors)) {
-                *code = C::encode(Vec3::from_array(*v));
+                *code = C::encode(*v);
             }
         });
     });
@@ -76,12 +76,12 @@ fn decode_with<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32;
 
 /// The scalar function for each code.
 fn decode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
-    let codes: Vec<u32> = vectors.iter().map(|v| C::encode(Vec3::from_array(*v))).collect();
+    let codes: Vec<u32> = vectors.iter().map(|v| C::encode(*v)).collect();
     let mut decoded = vectors.to_vec();
     group.bench_function(format!("{}-plain", C::NAME), |b| {
         b.iter(|| {
             for (v, code) in black_box(&mut decoded).iter_mut().zip(black_box(&codes)) {
-                *v = C::decode(*code).to_array();
+                *v = C::decode(*code);
             }
         });
     });

@@ -32,8 +32,8 @@ pub enum AnyFunctions {
 impl Functions<3> {
     pub const fn of_vectors<C: Codec>() -> Self {
         Self {
-            encode_one: |v| C::encode(v.into()).to_words(),
-            decode_one: |code| C::decode(C::Code::from_words(code)).to_array(),
+            encode_one: |v| C::encode(v).to_words(),
+            decode_one: |code| C::decode(C::Code::from_words(code)),
             encode_at: encode_slice_at::<C>,
             decode_at: decode_slice_at::<C>,
             encode: encode_slice_at::<C>,

@@ -37,6 +37,8 @@ pub use unitvec::Domain;
 pub struct CodecInfo {
     /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
     pub id: &'static str,
+    /// Name of its type in [`unitvec`]: `OctPrecise16`.
+    pub rust_type: &'static str,
     /// The survey's name, `oct16P`; for codecs that are not in the survey, a name in the same style.
     pub survey_name: &'static str,
     /// Significant bits of a code.
@@ -66,6 +68,7 @@ impl CodecInfo {
     const fn of<C: Listed>() -> Self {
         Self {
             id: C::NAME,
+            rust_type: C::RUST_TYPE,
             survey_name: C::SURVEY_NAME,
             bits: C::BITS,
             bytes: C::BYTES,
@@ -110,6 +113,8 @@ fn serialize_domain<S: serde::Serializer>(domain: &Domain, serializer: S) -> Res
 pub struct FrameInfo {
     /// Identifier: `frame32`.
     pub id: &'static str,
+    /// Name of its type in [`unitvec`]: `Frame32`.
+    pub rust_type: &'static str,
     /// Significant bits of a code.
     pub bits: u32,
     /// Bytes of a stored code.
@@ -133,6 +138,7 @@ impl FrameInfo {
     const fn of<F: ListedFrame>() -> Self {
         Self {
             id: F::NAME,
+            rust_type: F::RUST_TYPE,
             bits: F::BITS,
             bytes: F::BYTES,
             vk_format: F::VK_FORMAT,

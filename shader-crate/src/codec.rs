@@ -1,11 +1,27 @@
 //! The contract that every codec keeps.
 
+use core::fmt::Debug;
+use core::hash::Hash;
 use glam::Vec3;
 
 /// A way to store a direction in [`BITS`](Self::BITS) bits.
 ///
-/// Implementors are types without values: `Oct32::encode(v)`.
-pub trait Codec {
+/// A codec is a type that holds nothing, and its functions are called on the type: `Oct32::encode(v)`.
+///
+/// [`encode`](Self::encode) and [`decode`](Self::decode) take and give the vectors of any library: whatever converts from and
+/// to `[f32; 3]`, such as those of every version of glam, of mint, nalgebra and cgmath, and the array itself.
+///
+/// ```
+/// use unitvec::{Codec, Oct32};
+///
+/// let code = Oct32::encode([0.0, 2.0, 0.0]);
+/// let decoded: [f32; 3] = Oct32::decode(code);
+/// assert_eq!(decoded, [0.0, 1.0, 0.0]);
+/// ```
+///
+/// To add a codec, implement [`encode_vec3`](Self::encode_vec3) and [`decode_vec3`](Self::decode_vec3). Their vectors are
+/// those of this crate's [`glam`](crate::glam). GPU kernels and slices call these two.
+pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Significant bits of a code. Bits above them are 0 on encode and ignored on decode.
     const BITS: u32;
 
@@ -31,15 +47,29 @@ pub trait Codec {
     ///
     /// Raw component formats ([`IS_UNIT`](Self::IS_UNIT) is false; best fit apart) store the components as they are,
     /// clamped: normalise first. What rounds to zero there gets the code of +Z.
-    fn encode(v: Vec3) -> Self::Code;
+    #[inline(always)]
+    fn encode<V: Into<[f32; 3]>>(v: V) -> Self::Code {
+        Self::encode_vec3(Vec3::from_array(v.into()))
+    }
 
     /// The direction that `code` stands for, of unit length to within 2 ULP where [`IS_UNIT`](Self::IS_UNIT). Any bit
     /// pattern is valid.
-    fn decode(code: Self::Code) -> Vec3;
+    ///
+    /// The result's type must be known: `let v: [f32; 3] = C::decode(code)`, or `C::decode::<[f32; 3]>(code)`.
+    #[inline(always)]
+    fn decode<V: From<[f32; 3]>>(code: Self::Code) -> V {
+        Self::decode_vec3(code).to_array().into()
+    }
+
+    /// [`encode`](Self::encode), of this crate's vector.
+    fn encode_vec3(v: Vec3) -> Self::Code;
+
+    /// [`decode`](Self::decode), to this crate's vector.
+    fn decode_vec3(code: Self::Code) -> Vec3;
 }
 
 /// The directions that a codec is made for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Domain {
     /// All directions.
     Sphere,
@@ -48,7 +78,7 @@ pub enum Domain {
 }
 
 /// A code as a value, made of one or two 32-bit words.
-pub trait Code: Copy + PartialEq {
+pub trait Code: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// The low and the high word; the latter is 0 for one-word codes.
     fn to_words(self) -> [u32; 2];
 

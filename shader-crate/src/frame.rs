@@ -50,6 +50,8 @@ use crate::oct::{from_lattice, lattice_precise};
 #[cfg(not(target_arch = "spirv"))]
 use crate::slice::{LengthMismatch, expect_length, load, store};
 use crate::{Oct22, OctPrecise22};
+use core::fmt::Debug;
+use core::hash::Hash;
 use glam::{Vec2, Vec3};
 
 /// A tangent frame: what a normal map is applied in.
@@ -64,6 +66,35 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// The frame of these vectors, of any library: as [`Codec::encode`] takes them.
+    #[inline(always)]
+    pub fn new(normal: impl Into<[f32; 3]>, tangent: impl Into<[f32; 3]>, handedness: f32) -> Self {
+        let (normal, tangent) = (normal.into(), tangent.into());
+        Self { normal: Vec3::from_array(normal), tangent: Vec3::from_array(tangent), handedness }
+    }
+
+    /// The frame of a vertex as glTF has it: NORMAL, and TANGENT with the handedness as its fourth component.
+    ///
+    /// ```
+    /// use unitvec::{Frame, Frame32, FrameCodec};
+    ///
+    /// let code = Frame32::encode(Frame::from_gltf([0.0, 0.0, 1.0], [0.0, 1.0, 0.0, -1.0]));
+    /// let (normal, tangent): ([f32; 3], [f32; 4]) = Frame32::decode(code).to_gltf();
+    /// assert_eq!((normal, tangent), ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0, -1.0]));
+    /// ```
+    #[inline(always)]
+    pub fn from_gltf(normal: impl Into<[f32; 3]>, tangent: impl Into<[f32; 4]>) -> Self {
+        let [x, y, z, handedness] = tangent.into();
+        Self::new(normal, [x, y, z], handedness)
+    }
+
+    /// NORMAL and TANGENT, as [`from_gltf`](Self::from_gltf) takes them.
+    #[inline(always)]
+    pub fn to_gltf<N: From<[f32; 3]>, T: From<[f32; 4]>>(self) -> (N, T) {
+        let t = self.tangent;
+        (self.normal.to_array().into(), [t.x, t.y, t.z, self.handedness].into())
+    }
+
     /// The frame of seven components: normal, tangent, handedness.
     #[inline(always)]
     pub fn from_array([nx, ny, nz, tx, ty, tz, handedness]: [f32; 7]) -> Self {
@@ -85,7 +116,7 @@ impl Frame {
 }
 
 /// A way to store a [`Frame`] in [`BITS`](Self::BITS) bits: [`Codec`], for frames.
-pub trait FrameCodec {
+pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Significant bits of a code.
     const BITS: u32;
 
@@ -253,6 +284,7 @@ const fn tangent_error_bound(normal_error_deg: f32, angle_bits: u32) -> f32 {
 }
 
 /// 32 bits: a normal of 22 ([`OctPrecise22`]), an angle of 9, the handedness.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Frame32;
 
 impl FrameCodec for Frame32 {
@@ -263,14 +295,14 @@ impl FrameCodec for Frame32 {
 
     #[inline(always)]
     fn encode(frame: Frame) -> u32 {
-        let normal = OctPrecise22::encode(frame.normal);
-        let angle = angle_code::<9>(Oct22::decode(normal), frame.tangent, 1.0 / 256.0);
+        let normal = OctPrecise22::encode_vec3(frame.normal);
+        let angle = angle_code::<9>(Oct22::decode_vec3(normal), frame.tangent, 1.0 / 256.0);
         normal | (angle << 22) | (handedness_code(frame.handedness) << 31)
     }
 
     #[inline(always)]
     fn decode(code: u32) -> Frame {
-        let normal = Oct22::decode(code);
+        let normal = Oct22::decode_vec3(code);
         Frame { normal, tangent: tangent::<9>(normal, code >> 22), handedness: handedness(code >> 31) }
     }
 }
@@ -279,6 +311,7 @@ impl FrameCodec for Frame32 {
 ///
 /// Positions of 21 bits a component are rounded to 2^-5 of a step in `f32`, which costs the normal 0.02 % of its mean
 /// error and 1 % of its maximum: the two floats that [`oct_wide`](crate::oct_wide) takes for more bits would not pay.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Frame64;
 
 impl Frame64 {

@@ -5,17 +5,26 @@
 //! Vulkan define alike (`+ - * /`, square root, floor, comparison, integers).
 //!
 //! ```
-//! use glam::Vec3;
-//! use unitvec::{Codec, Oct32, OctPrecise16};
+//! use unitvec::{Codec, Oct16, Oct32, OctPrecise16, angle_deg};
 //!
-//! let normal = Vec3::new(0.6, 0.0, -0.8);
+//! let normal = [0.6, 0.0, -0.8];
+//! # for i in 0..10_000 {
+//! # let (z, turn) = (i as f32 / 5_000.0 - 1.0, i as f32 * 2.4);
+//! # let r = (1.0 - z * z).sqrt();
+//! # let normal = if i == 0 { normal } else { [r * turn.cos(), r * turn.sin(), z] };
 //! let code: u32 = Oct32::encode(normal);
-//! assert!(Oct32::decode(code).angle_between(normal) < Oct32::MAX_ERROR_DEG.to_radians());
+//! let decoded: [f32; 3] = Oct32::decode(code);
+//! assert!(angle_deg(normal, decoded) < Oct32::MAX_ERROR_DEG.into());
 //!
 //! // A precise encoder writes the format of its fast one: decode with either.
 //! let code = OctPrecise16::encode(normal);
-//! assert_eq!(OctPrecise16::decode(code), unitvec::Oct16::decode(code));
+//! let decoded: [f32; 3] = Oct16::decode(code);
+//! assert!(angle_deg(normal, decoded) < OctPrecise16::MAX_ERROR_DEG.into());
+//! # }
 //! ```
+//!
+//! Vectors are those of any library: whatever converts from and to `[f32; 3]`, such as `Vec3` and `Vec3A` of any version of
+//! glam, and the vectors of nalgebra, mint and cgmath. This crate's own glam is [`unitvec::glam`](glam).
 //!
 //! # Which codec
 //!
@@ -83,6 +92,8 @@
 #[cfg(not(any(feature = "std", feature = "libm")))]
 compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
 
+#[cfg(not(target_arch = "spirv"))]
+mod angle;
 pub mod arith;
 pub mod codec;
 pub mod direction;
@@ -96,7 +107,10 @@ pub mod slice;
 #[cfg(not(target_arch = "spirv"))]
 pub mod table;
 
+#[cfg(not(target_arch = "spirv"))]
+pub use angle::angle_deg;
 pub use codec::{Codec, Domain};
 pub use families::{angles::*, components::*, lattices::*, octahedral::*, projections::*};
 pub use frame::{Frame, Frame32, Frame64, FrameCodec};
+pub use glam;
 pub use list::*;

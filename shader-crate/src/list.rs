@@ -179,6 +179,9 @@ pub trait Listed: Codec {
     /// Identifier: `oct16p`.
     const NAME: &'static str;
 
+    /// Name of the type in this crate: `OctPrecise16`.
+    const RUST_TYPE: &'static str;
+
     /// The survey's name, or one in the same style: `oct16P`.
     const SURVEY_NAME: &'static str;
 
@@ -197,6 +200,9 @@ pub trait ListedFrame: FrameCodec {
     /// Identifier: `frame32`.
     const NAME: &'static str;
 
+    /// Name of the type in this crate: `Frame32`.
+    const RUST_TYPE: &'static str;
+
     /// The Vulkan format that holds a code.
     const VK_FORMAT: &'static str;
 }
@@ -212,6 +218,7 @@ macro_rules! define {
 
         impl Listed for $codec {
             const NAME: &'static str = stringify!($id);
+            const RUST_TYPE: &'static str = stringify!($codec);
             const SURVEY_NAME: &'static str = $survey_name;
             const FAMILY: &'static str = stringify!($family);
             const DOMAIN: Domain = Domain::$domain;
@@ -227,6 +234,7 @@ macro_rules! define_frames {
     ($([$id:ident $codec:ident, $vk_format:literal])*) => {$(
         impl ListedFrame for crate::frame::$codec {
             const NAME: &'static str = stringify!($id);
+            const RUST_TYPE: &'static str = stringify!($codec);
             const VK_FORMAT: &'static str = $vk_format;
         }
     )*};

@@ -16,7 +16,7 @@
 //! let table = DecodeTable::<LatLongD16>::fill(&mut memory)?;
 //! let mut vectors = [[0.0; 3]; 2];
 //! table.decode_slice(&[7, 1, 0, 0], &mut vectors)?;
-//! assert_eq!(vectors[0], LatLongD16::decode(0x107).to_array());
+//! assert_eq!(vectors[0], LatLongD16::decode::<[f32; 3]>(0x107));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -27,7 +27,6 @@ use crate::slice::machine::{Level, Task, prefetch};
 use crate::slice::{self, LengthMismatch, Vector};
 use core::fmt;
 use core::marker::PhantomData;
-use glam::Vec3;
 
 /// The memory for a table is not of the table's size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,8 +72,8 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
 
     /// [`Codec::decode`].
     #[inline(always)]
-    pub fn decode(&self, code: C::Code) -> Vec3 {
-        Vec3::from_array(self.entry(code.to_words()[0]))
+    pub fn decode<V: From<[f32; 3]>>(&self, code: C::Code) -> V {
+        self.entry(code.to_words()[0]).into()
     }
 
     /// [`decode_slice`](crate::slice::decode_slice).
@@ -94,11 +93,11 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
             let vectors = &mut vectors[range];
             if C::BYTES == 1 {
                 for (vector, code) in vectors.iter_mut().zip(codes) {
-                    *vector = Vector::from_xyz(self.entry(u32::from(*code)));
+                    *vector = self.entry(u32::from(*code)).into();
                 }
             } else {
                 for (vector, code) in vectors.iter_mut().zip(as_chunks(codes).0) {
-                    *vector = Vector::from_xyz(self.entry(u32::from(u16::from_le_bytes(*code))));
+                    *vector = self.entry(u32::from(u16::from_le_bytes(*code))).into();
                 }
             }
         }
@@ -120,7 +119,7 @@ impl<C: Codec> Task for Fill<'_, fn() -> C> {
     #[inline(always)]
     fn run(self) {
         for (code, entry) in (0..).zip(self.entries) {
-            *entry = C::decode(C::Code::from_words([code, 0])).to_array();
+            *entry = C::decode(C::Code::from_words([code, 0]));
         }
     }
 }

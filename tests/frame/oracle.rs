@@ -128,7 +128,7 @@ fn normals_of_frame32_are_oct22p() {
     for frame in frames(20, sphere(21, 100_000)) {
         let code = Frame32::encode(frame);
         assert_eq!(code & 0x3f_ffff, OctPrecise22::encode(frame.normal));
-        assert_eq!(Frame32::decode(code).normal, OctPrecise22::decode(code));
+        assert_eq!(Frame32::decode(code).normal, OctPrecise22::decode_vec3(code));
     }
 }
 

@@ -3,12 +3,12 @@
 use crate::Result;
 use crate::backend::{Backend, round_trip};
 use crate::catalogue::{CATALOGUE, CodecInfo, Coding, Domain};
-use crate::measure::angle_deg;
 use crate::sampling;
 use glam::{DVec3, Vec3};
 use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, SQRT_2};
+use unitvec::angle_deg;
 
 /// A method of Meyer's table.
 #[derive(Clone, Copy, Debug)]

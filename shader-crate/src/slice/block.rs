@@ -3,10 +3,12 @@
 //!
 //! The loops over whole blocks are compiled apart from those over the last vectors of a slice: where the number is known,
 //! they are a fifth faster. No closures here: they are not inlined always, and what is not inlined does not get the
-//! instructions of the [`Level`](super::machine::Level).
+//! instructions of the [`Level`](super::machine::Level). No iterators either: in a build without optimisation they cost
+//! more than a codec.
 
 use super::Vector;
 use super::machine::{as_chunks, as_chunks_mut};
+use super::stored::{Stored, with_size};
 use crate::arith::snorm_encode;
 use crate::codec::{Code, Codec};
 use glam::Vec3;
@@ -17,6 +19,17 @@ pub const BLOCK: usize = 64;
 /// Vectors that are encoded or decoded at a time: the last block may have fewer. The number is fixed, so that each codec
 /// is compiled without a second loop, of single vectors, for the rest.
 const GROUP: usize = 32;
+
+/// Does this for each index below `$end`, of at most [`BLOCK`].
+macro_rules! each {
+    ($i:ident in $start:expr, $end:expr => $body:block) => {
+        let mut $i = $start;
+        while $i < $end && $i < BLOCK {
+            $body
+            $i += 1;
+        }
+    };
+}
 
 /// At most [`BLOCK`] vectors by components, and codes by words.
 pub struct Block {
@@ -38,11 +51,11 @@ impl Block {
     pub fn encode<C: Codec>(&mut self, count: usize) {
         let mut start = 0;
         while start < count && start < BLOCK {
-            for i in start..start + GROUP {
-                let code = C::encode(Vec3::new(self.x[i], self.y[i], self.z[i])).to_words();
+            each!(i in start, start + GROUP => {
+                let code = C::encode_vec3(Vec3::new(self.x[i], self.y[i], self.z[i])).to_words();
                 self.low[i] = code[0];
                 self.high[i] = code[1];
-            }
+            });
             start += GROUP;
         }
     }
@@ -52,12 +65,12 @@ impl Block {
     pub fn decode<C: Codec>(&mut self, count: usize) {
         let mut start = 0;
         while start < count && start < BLOCK {
-            for i in start..start + GROUP {
-                let v = C::decode(C::Code::from_words([self.low[i], self.high[i]]));
+            each!(i in start, start + GROUP => {
+                let v = C::decode_vec3(C::Code::from_words([self.low[i], self.high[i]]));
                 self.x[i] = v.x;
                 self.y[i] = v.y;
                 self.z[i] = v.z;
-            }
+            });
             start += GROUP;
         }
     }
@@ -65,139 +78,117 @@ impl Block {
     /// Takes these vectors.
     #[inline(always)]
     pub fn load_vectors(&mut self, vectors: &[impl Vector]) {
-        let parts = self.x.iter_mut().zip(&mut self.y).zip(&mut self.z);
-        for (((x, y), z), vector) in parts.zip(vectors) {
-            [*x, *y, *z] = vector.xyz();
-        }
+        each!(i in 0, vectors.len() => {
+            [self.x[i], self.y[i], self.z[i]] = vectors[i].into();
+        });
+    }
+
+    /// Fills `to` with the vectors.
+    #[inline(always)]
+    pub fn store_vectors<T: Target<V>, V>(&self, to: &mut [V]) {
+        each!(i in 0, to.len() => {
+            to[i] = T::vector([self.x[i], self.y[i], self.z[i]]);
+        });
     }
 
     /// Takes the codes in these bytes.
     #[inline(always)]
     pub fn load_codes<C: Codec>(&mut self, codes: &[u8]) {
-        let (low, high) = (self.low.iter_mut(), self.high.iter_mut());
-        match C::BYTES {
-            1 => {
-                for (low, &byte) in low.zip(codes) {
-                    *low = u32::from(byte);
-                }
-            }
-            2 => {
-                for (low, &bytes) in low.zip(as_chunks(codes).0) {
-                    *low = u32::from(u16::from_le_bytes(bytes));
-                }
-            }
-            3 => {
-                // Four codes are three words.
-                let (groups, rest) = as_chunks::<_, 12>(codes);
-                let (low, low_of_rest) = self.low.split_at_mut(4 * groups.len());
-                for (low, group) in as_chunks_mut(low).0.iter_mut().zip(groups) {
-                    let [a, b, c] = words(group);
-                    *low = [
-                        a & 0x00ff_ffff,
-                        (a >> 24) | ((b & 0xffff) << 8),
-                        (b >> 16) | ((c & 0xff) << 16),
-                        c >> 8,
-                    ];
-                }
-                for (low, &[a, b, c]) in low_of_rest.iter_mut().zip(as_chunks(rest).0) {
-                    *low = u32::from_le_bytes([a, b, c, 0]);
-                }
-            }
-            4 => {
-                for (low, &bytes) in low.zip(as_chunks(codes).0) {
-                    *low = u32::from_le_bytes(bytes);
-                }
-            }
-            6 => {
-                for ((low, high), &[a, b, c, d, e, f]) in low.zip(high).zip(as_chunks(codes).0) {
-                    *low = u32::from_le_bytes([a, b, c, d]);
-                    *high = u32::from(u16::from_le_bytes([e, f]));
-                }
-            }
-            _ => {
-                for ((low, high), &[a, b, c, d, e, f, g, h]) in low.zip(high).zip(as_chunks(codes).0) {
-                    *low = u32::from_le_bytes([a, b, c, d]);
-                    *high = u32::from_le_bytes([e, f, g, h]);
-                }
-            }
+        if C::BYTES == 3 {
+            return self.load_codes_of_3(codes);
         }
+        with_size!(C::BYTES, SIZE => self.load_codes_of::<SIZE>(codes));
     }
 
     /// Fills `codes` with the codes' bytes.
     #[inline(always)]
     pub fn store_codes<C: Codec>(&self, codes: &mut [u8]) {
-        let (low, high) = (self.low.iter(), self.high.iter());
-        match C::BYTES {
-            1 => {
-                for (byte, low) in codes.iter_mut().zip(low) {
-                    *byte = *low as u8;
-                }
+        if C::BYTES == 3 {
+            return self.store_codes_of_3(codes);
+        }
+        with_size!(C::BYTES, SIZE => self.store_codes_of::<SIZE>(codes));
+    }
+
+    #[inline(always)]
+    fn load_codes_of<const SIZE: usize>(&mut self, codes: &[u8])
+    where
+        [u8; SIZE]: Stored,
+    {
+        let codes = as_chunks::<_, SIZE>(codes).0;
+        each!(i in 0, codes.len() => {
+            let words = codes[i].words();
+            self.low[i] = words[0];
+            if SIZE > 4 {
+                self.high[i] = words[1];
             }
-            2 => {
-                for (bytes, low) in as_chunks_mut(codes).0.iter_mut().zip(low) {
-                    *bytes = (*low as u16).to_le_bytes();
-                }
+        });
+    }
+
+    #[inline(always)]
+    fn store_codes_of<const SIZE: usize>(&self, codes: &mut [u8])
+    where
+        [u8; SIZE]: Stored,
+    {
+        let codes = as_chunks_mut::<_, SIZE>(codes).0;
+        each!(i in 0, codes.len() => {
+            codes[i] = Stored::of_words([self.low[i], self.high[i]]);
+        });
+    }
+
+    /// Four codes are three words.
+    #[inline(always)]
+    fn load_codes_of_3(&mut self, codes: &[u8]) {
+        let (groups, rest) = as_chunks::<_, 12>(codes);
+        let (low, low_of_rest) = self.low.split_at_mut(4 * groups.len());
+        for (low, group) in as_chunks_mut(low).0.iter_mut().zip(groups) {
+            let [a, b, c] = words(group);
+            *low = [a & 0x00ff_ffff, (a >> 24) | ((b & 0xffff) << 8), (b >> 16) | ((c & 0xff) << 16), c >> 8];
+        }
+        for (low, &[a, b, c]) in low_of_rest.iter_mut().zip(as_chunks(rest).0) {
+            *low = u32::from_le_bytes([a, b, c, 0]);
+        }
+    }
+
+    #[inline(always)]
+    fn store_codes_of_3(&self, codes: &mut [u8]) {
+        let (groups, rest) = as_chunks_mut::<_, 12>(codes);
+        let (low, low_of_rest) = self.low.split_at(4 * groups.len());
+        for (group, &[a, b, c, d]) in groups.iter_mut().zip(as_chunks(low).0) {
+            let words = [a | (b << 24), (b >> 8) | (c << 16), (c >> 16) | (d << 8)];
+            for (bytes, word) in as_chunks_mut(group).0.iter_mut().zip(words) {
+                *bytes = word.to_le_bytes();
             }
-            3 => {
-                // Four codes are three words.
-                let (groups, rest) = as_chunks_mut::<_, 12>(codes);
-                let (low, low_of_rest) = self.low.split_at(4 * groups.len());
-                for (group, &[a, b, c, d]) in groups.iter_mut().zip(as_chunks(low).0) {
-                    let words = [a | (b << 24), (b >> 8) | (c << 16), (c >> 16) | (d << 8)];
-                    for (bytes, word) in as_chunks_mut(group).0.iter_mut().zip(words) {
-                        *bytes = word.to_le_bytes();
-                    }
-                }
-                for (bytes, low) in as_chunks_mut(rest).0.iter_mut().zip(low_of_rest) {
-                    let [a, b, c, _] = low.to_le_bytes();
-                    *bytes = [a, b, c];
-                }
-            }
-            4 => {
-                for (bytes, low) in as_chunks_mut(codes).0.iter_mut().zip(low) {
-                    *bytes = low.to_le_bytes();
-                }
-            }
-            6 => {
-                for (bytes, (low, high)) in as_chunks_mut(codes).0.iter_mut().zip(low.zip(high)) {
-                    let ([a, b, c, d], [e, f, ..]) = (low.to_le_bytes(), high.to_le_bytes());
-                    *bytes = [a, b, c, d, e, f];
-                }
-            }
-            _ => {
-                for (bytes, (low, high)) in as_chunks_mut(codes).0.iter_mut().zip(low.zip(high)) {
-                    *bytes = ((u64::from(*high) << 32) | u64::from(*low)).to_le_bytes();
-                }
-            }
+        }
+        for (bytes, low) in as_chunks_mut(rest).0.iter_mut().zip(low_of_rest) {
+            let [a, b, c, _] = low.to_le_bytes();
+            *bytes = [a, b, c];
         }
     }
 }
 
-/// What a block decodes to.
-pub trait Decoded: Copy {
-    /// Fills `to` with the vectors of `block`.
-    fn store(block: &Block, to: &mut [Self]);
+/// What codes are decoded to: a type of vectors, `V`.
+pub trait Target<V> {
+    /// The vector of these components.
+    fn vector(xyz: [f32; 3]) -> V;
 }
 
-impl<V: Vector> Decoded for V {
+/// Vectors as they are.
+pub struct Floats;
+
+impl<V: Vector> Target<V> for Floats {
     #[inline(always)]
-    fn store(block: &Block, to: &mut [Self]) {
-        let parts = block.x.iter().zip(&block.y).zip(&block.z);
-        for (((x, y), z), vector) in parts.zip(to) {
-            *vector = V::from_xyz([*x, *y, *z]);
-        }
+    fn vector(xyz: [f32; 3]) -> V {
+        xyz.into()
     }
 }
 
-/// As snorm of 16 bits and 0.
-impl Decoded for [i16; 4] {
+/// Snorm of 16 bits and 0.
+pub struct Snorms;
+
+impl Target<[i16; 4]> for Snorms {
     #[inline(always)]
-    fn store(block: &Block, to: &mut [Self]) {
-        let parts = block.x.iter().zip(&block.y).zip(&block.z);
-        for (((&x, &y), &z), vector) in parts.zip(to) {
-            let (x, y, z) = (snorm_encode(x, 16), snorm_encode(y, 16), snorm_encode(z, 16));
-            *vector = [x as i16, y as i16, z as i16, 0];
-        }
+    fn vector([x, y, z]: [f32; 3]) -> [i16; 4] {
+        [snorm_encode(x, 16) as i16, snorm_encode(y, 16) as i16, snorm_encode(z, 16) as i16, 0]
     }
 }
 

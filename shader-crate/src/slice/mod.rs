@@ -5,7 +5,8 @@
 //!   compiled for; on AArch64 NEON is always there. Without `std` it is what the crate was compiled for.
 //! * Nothing is allocated. A slice is worked through in blocks of 64 vectors. To encode or decode fewer than 32 costs as
 //!   much as 32: for single vectors take the functions of [`Codec`].
-//! * Vectors are `[f32; 3]` or [`Vec3`].
+//! * Vectors are those of any library: see [`Vector`].
+//! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
 //! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores.
 //!
 //! ```
@@ -15,9 +16,9 @@
 //! let vectors = [[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]];
 //! let mut codes = [0; 2 * Oct16::BYTES];
 //! encode_slice::<Oct16>(&vectors, &mut codes)?;
-//! let mut decoded = [glam::Vec3::ZERO; 2];
+//! let mut decoded = [[0.0; 3]; 2];
 //! decode_slice::<Oct16>(&codes, &mut decoded)?;
-//! assert_eq!(decoded[1], glam::Vec3::Y);
+//! assert_eq!(decoded[1], [0.0, 1.0, 0.0]);
 //! # Ok::<(), unitvec::slice::LengthMismatch>(())
 //! ```
 
@@ -26,13 +27,20 @@ pub(crate) mod block;
 pub mod machine;
 #[cfg(feature = "rayon")]
 mod parallel;
+mod stored;
+mod strided;
 
 use crate::codec::{Code, Codec};
-use block::{BLOCK, Block, Decoded};
+use block::{BLOCK, Block, Floats, Snorms, Target};
 use core::fmt;
 use core::marker::PhantomData;
 use glam::Vec3;
 use machine::{Level, Task, as_chunks, as_chunks_mut, prefetch};
+use stored::{Stored, with_size};
+
+pub use strided::{Side, StrideError, Strided, decode_strided, encode_strided};
+#[doc(hidden)]
+pub use strided::{decode_strided_at, encode_strided_at};
 
 #[cfg(feature = "rayon")]
 #[doc(hidden)]
@@ -59,44 +67,14 @@ impl fmt::Display for LengthMismatch {
 
 impl core::error::Error for LengthMismatch {}
 
-/// Three floats in memory: `[f32; 3]` and [`Vec3`], and no other type.
-pub trait Vector: Copy + Send + Sync + sealed::Sealed {
-    /// The vector of these components.
-    fn from_xyz(xyz: [f32; 3]) -> Self;
+/// True where the crate is compiled without optimisation. There the compiler makes no vector instructions of the loops over
+/// blocks, and to turn the vectors to blocks and back only costs time.
+const ONE_BY_ONE: bool = cfg!(unoptimised);
 
-    /// x, y and z.
-    fn xyz(self) -> [f32; 3];
-}
+/// A vector of any library: whatever converts from and to `[f32; 3]`, and that array itself. Every such type implements it.
+pub trait Vector: Copy + Send + Sync + From<[f32; 3]> + Into<[f32; 3]> {}
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for [f32; 3] {}
-    impl Sealed for glam::Vec3 {}
-}
-
-impl Vector for [f32; 3] {
-    #[inline(always)]
-    fn from_xyz(xyz: [f32; 3]) -> Self {
-        xyz
-    }
-
-    #[inline(always)]
-    fn xyz(self) -> [f32; 3] {
-        self
-    }
-}
-
-impl Vector for Vec3 {
-    #[inline(always)]
-    fn from_xyz(xyz: [f32; 3]) -> Self {
-        Self::from_array(xyz)
-    }
-
-    #[inline(always)]
-    fn xyz(self) -> [f32; 3] {
-        self.to_array()
-    }
-}
+impl<V: Copy + Send + Sync + From<[f32; 3]> + Into<[f32; 3]>> Vector for V {}
 
 /// Encodes `vectors` into `codes`: [`Codec::BYTES`] little-endian bytes each, without gaps.
 ///
@@ -113,11 +91,11 @@ pub fn encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Resu
 pub fn encode_slice_with<C: Codec>(
     vectors: &[impl Vector],
     codes: &mut [u8],
-    encode: impl Fn(Vec3) -> C::Code,
+    encode: impl Fn([f32; 3]) -> C::Code,
 ) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
     for (vector, stored) in vectors.iter().zip(codes.chunks_exact_mut(C::BYTES)) {
-        store(encode(Vec3::from_array(vector.xyz())), stored);
+        store(encode((*vector).into()), stored);
     }
     Ok(())
 }
@@ -168,7 +146,7 @@ pub fn encode_slice_at<C: Codec>(
     codes: &mut [u8],
 ) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
-    level.run(Encode { vectors, codes, codec: PhantomData::<fn() -> C> });
+    level.run(Encode { vectors, codes, codec: PhantomData::<C> });
     Ok(())
 }
 
@@ -180,7 +158,7 @@ pub fn decode_slice_at<C: Codec>(
     vectors: &mut [impl Vector],
 ) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    level.run(Decode { codes, vectors, codec: PhantomData::<fn() -> C> });
+    level.run(Decode { codes, vectors, codec: PhantomData::<(C, Floats)> });
     Ok(())
 }
 
@@ -192,7 +170,7 @@ pub fn decode_slice_i16x4_at<C: Codec>(
     vectors: &mut [[i16; 4]],
 ) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    level.run(Decode { codes, vectors, codec: PhantomData::<fn() -> C> });
+    level.run(Decode { codes, vectors, codec: PhantomData::<(C, Snorms)> });
     Ok(())
 }
 
@@ -239,9 +217,12 @@ struct Encode<'a, C, V> {
 }
 
 // Whole blocks and the rest go through one loop, so that each codec is compiled once.
-impl<C: Codec, V: Vector> Task for Encode<'_, fn() -> C, V> {
+impl<C: Codec, V: Vector> Task for Encode<'_, C, V> {
     #[inline(always)]
     fn run(self) {
+        if ONE_BY_ONE {
+            return with_size!(C::BYTES, SIZE => encode_each::<C, SIZE>(self.vectors, self.codes));
+        }
         let far = is_far(self.vectors);
         let (blocks, rest) = as_chunks::<_, BLOCK>(self.vectors);
         let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * C::BYTES);
@@ -266,15 +247,18 @@ impl<C: Codec, V: Vector> Task for Encode<'_, fn() -> C, V> {
     }
 }
 
-struct Decode<'a, C, V> {
+struct Decode<'a, C, T, V> {
     codes: &'a [u8],
     vectors: &'a mut [V],
-    codec: PhantomData<C>,
+    codec: PhantomData<(C, T)>,
 }
 
-impl<C: Codec, V: Decoded> Task for Decode<'_, fn() -> C, V> {
+impl<C: Codec, T: Target<V>, V> Task for Decode<'_, C, T, V> {
     #[inline(always)]
     fn run(self) {
+        if ONE_BY_ONE {
+            return with_size!(C::BYTES, SIZE => decode_each::<C, T, V, SIZE>(self.codes, self.vectors));
+        }
         let far = is_far(self.vectors);
         let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.vectors);
         let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * C::BYTES);
@@ -294,7 +278,37 @@ impl<C: Codec, V: Decoded> Task for Decode<'_, fn() -> C, V> {
                 block.load_codes::<C>(codes_of_rest);
             }
             block.decode::<C>(if whole { BLOCK } else { rest.len() });
-            if whole { V::store(&block, &mut blocks[i]) } else { V::store(&block, rest) }
+            if whole {
+                block.store_vectors::<T, V>(&mut blocks[i])
+            } else {
+                block.store_vectors::<T, V>(rest)
+            }
         }
+    }
+}
+
+/// Encodes one vector at a time. Without iterators, which cost more than a codec where they are not optimised.
+fn encode_each<C: Codec, const SIZE: usize>(vectors: &[impl Vector], codes: &mut [u8])
+where
+    [u8; SIZE]: Stored,
+{
+    let codes = as_chunks_mut::<_, SIZE>(codes).0;
+    let mut i = 0;
+    while i < vectors.len() {
+        codes[i] = Stored::of_words(C::encode_vec3(Vec3::from_array(vectors[i].into())).to_words());
+        i += 1;
+    }
+}
+
+/// Decodes one code at a time.
+fn decode_each<C: Codec, T: Target<V>, V, const SIZE: usize>(codes: &[u8], vectors: &mut [V])
+where
+    [u8; SIZE]: Stored,
+{
+    let codes = as_chunks::<_, SIZE>(codes).0;
+    let mut i = 0;
+    while i < vectors.len() {
+        vectors[i] = T::vector(C::decode_vec3(C::Code::from_words(codes[i].words())).to_array());
+        i += 1;
     }
 }

@@ -50,6 +50,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 }
 
 /// Cylindrical coordinates in `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Cylindrical<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Cylindrical<BITS> {
@@ -65,13 +66,13 @@ impl<const BITS: u32> Codec for Cylindrical<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let e = lattice(v, snorm_max(BITS / 2));
         signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let phi = snorm_integer(code, BITS / 2);
         let z = snorm_integer(code >> (BITS / 2), BITS / 2);
         from_lattice(Vec2::new(phi, z), snorm_max(BITS / 2))

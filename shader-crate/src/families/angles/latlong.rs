@@ -268,6 +268,7 @@ pub fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
 }
 
 /// Patches of a plain grid of latitude and longitude in `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LatLong<const BITS: u32>;
 
 impl<const BITS: u32> Codec for LatLong<BITS> {
@@ -279,17 +280,18 @@ impl<const BITS: u32> Codec for LatLong<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         grid_encode(v, BITS / 2)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         grid_decode(code, BITS / 2)
     }
 }
 
 /// Nearly square patches of nearly equal area in `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LatLongD<const BITS: u32>;
 
 impl<const BITS: u32> LatLongD<BITS> {
@@ -312,12 +314,12 @@ impl<const BITS: u32> Codec for LatLongD<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         patch_encode(v, Self::RINGS, BITS - 3)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         patch_decode(code, Self::RINGS, BITS - 3)
     }
 }

@@ -63,6 +63,7 @@ const fn half_turn(bits: u32) -> f32 {
 }
 
 /// Spherical coordinates in `BITS` bits (16, 20, 22, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spherical<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Spherical<BITS> {
@@ -73,13 +74,13 @@ impl<const BITS: u32> Codec for Spherical<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let e = lattice(v, snorm_max(BITS / 2), half_turn(BITS));
         signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let i = snorm_integer(code, BITS / 2);
         let j = signed_integer(code >> (BITS / 2), BITS / 2);
         from_lattice(Vec2::new(i, j), snorm_max(BITS / 2), half_turn(BITS))

@@ -152,6 +152,7 @@ fn length(x: f32, y: f32) -> TwoFloats {
 }
 
 /// Spherical coordinates in 48 bits: two integers of 24.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SphericalWide;
 
 impl Codec for SphericalWide {
@@ -162,7 +163,7 @@ impl Codec for SphericalWide {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         let (v, norm) = or_z(v);
         let p = scaled_to_one(v, norm).abs();
         let latitude = nearest(length(p.x, p.y), p.z.into(), THETA);
@@ -176,7 +177,7 @@ impl Codec for SphericalWide {
     }
 
     #[inline(always)]
-    fn decode([low, high]: [u32; 2]) -> Vec3 {
+    fn decode_vec3([low, high]: [u32; 2]) -> Vec3 {
         let i = (low << 8) as i32 >> 8;
         let j = (((low >> 24) | (high << 8)) << 8) as i32 >> 8;
         let latitude = if i < 0 { -i } else { i };

@@ -27,6 +27,7 @@ use crate::direction::or_z;
 use glam::Vec3;
 
 /// Raw components as half floats: a VK_FORMAT_R16G16B16_SFLOAT.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Float16x3;
 
 impl Codec for Float16x3 {
@@ -37,7 +38,7 @@ impl Codec for Float16x3 {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         let (v, _) = or_z(v);
         let low = half_encode(v.x) | (half_encode(v.y) << 16);
         let z = half_encode(v.z);
@@ -45,7 +46,7 @@ impl Codec for Float16x3 {
     }
 
     #[inline(always)]
-    fn decode(code: [u32; 2]) -> Vec3 {
+    fn decode_vec3(code: [u32; 2]) -> Vec3 {
         let none = ((code[0] & 0x7fff_7fff) | (code[1] & 0x7fff)) == 0;
         let z = if none { HALF_ONE } else { code[1] };
         Vec3::new(half_decode(code[0]), half_decode(code[0] >> 16), half_decode(z))

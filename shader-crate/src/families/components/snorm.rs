@@ -39,6 +39,7 @@ const fn z_code(bits: u32) -> u32 {
 }
 
 /// Raw snorm components in `BITS` bits (15, 24, 30, or 32 as 11, 11 and 10).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Snorm3<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Snorm3<BITS> {
@@ -54,7 +55,7 @@ impl<const BITS: u32> Codec for Snorm3<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
         let w = width(BITS);
         let (x, y) = (snorm_encode(v.x, w), snorm_encode(v.y, w));
@@ -63,7 +64,7 @@ impl<const BITS: u32> Codec for Snorm3<BITS> {
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let w = width(BITS);
         let used = code << (32 - BITS);
         let code = if used == 0 { z_code(BITS) } else { code };
@@ -76,6 +77,7 @@ impl<const BITS: u32> Codec for Snorm3<BITS> {
 }
 
 /// Raw snorm components of 16 bits each: a VK_FORMAT_R16G16B16_SNORM.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Snorm16x3;
 
 impl Codec for Snorm16x3 {
@@ -86,7 +88,7 @@ impl Codec for Snorm16x3 {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         let (v, _) = or_z(v);
         let low = snorm_encode(v.x, 16) | (snorm_encode(v.y, 16) << 16);
         let z = snorm_encode(v.z, 16);
@@ -94,7 +96,7 @@ impl Codec for Snorm16x3 {
     }
 
     #[inline(always)]
-    fn decode(code: [u32; 2]) -> Vec3 {
+    fn decode_vec3(code: [u32; 2]) -> Vec3 {
         let z = code[1] & mask(16);
         let z = if (code[0] | z) == 0 { mask(15) } else { z };
         Vec3::new(snorm_decode(code[0], 16), snorm_decode(code[0] >> 16, 16), snorm_decode(z, 16))

@@ -34,6 +34,7 @@ fn decode_component(code: u32) -> f32 {
 }
 
 /// Raw components as scaled and biased unorm8: a VK_FORMAT_R8G8B8_UNORM.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Unorm8x3;
 
 impl Codec for Unorm8x3 {
@@ -45,13 +46,13 @@ impl Codec for Unorm8x3 {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
         encode_component(v.x) | (encode_component(v.y) << 8) | (encode_component(v.z) << 16)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         Vec3::new(decode_component(code), decode_component(code >> 8), decode_component(code >> 16))
     }
 }

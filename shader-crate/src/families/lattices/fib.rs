@@ -312,6 +312,7 @@ pub fn point(i: u32, bits: u32) -> Vec3 {
 }
 
 /// Spherical Fibonacci points in `BITS` bits (16, 24 or 32): the nearest point is found.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Fib<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Fib<BITS> {
@@ -323,12 +324,12 @@ impl<const BITS: u32> Codec for Fib<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         nearest(v, BITS)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         point(code, BITS)
     }
 }

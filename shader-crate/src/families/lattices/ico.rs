@@ -358,6 +358,7 @@ pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
 }
 
 /// Icosahedral code of `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Ico<const BITS: u32>;
 
 impl<const BITS: u32> Ico<BITS> {
@@ -381,12 +382,12 @@ impl<const BITS: u32> Codec for Ico<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         encode(v, Self::LATTICE)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         decode(if BITS == 32 { code } else { code & mask(BITS % 32) }, Self::LATTICE)
     }
 }

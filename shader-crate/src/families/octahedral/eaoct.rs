@@ -228,6 +228,7 @@ const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
 }
 
 /// Equal-area octahedral code of `BITS` bits (16, 20, 22, 24 or 32), fast encoder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct EaOct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for EaOct<BITS> {
@@ -239,18 +240,19 @@ impl<const BITS: u32> Codec for EaOct<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         pack::<BITS>(lattice(v, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         from_lattice(unpack::<BITS>(code), snorm_max(BITS / 2))
     }
 }
 
 /// Equal-area octahedral code of `BITS` bits (16, 20, 22, 24 or 32), precise encoder: the format of [`EaOct`], 1 % less
 /// error in the mean, an eighth less at most.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct EaOctPrecise<const BITS: u32>;
 
 impl<const BITS: u32> Codec for EaOctPrecise<BITS> {
@@ -261,12 +263,12 @@ impl<const BITS: u32> Codec for EaOctPrecise<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         pack::<BITS>(lattice_precise(v, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
-        EaOct::<BITS>::decode(code)
+    fn decode_vec3(code: u32) -> Vec3 {
+        EaOct::<BITS>::decode_vec3(code)
     }
 }

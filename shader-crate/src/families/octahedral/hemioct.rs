@@ -61,6 +61,7 @@ pub(super) const fn error_bound(bits: u32) -> f32 {
 }
 
 /// Hemi-octahedral code of `BITS` bits (16, 24 or 32) for directions with z >= 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct HemiOct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for HemiOct<BITS> {
@@ -70,13 +71,13 @@ impl<const BITS: u32> Codec for HemiOct<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let e = lattice(v, snorm_max(BITS / 2));
         signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let u = snorm_integer(code & mask(BITS / 2), BITS / 2);
         let v = snorm_integer(code >> (BITS / 2), BITS / 2);
         from_lattice(Vec2::new(u, v), snorm_max(BITS / 2))

@@ -251,6 +251,7 @@ const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
 }
 
 /// Octahedral code of `BITS` bits (even, 4 to 32), fast encoder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Oct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Oct<BITS> {
@@ -259,18 +260,19 @@ impl<const BITS: u32> Codec for Oct<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         pack::<BITS>(lattice(v, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         from_lattice(unpack::<BITS>(code), snorm_max(BITS / 2))
     }
 }
 
 /// Octahedral code of `BITS` bits (even, 4 to 32), precise encoder: the format of [`Oct`], a third less
 /// error at most.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctPrecise<const BITS: u32>;
 
 impl<const BITS: u32> Codec for OctPrecise<BITS> {
@@ -279,12 +281,12 @@ impl<const BITS: u32> Codec for OctPrecise<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         pack::<BITS>(lattice_precise(v, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
-        Oct::<BITS>::decode(code)
+    fn decode_vec3(code: u32) -> Vec3 {
+        Oct::<BITS>::decode_vec3(code)
     }
 }

@@ -193,6 +193,7 @@ const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
 }
 
 /// Octahedral code of `BITS` bits (48), fast encoder.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctWide<const BITS: u32>;
 
 impl<const BITS: u32> Codec for OctWide<BITS> {
@@ -201,12 +202,12 @@ impl<const BITS: u32> Codec for OctWide<BITS> {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         encode_fast::<BITS>(v)
     }
 
     #[inline(always)]
-    fn decode(code: [u32; 2]) -> Vec3 {
+    fn decode_vec3(code: [u32; 2]) -> Vec3 {
         decode::<BITS>(code)
     }
 }
@@ -221,6 +222,7 @@ impl<const BITS: u32> Codec for OctWide<BITS> {
 /// radians off, but the decoded vector is not off at all, and stays as it is however often it is encoded. A decoded
 /// vector's own code is always such a corner, since its rounding moves a position by less than a step: by at most 0.83
 /// along each axis.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctWidePrecise<const BITS: u32>;
 
 impl<const BITS: u32> Codec for OctWidePrecise<BITS> {
@@ -229,12 +231,12 @@ impl<const BITS: u32> Codec for OctWidePrecise<BITS> {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         encode_precise::<BITS>(v)
     }
 
     #[inline(always)]
-    fn decode(code: [u32; 2]) -> Vec3 {
+    fn decode_vec3(code: [u32; 2]) -> Vec3 {
         decode::<BITS>(code)
     }
 }

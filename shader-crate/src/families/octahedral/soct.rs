@@ -49,6 +49,7 @@ fn from_parts(u: u32, v: u32, sign: u32, bits: u32) -> Vec3 {
 }
 
 /// Signed octahedral code of `BITS` bits (17 or 25).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SOct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for SOct<BITS> {
@@ -57,19 +58,20 @@ impl<const BITS: u32> Codec for SOct<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (u, w, sign) = parts(v, BITS / 2);
         u | (w << (BITS / 2)) | (sign << (BITS - 1))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let half = mask(BITS / 2);
         from_parts(code & half, (code >> (BITS / 2)) & half, code >> (BITS - 1), BITS / 2)
     }
 }
 
 /// Signed octahedral code of 33 bits: two snorm16, and the sign of z in a second word.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SOct33;
 
 impl Codec for SOct33 {
@@ -78,13 +80,13 @@ impl Codec for SOct33 {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         let (u, w, sign) = parts(v, 16);
         [u | (w << 16), sign]
     }
 
     #[inline(always)]
-    fn decode([low, high]: [u32; 2]) -> Vec3 {
+    fn decode_vec3([low, high]: [u32; 2]) -> Vec3 {
         from_parts(low & 0xffff, low >> 16, high, 16)
     }
 }

@@ -100,6 +100,7 @@ fn encode<const BITS: u32>(v: Vec3, along: impl Fn(f32) -> f32) -> u32 {
 }
 
 /// Cube code of `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Cube<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Cube<BITS> {
@@ -113,12 +114,12 @@ impl<const BITS: u32> Codec for Cube<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         encode::<BITS>(v, |coordinate| coordinate)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let face = unpack_face::<BITS>(code);
         let e = unpack::<BITS>(code);
         // In steps of u, so that only v is rounded before the normalisation.
@@ -149,6 +150,7 @@ fn magnitude(code: u32, bits: u32) -> (i32, bool) {
 }
 
 /// Cube code of 48 bits: u of 23, v of 22, the face of 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct CubeWide;
 
 impl CubeWide {
@@ -163,7 +165,7 @@ impl Codec for CubeWide {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         let (v, norm) = or_z(v);
         let face = face_of(v);
         let p = to_face(scaled_to_one(v, norm), face);
@@ -176,7 +178,7 @@ impl Codec for CubeWide {
     }
 
     #[inline(always)]
-    fn decode([low, high]: [u32; 2]) -> Vec3 {
+    fn decode_vec3([low, high]: [u32; 2]) -> Vec3 {
         let (i, left) = magnitude(low, Self::U_BITS);
         let (j, down) = magnitude((low >> Self::U_BITS) | (high << (32 - Self::U_BITS)), Self::V_BITS);
         let face = (high >> (Self::U_BITS + Self::V_BITS - 32)) & 7;
@@ -196,6 +198,7 @@ impl Codec for CubeWide {
 }
 
 /// Warped cube code of `BITS` bits (16, 24 or 32): equal angles along the middle lines of faces.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WarpedCube<const BITS: u32>;
 
 impl<const BITS: u32> Codec for WarpedCube<BITS> {
@@ -209,12 +212,12 @@ impl<const BITS: u32> Codec for WarpedCube<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         encode::<BITS>(v, atan_octant)
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let face = unpack_face::<BITS>(code);
         let e = unpack::<BITS>(code);
         let u = tan_octant(e.x.abs() / (snorm_max(u_bits(BITS)) + 0.5));

@@ -71,13 +71,13 @@ use table::{best_of, cell_lengths, cell_of, code_at_length, lengths_in, parts_an
 /// A codec whose encoder can look lengths up in the table of [`fill_table`]: a few operations in place of many, for the
 /// same codes.
 pub trait EncodeByTable: Codec {
-    /// [`Codec::encode`], with `word` to look up a word of the table: its index is below [`TABLE_WORDS`].
+    /// [`Codec::encode_vec3`], with `word` to look up a word of the table: its index is below [`TABLE_WORDS`].
     fn encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> Self::Code;
 
     /// [`Codec::encode`] by the table of [`fill_table`]. Another table, or one that is too short, costs accuracy only.
     #[inline(always)]
-    fn encode_by_table(v: Vec3, table: &[u32]) -> Self::Code {
-        Self::encode_by(v, |index| {
+    fn encode_by_table<V: Into<[f32; 3]>>(v: V, table: &[u32]) -> Self::Code {
+        Self::encode_by(Vec3::from_array(v.into()), |index| {
             let index = index as usize;
             // 0 stands for lengths of 64.
             if index < table.len() { table[index] } else { 0 }
@@ -115,6 +115,7 @@ const fn error_bound(length: f32, rounding: f32) -> f32 {
 ///
 /// This works the lengths out, 576 trials: with more than a few vectors to encode, take [`EncodeByTable`].
 /// Keeps the axes. Decodes to a vector that is not normalised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SnormBest8;
 
 impl Codec for SnormBest8 {
@@ -126,7 +127,7 @@ impl Codec for SnormBest8 {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
         let (parts, reciprocal) = parts_and_reciprocal(v);
         let (column, row) = cell_of(parts);
@@ -134,7 +135,7 @@ impl Codec for SnormBest8 {
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         Vec3::new(snorm_decode(code, 8), snorm_decode(code >> 8, 8), snorm_decode(code >> 16, 8))
     }
 }
@@ -143,6 +144,7 @@ impl Codec for SnormBest8 {
 /// nearest.
 ///
 /// Keeps the direction of any code. Decodes to a vector that is not normalised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SnormNearest8;
 
 impl Codec for SnormNearest8 {
@@ -153,15 +155,15 @@ impl Codec for SnormNearest8 {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
         let u = on_cube(v);
         pack8(at_scale(v, u, best_scale(by_size(u))))
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
-        SnormBest8::decode(code)
+    fn decode_vec3(code: u32) -> Vec3 {
+        SnormBest8::decode_vec3(code)
     }
 }
 
@@ -169,6 +171,7 @@ impl Codec for SnormNearest8 {
 ///
 /// This works the length out; with a table at hand, take [`EncodeByTable`].
 /// Decodes to a vector that is not normalised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct CrytekBfn24;
 
 impl Codec for CrytekBfn24 {
@@ -179,7 +182,7 @@ impl Codec for CrytekBfn24 {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (v, _) = or_z(v);
         let (parts, reciprocal) = parts_and_reciprocal(v);
         let (column, row) = cell_of(parts);
@@ -188,8 +191,8 @@ impl Codec for CrytekBfn24 {
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
-        SnormBest8::decode(code)
+    fn decode_vec3(code: u32) -> Vec3 {
+        SnormBest8::decode_vec3(code)
     }
 }
 
@@ -198,6 +201,7 @@ impl Codec for CrytekBfn24 {
 /// Never further off than plain snorm16x3, but by what `f32` rounds: where it does not turn the rounding of the unit
 /// vector, by less than 0.00003 degrees.
 /// Decodes to a vector that is not normalised.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SnormBest16;
 
 impl Codec for SnormBest16 {
@@ -209,7 +213,7 @@ impl Codec for SnormBest16 {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         let (v, _) = or_z(v);
         let u = on_cube(v);
         let parts = by_size(u);
@@ -221,7 +225,7 @@ impl Codec for SnormBest16 {
     }
 
     #[inline(always)]
-    fn decode([low, high]: [u32; 2]) -> Vec3 {
+    fn decode_vec3([low, high]: [u32; 2]) -> Vec3 {
         Vec3::new(snorm_decode(low, 16), snorm_decode(low >> 16, 16), snorm_decode(high, 16))
     }
 }

@@ -1,6 +1,8 @@
 //! The hemisphere on the disk.
 
 use crate::arith::{NEGLIGIBLE, atan_octant_ratio, dot, horizontal_length, sqrt};
+use core::fmt::Debug;
+use core::hash::Hash;
 use glam::{Vec2, Vec3};
 
 /// A point of the unit disk's quadrant x, y >= 0.
@@ -15,7 +17,7 @@ pub struct Disk {
 }
 
 /// A projection of the hemisphere to the unit disk, on the octant of positive components.
-pub trait Projection {
+pub trait Projection: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Which one: 0, 1, 2.
     const INDEX: u32;
 
@@ -28,6 +30,7 @@ pub trait Projection {
 }
 
 /// Stereographic projection: conformal, and the cheapest.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Stereo;
 
 impl Projection for Stereo {
@@ -52,6 +55,7 @@ impl Projection for Stereo {
 }
 
 /// Lambert's azimuthal equal-area projection.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Eqarea;
 
 impl Projection for Eqarea {
@@ -96,6 +100,7 @@ pub const COSC_2: f32 = -0.0008935995;
 pub const COSC_3: f32 = 2.3629505e-5;
 
 /// Azimuthal equidistant projection: the distance from the middle is the angle from the pole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Eqdist;
 
 impl Projection for Eqdist {

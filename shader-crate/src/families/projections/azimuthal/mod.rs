@@ -115,6 +115,7 @@ const fn error_bound(stretch: f32, bits: u32) -> f32 {
 }
 
 /// Azimuthal code of `BITS` bits (16, 20, 22, 24 or 32): the projection `P`, laid on the square by `S`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Azimuthal<P: Projection, S: SquareMap, const BITS: u32>(PhantomData<(P, S)>);
 
 impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BITS> {
@@ -123,7 +124,7 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BIT
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let (u_bits, v_bits) = (BITS / 2, BITS / 2 - 1);
         let (u_max, v_max) = largest(BITS);
         let m = Vec2::new(u_max, v_max);
@@ -140,7 +141,7 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BIT
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let (u_bits, v_bits) = (BITS / 2, BITS / 2 - 1);
         let (u_max, v_max) = largest(BITS);
         let m = Vec2::new(u_max, v_max);

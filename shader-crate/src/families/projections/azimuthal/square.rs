@@ -6,10 +6,12 @@ use super::disk::Projection;
 use crate::arith::{atan_octant_ratio, sin_cos_half_turns, sqrt};
 #[cfg(doc)]
 use crate::codec::Codec;
+use core::fmt::Debug;
+use core::hash::Hash;
 use glam::Vec2;
 
 /// A way to lay the disk on the square, on the quadrant of positive coordinates.
-pub trait SquareMap {
+pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Which one: 0, 1, 2.
     const INDEX: u32;
 
@@ -40,6 +42,7 @@ pub trait SquareMap {
 /// corner that points to the middle. Remote ones are never written, so that whatever is written comes back: where
 /// rounding gives one, which takes a position in that last 64th, the next point inward is written. Remote codes
 /// decode to +-X or +-Y, whichever is nearer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Plain;
 
 /// How far, in steps, points beyond the rim are moved at most: a 64th less than half a step, which is twice what the
@@ -100,6 +103,7 @@ fn move_to_rim(p: Vec2, m: Vec2, excess: f32) -> Vec2 {
 }
 
 /// Shirley and Chiu's concentric map: keeps relative areas; circles become squares. It creases at the diagonals.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Concentric;
 
 impl SquareMap for Concentric {
@@ -143,6 +147,7 @@ impl SquareMap for Concentric {
 /// `s^2 = 4 x^2 / (2 + d + root)` where `root^2 = (2 + d)^2 - 8 x^2 = d^2 + 4 rim`; and `t^2 = 4 y^2 / (2 - d +
 /// root)`. Only sums of positive terms occur, and `d`, which the root passes on at most as it is: so if `rim` has
 /// a small relative error the result has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Ellipse;
 
 impl SquareMap for Ellipse {

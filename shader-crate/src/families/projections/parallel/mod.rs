@@ -157,6 +157,7 @@ fn spp_decode(words: [u32; 2], u_bits: u32, v_bits: u32) -> Vec3 {
 }
 
 /// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Pp<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Pp<BITS> {
@@ -170,17 +171,18 @@ impl<const BITS: u32> Codec for Pp<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         pp_encode(v, BITS / 2, BITS / 2 - 1)[0]
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         pp_decode([code, 0], BITS / 2, BITS / 2 - 1)
     }
 }
 
 /// Parallel projection of 48 bits: x of 24, y of 23 and the sign of z.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Pp48;
 
 impl Codec for Pp48 {
@@ -190,17 +192,18 @@ impl Codec for Pp48 {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         pp_encode(v, 24, 23)
     }
 
     #[inline(always)]
-    fn decode(code: [u32; 2]) -> Vec3 {
+    fn decode_vec3(code: [u32; 2]) -> Vec3 {
         pp_decode(code, 24, 23)
     }
 }
 
 /// Sextant parallel projection: the two smaller components and the sextant in `BITS` bits (16, 24 or 32).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spp<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Spp<BITS> {
@@ -214,17 +217,18 @@ impl<const BITS: u32> Codec for Spp<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         spp_encode(v, BITS / 2 - 1, BITS / 2 - 2)[0]
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         spp_decode([code, 0], BITS / 2 - 1, BITS / 2 - 2)
     }
 }
 
 /// Sextant parallel projection of 48 bits: components of 23 and 22, the sextant of 3.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spp48;
 
 impl Codec for Spp48 {
@@ -234,12 +238,12 @@ impl Codec for Spp48 {
     type Code = [u32; 2];
 
     #[inline(always)]
-    fn encode(v: Vec3) -> [u32; 2] {
+    fn encode_vec3(v: Vec3) -> [u32; 2] {
         spp_encode(v, 23, 22)
     }
 
     #[inline(always)]
-    fn decode(code: [u32; 2]) -> Vec3 {
+    fn decode_vec3(code: [u32; 2]) -> Vec3 {
         spp_decode(code, 23, 22)
     }
 }

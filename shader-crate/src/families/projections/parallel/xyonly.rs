@@ -17,6 +17,7 @@ fn upper_unit(v: Vec3) -> Vec3 {
 }
 
 /// x and y as snorm in `BITS` bits (16, 24 or 32), for directions with z >= 0.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct XyOnly<const BITS: u32>;
 
 impl<const BITS: u32> Codec for XyOnly<BITS> {
@@ -30,7 +31,7 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let n = upper_unit(v);
         let e = Plane::disk(BITS / 2, BITS / 2).round(Vec2::new(n.x.abs(), n.y.abs()));
         let (x, y) = (field(is_negative(n.x), e.x, BITS / 2), field(is_negative(n.y), e.y, BITS / 2));
@@ -38,7 +39,7 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let x = snorm_integer(code & mask(BITS / 2), BITS / 2);
         let y = snorm_integer(code >> (BITS / 2), BITS / 2);
         from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
@@ -46,6 +47,7 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
 }
 
 /// x and y as half floats, for directions with z >= 0: a VK_FORMAT_R16G16_SFLOAT.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct XyOnly32F;
 
 /// The numbers of two halves without signs.
@@ -84,7 +86,7 @@ impl Codec for XyOnly32F {
     type Code = u32;
 
     #[inline(always)]
-    fn encode(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> u32 {
         let n = upper_unit(v);
         let (a, b) = (half_encode_magnitude(n.x), half_encode_magnitude(n.y));
         let unwritten = is_off_disk(halves(a, b)) && is_off_disk(halves_inset(a, b));
@@ -96,7 +98,7 @@ impl Codec for XyOnly32F {
     }
 
     #[inline(always)]
-    fn decode(code: u32) -> Vec3 {
+    fn decode_vec3(code: u32) -> Vec3 {
         let (a, b) = (code & 0x7fff, (code >> 16) & 0x7fff);
         let p = halves(a, b);
         let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };

@@ -1,0 +1,264 @@
+//! Vectors and codes that lie among other fields, as those of vertices do.
+
+use super::block::{BLOCK, Floats};
+use super::machine::{Level, as_chunks, as_chunks_mut};
+use super::{Decode, Encode};
+use crate::codec::Codec;
+use core::fmt;
+use core::marker::PhantomData;
+use core::slice::{Chunks, ChunksMut};
+
+/// Elements in `bytes`, the first at `offset` and each of the others `stride` after the one before it: one field of an array
+/// of structs, or one attribute of a vertex buffer. All three numbers are bytes, and none needs to be aligned.
+///
+/// Empty bytes have no elements. Others have as many as begin in them, and the last must be whole: what follows it, up to the
+/// stride, may be missing.
+///
+/// Vectors are three `f32` in native byte order; codes are [`Codec::BYTES`] bytes, little endian.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Strided<B> {
+    /// `&[u8]`, or `&mut [u8]` to be written to.
+    pub bytes: B,
+    /// From the beginning to the first element.
+    pub offset: usize,
+    /// From the beginning of an element to that of the next.
+    pub stride: usize,
+}
+
+/// Which of the two arguments an error is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Side {
+    /// The vectors.
+    Vectors,
+    /// The codes.
+    Codes,
+}
+
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Vectors => "vectors",
+            Self::Codes => "codes",
+        })
+    }
+}
+
+/// Strided vectors and codes do not fit their bytes or each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StrideError {
+    /// Elements would overlap.
+    Stride {
+        /// Whose.
+        side: Side,
+        /// The stride.
+        stride: usize,
+        /// Bytes of an element: the least stride.
+        size: usize,
+    },
+    /// The last element, or the first, does not end within the bytes.
+    Length {
+        /// Whose.
+        side: Side,
+        /// Bytes that there are.
+        actual: usize,
+        /// Bytes that this element needs.
+        expected: usize,
+    },
+    /// There are not as many codes as vectors.
+    Count {
+        /// How many vectors.
+        vectors: usize,
+        /// How many codes.
+        codes: usize,
+    },
+}
+
+impl fmt::Display for StrideError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stride { side, stride, size } => {
+                write!(f, "the stride of the {side} is {stride} bytes: make it {size} at least")
+            }
+            Self::Length { side, actual, expected } => {
+                write!(
+                    f,
+                    "the {side} have {actual} bytes and the last one ends at {expected}: give whole elements"
+                )
+            }
+            Self::Count { vectors, codes } => {
+                write!(f, "{vectors} vectors and {codes} codes: give equally many")
+            }
+        }
+    }
+}
+
+impl core::error::Error for StrideError {}
+
+/// [`encode_slice`](super::encode_slice), of vectors among other fields to codes among other fields. What lies between the
+/// codes stays as it is.
+///
+/// ```
+/// use core::mem::{offset_of, size_of};
+/// use unitvec::slice::{Strided, encode_strided};
+/// use unitvec::{Codec, Oct32};
+///
+/// #[derive(Clone, Copy, bytemuck::NoUninit)]
+/// #[repr(C)]
+/// struct Vertex {
+///     position: [f32; 3],
+///     normal: [f32; 3],
+///     uv: [f32; 2],
+/// }
+///
+/// let vertex = Vertex { position: [1.0, 2.0, 3.0], normal: [0.0, 1.0, 0.0], uv: [0.5, 0.5] };
+/// let vertices = [vertex; 100];
+/// let mut codes = [0; 100 * Oct32::BYTES];
+/// encode_strided::<Oct32>(
+///     Strided {
+///         bytes: bytemuck::cast_slice(&vertices),
+///         offset: offset_of!(Vertex, normal),
+///         stride: size_of::<Vertex>(),
+///     },
+///     Strided { bytes: &mut codes, offset: 0, stride: Oct32::BYTES },
+/// )?;
+/// # assert_eq!(codes[396..], Oct32::encode(vertex.normal).to_le_bytes());
+/// # Ok::<(), unitvec::slice::StrideError>(())
+/// ```
+///
+/// # Errors
+/// [`StrideError`] where the vectors or the codes do not fit their bytes or are not equally many. Nothing is written then.
+pub fn encode_strided<C: Codec>(
+    vectors: Strided<&[u8]>,
+    codes: Strided<&mut [u8]>,
+) -> Result<(), StrideError> {
+    encode_strided_at::<C>(Level::best(), vectors, codes)
+}
+
+/// [`decode_slice`](super::decode_slice), of codes among other fields to vectors among other fields: the reverse of
+/// [`encode_strided`]. What lies between the vectors stays as it is.
+///
+/// # Errors
+/// As [`encode_strided`].
+pub fn decode_strided<C: Codec>(
+    codes: Strided<&[u8]>,
+    vectors: Strided<&mut [u8]>,
+) -> Result<(), StrideError> {
+    decode_strided_at::<C>(Level::best(), codes, vectors)
+}
+
+/// [`encode_strided`] with the instructions of a given level.
+#[doc(hidden)]
+pub fn encode_strided_at<C: Codec>(
+    level: Level,
+    vectors: Strided<&[u8]>,
+    codes: Strided<&mut [u8]>,
+) -> Result<(), StrideError> {
+    let count = expect_fit::<C>(vectors, codes.shared())?;
+    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; BLOCK], [0; BLOCK * LARGEST_CODE]);
+    let (mut from, mut to) = (vectors.elements(), codes.elements_mut());
+    for start in (0..count).step_by(BLOCK) {
+        let vectors = &mut some_vectors[..BLOCK.min(count - start)];
+        let codes = &mut some_codes[..vectors.len() * C::BYTES];
+        load_vectors(&mut from, vectors);
+        level.run(Encode { vectors, codes, codec: PhantomData::<C> });
+        store_codes(codes, C::BYTES, &mut to);
+    }
+    Ok(())
+}
+
+/// [`decode_strided`] with the instructions of a given level.
+#[doc(hidden)]
+pub fn decode_strided_at<C: Codec>(
+    level: Level,
+    codes: Strided<&[u8]>,
+    vectors: Strided<&mut [u8]>,
+) -> Result<(), StrideError> {
+    let count = expect_fit::<C>(vectors.shared(), codes)?;
+    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; BLOCK], [0; BLOCK * LARGEST_CODE]);
+    let (mut from, mut to) = (codes.elements(), vectors.elements_mut());
+    for start in (0..count).step_by(BLOCK) {
+        let vectors = &mut some_vectors[..BLOCK.min(count - start)];
+        let codes = &mut some_codes[..vectors.len() * C::BYTES];
+        load_codes(&mut from, C::BYTES, codes);
+        level.run(Decode { codes, vectors: &mut *vectors, codec: PhantomData::<(C, Floats)> });
+        store_vectors(vectors, &mut to);
+    }
+    Ok(())
+}
+
+/// Bytes of a vector.
+const VECTOR: usize = size_of::<[f32; 3]>();
+
+/// Bytes of the largest code.
+const LARGEST_CODE: usize = size_of::<[u32; 2]>();
+
+/// How many vectors and codes there are.
+fn expect_fit<C: Codec>(vectors: Strided<&[u8]>, codes: Strided<&[u8]>) -> Result<usize, StrideError> {
+    let vectors = vectors.count(Side::Vectors, VECTOR)?;
+    let codes = codes.count(Side::Codes, C::BYTES)?;
+    if vectors == codes { Ok(vectors) } else { Err(StrideError::Count { vectors, codes }) }
+}
+
+impl<'a> Strided<&'a [u8]> {
+    /// How many elements of `size` bytes there are.
+    fn count(self, side: Side, size: usize) -> Result<usize, StrideError> {
+        let Self { bytes, offset, stride } = self;
+        if stride < size {
+            return Err(StrideError::Stride { side, stride, size });
+        }
+        if bytes.is_empty() {
+            return Ok(0);
+        }
+        let count = bytes.len().saturating_sub(offset).div_ceil(stride).max(1);
+        let end = ((count - 1) * stride).saturating_add(offset).saturating_add(size);
+        if end <= bytes.len() {
+            Ok(count)
+        } else {
+            Err(StrideError::Length { side, actual: bytes.len(), expected: end })
+        }
+    }
+
+    /// The elements, with what follows them. The count has been checked.
+    fn elements(self) -> Chunks<'a, u8> {
+        self.bytes.get(self.offset..).unwrap_or_default().chunks(self.stride)
+    }
+}
+
+impl<'a> Strided<&'a mut [u8]> {
+    fn shared(&self) -> Strided<&[u8]> {
+        Strided { bytes: self.bytes, offset: self.offset, stride: self.stride }
+    }
+
+    /// As [`elements`](Strided::elements).
+    fn elements_mut(self) -> ChunksMut<'a, u8> {
+        self.bytes.get_mut(self.offset..).unwrap_or_default().chunks_mut(self.stride)
+    }
+}
+
+fn load_vectors(from: &mut Chunks<'_, u8>, vectors: &mut [[f32; 3]]) {
+    for (vector, bytes) in vectors.iter_mut().zip(from) {
+        for (component, bytes) in vector.iter_mut().zip(as_chunks(bytes).0) {
+            *component = f32::from_ne_bytes(*bytes);
+        }
+    }
+}
+
+fn store_vectors(vectors: &[[f32; 3]], to: &mut ChunksMut<'_, u8>) {
+    for (vector, bytes) in vectors.iter().zip(to) {
+        for (component, bytes) in vector.iter().zip(as_chunks_mut(bytes).0) {
+            *bytes = component.to_ne_bytes();
+        }
+    }
+}
+
+fn load_codes(from: &mut Chunks<'_, u8>, size: usize, codes: &mut [u8]) {
+    for (code, bytes) in codes.chunks_exact_mut(size).zip(from) {
+        code.copy_from_slice(&bytes[..size]);
+    }
+}
+
+fn store_codes(codes: &[u8], size: usize, to: &mut ChunksMut<'_, u8>) {
+    for (code, bytes) in codes.chunks_exact(size).zip(to) {
+        bytes[..size].copy_from_slice(code);
+    }
+}
