@@ -2,6 +2,7 @@
 
 use base64::Engine;
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_host::catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
@@ -35,6 +36,14 @@ fn codecs_lists_the_catalogue() {
         assert_eq!(entry["element"], if codec.element == Element::Frame { "frame" } else { "vector" });
         assert_eq!(entry["encode_function"], codec.function(Operation::Encode));
         assert_eq!(entry["bytes"], codec.bytes);
+    }
+    let types: HashMap<_, _> =
+        json.as_array().unwrap().iter().map(|entry| (entry["rust_type"].as_str(), &entry["id"])).collect();
+    assert_eq!(types.len(), formats().count());
+    for (rust_type, id) in
+        [("OctPrecise16", "oct16p"), ("Snorm11x11x10", "snorm11_11_10"), ("Frame64", "frame64")]
+    {
+        assert_eq!(types[&Some(rust_type)], id);
     }
 }
 

@@ -36,6 +36,8 @@ mod suite;
 mod terminal;
 mod totality;
 mod trig;
+mod unoptimised;
+mod vectors;
 
 /// Shown as ignored where the tests of the GLSL are not compiled.
 #[cfg(not(feature = "glsl"))]

@@ -18,7 +18,9 @@ pub fn angle_deg(a: impl Into<[f32; 3]>, b: impl Into<[f32; 3]>) -> f64 {
     let cross = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
     let length = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
     // The sum with 0 makes a 0 of -0, with which the arc tangent would be 180 degrees.
-    atan2(length, ax * bx + ay * by + az * bz + 0.0).to_degrees()
+    let dot = ax * bx + ay * by + az * bz + 0.0;
+    // No product of finite f32 is infinite in f64.
+    if (length + dot).is_finite() { atan2(length, dot).to_degrees() } else { f64::NAN }
 }
 
 #[cfg(feature = "std")]

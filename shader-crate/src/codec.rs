@@ -20,7 +20,7 @@ use glam::Vec3;
 /// ```
 ///
 /// To add a codec, implement [`encode_vec3`](Self::encode_vec3) and [`decode_vec3`](Self::decode_vec3). Their vectors are
-/// those of this crate's [`glam`](crate::glam). GPU kernels and slices call these two.
+/// those of this crate's [`glam`]. GPU kernels and slices call these two.
 pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Significant bits of a code. Bits above them are 0 on encode and ignored on decode.
     const BITS: u32;

@@ -114,3 +114,7 @@ pub use families::{angles::*, components::*, lattices::*, octahedral::*, project
 pub use frame::{Frame, Frame32, Frame64, FrameCodec};
 pub use glam;
 pub use list::*;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -52,27 +52,8 @@ fn bound_of(codec: &CodecInfo) -> String {
     degrees(f64::from(codec.max_error_deg))
 }
 
-macro_rules! types {
-    ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
-        /// Identifiers and the names of their types.
-        const TYPES: &[(&str, &str)] = &[$((stringify!($id), stringify!($codec))),*];
-    };
-}
-
-unitvec::for_each_codec!(types);
-
-macro_rules! frame_types {
-    ($([$id:ident $codec:ident, $($rest:tt)*])*) => {
-        /// The same of frames.
-        const FRAME_TYPES: &[(&str, &str)] = &[$((stringify!($id), stringify!($codec))),*];
-    };
-}
-
-unitvec::for_each_frame!(frame_types);
-
 fn type_of(id: &str) -> &'static str {
-    let found = TYPES.iter().chain(FRAME_TYPES).find(|row| row.0 == id);
-    found.unwrap_or_else(|| panic!("{id} is not in the list")).1
+    find_frame(id).map_or_else(|| find(id).unwrap().rust_type, |frame| frame.rust_type)
 }
 
 /// README's pictures.
@@ -171,16 +152,17 @@ fn published(codec: &CodecInfo) -> Option<String> {
 /// Every codec.
 fn codecs() -> String {
     let mut text = String::from(
-        "| codec | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max | cost: encode \
-         / decode |\n|---|---|---|---|---|---|---|---|---|\n",
+        "| codec | Rust type | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max | cost: \
+         encode / decode |\n|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for codec in CATALOGUE {
         let format = codec.vk_format.map_or("", |format| format.trim_start_matches("VK_FORMAT_"));
         let published = published(codec);
         let name = if published.is_some() { codec.survey_name } else { "" };
         text += &format!(
-            "| `{}` | {name} | {} | {} | {format} | {} | {} | {} | {} |\n",
+            "| `{}` | `{}` | {name} | {} | {} | {format} | {} | {} | {} | {} |\n",
             codec.id,
+            codec.rust_type,
             codec.bits,
             codec.bytes,
             errors_of(codec.id),
@@ -195,13 +177,14 @@ fn codecs() -> String {
 /// Every codec of frames.
 fn frames() -> String {
     let mut text = String::from(
-        "| codec | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: encode \
-         / decode |\n|---|---|---|---|---|---|---|---|---|\n",
+        "| codec | Rust type | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: \
+         encode / decode |\n|---|---|---|---|---|---|---|---|---|---|\n",
     );
     for codec in FRAMES {
         text += &format!(
-            "| `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n",
+            "| `{}` | `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n",
             codec.id,
+            codec.rust_type,
             codec.bits,
             codec.bytes,
             codec.vk_format.trim_start_matches("VK_FORMAT_"),

@@ -88,9 +88,9 @@ fn decode<E: Element, W: Codes>(
     }
 }
 
-/// The kernel that encodes with a codec; `by_table` as a last argument for codecs that encode by a table.
+/// The kernel that encodes with this function of a codec; `by_table` as a last argument for codecs that encode by a table.
 macro_rules! encode_kernel {
-    ($codec:ident) => {
+    ($codec:ident $encode:ident) => {
         /// Encodes four vectors or frames.
         #[spirv(compute(threads(64)))]
         pub fn encode(
@@ -99,10 +99,10 @@ macro_rules! encode_kernel {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
         ) {
-            super::encode::<_, FourCodes, _>(id.x as usize, *count, input, output, crate::$codec::encode);
+            super::encode::<_, FourCodes, _>(id.x as usize, *count, input, output, crate::$codec::$encode);
         }
     };
-    ($codec:ident by_table) => {
+    ($codec:ident $encode:ident by_table) => {
         /// Encodes four vectors.
         #[spirv(compute(threads(64)))]
         pub fn encode(
@@ -125,9 +125,9 @@ macro_rules! encode_kernel {
     };
 }
 
-/// A module of kernels for each codec, named after it.
+/// A module of kernels for each codec, named after it, that call these functions of the trait.
 macro_rules! kernels {
-    ($trait:ident: $([$id:ident $codec:ident $(($by:ident))?])*) => { $(
+    ($trait:ident $encode:ident $decode:ident: $([$id:ident $codec:ident $(($by:ident))?])*) => { $(
         #[doc = concat!("Kernels of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
         pub mod $id {
             use super::*;
@@ -135,7 +135,7 @@ macro_rules! kernels {
             /// The words that four codes fill.
             type FourCodes = [u32; <crate::$codec as $trait>::BYTES];
 
-            encode_kernel!($codec $($by)?);
+            encode_kernel!($codec $encode $($by)?);
 
             /// Decodes four codes.
             #[spirv(compute(threads(64)))]
@@ -146,7 +146,7 @@ macro_rules! kernels {
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
             ) {
                 super::decode::<_, FourCodes>(id.x as usize, *count, input, output, |words| {
-                    crate::$codec::decode(Code::from_words(words))
+                    crate::$codec::$decode(Code::from_words(words))
                 });
             }
         }
@@ -155,13 +155,13 @@ macro_rules! kernels {
 
 macro_rules! codec_kernels {
     ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
-        kernels! { Codec: $([$id $codec $(($by))?])* }
+        kernels! { Codec encode_vec3 decode_vec3: $([$id $codec $(($by))?])* }
     };
 }
 
 macro_rules! frame_kernels {
     ($([$id:ident $codec:ident, $($rest:tt)*])*) => {
-        kernels! { FrameCodec: $([$id $codec])* }
+        kernels! { FrameCodec encode decode: $([$id $codec])* }
     };
 }
 

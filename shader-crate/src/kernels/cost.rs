@@ -118,7 +118,7 @@ macro_rules! encode_kernel {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
         ) {
-            super::encode(id.x as usize, *work, input, output, crate::$codec::encode);
+            super::encode(id.x as usize, *work, input, output, crate::$codec::encode_vec3);
         }
     };
     ($codec:ident by_table) => {
@@ -160,7 +160,7 @@ macro_rules! kernels {
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
             ) {
                 super::decode(id.x as usize, *work, input, output, |words| {
-                    crate::$codec::decode(Code::from_words(words))
+                    crate::$codec::decode_vec3(Code::from_words(words))
                 });
             }
         }

@@ -7,6 +7,9 @@
 //!   much as 32: for single vectors take the functions of [`Codec`].
 //! * Vectors are those of any library: see [`Vector`].
 //! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
+//! * They are compiled with your crate, at its `opt-level`. At 0, the development profile's, they go one vector at a time,
+//!   and are no faster than single calls. `opt-level = 1` under `[profile.dev]` makes them many times faster; to set it for
+//!   dependencies alone, as `[profile.dev.package."*"]` does, has little effect.
 //! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores.
 //!
 //! ```
@@ -310,5 +313,54 @@ where
     while i < vectors.len() {
         vectors[i] = T::vector(C::decode_vec3(C::Code::from_words(codes[i].words())).to_array());
         i += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::sync::atomic::{AtomicUsize, Ordering};
+
+    static CALLS: AtomicUsize = AtomicUsize::new(0);
+
+    /// Counts how often it is called.
+    #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+    struct Counting;
+
+    impl Codec for Counting {
+        const BITS: u32 = 32;
+        const MAX_ERROR_DEG: f32 = 180.0;
+        type Code = u32;
+
+        fn encode_vec3(_: Vec3) -> u32 {
+            CALLS.fetch_add(1, Ordering::Relaxed) as u32
+        }
+
+        fn decode_vec3(_: u32) -> Vec3 {
+            CALLS.fetch_add(1, Ordering::Relaxed);
+            Vec3::Z
+        }
+    }
+
+    /// How often a slice of one vector calls the encoder, and the decoder.
+    fn calls() -> [usize; 2] {
+        let (mut codes, mut vectors) = ([0; 4], [[0.0; 3]]);
+        encode_slice::<Counting>(&vectors, &mut codes).unwrap();
+        let encode = CALLS.swap(0, Ordering::Relaxed);
+        decode_slice::<Counting>(&codes, &mut vectors).unwrap();
+        [encode, CALLS.swap(0, Ordering::Relaxed)]
+    }
+
+    #[cfg(unoptimised)]
+    #[test]
+    fn unoptimised_is_one_at_a_time() {
+        assert_eq!(calls(), [1, 1]);
+    }
+
+    /// As many as vector instructions are made for: the block's functions are used.
+    #[cfg(not(unoptimised))]
+    #[test]
+    fn optimised_is_a_group_at_a_time() {
+        assert_eq!(calls(), [32, 32]);
     }
 }

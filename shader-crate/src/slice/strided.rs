@@ -2,6 +2,7 @@
 
 use super::block::{BLOCK, Floats};
 use super::machine::{Level, as_chunks, as_chunks_mut};
+use super::stored::with_size;
 use super::{Decode, Encode};
 use crate::codec::Codec;
 use core::fmt;
@@ -154,14 +155,14 @@ pub fn encode_strided_at<C: Codec>(
     codes: Strided<&mut [u8]>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<C>(vectors, codes.shared())?;
-    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; BLOCK], [0; BLOCK * LARGEST_CODE]);
+    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; PORTION], [0; PORTION * LARGEST_CODE]);
     let (mut from, mut to) = (vectors.elements(), codes.elements_mut());
-    for start in (0..count).step_by(BLOCK) {
-        let vectors = &mut some_vectors[..BLOCK.min(count - start)];
+    for start in (0..count).step_by(PORTION) {
+        let vectors = &mut some_vectors[..PORTION.min(count - start)];
         let codes = &mut some_codes[..vectors.len() * C::BYTES];
         load_vectors(&mut from, vectors);
         level.run(Encode { vectors, codes, codec: PhantomData::<C> });
-        store_codes(codes, C::BYTES, &mut to);
+        with_size!(C::BYTES, SIZE => store_codes::<SIZE>(codes, &mut to));
     }
     Ok(())
 }
@@ -174,17 +175,20 @@ pub fn decode_strided_at<C: Codec>(
     vectors: Strided<&mut [u8]>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<C>(vectors.shared(), codes)?;
-    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; BLOCK], [0; BLOCK * LARGEST_CODE]);
+    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; PORTION], [0; PORTION * LARGEST_CODE]);
     let (mut from, mut to) = (codes.elements(), vectors.elements_mut());
-    for start in (0..count).step_by(BLOCK) {
-        let vectors = &mut some_vectors[..BLOCK.min(count - start)];
+    for start in (0..count).step_by(PORTION) {
+        let vectors = &mut some_vectors[..PORTION.min(count - start)];
         let codes = &mut some_codes[..vectors.len() * C::BYTES];
-        load_codes(&mut from, C::BYTES, codes);
+        with_size!(C::BYTES, SIZE => load_codes::<SIZE>(&mut from, codes));
         level.run(Decode { codes, vectors: &mut *vectors, codec: PhantomData::<(C, Floats)> });
         store_vectors(vectors, &mut to);
     }
     Ok(())
 }
+
+/// How many elements are gathered at a time: whole blocks, which stay in the nearest cache.
+const PORTION: usize = 4 * BLOCK;
 
 /// Bytes of a vector.
 const VECTOR: usize = size_of::<[f32; 3]>();
@@ -237,28 +241,33 @@ impl<'a> Strided<&'a mut [u8]> {
 
 fn load_vectors(from: &mut Chunks<'_, u8>, vectors: &mut [[f32; 3]]) {
     for (vector, bytes) in vectors.iter_mut().zip(from) {
-        for (component, bytes) in vector.iter_mut().zip(as_chunks(bytes).0) {
-            *component = f32::from_ne_bytes(*bytes);
+        if let Some(&[a, b, c, d, e, f, g, h, i, j, k, l]) = bytes.first_chunk() {
+            *vector = [[a, b, c, d], [e, f, g, h], [i, j, k, l]].map(f32::from_ne_bytes);
         }
     }
 }
 
 fn store_vectors(vectors: &[[f32; 3]], to: &mut ChunksMut<'_, u8>) {
     for (vector, bytes) in vectors.iter().zip(to) {
-        for (component, bytes) in vector.iter().zip(as_chunks_mut(bytes).0) {
-            *bytes = component.to_ne_bytes();
+        if let Some(bytes) = bytes.first_chunk_mut() {
+            let [[a, b, c, d], [e, f, g, h], [i, j, k, l]] = vector.map(f32::to_ne_bytes);
+            *bytes = [a, b, c, d, e, f, g, h, i, j, k, l];
         }
     }
 }
 
-fn load_codes(from: &mut Chunks<'_, u8>, size: usize, codes: &mut [u8]) {
-    for (code, bytes) in codes.chunks_exact_mut(size).zip(from) {
-        code.copy_from_slice(&bytes[..size]);
+fn load_codes<const SIZE: usize>(from: &mut Chunks<'_, u8>, codes: &mut [u8]) {
+    for (code, bytes) in as_chunks_mut::<_, SIZE>(codes).0.iter_mut().zip(from) {
+        if let Some(bytes) = bytes.first_chunk() {
+            *code = *bytes;
+        }
     }
 }
 
-fn store_codes(codes: &[u8], size: usize, to: &mut ChunksMut<'_, u8>) {
-    for (code, bytes) in codes.chunks_exact(size).zip(to) {
-        bytes[..size].copy_from_slice(code);
+fn store_codes<const SIZE: usize>(codes: &[u8], to: &mut ChunksMut<'_, u8>) {
+    for (code, bytes) in as_chunks::<_, SIZE>(codes).0.iter().zip(to) {
+        if let Some(bytes) = bytes.first_chunk_mut() {
+            *bytes = *code;
+        }
     }
 }
