@@ -2,12 +2,12 @@
 
 use crate::backend::{Backend, CHUNK};
 use crate::catalogue::{Element, Format};
-use crate::measure::angle_deg;
 use crate::mesh::has_direction;
 use crate::stream::{self, Input};
 use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
+use unitvec::angle_deg;
 
 /// The errors of one codec over one file, or over all of them.
 #[derive(Clone, Debug, Serialize)]
