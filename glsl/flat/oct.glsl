@@ -15,9 +15,9 @@
 // float32x3_to_oct(v) that of oct32 but for 3 codes in 1000, which are a step off: it rounds, and the hardware again.
 //
 // All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; other
-// floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24 instead
-// has the three bytes of listing 5, first byte lowest. With m the snorm's largest integer, codes are the whole points of
-// the square [-m, m]^2: its lattice.
+// floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24 has
+// the three bytes of listing 5 instead, first byte lowest. With m the snorm's largest integer, codes are the whole
+// points of the square [-m, m]^2: its lattice.
 
 #ifndef UNITVEC_OCT_GLSL
 #define UNITVEC_OCT_GLSL

@@ -8,9 +8,9 @@
 //   eaoct_to_float32x3(e)                        the direction of such a pair
 //
 // All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; a pair
-// is clamped to [-1, 1]. Layout: that of oct.glsl. With m the snorm's largest integer, the lattice points of an octant lie
-// on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m, has the points
-// 0 to s at equal distances.
+// is clamped to [-1, 1]. Layout: that of oct.glsl. With m the snorm's largest integer, the lattice points of an octant
+// lie on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m, has the
+// points 0 to s at equal distances.
 
 #ifndef UNITVEC_EAOCT_GLSL
 #define UNITVEC_EAOCT_GLSL

@@ -118,8 +118,11 @@ fn clarberg([u, v]: [f64; 2]) -> [f64; 3] {
     [x.copysign(u), y.copysign(v), if below { -z } else { z }]
 }
 
-/// A function that decodes, and its listing in `f64`, before the normalisation.
-const DECODERS: [(&str, fn([f64; 2]) -> [f64; 3]); 3] = [
+/// A decoder in `f64`, before the normalisation.
+type Listing = fn([f64; 2]) -> [f64; 3];
+
+/// A function that decodes, and its listing.
+const DECODERS: [(&str, Listing); 3] = [
     ("oct_to_float32x3(v.xy)", listing_2),
     ("hemioct_to_float32x3(v.xy)", listing_6),
     ("eaoct_to_float32x3(v.xy)", clarberg),
