@@ -20,7 +20,8 @@ use include_dir::{Dir, include_dir};
 static GLSL: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/glsl");
 static SPIRV: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/spirv");
 
-/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, kernels over them in `kernels/`.
+/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, the same without any `#include` in
+/// `flat/`, kernels over them in `kernels/`.
 pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }
@@ -52,7 +53,9 @@ mod tests {
     /// Every path leads to its file, of text or of words.
     #[test]
     fn paths_lead_to_files() {
-        assert!(glsl_paths().any(|path| path == "unitvec/oct.glsl"));
+        for path in ["unitvec/oct.glsl", "flat/oct.glsl"] {
+            assert!(glsl_paths().any(|other| other == path), "{path}");
+        }
         for path in glsl_paths() {
             assert!(glsl(path).is_some_and(|text| !text.is_empty()), "{path}");
         }

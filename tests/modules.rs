@@ -269,7 +269,7 @@ fn all_modules() -> Vec<(Module, Spirv)> {
 }
 
 /// A module's instructions.
-struct Spirv(Vec<Instruction>);
+pub struct Spirv(Vec<Instruction>);
 
 /// An instruction: its opcode and the words after the first.
 struct Instruction {
@@ -278,7 +278,8 @@ struct Instruction {
 }
 
 impl Spirv {
-    fn parse(bytes: &[u8]) -> Self {
+    /// The instructions of a module.
+    pub fn parse(bytes: &[u8]) -> Self {
         let words: Vec<u32> =
             bytes.chunks_exact(4).map(|word| u32::from_le_bytes(word.try_into().unwrap())).collect();
         assert_eq!(words[0], 0x0723_0203, "SPIR-V's magic number");
@@ -293,7 +294,7 @@ impl Spirv {
     }
 
     /// The operands of all instructions of an opcode.
-    fn all(&self, opcode: u32) -> impl Iterator<Item = &[u32]> {
+    pub fn all(&self, opcode: u32) -> impl Iterator<Item = &[u32]> {
         let of_opcode = self.0.iter().filter(move |instruction| instruction.opcode == opcode);
         of_opcode.map(|instruction| instruction.operands.as_slice())
     }

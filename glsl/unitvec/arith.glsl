@@ -1,13 +1,19 @@
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// Needs GLSL 4.50 or GLSL ES 3.00 (highp float and int). Use it by #include (GL_GOOGLE_include_directive) or paste it.
+// Needs GLSL 3.30 or GLSL ES 3.00. Use it by #include (GL_GOOGLE_include_directive), or take the families from
+// glsl/flat, where nothing is included. Besides the functions that the heads of the files name, all names at the top
+// level begin with unitvec (in any case).
+//
+// In GLSL ES every file sets the default precision of float and int to highp. Lower it, if you must, after the last one.
+// Without `precise` (before GLSL 4.00 and GLSL ES 3.20, and in naga) a compiler may give other codes where a direction is
+// nearly as far from two of them.
 //
 // The functions are those of the Rust crate's modules `arith` and `direction`, in their order. They repeat the crate's
 // operations, so that all devices give the same bits: the built-in trigonometry does not. `floor`, `max`, `min` and
 // `sqrt` are GLSL's own.
 //
-//   unorm_encode(r, bits), snorm_encode(r, bits)       normalised fixed point (Cigolle et al. 2014, section 1.2)
-//   unorm_decode(code, bits), snorm_decode(code, bits)
+//   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
+//   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
 //   unitvec_half_encode(x), unitvec_half_decode(code)  half floats: nearest, ties to even
 //   unitvec_sin_cos_half_turns(t)      vec2(cos(pi t), sin(pi t)), any finite t
 //   unitvec_from_diagonal(d)           vec2(cos(d pi/2), sin(d pi/2)) / sqrt(2), d in [-1/2, 1/2]
@@ -26,9 +32,12 @@
 #ifndef UNITVEC_ARITH_GLSL
 #define UNITVEC_ARITH_GLSL
 
-// `precise` keeps compilers from fusing and reordering, so that all devices agree on the codes. GLSL ES 3.00 lacks it.
+precision highp float;
+precision highp int;
+
+// `precise` keeps compilers from fusing and reordering, so that all devices agree on the codes.
 #ifndef UNITVEC_PRECISE
-#ifdef GL_ES
+#if __VERSION__ < 320 || (__VERSION__ < 400 && !defined(GL_ES))
 #define UNITVEC_PRECISE
 #else
 #define UNITVEC_PRECISE precise
@@ -137,45 +146,55 @@ float unitvec_signed_integer(uint code, uint bits) {
 // snorm: normalised fixed point.
 
 // Largest integer of a unorm of `bits` bits (1 to 23).
-float unorm_max(uint bits) {
+float unitvec_unorm_max(uint bits) {
     return float(unitvec_mask(bits));
 }
 
 // Largest integer of an snorm of `bits` bits (2 to 24).
-float snorm_max(uint bits) {
+float unitvec_snorm_max(uint bits) {
     return float(unitvec_mask(bits - 1u));
 }
 
 // Eq. 1, for up to 23 bits. Ties go up. NaN gives 0 where the device compares as IEEE 754 says.
-uint unorm_encode(float r, uint bits) {
+uint unitvec_unorm_encode(float r, uint bits) {
     float positive = r > 0.0 ? r : 0.0;
     float clamped = positive < 1.0 ? positive : 1.0;
-    UNITVEC_PRECISE float position = clamped * unorm_max(bits) + 0.5;
+    UNITVEC_PRECISE float position = clamped * unitvec_unorm_max(bits) + 0.5;
     return unitvec_whole_to_u32(position);
 }
 
 // Eq. 2. Bits above `bits` are ignored.
-float unorm_decode(uint code, uint bits) {
-    UNITVEC_PRECISE float r = float(code & unitvec_mask(bits)) / unorm_max(bits);
+float unitvec_unorm_decode(uint code, uint bits) {
+    UNITVEC_PRECISE float r = float(code & unitvec_mask(bits)) / unitvec_unorm_max(bits);
     return r;
 }
 
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go away from zero.
-uint snorm_encode(float r, uint bits) {
+uint unitvec_snorm_encode(float r, uint bits) {
     float magnitude = abs(r) > 0.0 ? abs(r) : 0.0;
     float clamped = magnitude < 1.0 ? magnitude : 1.0;
-    UNITVEC_PRECISE float position = clamped * snorm_max(bits) + 0.5;
+    UNITVEC_PRECISE float position = clamped * unitvec_snorm_max(bits) + 0.5;
     return unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(r), floor(position)), bits);
 }
 
 // Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
 float unitvec_snorm_integer(uint code, uint bits) {
-    return max(unitvec_signed_integer(code, bits), -snorm_max(bits));
+    return max(unitvec_signed_integer(code, bits), -unitvec_snorm_max(bits));
+}
+
+// By comparing integers: see unitvec_is_within.
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+
+// Both clamped to [-1, 1]; 0 where one is NaN.
+vec2 unitvec_snorm_clamp(vec2 e) {
+    return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
 }
 
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
-float snorm_decode(uint code, uint bits) {
-    UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / snorm_max(bits);
+float unitvec_snorm_decode(uint code, uint bits) {
+    UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
 }
 

@@ -21,19 +21,22 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // The projections, and the maps of the disk to the square.
-const int AZIMUTHAL_STEREO = 0;
-const int AZIMUTHAL_EQAREA = 1;
-const int AZIMUTHAL_EQDIST = 2;
-const int AZIMUTHAL_PLAIN = 0;
-const int AZIMUTHAL_CONCENTRIC = 1;
-const int AZIMUTHAL_ELLIPSE = 2;
+const int UNITVEC_STEREO = 0;
+const int UNITVEC_EQAREA = 1;
+const int UNITVEC_EQDIST = 2;
+const int UNITVEC_PLAIN = 0;
+const int UNITVEC_CONCENTRIC = 1;
+const int UNITVEC_ELLIPSE = 2;
 
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
-vec4 stereo_to_disk(vec3 v) {
+vec4 unitvec_stereo_to_disk(vec3 v) {
     UNITVEC_PRECISE float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
     UNITVEC_PRECISE vec2 point = v.xy * scale;
     UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
@@ -41,14 +44,14 @@ vec4 stereo_to_disk(vec3 v) {
     return vec4(point, radius, rim);
 }
 
-vec3 disk_to_stereo(vec2 point, float rim) {
+vec3 unitvec_disk_to_stereo(vec2 point, float rim) {
     UNITVEC_PRECISE float sum = 2.0 - rim;
     UNITVEC_PRECISE vec2 horizontal = 2.0 * point / sum;
     UNITVEC_PRECISE float z = rim / sum;
     return vec3(horizontal, z);
 }
 
-vec4 eqarea_to_disk(vec3 v) {
+vec4 unitvec_eqarea_to_disk(vec3 v) {
     UNITVEC_PRECISE float norm = sqrt(unitvec_dot(v, v));
     UNITVEC_PRECISE float scale = 1.0 / sqrt(norm * (norm + v.z));
     UNITVEC_PRECISE vec2 point = v.xy * scale;
@@ -57,14 +60,14 @@ vec4 eqarea_to_disk(vec3 v) {
     return vec4(point, radius, rim);
 }
 
-vec3 disk_to_eqarea(vec2 point, float rim) {
+vec3 unitvec_disk_to_eqarea(vec2 point, float rim) {
     UNITVEC_PRECISE float scale = sqrt(1.0 + rim);
     UNITVEC_PRECISE vec2 horizontal = point * scale;
     return vec3(horizontal, rim);
 }
 
 // The smaller of radius and 1 - radius is found first, so that both have a small relative error.
-vec4 eqdist_to_disk(vec3 v) {
+vec4 unitvec_eqdist_to_disk(vec3 v) {
     float rho = unitvec_horizontal_length(v);
     bool low = rho > v.z;
     float shorter = low ? v.z : rho;
@@ -81,71 +84,71 @@ vec4 eqdist_to_disk(vec3 v) {
 }
 
 // Minimax polynomials of sin(pi r / 2) / r in c = 1 - r^2 and of cos(pi r / 2) / (1 - r^2) in w = r^2.
-const float AZIMUTHAL_SINC_0 = 0.49999976;
-const float AZIMUTHAL_SINC_1 = 0.066577174;
-const float AZIMUTHAL_SINC_2 = 0.0040679215;
-const float AZIMUTHAL_SINC_3 = 0.00015146394;
+const float UNITVEC_SINC_0 = 0.49999976;
+const float UNITVEC_SINC_1 = 0.066577174;
+const float UNITVEC_SINC_2 = 0.0040679215;
+const float UNITVEC_SINC_3 = 0.00015146394;
 
-const float AZIMUTHAL_COSC_0 = -0.23370051;
-const float AZIMUTHAL_COSC_1 = 0.019968653;
-const float AZIMUTHAL_COSC_2 = -0.0008935995;
-const float AZIMUTHAL_COSC_3 = 2.3629505e-5;
+const float UNITVEC_COSC_0 = -0.23370051;
+const float UNITVEC_COSC_1 = 0.019968653;
+const float UNITVEC_COSC_2 = -0.0008935995;
+const float UNITVEC_COSC_3 = 2.3629505e-5;
 
-vec3 disk_to_eqdist(vec2 point, float c) {
+vec3 unitvec_disk_to_eqdist(vec2 point, float c) {
     UNITVEC_PRECISE float scale =
-        1.0 + c * (AZIMUTHAL_SINC_0 + c * (AZIMUTHAL_SINC_1 + c * (AZIMUTHAL_SINC_2 + c * AZIMUTHAL_SINC_3)));
+        1.0 + c * (UNITVEC_SINC_0 + c * (UNITVEC_SINC_1 + c * (UNITVEC_SINC_2 + c * UNITVEC_SINC_3)));
     UNITVEC_PRECISE float w = 1.0 - c;
-    UNITVEC_PRECISE float low = AZIMUTHAL_COSC_0 + w * (AZIMUTHAL_COSC_1 + w * (AZIMUTHAL_COSC_2 + w * AZIMUTHAL_COSC_3));
+    UNITVEC_PRECISE float low = UNITVEC_COSC_0 + w * (UNITVEC_COSC_1 + w * (UNITVEC_COSC_2 + w * UNITVEC_COSC_3));
     UNITVEC_PRECISE float z = c + c * (w * low);
     UNITVEC_PRECISE vec2 horizontal = point * scale;
     return vec3(horizontal, z);
 }
 
 // How far, in steps, lattice points beyond the rim are moved at most.
-const float AZIMUTHAL_REACH = 0.484375;
+const float UNITVEC_AZIMUTHAL_REACH = 0.484375;
 
 // True for lattice points e of whose cell the disk covers nothing, or next to nothing. m has the largest integers.
-bool plain_is_remote(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 corner = (e - AZIMUTHAL_REACH) / m;
+bool unitvec_plain_is_remote(vec2 e, vec2 m) {
+    UNITVEC_PRECISE vec2 corner = (e - UNITVEC_AZIMUTHAL_REACH) / m;
     UNITVEC_PRECISE float square = corner.x * corner.x + corner.y * corner.y;
     return square > 1.0;
 }
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
-vec2 plain_settle(vec2 e, vec2 m) {
+vec2 unitvec_plain_settle(vec2 e, vec2 m) {
     UNITVEC_PRECISE vec2 slope = e / m / m;
     UNITVEC_PRECISE vec2 settled = e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-    return plain_is_remote(e, m) ? settled : e;
+    return unitvec_plain_is_remote(e, m) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
-vec2 plain_move_to_rim(vec2 p, vec2 m, float excess) {
+vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
     UNITVEC_PRECISE vec2 slope = p / m;
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     UNITVEC_PRECISE float alone = excess / steep;
-    UNITVEC_PRECISE float remainder = (excess - AZIMUTHAL_REACH * steep) / gentle;
-    float first = alone < AZIMUTHAL_REACH ? alone : AZIMUTHAL_REACH;
-    float second = alone < AZIMUTHAL_REACH ? 0.0 : remainder;
+    UNITVEC_PRECISE float remainder = (excess - UNITVEC_AZIMUTHAL_REACH * steep) / gentle;
+    float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
+    float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
     UNITVEC_PRECISE vec2 on_rim = p - moved / m;
     return on_rim;
 }
 
 // Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
-vec4 plain_to_disk(vec2 e, vec2 m) {
+vec4 unitvec_plain_to_disk(vec2 e, vec2 m) {
     UNITVEC_PRECISE vec2 p = e / m;
     UNITVEC_PRECISE float rim = 1.0 - (p.x * p.x + p.y * p.y);
     UNITVEC_PRECISE float excess = -0.5 * rim;
-    vec2 moved = plain_move_to_rim(p, m, excess);
+    vec2 moved = unitvec_plain_move_to_rim(p, m, excess);
     vec2 axis = p.x > p.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-    vec2 on_rim = plain_is_remote(e, m) ? axis : moved;
+    vec2 on_rim = unitvec_plain_is_remote(e, m) ? axis : moved;
     UNITVEC_PRECISE float rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
     return rim > 0.0 ? vec4(p, 0.0, rim) : vec4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
 }
 
-vec2 concentric_to_square(vec4 disk) {
+vec2 unitvec_concentric_to_square(vec4 disk) {
     bool steep = disk.y > disk.x;
     float shorter = steep ? disk.x : disk.y;
     float longer = steep ? disk.y : disk.x;
@@ -153,7 +156,7 @@ vec2 concentric_to_square(vec4 disk) {
     return steep ? vec2(across, disk.z) : vec2(disk.z, across);
 }
 
-vec4 concentric_to_disk(vec2 e, vec2 m) {
+vec4 unitvec_concentric_to_disk(vec2 e, vec2 m) {
     UNITVEC_PRECISE vec2 s = e / m;
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
@@ -167,14 +170,14 @@ vec4 concentric_to_disk(vec2 e, vec2 m) {
 }
 
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
-vec2 ellipse_to_square(vec4 disk) {
+vec2 unitvec_ellipse_to_square(vec4 disk) {
     UNITVEC_PRECISE float difference = (disk.x - disk.y) * (disk.x + disk.y);
     UNITVEC_PRECISE float sum = 2.0 + sqrt(difference * difference + 4.0 * disk.w);
     UNITVEC_PRECISE vec2 s = 2.0 * disk.xy / vec2(sqrt(sum + difference), sqrt(sum - difference));
     return s;
 }
 
-vec4 ellipse_to_disk(vec2 e, vec2 m) {
+vec4 unitvec_ellipse_to_disk(vec2 e, vec2 m) {
     UNITVEC_PRECISE vec2 s = e / m;
     UNITVEC_PRECISE vec2 root = vec2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
     UNITVEC_PRECISE vec2 point = s * root;
@@ -185,27 +188,27 @@ vec4 ellipse_to_disk(vec2 e, vec2 m) {
 }
 
 // Largest integers of u and v at `bits` bits.
-vec2 azimuthal_largest(uint bits) {
-    return vec2(snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
+vec2 unitvec_azimuthal_largest(uint bits) {
+    return vec2(unitvec_snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
 }
 
 // -x where negative; 0 where x is not positive.
-float azimuthal_signed(bool negative, float x) {
+float unitvec_azimuthal_signed(bool negative, float x) {
     return x > 0.0 ? unitvec_negate_if(negative, x) : 0.0;
 }
 
 // Code of the direction of v at any width, for one of the projections and one of the maps.
-uint azimuthal_encode(vec3 v, int projection, int map, uint bits) {
+uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
     v = unitvec_or_z(v);
     UNITVEC_PRECISE vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
-    vec4 disk = projection == AZIMUTHAL_STEREO ? stereo_to_disk(octant)
-        : (projection == AZIMUTHAL_EQAREA ? eqarea_to_disk(octant) : eqdist_to_disk(octant));
-    vec2 s = map == AZIMUTHAL_PLAIN ? disk.xy
-        : (map == AZIMUTHAL_CONCENTRIC ? concentric_to_square(disk) : ellipse_to_square(disk));
-    vec2 m = azimuthal_largest(bits);
+    vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
+        : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
+    vec2 s = map == UNITVEC_PLAIN ? disk.xy
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk) : unitvec_ellipse_to_square(disk));
+    vec2 m = unitvec_azimuthal_largest(bits);
     UNITVEC_PRECISE vec2 position = s * m + 0.5;
     vec2 e = floor(position);
-    if (map == AZIMUTHAL_PLAIN) e = plain_settle(e, m);
+    if (map == UNITVEC_PLAIN) e = unitvec_plain_settle(e, m);
 
     bool back = unitvec_is_negative(v.y);
     bool flag = e.y < m.y ? unitvec_is_negative(v.z) : !back;
@@ -214,78 +217,82 @@ uint azimuthal_encode(vec3 v, int projection, int map, uint bits) {
     return u_code | (v_code << (bits / 2u)) | (flag ? 1u << (bits - 1u) : 0u);
 }
 
-vec3 azimuthal_decode(uint code, int projection, int map, uint bits) {
+vec3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
     // v without regard to the highest bit.
     vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_signed_integer(code >> (bits / 2u), bits / 2u - 1u));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
-    vec2 m = azimuthal_largest(bits);
-    vec4 disk = map == AZIMUTHAL_PLAIN ? plain_to_disk(abs(e), m)
-        : (map == AZIMUTHAL_CONCENTRIC ? concentric_to_disk(abs(e), m) : ellipse_to_disk(abs(e), m));
-    vec3 n = projection == AZIMUTHAL_STEREO ? disk_to_stereo(disk.xy, disk.w)
-        : (projection == AZIMUTHAL_EQAREA ? disk_to_eqarea(disk.xy, disk.w) : disk_to_eqdist(disk.xy, disk.w));
+    vec2 m = unitvec_azimuthal_largest(bits);
+    vec4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), m)
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(e), m) : unitvec_ellipse_to_disk(abs(e), m));
+    vec3 n = projection == UNITVEC_STEREO ? unitvec_disk_to_stereo(disk.xy, disk.w)
+        : (projection == UNITVEC_EQAREA ? unitvec_disk_to_eqarea(disk.xy, disk.w)
+        : unitvec_disk_to_eqdist(disk.xy, disk.w));
     bool back = e.y < 0.0 && !(flag && e.y <= -m.y);
-    return vec3(azimuthal_signed(e.x < 0.0, n.x), azimuthal_signed(back, n.y), azimuthal_signed(flag, n.z));
+    return vec3(unitvec_azimuthal_signed(e.x < 0.0, n.x), unitvec_azimuthal_signed(back, n.y),
+        unitvec_azimuthal_signed(flag, n.z));
 }
 
-// GLSL ES 3.00 cannot join names in a macro: hence both.
-#define AZIMUTHAL_CODEC(encode, decode, projection, map, bits) \
-    uint encode(vec3 v) { return azimuthal_encode(v, projection, map, bits); } \
-    vec3 decode(uint code) { return azimuthal_decode(code, projection, map, bits); }
+// GLSL ES 3.00 cannot join names in a macro: hence both. GLSL before 4.20 cannot continue a line: hence three macros.
+#define UNITVEC_ENCODER(name, p, m, b) uint name(vec3 v) { return unitvec_azimuthal_encode(v, p, m, b); }
+#define UNITVEC_DECODER(name, p, m, b) vec3 name(uint code) { return unitvec_azimuthal_decode(code, p, m, b); }
+#define UNITVEC_AZIMUTHAL(encode, decode, p, m, b) UNITVEC_ENCODER(encode, p, m, b) UNITVEC_DECODER(decode, p, m, b)
 
-AZIMUTHAL_CODEC(stereo16_encode, stereo16_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 16u)
-AZIMUTHAL_CODEC(stereo20_encode, stereo20_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 20u)
-AZIMUTHAL_CODEC(stereo22_encode, stereo22_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 22u)
-AZIMUTHAL_CODEC(stereo24_encode, stereo24_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 24u)
-AZIMUTHAL_CODEC(stereo32_encode, stereo32_decode, AZIMUTHAL_STEREO, AZIMUTHAL_PLAIN, 32u)
+UNITVEC_AZIMUTHAL(stereo16_encode, stereo16_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 16u)
+UNITVEC_AZIMUTHAL(stereo20_encode, stereo20_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 20u)
+UNITVEC_AZIMUTHAL(stereo22_encode, stereo22_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 22u)
+UNITVEC_AZIMUTHAL(stereo24_encode, stereo24_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 24u)
+UNITVEC_AZIMUTHAL(stereo32_encode, stereo32_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 32u)
 
-AZIMUTHAL_CODEC(stereo_concentric16_encode, stereo_concentric16_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 16u)
-AZIMUTHAL_CODEC(stereo_concentric20_encode, stereo_concentric20_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 20u)
-AZIMUTHAL_CODEC(stereo_concentric22_encode, stereo_concentric22_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 22u)
-AZIMUTHAL_CODEC(stereo_concentric24_encode, stereo_concentric24_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 24u)
-AZIMUTHAL_CODEC(stereo_concentric32_encode, stereo_concentric32_decode, AZIMUTHAL_STEREO, AZIMUTHAL_CONCENTRIC, 32u)
+UNITVEC_AZIMUTHAL(stereo_concentric16_encode, stereo_concentric16_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u)
+UNITVEC_AZIMUTHAL(stereo_concentric20_encode, stereo_concentric20_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u)
+UNITVEC_AZIMUTHAL(stereo_concentric22_encode, stereo_concentric22_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u)
+UNITVEC_AZIMUTHAL(stereo_concentric24_encode, stereo_concentric24_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u)
+UNITVEC_AZIMUTHAL(stereo_concentric32_encode, stereo_concentric32_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u)
 
-AZIMUTHAL_CODEC(stereo_ellipse16_encode, stereo_ellipse16_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 16u)
-AZIMUTHAL_CODEC(stereo_ellipse20_encode, stereo_ellipse20_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 20u)
-AZIMUTHAL_CODEC(stereo_ellipse22_encode, stereo_ellipse22_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 22u)
-AZIMUTHAL_CODEC(stereo_ellipse24_encode, stereo_ellipse24_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 24u)
-AZIMUTHAL_CODEC(stereo_ellipse32_encode, stereo_ellipse32_decode, AZIMUTHAL_STEREO, AZIMUTHAL_ELLIPSE, 32u)
+UNITVEC_AZIMUTHAL(stereo_ellipse16_encode, stereo_ellipse16_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u)
+UNITVEC_AZIMUTHAL(stereo_ellipse20_encode, stereo_ellipse20_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u)
+UNITVEC_AZIMUTHAL(stereo_ellipse22_encode, stereo_ellipse22_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u)
+UNITVEC_AZIMUTHAL(stereo_ellipse24_encode, stereo_ellipse24_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u)
+UNITVEC_AZIMUTHAL(stereo_ellipse32_encode, stereo_ellipse32_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u)
 
-AZIMUTHAL_CODEC(eqarea16_encode, eqarea16_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 16u)
-AZIMUTHAL_CODEC(eqarea20_encode, eqarea20_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 20u)
-AZIMUTHAL_CODEC(eqarea22_encode, eqarea22_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 22u)
-AZIMUTHAL_CODEC(eqarea24_encode, eqarea24_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 24u)
-AZIMUTHAL_CODEC(eqarea32_encode, eqarea32_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_PLAIN, 32u)
+UNITVEC_AZIMUTHAL(eqarea16_encode, eqarea16_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u)
+UNITVEC_AZIMUTHAL(eqarea20_encode, eqarea20_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u)
+UNITVEC_AZIMUTHAL(eqarea22_encode, eqarea22_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u)
+UNITVEC_AZIMUTHAL(eqarea24_encode, eqarea24_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u)
+UNITVEC_AZIMUTHAL(eqarea32_encode, eqarea32_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u)
 
-AZIMUTHAL_CODEC(eqarea_concentric16_encode, eqarea_concentric16_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 16u)
-AZIMUTHAL_CODEC(eqarea_concentric20_encode, eqarea_concentric20_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 20u)
-AZIMUTHAL_CODEC(eqarea_concentric22_encode, eqarea_concentric22_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 22u)
-AZIMUTHAL_CODEC(eqarea_concentric24_encode, eqarea_concentric24_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 24u)
-AZIMUTHAL_CODEC(eqarea_concentric32_encode, eqarea_concentric32_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_CONCENTRIC, 32u)
+UNITVEC_AZIMUTHAL(eqarea_concentric16_encode, eqarea_concentric16_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u)
+UNITVEC_AZIMUTHAL(eqarea_concentric20_encode, eqarea_concentric20_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u)
+UNITVEC_AZIMUTHAL(eqarea_concentric22_encode, eqarea_concentric22_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u)
+UNITVEC_AZIMUTHAL(eqarea_concentric24_encode, eqarea_concentric24_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u)
+UNITVEC_AZIMUTHAL(eqarea_concentric32_encode, eqarea_concentric32_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u)
 
-AZIMUTHAL_CODEC(eqarea_ellipse16_encode, eqarea_ellipse16_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 16u)
-AZIMUTHAL_CODEC(eqarea_ellipse20_encode, eqarea_ellipse20_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 20u)
-AZIMUTHAL_CODEC(eqarea_ellipse22_encode, eqarea_ellipse22_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 22u)
-AZIMUTHAL_CODEC(eqarea_ellipse24_encode, eqarea_ellipse24_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 24u)
-AZIMUTHAL_CODEC(eqarea_ellipse32_encode, eqarea_ellipse32_decode, AZIMUTHAL_EQAREA, AZIMUTHAL_ELLIPSE, 32u)
+UNITVEC_AZIMUTHAL(eqarea_ellipse16_encode, eqarea_ellipse16_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u)
+UNITVEC_AZIMUTHAL(eqarea_ellipse20_encode, eqarea_ellipse20_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u)
+UNITVEC_AZIMUTHAL(eqarea_ellipse22_encode, eqarea_ellipse22_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u)
+UNITVEC_AZIMUTHAL(eqarea_ellipse24_encode, eqarea_ellipse24_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u)
+UNITVEC_AZIMUTHAL(eqarea_ellipse32_encode, eqarea_ellipse32_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u)
 
-AZIMUTHAL_CODEC(eqdist16_encode, eqdist16_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 16u)
-AZIMUTHAL_CODEC(eqdist20_encode, eqdist20_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 20u)
-AZIMUTHAL_CODEC(eqdist22_encode, eqdist22_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 22u)
-AZIMUTHAL_CODEC(eqdist24_encode, eqdist24_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 24u)
-AZIMUTHAL_CODEC(eqdist32_encode, eqdist32_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_PLAIN, 32u)
+UNITVEC_AZIMUTHAL(eqdist16_encode, eqdist16_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u)
+UNITVEC_AZIMUTHAL(eqdist20_encode, eqdist20_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u)
+UNITVEC_AZIMUTHAL(eqdist22_encode, eqdist22_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u)
+UNITVEC_AZIMUTHAL(eqdist24_encode, eqdist24_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u)
+UNITVEC_AZIMUTHAL(eqdist32_encode, eqdist32_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u)
 
-AZIMUTHAL_CODEC(eqdist_concentric16_encode, eqdist_concentric16_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 16u)
-AZIMUTHAL_CODEC(eqdist_concentric20_encode, eqdist_concentric20_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 20u)
-AZIMUTHAL_CODEC(eqdist_concentric22_encode, eqdist_concentric22_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 22u)
-AZIMUTHAL_CODEC(eqdist_concentric24_encode, eqdist_concentric24_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 24u)
-AZIMUTHAL_CODEC(eqdist_concentric32_encode, eqdist_concentric32_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_CONCENTRIC, 32u)
+UNITVEC_AZIMUTHAL(eqdist_concentric16_encode, eqdist_concentric16_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u)
+UNITVEC_AZIMUTHAL(eqdist_concentric20_encode, eqdist_concentric20_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u)
+UNITVEC_AZIMUTHAL(eqdist_concentric22_encode, eqdist_concentric22_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u)
+UNITVEC_AZIMUTHAL(eqdist_concentric24_encode, eqdist_concentric24_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u)
+UNITVEC_AZIMUTHAL(eqdist_concentric32_encode, eqdist_concentric32_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u)
 
-AZIMUTHAL_CODEC(eqdist_ellipse16_encode, eqdist_ellipse16_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 16u)
-AZIMUTHAL_CODEC(eqdist_ellipse20_encode, eqdist_ellipse20_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 20u)
-AZIMUTHAL_CODEC(eqdist_ellipse22_encode, eqdist_ellipse22_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 22u)
-AZIMUTHAL_CODEC(eqdist_ellipse24_encode, eqdist_ellipse24_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 24u)
-AZIMUTHAL_CODEC(eqdist_ellipse32_encode, eqdist_ellipse32_decode, AZIMUTHAL_EQDIST, AZIMUTHAL_ELLIPSE, 32u)
+UNITVEC_AZIMUTHAL(eqdist_ellipse16_encode, eqdist_ellipse16_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u)
+UNITVEC_AZIMUTHAL(eqdist_ellipse20_encode, eqdist_ellipse20_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u)
+UNITVEC_AZIMUTHAL(eqdist_ellipse22_encode, eqdist_ellipse22_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u)
+UNITVEC_AZIMUTHAL(eqdist_ellipse24_encode, eqdist_ellipse24_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u)
+UNITVEC_AZIMUTHAL(eqdist_ellipse32_encode, eqdist_ellipse32_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u)
 
-#undef AZIMUTHAL_CODEC
+#undef UNITVEC_AZIMUTHAL
+#undef UNITVEC_ENCODER
+#undef UNITVEC_DECODER
 
 #endif

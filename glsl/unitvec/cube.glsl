@@ -16,64 +16,67 @@
 #include "arith.glsl"
 #endif
 
-float cube_round(bool negative, float magnitude, float m) {
+precision highp float;
+precision highp int;
+
+float unitvec_cube_round(bool negative, float magnitude, float m) {
     UNITVEC_PRECISE float position = magnitude * (m + 0.5) + 0.5;
     float rounded = floor(position);
     return unitvec_negate_if(negative, rounded > m ? m : rounded);
 }
 
 // The bits of u and of v in a code of `bits` bits.
-uvec2 cube_widths(uint bits) {
+uvec2 unitvec_cube_widths(uint bits) {
     return uvec2((bits - 2u) / 2u, (bits - 3u) / 2u);
 }
 
-uint cube_encode_on_face(vec3 v, uint bits, bool warped) {
+uint unitvec_cube_encode_on_face(vec3 v, uint bits, bool warped) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(v, face);
     UNITVEC_PRECISE float scale = 1.0 / abs(p.z);
     UNITVEC_PRECISE vec2 t = abs(p.xy) * scale;
     if (warped) t = vec2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
-    uvec2 widths = cube_widths(bits);
-    float x = cube_round(unitvec_is_negative(p.x), t.x, snorm_max(widths.x));
-    float y = cube_round(unitvec_is_negative(p.y), t.y, snorm_max(widths.y));
+    uvec2 widths = unitvec_cube_widths(bits);
+    float x = unitvec_cube_round(unitvec_is_negative(p.x), t.x, unitvec_snorm_max(widths.x));
+    float y = unitvec_cube_round(unitvec_is_negative(p.y), t.y, unitvec_snorm_max(widths.y));
     return unitvec_signed_code(x, widths.x) | (unitvec_signed_code(y, widths.y) << widths.x) | (face << (bits - 3u));
 }
 
-uint cube_unpack_face(uint code, uint bits) {
+uint unitvec_cube_unpack_face(uint code, uint bits) {
     return (code >> (bits - 3u)) & 7u;
 }
 
-vec2 cube_unpack(uint code, uint bits) {
-    uvec2 widths = cube_widths(bits);
+vec2 unitvec_cube_unpack(uint code, uint bits) {
+    uvec2 widths = unitvec_cube_widths(bits);
     return vec2(unitvec_snorm_integer(code, widths.x), unitvec_snorm_integer(code >> widths.x, widths.y));
 }
 
-uint cube_encode(vec3 v, uint bits) {
-    return cube_encode_on_face(v, bits, false);
+uint unitvec_cube_encode(vec3 v, uint bits) {
+    return unitvec_cube_encode_on_face(v, bits, false);
 }
 
-vec3 cube_decode(uint code, uint bits) {
-    uint face = cube_unpack_face(code, bits);
-    vec2 e = cube_unpack(code, bits);
-    uvec2 widths = cube_widths(bits);
+vec3 unitvec_cube_decode(uint code, uint bits) {
+    uint face = unitvec_cube_unpack_face(code, bits);
+    vec2 e = unitvec_cube_unpack(code, bits);
+    uvec2 widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
-    UNITVEC_PRECISE float side = snorm_max(widths.x) + 0.5;
-    UNITVEC_PRECISE float v_step = side / (snorm_max(widths.y) + 0.5);
+    UNITVEC_PRECISE float side = unitvec_snorm_max(widths.x) + 0.5;
+    UNITVEC_PRECISE float v_step = side / (unitvec_snorm_max(widths.y) + 0.5);
     UNITVEC_PRECISE float y = e.y * v_step;
     return unitvec_from_face(unitvec_normalize(vec3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
 
-uint warpedcube_encode(vec3 v, uint bits) {
-    return cube_encode_on_face(v, bits, true);
+uint unitvec_warpedcube_encode(vec3 v, uint bits) {
+    return unitvec_cube_encode_on_face(v, bits, true);
 }
 
-vec3 warpedcube_decode(uint code, uint bits) {
-    uint face = cube_unpack_face(code, bits);
-    vec2 e = cube_unpack(code, bits);
-    uvec2 widths = cube_widths(bits);
-    UNITVEC_PRECISE float s = abs(e.x) / (snorm_max(widths.x) + 0.5);
-    UNITVEC_PRECISE float t = abs(e.y) / (snorm_max(widths.y) + 0.5);
+vec3 unitvec_warpedcube_decode(uint code, uint bits) {
+    uint face = unitvec_cube_unpack_face(code, bits);
+    vec2 e = unitvec_cube_unpack(code, bits);
+    uvec2 widths = unitvec_cube_widths(bits);
+    UNITVEC_PRECISE float s = abs(e.x) / (unitvec_snorm_max(widths.x) + 0.5);
+    UNITVEC_PRECISE float t = abs(e.y) / (unitvec_snorm_max(widths.y) + 0.5);
     vec3 p = vec3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)),
         unitvec_negate_if((face & 1u) != 0u, 1.0));
@@ -82,7 +85,7 @@ vec3 warpedcube_decode(uint code, uint bits) {
 
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice that is a whole
 // number over 2^bits - 1.
-int cube_round_wide(float x, float side, uint bits) {
+int unitvec_cube_round_wide(float x, float side, uint bits) {
     UNITVEC_PRECISE float reciprocal = 1.0 / side;
     int doubled;
     float fraction;
@@ -91,7 +94,7 @@ int cube_round_wide(float x, float side, uint bits) {
 }
 
 // Integer of the low `bits` bits of a code, in two's complement; the least counts as the next.
-int cube_integer(uint code, uint bits) {
+int unitvec_cube_integer(uint code, uint bits) {
     return max(int(code << (32u - bits)) >> int(32u - bits), -int(unitvec_mask(bits - 1u)));
 }
 
@@ -99,16 +102,16 @@ uvec2 cube48_encode(vec3 v) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(unitvec_scaled_to_one(v, unitvec_l1_norm(v)), face);
-    int i = cube_round_wide(abs(p.x), abs(p.z), 23u);
-    int j = cube_round_wide(abs(p.y), abs(p.z), 22u);
+    int i = unitvec_cube_round_wide(abs(p.x), abs(p.z), 23u);
+    int j = unitvec_cube_round_wide(abs(p.y), abs(p.z), 22u);
     uint low = uint(unitvec_is_negative(p.x) ? -i : i) & unitvec_mask(23u);
     uint high = uint(unitvec_is_negative(p.y) ? -j : j) & unitvec_mask(22u);
     return uvec2(low | (high << 23u), (high >> 9u) | (face << 13u));
 }
 
 vec3 cube48_decode(uvec2 code) {
-    int i = cube_integer(code.x, 23u);
-    int j = cube_integer((code.x >> 23u) | (code.y << 9u), 22u);
+    int i = unitvec_cube_integer(code.x, 23u);
+    int j = unitvec_cube_integer((code.x >> 23u) | (code.y << 9u), 22u);
     uint face = (code.y >> 13u) & 7u;
     // Half a side is 2^23 - 1; then a step of u is 2, and one of v 4 + 2 / (2^22 - 1).
     ivec2 steps = ivec2(2, 4) * abs(ivec2(i, j));
@@ -121,20 +124,20 @@ vec3 cube48_decode(uvec2 code) {
     return unitvec_from_face(p, face);
 }
 
-uint cube16_encode(vec3 v) { return cube_encode(v, 16u); }
-uint cube24_encode(vec3 v) { return cube_encode(v, 24u); }
-uint cube32_encode(vec3 v) { return cube_encode(v, 32u); }
+uint cube16_encode(vec3 v) { return unitvec_cube_encode(v, 16u); }
+uint cube24_encode(vec3 v) { return unitvec_cube_encode(v, 24u); }
+uint cube32_encode(vec3 v) { return unitvec_cube_encode(v, 32u); }
 
-vec3 cube16_decode(uint code) { return cube_decode(code, 16u); }
-vec3 cube24_decode(uint code) { return cube_decode(code, 24u); }
-vec3 cube32_decode(uint code) { return cube_decode(code, 32u); }
+vec3 cube16_decode(uint code) { return unitvec_cube_decode(code, 16u); }
+vec3 cube24_decode(uint code) { return unitvec_cube_decode(code, 24u); }
+vec3 cube32_decode(uint code) { return unitvec_cube_decode(code, 32u); }
 
-uint warpedcube16_encode(vec3 v) { return warpedcube_encode(v, 16u); }
-uint warpedcube24_encode(vec3 v) { return warpedcube_encode(v, 24u); }
-uint warpedcube32_encode(vec3 v) { return warpedcube_encode(v, 32u); }
+uint warpedcube16_encode(vec3 v) { return unitvec_warpedcube_encode(v, 16u); }
+uint warpedcube24_encode(vec3 v) { return unitvec_warpedcube_encode(v, 24u); }
+uint warpedcube32_encode(vec3 v) { return unitvec_warpedcube_encode(v, 32u); }
 
-vec3 warpedcube16_decode(uint code) { return warpedcube_decode(code, 16u); }
-vec3 warpedcube24_decode(uint code) { return warpedcube_decode(code, 24u); }
-vec3 warpedcube32_decode(uint code) { return warpedcube_decode(code, 32u); }
+vec3 warpedcube16_decode(uint code) { return unitvec_warpedcube_decode(code, 16u); }
+vec3 warpedcube24_decode(uint code) { return unitvec_warpedcube_decode(code, 24u); }
+vec3 warpedcube32_decode(uint code) { return unitvec_warpedcube_decode(code, 32u); }
 
 #endif

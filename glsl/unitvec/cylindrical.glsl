@@ -14,8 +14,11 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // The snorm integers of the direction of v: phi / pi and z. m is the snorm's largest.
-vec2 cylindrical_lattice(vec3 v, float m) {
+vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
     v = unitvec_angles_scaled(v);
     UNITVEC_PRECISE float height = v.z * (1.0 / sqrt(unitvec_dot(v, v))) * m;
     UNITVEC_PRECISE float angle = unitvec_atan2_half_turns(v.y, v.x) * m;
@@ -26,30 +29,30 @@ vec2 cylindrical_lattice(vec3 v, float m) {
 }
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
-vec3 cylindrical_from_lattice(vec2 e, float m) {
+vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float step_size = 1.0 / m;
     UNITVEC_PRECISE float radius = sqrt((m - e.y) * (m + e.y)) * step_size;
     UNITVEC_PRECISE vec2 values = e * step_size;
     return unitvec_angles_around_z(radius, values.y, values.x);
 }
 
-uint cylindrical_encode(vec3 v, uint bits) {
-    vec2 e = cylindrical_lattice(v, snorm_max(bits / 2u));
+uint unitvec_cylindrical_encode(vec3 v, uint bits) {
+    vec2 e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));
     return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
 }
 
-vec3 cylindrical_decode(uint code, uint bits) {
+vec3 unitvec_cylindrical_decode(uint code, uint bits) {
     float phi = unitvec_snorm_integer(code, bits / 2u);
     float z = unitvec_snorm_integer(code >> (bits / 2u), bits / 2u);
-    return cylindrical_from_lattice(vec2(phi, z), snorm_max(bits / 2u));
+    return unitvec_cylindrical_from_lattice(vec2(phi, z), unitvec_snorm_max(bits / 2u));
 }
 
-uint cylindrical16_encode(vec3 v) { return cylindrical_encode(v, 16u); }
-uint cylindrical24_encode(vec3 v) { return cylindrical_encode(v, 24u); }
-uint cylindrical32_encode(vec3 v) { return cylindrical_encode(v, 32u); }
+uint cylindrical16_encode(vec3 v) { return unitvec_cylindrical_encode(v, 16u); }
+uint cylindrical24_encode(vec3 v) { return unitvec_cylindrical_encode(v, 24u); }
+uint cylindrical32_encode(vec3 v) { return unitvec_cylindrical_encode(v, 32u); }
 
-vec3 cylindrical16_decode(uint code) { return cylindrical_decode(code, 16u); }
-vec3 cylindrical24_decode(uint code) { return cylindrical_decode(code, 24u); }
-vec3 cylindrical32_decode(uint code) { return cylindrical_decode(code, 32u); }
+vec3 cylindrical16_decode(uint code) { return unitvec_cylindrical_decode(code, 16u); }
+vec3 cylindrical24_decode(uint code) { return unitvec_cylindrical_decode(code, 24u); }
+vec3 cylindrical32_decode(uint code) { return unitvec_cylindrical_decode(code, 32u); }
 
 #endif

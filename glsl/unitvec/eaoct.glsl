@@ -4,11 +4,13 @@
 //
 //   eaoct16_encode(v), eaoct16_decode(code)      integer codes; also eaoct20, eaoct22, eaoct24, eaoct32
 //   eaoct16p_encode(v), ...                      precise encoders of the same formats
-//   float32x3_to_eaoct(v), eaoct_to_float32x3(e) for snorm formats that the hardware converts
+//   float32x3_to_eaoct(v)                        a pair on [-1, 1], for an snorm format that the hardware converts
+//   eaoct_to_float32x3(e)                        the direction of such a pair
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: that of
-// oct.glsl. With m the snorm's largest integer, the lattice points of an octant lie on circles of latitude, the rings:
-// ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m, has the points 0 to s at equal distances.
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; a pair
+// is clamped to [-1, 1]. Layout: that of oct.glsl. With m the snorm's largest integer, the lattice points of an octant
+// lie on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m, has the
+// points 0 to s at equal distances.
 
 #ifndef UNITVEC_EAOCT_GLSL
 #define UNITVEC_EAOCT_GLSL
@@ -17,81 +19,84 @@
 #include "oct.glsl"
 #endif
 
-// 2/pi atan(q) = q (EAOCT_TURN_0 + q^2 (EAOCT_TURN_1 + ...)), q in [0, 1]: minimax.
-const float EAOCT_TURN_0 = 0.6366193;
-const float EAOCT_TURN_1 = -0.21218449;
-const float EAOCT_TURN_2 = 0.12698378;
-const float EAOCT_TURN_3 = -0.088545084;
-const float EAOCT_TURN_4 = 0.061384138;
-const float EAOCT_TURN_5 = -0.035594895;
-const float EAOCT_TURN_6 = 0.013918393;
-const float EAOCT_TURN_7 = -0.002581218;
+precision highp float;
+precision highp int;
+
+// 2/pi atan(q) = q (UNITVEC_TURN_0 + q^2 (UNITVEC_TURN_1 + ...)), q in [0, 1]: minimax.
+const float UNITVEC_TURN_0 = 0.6366193;
+const float UNITVEC_TURN_1 = -0.21218449;
+const float UNITVEC_TURN_2 = 0.12698378;
+const float UNITVEC_TURN_3 = -0.088545084;
+const float UNITVEC_TURN_4 = 0.061384138;
+const float UNITVEC_TURN_5 = -0.035594895;
+const float UNITVEC_TURN_6 = 0.013918393;
+const float UNITVEC_TURN_7 = -0.002581218;
 
 // 2^-26, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
-const float EAOCT_LEAST = 1.4901161193847656e-8;
+const float UNITVEC_EAOCT_LEAST = 1.4901161193847656e-8;
 
 // A direction of the positive octant, mirrored so that phi is at most 1/2.
-struct EaoctPolar {
+struct UnitvecEaoctPolar {
     float radius;
     float turn;
     bool swapped;
 };
 
 // 2/pi atan(q), q in [0, 1].
-float eaoct_turn(float q) {
+float unitvec_eaoct_turn(float q) {
     UNITVEC_PRECISE float u = q * q;
     UNITVEC_PRECISE float w = u * u;
-    UNITVEC_PRECISE float even = EAOCT_TURN_0 + w * (EAOCT_TURN_2 + w * (EAOCT_TURN_4 + w * EAOCT_TURN_6));
-    UNITVEC_PRECISE float odd = EAOCT_TURN_1 + w * (EAOCT_TURN_3 + w * (EAOCT_TURN_5 + w * EAOCT_TURN_7));
+    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
+    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
     UNITVEC_PRECISE float turn = q * (even + u * odd);
     return turn;
 }
 
-// The larger of x times scale and EAOCT_LEAST; of NaN, either.
-float eaoct_raised(float x, float scale) {
+// The larger of x times scale and UNITVEC_EAOCT_LEAST; of NaN, either.
+float unitvec_eaoct_raised(float x, float scale) {
     UNITVEC_PRECISE float scaled = x * scale;
-    return scaled > EAOCT_LEAST ? scaled : EAOCT_LEAST;
+    return scaled > UNITVEC_EAOCT_LEAST ? scaled : UNITVEC_EAOCT_LEAST;
 }
 
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
 // Without a usable direction, anything.
-EaoctPolar eaoct_polar(vec3 v, float norm) {
+UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     float scale = unitvec_scale_to_one(norm);
     bool swapped = abs(v.y) > abs(v.x);
     float shorter = swapped ? abs(v.x) : abs(v.y);
     float longer = swapped ? abs(v.y) : abs(v.x);
-    float b = eaoct_raised(shorter, scale);
-    float a = eaoct_raised(longer, scale);
+    float b = unitvec_eaoct_raised(shorter, scale);
+    float a = unitvec_eaoct_raised(longer, scale);
     UNITVEC_PRECISE float z = abs(v.z) * scale;
 
     UNITVEC_PRECISE float horizontal = a * a + b * b;
     UNITVEC_PRECISE float len = sqrt(horizontal + z * z);
     UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + z)));
     UNITVEC_PRECISE float q = b / a;
-    return EaoctPolar(radius, eaoct_turn(q), swapped);
+    return UnitvecEaoctPolar(radius, unitvec_eaoct_turn(q), swapped);
 }
 
 // Moves a lattice point of that half octant to where the direction of v is, or to +Z's where norm, the L1 norm, is not
 // that of a usable direction.
-vec2 eaoct_unfolded(vec3 v, float norm, bool swapped, float ring, float place, float m) {
+vec2 unitvec_eaoct_unfolded(vec3 v, float norm, bool swapped, float ring, float place, float m) {
     UNITVEC_PRECISE float other = ring - place;
-    vec2 p = oct_fold(v.z, swapped ? vec2(place, other) : vec2(other, place), m);
-    return oct_mirror(v, unitvec_is_usable(norm) ? p : vec2(0.0, 0.0));
+    vec2 p = unitvec_oct_fold(v.z, swapped ? vec2(place, other) : vec2(other, place), m);
+    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? p : vec2(0.0, 0.0));
 }
 
 // Lattice point of the direction of v: on the nearest ring the nearest point.
-vec2 eaoct_lattice(vec3 v, float m) {
+vec2 unitvec_eaoct_lattice(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
-    EaoctPolar p = eaoct_polar(v, norm);
+    UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     UNITVEC_PRECISE float steps = p.radius * m + 0.5;
     float ring = floor(steps);
     UNITVEC_PRECISE float along = p.turn * ring + 0.5;
-    return eaoct_unfolded(v, norm, p.swapped, ring, floor(along), m);
+    return unitvec_eaoct_unfolded(v, norm, p.swapped, ring, floor(along), m);
 }
 
 // The nearest point on a ring that is at most a step from p: the ring, the point's number, and a measure of the
 // chord's square, (r C - R c)^2 + 4 r R c C sin^2(pi q / 4) with c^2 = 2 - r^2 and C^2 = 2 - R^2, times c^4 m^2 / 4.
-vec3 eaoct_candidate(EaoctPolar p, float ring, float m) {
+vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     const float PI_2_16 = 0.61685026;
     const float PI_2_16_TIMES_PI_2_48 = 0.12683475;
     UNITVEC_PRECISE float steps = p.radius * m;
@@ -109,19 +114,19 @@ vec3 eaoct_candidate(EaoctPolar p, float ring, float m) {
 }
 
 // Lattice point of the direction of v that is nearest in angle: the nearest one of the ring below or above.
-vec2 eaoct_lattice_precise(vec3 v, float m) {
+vec2 unitvec_eaoct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
-    EaoctPolar p = eaoct_polar(v, norm);
+    UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     UNITVEC_PRECISE float below = floor(p.radius * m);
     UNITVEC_PRECISE float above = below + 1.0;
-    vec3 inner = eaoct_candidate(p, below, m);
-    vec3 outer = eaoct_candidate(p, above, m);
+    vec3 inner = unitvec_eaoct_candidate(p, below, m);
+    vec3 outer = unitvec_eaoct_candidate(p, above, m);
     vec3 nearest = outer.z < inner.z ? outer : inner;
-    return eaoct_unfolded(v, norm, p.swapped, nearest.x, nearest.y, m);
+    return unitvec_eaoct_unfolded(v, norm, p.swapped, nearest.x, nearest.y, m);
 }
 
 // Direction of a lattice point, unit length to within 2 ULP.
-vec3 eaoct_from_lattice(vec2 e, float m) {
+vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     vec2 a = abs(e);
     UNITVEC_PRECISE float sum = a.x + a.y;
     bool below = sum > m;
@@ -133,7 +138,7 @@ vec3 eaoct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float folded_place = m - longer;
     float place = below ? folded_place : shorter;
 
-    UNITVEC_PRECISE float turn = place / (ring > 0.0 ? ring : 1.0);
+    UNITVEC_PRECISE float turn = place / (ring >= UNITVEC_MIN_POSITIVE ? ring : 1.0);
     UNITVEC_PRECISE float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
@@ -149,48 +154,48 @@ vec3 eaoct_from_lattice(vec2 e, float m) {
 }
 
 // The projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds: a mean error 8 % and a
-// maximum 40 % above those of eaoct_lattice. Any v, as with the codes.
+// maximum 43 % above those of unitvec_eaoct_lattice.
 vec2 float32x3_to_eaoct(vec3 v) {
     float norm = unitvec_l1_norm(v);
-    EaoctPolar p = eaoct_polar(v, norm);
+    UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     UNITVEC_PRECISE float place = p.radius * p.turn;
-    return eaoct_unfolded(v, norm, p.swapped, p.radius, place, 1.0);
+    return unitvec_eaoct_unfolded(v, norm, p.swapped, p.radius, place, 1.0);
 }
 
 // The direction of a pair of snorm values on [-1, 1].
 vec3 eaoct_to_float32x3(vec2 e) {
-    return eaoct_from_lattice(e, 1.0);
+    return unitvec_eaoct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-uint eaoct_encode(vec3 v, uint bits) {
-    return oct_pack(eaoct_lattice(v, snorm_max(bits / 2u)), bits);
+uint unitvec_eaoct_encode(vec3 v, uint bits) {
+    return unitvec_oct_pack(unitvec_eaoct_lattice(v, unitvec_snorm_max(bits / 2u)), bits);
 }
 
-uint eaoct_encode_precise(vec3 v, uint bits) {
-    return oct_pack(eaoct_lattice_precise(v, snorm_max(bits / 2u)), bits);
+uint unitvec_eaoct_encode_precise(vec3 v, uint bits) {
+    return unitvec_oct_pack(unitvec_eaoct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits);
 }
 
-vec3 eaoct_decode(uint code, uint bits) {
-    return eaoct_from_lattice(oct_unpack(code, bits), snorm_max(bits / 2u));
+vec3 unitvec_eaoct_decode(uint code, uint bits) {
+    return unitvec_eaoct_from_lattice(unitvec_oct_unpack(code, bits), unitvec_snorm_max(bits / 2u));
 }
 
-uint eaoct16_encode(vec3 v) { return eaoct_encode(v, 16u); }
-uint eaoct20_encode(vec3 v) { return eaoct_encode(v, 20u); }
-uint eaoct22_encode(vec3 v) { return eaoct_encode(v, 22u); }
-uint eaoct24_encode(vec3 v) { return eaoct_encode(v, 24u); }
-uint eaoct32_encode(vec3 v) { return eaoct_encode(v, 32u); }
+uint eaoct16_encode(vec3 v) { return unitvec_eaoct_encode(v, 16u); }
+uint eaoct20_encode(vec3 v) { return unitvec_eaoct_encode(v, 20u); }
+uint eaoct22_encode(vec3 v) { return unitvec_eaoct_encode(v, 22u); }
+uint eaoct24_encode(vec3 v) { return unitvec_eaoct_encode(v, 24u); }
+uint eaoct32_encode(vec3 v) { return unitvec_eaoct_encode(v, 32u); }
 
-uint eaoct16p_encode(vec3 v) { return eaoct_encode_precise(v, 16u); }
-uint eaoct20p_encode(vec3 v) { return eaoct_encode_precise(v, 20u); }
-uint eaoct22p_encode(vec3 v) { return eaoct_encode_precise(v, 22u); }
-uint eaoct24p_encode(vec3 v) { return eaoct_encode_precise(v, 24u); }
-uint eaoct32p_encode(vec3 v) { return eaoct_encode_precise(v, 32u); }
+uint eaoct16p_encode(vec3 v) { return unitvec_eaoct_encode_precise(v, 16u); }
+uint eaoct20p_encode(vec3 v) { return unitvec_eaoct_encode_precise(v, 20u); }
+uint eaoct22p_encode(vec3 v) { return unitvec_eaoct_encode_precise(v, 22u); }
+uint eaoct24p_encode(vec3 v) { return unitvec_eaoct_encode_precise(v, 24u); }
+uint eaoct32p_encode(vec3 v) { return unitvec_eaoct_encode_precise(v, 32u); }
 
-vec3 eaoct16_decode(uint code) { return eaoct_decode(code, 16u); }
-vec3 eaoct20_decode(uint code) { return eaoct_decode(code, 20u); }
-vec3 eaoct22_decode(uint code) { return eaoct_decode(code, 22u); }
-vec3 eaoct24_decode(uint code) { return eaoct_decode(code, 24u); }
-vec3 eaoct32_decode(uint code) { return eaoct_decode(code, 32u); }
+vec3 eaoct16_decode(uint code) { return unitvec_eaoct_decode(code, 16u); }
+vec3 eaoct20_decode(uint code) { return unitvec_eaoct_decode(code, 20u); }
+vec3 eaoct22_decode(uint code) { return unitvec_eaoct_decode(code, 22u); }
+vec3 eaoct24_decode(uint code) { return unitvec_eaoct_decode(code, 24u); }
+vec3 eaoct32_decode(uint code) { return unitvec_eaoct_decode(code, 32u); }
 
 vec3 eaoct16p_decode(uint code) { return eaoct16_decode(code); }
 vec3 eaoct20p_decode(uint code) { return eaoct20_decode(code); }

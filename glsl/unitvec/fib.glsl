@@ -15,24 +15,27 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // (sqrt(5) - 1) / 2 in 64 bits, rounded.
-const uint FIB_GOLDEN_HIGH = 0x9e3779b9u;
-const uint FIB_GOLDEN_LOW = 0x7f4a7c16u;
+const uint UNITVEC_FIB_GOLDEN_HIGH = 0x9e3779b9u;
+const uint UNITVEC_FIB_GOLDEN_LOW = 0x7f4a7c16u;
 
 // 2 sin(pi d)^2, d in [-1/2, 1/2], in d^2, lowest power first.
-const float FIB_CHORD_0 = 19.73919;
-const float FIB_CHORD_1 = -64.93598;
-const float FIB_CHORD_2 = 85.35731;
-const float FIB_CHORD_3 = -59.191452;
-const float FIB_CHORD_4 = 21.72156;
+const float UNITVEC_CHORD_0 = 19.73919;
+const float UNITVEC_CHORD_1 = -64.93598;
+const float UNITVEC_CHORD_2 = 85.35731;
+const float UNITVEC_CHORD_3 = -59.191452;
+const float UNITVEC_CHORD_4 = 21.72156;
 
 // Added to the numbers of points so that those of a cell beside a pole are not negative; what it adds to the azimuth.
-const uint FIB_SHIFT = 64u;
-const uint FIB_SHIFT_TURN = 0x8dde6e5fu;
+const uint UNITVEC_FIB_SHIFT = 64u;
+const uint UNITVEC_FIB_SHIFT_TURN = 0x8dde6e5fu;
 
 // A direction beside the points, in the hemisphere z >= 0: 1 - z, z, 1 - z^2, and where it is among the numbers of the
 // points: a whole number, and what to add.
-struct FibPlace {
+struct UnitvecFibPlace {
     float depth;
     float height;
     float radius_squared;
@@ -42,7 +45,7 @@ struct FibPlace {
 
 // Two steps of the lattice, by the k-th Fibonacci number and the next: the numbers, how far they go around, and
 // whether k is even.
-struct FibBasis {
+struct UnitvecFibBasis {
     float step_size;
     float next_step;
     float turn;
@@ -51,39 +54,39 @@ struct FibBasis {
 };
 
 // A point, and a measure of its distance from what was sought.
-struct FibCandidate {
+struct UnitvecFibCandidate {
     uint i;
     float cost;
 };
 
 // Number of the last point.
-uint fib_last(uint bits) {
+uint unitvec_fib_last(uint bits) {
     return 0xffffffffu >> (32u - bits);
 }
 
 // Azimuth of point i in turns, a fraction of 32 bits: bits 32 to 63 of the product of i and the golden ratio.
-uint fib_turn(uint i) {
+uint unitvec_fib_turn(uint i) {
     uint i_low = i & 0xffffu;
     uint i_high = i >> 16u;
-    uint low = i_low * (FIB_GOLDEN_LOW & 0xffffu);
-    uint middle = i_high * (FIB_GOLDEN_LOW & 0xffffu) + (low >> 16u);
-    uint other_middle = i_low * (FIB_GOLDEN_LOW >> 16u) + (middle & 0xffffu);
-    uint high = i_high * (FIB_GOLDEN_LOW >> 16u) + (middle >> 16u) + (other_middle >> 16u);
-    return i * FIB_GOLDEN_HIGH + high;
+    uint low = i_low * (UNITVEC_FIB_GOLDEN_LOW & 0xffffu);
+    uint middle = i_high * (UNITVEC_FIB_GOLDEN_LOW & 0xffffu) + (low >> 16u);
+    uint other_middle = i_low * (UNITVEC_FIB_GOLDEN_LOW >> 16u) + (middle & 0xffffu);
+    uint high = i_high * (UNITVEC_FIB_GOLDEN_LOW >> 16u) + (middle >> 16u) + (other_middle >> 16u);
+    return i * UNITVEC_FIB_GOLDEN_HIGH + high;
 }
 
 // The same for i below 2^17.
-uint fib_turn_of_step(uint i) {
-    return i * FIB_GOLDEN_HIGH + ((i * (FIB_GOLDEN_LOW >> 17u)) >> 15u);
+uint unitvec_fib_turn_of_step(uint i) {
+    return i * UNITVEC_FIB_GOLDEN_HIGH + ((i * (UNITVEC_FIB_GOLDEN_LOW >> 17u)) >> 15u);
 }
 
-float fib_signed_turn(uint turn) {
+float unitvec_fib_signed_turn(uint turn) {
     UNITVEC_PRECISE float signed_turn = float(int(turn)) * unitvec_exp2(-32);
     return signed_turn;
 }
 
 // Integer part of a number from 0 to 2^31, and what is left.
-uint fib_split(float x, out float rest) {
+uint unitvec_fib_split(float x, out float rest) {
     int whole = int(x);
     UNITVEC_PRECISE float left = x - float(whole);
     rest = left;
@@ -91,7 +94,7 @@ uint fib_split(float x, out float rest) {
 }
 
 // Azimuth of (x, y) in turns, a fraction of 32 bits: 0 beside the z axis.
-uint fib_azimuth(float x, float y) {
+uint unitvec_fib_azimuth(float x, float y) {
     UNITVEC_PRECISE float norm = abs(x) + abs(y);
     bool usable = norm >= UNITVEC_NEGLIGIBLE;
     x = usable ? x : 1.0;
@@ -101,14 +104,14 @@ uint fib_azimuth(float x, float y) {
     float longer = steep ? abs(y) : abs(x);
     UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter, longer) * unitvec_exp2(29);
     float rest;
-    uint octant = fib_split(part, rest);
+    uint octant = unitvec_fib_split(part, rest);
     uint quarter = steep ? 0x40000000u - octant : octant;
     uint half_turn = unitvec_is_negative(x) ? 0x80000000u - quarter : quarter;
     return unitvec_is_negative(y) ? 0u - half_turn : half_turn;
 }
 
 // Golden ratio, 1.618..., to the power k, below 32.
-float fib_golden_power(uint k) {
+float unitvec_fib_golden_power(uint k) {
     float one = (k & 1u) != 0u ? 1.618034 : 1.0;
     float two = (k & 2u) != 0u ? 2.618034 : 1.0;
     float four = (k & 4u) != 0u ? 6.854102 : 1.0;
@@ -119,7 +122,7 @@ float fib_golden_power(uint k) {
 }
 
 // Place of a vector with an L1 norm of 1 to 2.
-FibPlace fib_place(vec3 v, uint bits) {
+UnitvecFibPlace unitvec_fib_place(vec3 v, uint bits) {
     UNITVEC_PRECISE float horizontal = v.x * v.x + v.y * v.y;
     UNITVEC_PRECISE float reciprocal = 1.0 / sqrt(horizontal + v.z * v.z);
     UNITVEC_PRECISE float height = abs(v.z) * reciprocal;
@@ -130,30 +133,30 @@ FibPlace fib_place(vec3 v, uint bits) {
 
     UNITVEC_PRECISE float position = (is_polar ? from_pole : height) * unitvec_exp2(int(bits) - 1);
     float rest;
-    uint whole = fib_split(position, rest);
+    uint whole = unitvec_fib_split(position, rest);
     UNITVEC_PRECISE float fraction = unitvec_negate_if(!is_polar, rest) - 0.5;
-    return FibPlace(is_polar ? from_pole : from_top, height, radius_squared,
+    return UnitvecFibPlace(is_polar ? from_pole : from_top, height, radius_squared,
         is_polar ? whole : (1u << (bits - 1u)) - whole, fraction);
 }
 
 // Basis that is reduced where a horizontal circle has this radius. k is 2 to 25.
-FibBasis fib_basis(float radius_squared, uint bits) {
+UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     // The bits of a float, taken as a number, are about its logarithm.
     UNITVEC_PRECISE float offset = float(bits) + -124.125;
     UNITVEC_PRECISE float logarithm = float(floatBitsToUint(radius_squared) >> 8u) * unitvec_exp2(-15) + offset;
     UNITVEC_PRECISE float zone = 0.7202101 * logarithm;
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0));
-    float power = fib_golden_power(k);
+    float power = unitvec_fib_golden_power(k);
     UNITVEC_PRECISE float turn = 1.0 / power;
     UNITVEC_PRECISE float next_turn = turn * 0.618034;
     UNITVEC_PRECISE float step_size = power * 0.4472136 + 0.5;
     UNITVEC_PRECISE float next_step = power * 0.7236068 + 0.5;
-    return FibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
+    return UnitvecFibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
 }
 
 // Point i, which the place is `turn` around from. The cost is half the square of the distance, without cancellation.
-FibCandidate fib_candidate(FibPlace place, uint i, uint turn, uint bits) {
+UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint turn, uint bits) {
     UNITVEC_PRECISE float steps = float(int(place.whole - i)) + place.fraction;
     UNITVEC_PRECISE float difference = steps * unitvec_exp2(1 - int(bits));
     UNITVEC_PRECISE float signed_depth = place.depth - difference;
@@ -161,65 +164,66 @@ FibCandidate fib_candidate(FibPlace place, uint i, uint turn, uint bits) {
     float depth = abs(signed_depth);
     UNITVEC_PRECISE float radii = sqrt(place.radius_squared * (depth * (2.0 - depth)));
 
-    float d = fib_signed_turn(turn);
+    float d = unitvec_fib_signed_turn(turn);
     UNITVEC_PRECISE float u = d * d;
     UNITVEC_PRECISE float chord =
-        u * (FIB_CHORD_0 + u * (FIB_CHORD_1 + u * (FIB_CHORD_2 + u * (FIB_CHORD_3 + u * FIB_CHORD_4))));
+        u * (UNITVEC_CHORD_0
+            + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     UNITVEC_PRECISE float sum = (place.depth + depth * place.height) + radii;
     UNITVEC_PRECISE float cost = (difference * difference) / sum + radii * chord;
     // More than any distance.
-    return FibCandidate(i, is_point ? cost : 4.0);
+    return UnitvecFibCandidate(i, is_point ? cost : 4.0);
 }
 
 // b where it costs less, else a.
-FibCandidate fib_cheaper(FibCandidate a, FibCandidate b) {
-    return FibCandidate(b.cost < a.cost ? b.i : a.i, b.cost < a.cost ? b.cost : a.cost);
+UnitvecFibCandidate unitvec_fib_cheaper(UnitvecFibCandidate a, UnitvecFibCandidate b) {
+    return UnitvecFibCandidate(b.cost < a.cost ? b.i : a.i, b.cost < a.cost ? b.cost : a.cost);
 }
 
 // Number of the point of 2^bits that is nearest to the direction of v.
-uint fib_nearest(vec3 v, uint bits) {
+uint unitvec_fib_nearest(vec3 v, uint bits) {
     v = unitvec_or_z(v);
     vec3 scaled = unitvec_scaled_to_one(v, unitvec_l1_norm(v));
     bool is_mirrored = unitvec_is_negative(scaled.z);
-    uint azimuth = fib_azimuth(scaled.x, scaled.y);
-    uint turn_to = is_mirrored ? fib_turn(fib_last(bits)) - azimuth : azimuth;
-    FibPlace place = fib_place(scaled, bits);
-    FibBasis basis = fib_basis(place.radius_squared, bits);
+    uint azimuth = unitvec_fib_azimuth(scaled.x, scaled.y);
+    uint turn_to = is_mirrored ? unitvec_fib_turn(unitvec_fib_last(bits)) - azimuth : azimuth;
+    UnitvecFibPlace place = unitvec_fib_place(scaled, bits);
+    UnitvecFibBasis basis = unitvec_fib_basis(place.radius_squared, bits);
 
     // The coordinates of the place in the basis, whose determinant is 1 or -1.
-    float across = unitvec_negate_if(basis.is_even, fib_signed_turn(turn_to));
+    float across = unitvec_negate_if(basis.is_even, unitvec_fib_signed_turn(turn_to));
     UNITVEC_PRECISE float number = place.depth * unitvec_exp2(int(bits) - 1) - 0.5;
     UNITVEC_PRECISE float a = across * basis.next_step + number * basis.next_turn;
     UNITVEC_PRECISE float b = number * basis.turn - across * basis.step_size;
 
     uint step_size = unitvec_whole_to_u32(basis.step_size);
     uint next_step = unitvec_whole_to_u32(basis.next_step);
-    uint turn_step = fib_turn_of_step(step_size);
-    uint next_turn_step = fib_turn_of_step(next_step);
+    uint turn_step = unitvec_fib_turn_of_step(step_size);
+    uint next_turn_step = unitvec_fib_turn_of_step(next_step);
     uint i = uint(int(floor(a))) * step_size + uint(int(floor(b))) * next_step;
-    uint off = turn_to + FIB_SHIFT_TURN - fib_turn(i + FIB_SHIFT);
+    uint off = turn_to + UNITVEC_FIB_SHIFT_TURN - unitvec_fib_turn(i + UNITVEC_FIB_SHIFT);
     uint i_next = i + next_step;
     uint off_next = off - next_turn_step;
 
-    FibCandidate near = fib_candidate(place, i, off, bits);
-    FibCandidate right = fib_candidate(place, i + step_size, off - turn_step, bits);
-    FibCandidate up = fib_candidate(place, i_next, off_next, bits);
-    FibCandidate far = fib_candidate(place, i_next + step_size, off_next - turn_step, bits);
-    FibCandidate best = fib_cheaper(fib_cheaper(fib_cheaper(near, right), up), far);
-    return (is_mirrored ? ~best.i : best.i) & fib_last(bits);
+    UnitvecFibCandidate near = unitvec_fib_candidate(place, i, off, bits);
+    UnitvecFibCandidate right = unitvec_fib_candidate(place, i + step_size, off - turn_step, bits);
+    UnitvecFibCandidate up = unitvec_fib_candidate(place, i_next, off_next, bits);
+    UnitvecFibCandidate far = unitvec_fib_candidate(place, i_next + step_size, off_next - turn_step, bits);
+    UnitvecFibCandidate best = unitvec_fib_cheaper(unitvec_fib_cheaper(unitvec_fib_cheaper(near, right), up), far);
+    return (is_mirrored ? ~best.i : best.i) & unitvec_fib_last(bits);
 }
 
 // Point i of 2^bits, of unit length to within 2 ULP. Higher bits of i are ignored.
-vec3 fib_point(uint i, uint bits) {
-    i = i & fib_last(bits);
+vec3 unitvec_fib_point(uint i, uint bits) {
+    i = i & unitvec_fib_last(bits);
     bool is_mirrored = (i >> (bits - 1u)) != 0u;
-    uint from_pole = is_mirrored ? fib_last(bits) - i : i;
+    uint from_pole = is_mirrored ? unitvec_fib_last(bits) - i : i;
     float unit = unitvec_exp2(1 - int(bits));
     UNITVEC_PRECISE float depth = (float(int(from_pole)) + 0.5) * unit;
-    UNITVEC_PRECISE float height = (float(int(fib_last(bits - 1u) - from_pole)) + 0.5) * unit;
+    UNITVEC_PRECISE float height = (float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5) * unit;
     UNITVEC_PRECISE float radius = sqrt(depth * (2.0 - depth));
 
-    uint azimuth = fib_turn(i);
+    uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;
     UNITVEC_PRECISE float half_turns = float(2 * int(azimuth - (quarter << 30u)) + 1) * unitvec_exp2(-32);
     UNITVEC_PRECISE float sine = radius * unitvec_sin_eighth(half_turns);
@@ -232,12 +236,12 @@ vec3 fib_point(uint i, uint bits) {
         unitvec_negate_if(is_mirrored, height));
 }
 
-uint fib16_encode(vec3 v) { return fib_nearest(v, 16u); }
-uint fib24_encode(vec3 v) { return fib_nearest(v, 24u); }
-uint fib32_encode(vec3 v) { return fib_nearest(v, 32u); }
+uint fib16_encode(vec3 v) { return unitvec_fib_nearest(v, 16u); }
+uint fib24_encode(vec3 v) { return unitvec_fib_nearest(v, 24u); }
+uint fib32_encode(vec3 v) { return unitvec_fib_nearest(v, 32u); }
 
-vec3 fib16_decode(uint code) { return fib_point(code, 16u); }
-vec3 fib24_decode(uint code) { return fib_point(code, 24u); }
-vec3 fib32_decode(uint code) { return fib_point(code, 32u); }
+vec3 fib16_decode(uint code) { return unitvec_fib_point(code, 16u); }
+vec3 fib24_decode(uint code) { return unitvec_fib_point(code, 24u); }
+vec3 fib32_decode(uint code) { return unitvec_fib_point(code, 32u); }
 
 #endif

@@ -14,6 +14,9 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 uvec2 float16x3_encode(vec3 v) {
     v = unitvec_or_z(v);
     uint low = unitvec_half_encode(v.x) | (unitvec_half_encode(v.y) << 16u);

@@ -19,19 +19,22 @@
 #include "oct.glsl"
 #endif
 
-// w = v (FRAME_WARP_0 + FRAME_WARP_1 v^2 + FRAME_WARP_2 v^4), near tan(pi v / 4): equal steps of v are angles of
-// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
-const float FRAME_WARP_0 = 0.787353515625;
-const float FRAME_WARP_1 = 0.15234375;
-const float FRAME_WARP_2 = 0.060302734375;
+precision highp float;
+precision highp int;
 
-// The inverse, v = w + w (1 - u) (FRAME_UNWARP_0 + u (FRAME_UNWARP_1 + u FRAME_UNWARP_2)) with u = w^2: within 3.0e-5.
-const float FRAME_UNWARP_0 = 0.27020066;
-const float FRAME_UNWARP_1 = -0.13198552;
-const float FRAME_UNWARP_2 = 0.0392082;
+// With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
+// atan(w) that are equal but for 0.26 %. The sum of the three is 1.
+const float UNITVEC_WARP_0 = 0.787353515625;
+const float UNITVEC_WARP_1 = 0.15234375;
+const float UNITVEC_WARP_2 = 0.060302734375;
+
+// The inverse, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+const float UNITVEC_UNWARP_0 = 0.27020066;
+const float UNITVEC_UNWARP_1 = -0.13198552;
+const float UNITVEC_UNWARP_2 = 0.0392082;
 
 // Two unit vectors that make an orthonormal basis with the unit vector n: right-handed, (first, second, n).
-void frame_basis(vec3 n, out vec3 first, out vec3 second) {
+void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     float s = unitvec_is_negative(n.z) ? -1.0 : 1.0;
     UNITVEC_PRECISE float a = -1.0 / (s + n.z);
     UNITVEC_PRECISE float b = (n.x * n.y) * a;
@@ -42,24 +45,24 @@ void frame_basis(vec3 n, out vec3 first, out vec3 second) {
 }
 
 // The place on a side of the diamond, -1 to 1, for v of -1 to 1.
-float frame_warp(float v) {
+float unitvec_frame_warp(float v) {
     UNITVEC_PRECISE float u = v * v;
-    UNITVEC_PRECISE float w = v * (FRAME_WARP_0 + u * (FRAME_WARP_1 + u * FRAME_WARP_2));
+    UNITVEC_PRECISE float w = v * (UNITVEC_WARP_0 + u * (UNITVEC_WARP_1 + u * UNITVEC_WARP_2));
     return w;
 }
 
 // The inverse; for more than 9 bits of angle, with a step of Newton's method.
-float frame_unwarp(float w, uint angle_bits) {
+float unitvec_frame_unwarp(float w, uint angle_bits) {
     UNITVEC_PRECISE float u = w * w;
-    UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (FRAME_UNWARP_0 + u * (FRAME_UNWARP_1 + u * FRAME_UNWARP_2)));
+    UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    UNITVEC_PRECISE float nearer = v + (w - frame_warp(v)) * 1.2732395 / (1.0 + u);
+    UNITVEC_PRECISE float nearer = v + (w - unitvec_frame_warp(v)) * 1.2732395 / (1.0 + u);
     return nearer;
 }
 
 // v scaled by a power of two to an L1 norm of 1 to 2; 0 where it has no usable direction.
-vec3 frame_scaled(vec3 v) {
+vec3 unitvec_frame_scaled(vec3 v) {
     float norm = unitvec_l1_norm(v);
     bool usable = unitvec_is_usable(norm);
     return unitvec_scaled_to_one(usable ? v : vec3(0.0), usable ? norm : 1.0);
@@ -67,11 +70,11 @@ vec3 frame_scaled(vec3 v) {
 
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
 // than the part `parallel`, along both axes together.
-uint frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
+uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
     vec3 first;
     vec3 second;
-    frame_basis(n, first, second);
-    vec3 scaled = frame_scaled(tangent);
+    unitvec_frame_basis(n, first, second);
+    vec3 scaled = unitvec_frame_scaled(tangent);
     float x = unitvec_dot(scaled, first);
     float y = unitvec_dot(scaled, second);
     UNITVEC_PRECISE float sum = abs(x) + abs(y);
@@ -85,7 +88,7 @@ uint frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
     UNITVEC_PRECISE float w = unitvec_negate_if(odd, difference) / (usable ? sum : 1.0);
 
     float half_places = float(1u << (angle_bits - 3u));
-    UNITVEC_PRECISE float position = half_places * (frame_unwarp(w, angle_bits) + 1.0);
+    UNITVEC_PRECISE float position = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0);
     UNITVEC_PRECISE float place = floor(position + 0.5);
     uint quarters = ((below ? 2u : 0u) + (odd ? 1u : 0u)) << (angle_bits - 2u);
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
@@ -94,65 +97,66 @@ uint frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
 }
 
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
-vec2 frame_diamond_point(uint code, uint angle_bits) {
+vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
     UNITVEC_PRECISE float v = place * (1.0 / float(1u << (angle_bits - 3u))) - 1.0;
 
     bool odd = (code & (1u << (angle_bits - 2u))) != 0u;
     bool below = (code & (1u << (angle_bits - 1u))) != 0u;
-    float w = unitvec_negate_if(odd, frame_warp(v));
+    float w = unitvec_negate_if(odd, unitvec_frame_warp(v));
     UNITVEC_PRECISE float x = 1.0 - w;
     UNITVEC_PRECISE float y = 1.0 + w;
     return vec2(unitvec_negate_if(odd != below, x), unitvec_negate_if(below, y));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.
-vec3 frame_tangent(vec3 n, uint code, uint angle_bits) {
+vec3 unitvec_frame_tangent(vec3 n, uint code, uint angle_bits) {
     vec3 first;
     vec3 second;
-    frame_basis(n, first, second);
-    vec2 p = frame_diamond_point(code, angle_bits);
+    unitvec_frame_basis(n, first, second);
+    vec2 p = unitvec_frame_diamond_point(code, angle_bits);
     UNITVEC_PRECISE vec3 t = first * p.x + second * p.y;
     return unitvec_normalize(t);
 }
 
 // 1 for a handedness below zero, 0 for any other, zeros, denormals and NaN included, by a comparison of integers.
-uint frame_handedness_code(float handedness) {
+uint unitvec_frame_handedness_code(float handedness) {
     return floatBitsToUint(handedness) - 0x80800000u < 0x7f000001u ? 1u : 0u;
 }
 
 // +1 for an even code, -1 for an odd one.
-float frame_handedness(uint code) {
+float unitvec_frame_handedness(uint code) {
     return unitvec_negate_if((code & 1u) != 0u, 1.0);
 }
 
 // Unit vector of a normal's lattice point, given in 21 bits each.
-vec3 frame64_normal(uint x, uint y) {
-    return oct_from_lattice(vec2(unitvec_snorm_integer(x, 21u), unitvec_snorm_integer(y, 21u)), snorm_max(21u));
+vec3 unitvec_frame64_normal(uint x, uint y) {
+    vec2 e = vec2(unitvec_snorm_integer(x, 21u), unitvec_snorm_integer(y, 21u));
+    return unitvec_oct_from_lattice(e, unitvec_snorm_max(21u));
 }
 
 uint frame32_encode(vec3 normal, vec4 tangent) {
     uint code = oct22p_encode(normal);
-    uint angle = frame_angle_code(oct22_decode(code), tangent.xyz, 9u, 0.00390625);
-    return code | (angle << 22u) | (frame_handedness_code(tangent.w) << 31u);
+    uint angle = unitvec_frame_angle_code(oct22_decode(code), tangent.xyz, 9u, 0.00390625);
+    return code | (angle << 22u) | (unitvec_frame_handedness_code(tangent.w) << 31u);
 }
 
 uvec2 frame64_encode(vec3 normal, vec4 tangent) {
-    vec2 e = oct_lattice_precise(normal, snorm_max(21u));
+    vec2 e = unitvec_oct_lattice_precise(normal, unitvec_snorm_max(21u));
     uint x = unitvec_signed_code(e.x, 21u);
     uint y = unitvec_signed_code(e.y, 21u);
-    uint angle = frame_angle_code(frame64_normal(x, y), tangent.xyz, 21u, 3.814697265625e-6);
-    return uvec2(x | (y << 21u), (y >> 11u) | (angle << 10u) | (frame_handedness_code(tangent.w) << 31u));
+    uint angle = unitvec_frame_angle_code(unitvec_frame64_normal(x, y), tangent.xyz, 21u, 3.814697265625e-6);
+    return uvec2(x | (y << 21u), (y >> 11u) | (angle << 10u) | (unitvec_frame_handedness_code(tangent.w) << 31u));
 }
 
 void frame32_decode(uint code, out vec3 normal, out vec4 tangent) {
     normal = oct22_decode(code);
-    tangent = vec4(frame_tangent(normal, code >> 22u, 9u), frame_handedness(code >> 31u));
+    tangent = vec4(unitvec_frame_tangent(normal, code >> 22u, 9u), unitvec_frame_handedness(code >> 31u));
 }
 
 void frame64_decode(uvec2 code, out vec3 normal, out vec4 tangent) {
-    normal = frame64_normal(code.x, (code.x >> 21u) | (code.y << 11u));
-    tangent = vec4(frame_tangent(normal, code.y >> 10u, 21u), frame_handedness(code.y >> 31u));
+    normal = unitvec_frame64_normal(code.x, (code.x >> 21u) | (code.y << 11u));
+    tangent = vec4(unitvec_frame_tangent(normal, code.y >> 10u, 21u), unitvec_frame_handedness(code.y >> 31u));
 }
 
 #endif

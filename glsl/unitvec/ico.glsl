@@ -19,24 +19,27 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // The golden ratio and its reciprocal.
-const float ICO_GOLDEN = 1.618034;
-const float ICO_GOLDEN_LESS_1 = 0.618034;
+const float UNITVEC_ICO_GOLDEN = 1.618034;
+const float UNITVEC_ICO_GOLDEN_LESS_1 = 0.618034;
 // The sum of the flat coordinates of (1, 0, 0), and what reflection adds to the sum, of a coordinate of -1.
-const float ICO_TWICE_GOLDEN_LESS_1 = 1.236068;
-const float ICO_ADDED_BY_REFLECTION = 0.763932;
+const float UNITVEC_ICO_TWICE_GOLDEN_LESS_1 = 1.236068;
+const float UNITVEC_ICO_ADDED_BY_REFLECTION = 0.763932;
 
 // Of the cubic that the inverse of the warp starts from.
-const float ICO_INVERSE_0 = 0.214316;
-const float ICO_INVERSE_1 = -0.121124;
-const float ICO_INVERSE_2 = 0.117389;
-// ICO_INVERSE_2 times 1/2, and 1; times 3/2; and times 3.
-const float ICO_INVERSE_3 = 1.0586945;
-const float ICO_INVERSE_4 = 0.1760835;
-const float ICO_INVERSE_5 = 0.352167;
+const float UNITVEC_ICO_INVERSE_0 = 0.214316;
+const float UNITVEC_ICO_INVERSE_1 = -0.121124;
+const float UNITVEC_ICO_INVERSE_2 = 0.117389;
+// UNITVEC_ICO_INVERSE_2 times 1/2, and 1; times 3/2; and times 3.
+const float UNITVEC_ICO_INVERSE_3 = 1.0586945;
+const float UNITVEC_ICO_INVERSE_4 = 0.1760835;
+const float UNITVEC_ICO_INVERSE_5 = 0.352167;
 
 // Steps along an edge, n, N of the weights i (N - i), and factors of the squares of the distances between neighbours.
-struct IcoLattice {
+struct UnitvecIcoLattice {
     uint n;
     float warp;
     float squares_s;
@@ -45,57 +48,60 @@ struct IcoLattice {
     float squares_tt;
 };
 
-const IcoLattice ICO_LATTICE_16 = IcoLattice(80u, 400.0, 1.2906223, 0.9165209, 0.07669952, -0.11949905);
-const IcoLattice ICO_LATTICE_24 = IcoLattice(1294u, 6019.0, 1.7887541, 1.2950615, 0.13716104, -0.368954);
-const IcoLattice ICO_LATTICE_32 = IcoLattice(20724u, 96391.0, 1.7887541, 1.2950615, 0.13716104, -0.368954);
+const UnitvecIcoLattice UNITVEC_ICO_LATTICE_16 =
+    UnitvecIcoLattice(80u, 400.0, 1.2906223, 0.9165209, 0.07669952, -0.11949905);
+const UnitvecIcoLattice UNITVEC_ICO_LATTICE_24 =
+    UnitvecIcoLattice(1294u, 6019.0, 1.7887541, 1.2950615, 0.13716104, -0.368954);
+const UnitvecIcoLattice UNITVEC_ICO_LATTICE_32 =
+    UnitvecIcoLattice(20724u, 96391.0, 1.7887541, 1.2950615, 0.13716104, -0.368954);
 
 // The first code of the faces in octants.
-uint ico_octants(IcoLattice lattice) {
+uint unitvec_ico_octants(UnitvecIcoLattice lattice) {
     return 6u * lattice.n * (lattice.n + 2u);
 }
 
 // The last code that encoding writes.
-uint ico_last(IcoLattice lattice) {
-    return ico_octants(lattice) + 4u * (lattice.n - 2u) * (lattice.n - 1u) - 1u;
+uint unitvec_ico_last(UnitvecIcoLattice lattice) {
+    return unitvec_ico_octants(lattice) + 4u * (lattice.n - 2u) * (lattice.n - 1u) - 1u;
 }
 
 // The lattice point of the numbers x and z.
-vec3 ico_point(IcoLattice lattice, float x, float z) {
+vec3 unitvec_ico_point(UnitvecIcoLattice lattice, float x, float z) {
     UNITVEC_PRECISE float y = (float(lattice.n) - x) - z;
     return vec3(x, y, z);
 }
 
 // The weights of a lattice point.
-vec3 ico_weights(IcoLattice lattice, vec3 i) {
+vec3 unitvec_ico_weights(UnitvecIcoLattice lattice, vec3 i) {
     UNITVEC_PRECISE vec3 w = i * (lattice.warp - i);
     return w;
 }
 
 // The components in cyclic order so that those of the face that straddles y = 0 come to stand for those of the face
 // that straddles z = 0 or x = 0, if marked.
-vec3 ico_turn(vec3 v, bool of_z, bool of_x) {
+vec3 unitvec_ico_turn(vec3 v, bool of_z, bool of_x) {
     vec3 turned = of_x ? v.yzx : v;
     return of_z ? v.zxy : turned;
 }
 
-float ico_sum(vec3 v) {
+float unitvec_ico_sum(vec3 v) {
     UNITVEC_PRECISE float s = (v.x + v.y) + v.z;
     return s;
 }
 
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
-vec3 ico_nearest(vec3 p, float p_sum, IcoLattice lattice) {
+vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
     UNITVEC_PRECISE vec3 t = p * (1.0 / p_sum);
     UNITVEC_PRECISE vec3 t_squared = t * t;
-    float squares = ico_sum(t_squared);
+    float squares = unitvec_ico_sum(t_squared);
     // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
-    UNITVEC_PRECISE float b_1 = ICO_INVERSE_0 + ICO_INVERSE_1 * squares;
+    UNITVEC_PRECISE float b_1 = UNITVEC_ICO_INVERSE_0 + UNITVEC_ICO_INVERSE_1 * squares;
     UNITVEC_PRECISE float b_0 =
-        (ICO_INVERSE_3 - squares * (b_1 + ICO_INVERSE_4)) - ICO_INVERSE_5 * ((t.x * t.y) * t.z);
-    UNITVEC_PRECISE float start_x = floor((t.x * (b_0 + t.x * (b_1 + ICO_INVERSE_2 * t.x))) * n + 0.5);
-    UNITVEC_PRECISE float start_z = floor((t.z * (b_0 + t.z * (b_1 + ICO_INVERSE_2 * t.z))) * n + 0.5);
-    vec3 start = ico_point(lattice, start_x, start_z);
+        (UNITVEC_ICO_INVERSE_3 - squares * (b_1 + UNITVEC_ICO_INVERSE_4)) - UNITVEC_ICO_INVERSE_5 * ((t.x * t.y) * t.z);
+    UNITVEC_PRECISE float start_x = floor((t.x * (b_0 + t.x * (b_1 + UNITVEC_ICO_INVERSE_2 * t.x))) * n + 0.5);
+    UNITVEC_PRECISE float start_z = floor((t.z * (b_0 + t.z * (b_1 + UNITVEC_ICO_INVERSE_2 * t.z))) * n + 0.5);
+    vec3 start = unitvec_ico_point(lattice, start_x, start_z);
 
     // Newton's method for i and the factor of t, where the i keep their sum.
     UNITVEC_PRECISE vec3 rest = lattice.warp - start;
@@ -133,41 +139,41 @@ vec3 ico_nearest(vec3 p, float p_sum, IcoLattice lattice) {
     bool is_next_z = is_z != is_upper;
     UNITVEC_PRECISE float x = (start.x + whole_x) + (is_next_x ? 1.0 : 0.0);
     UNITVEC_PRECISE float z = (start.z + whole_z) + (is_next_z ? 1.0 : 0.0);
-    return ico_point(lattice, x, z);
+    return unitvec_ico_point(lattice, x, z);
 }
 
 // x, which is not negative, with the sign of y.
-float ico_signed(float x, float y) {
+float unitvec_ico_signed(float x, float y) {
     return uintBitsToFloat(floatBitsToUint(x) | (floatBitsToUint(y) & 0x80000000u));
 }
 
-uint ico_encode(vec3 v, IcoLattice lattice) {
+uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     float norm = unitvec_l1_norm(v);
     bool usable = unitvec_is_usable(norm);
     float n = float(lattice.n);
     vec3 a = abs(v);
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
     UNITVEC_PRECISE vec3 flat_part = vec3(
-        ICO_GOLDEN_LESS_1 * (a.y + a.z) + (a.z - a.x),
-        ICO_GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
-        ICO_GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y));
+        UNITVEC_ICO_GOLDEN_LESS_1 * (a.y + a.z) + (a.z - a.x),
+        UNITVEC_ICO_GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
+        UNITVEC_ICO_GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y));
     // By reflection: the vertices across a side have the sum of the side's two, divided by p.
     float beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
-    UNITVEC_PRECISE float shared_part = ICO_GOLDEN_LESS_1 * beyond;
-    UNITVEC_PRECISE float sum = ICO_TWICE_GOLDEN_LESS_1 * norm - ICO_ADDED_BY_REFLECTION * beyond;
+    UNITVEC_PRECISE float shared_part = UNITVEC_ICO_GOLDEN_LESS_1 * beyond;
+    UNITVEC_PRECISE float sum = UNITVEC_ICO_TWICE_GOLDEN_LESS_1 * norm - UNITVEC_ICO_ADDED_BY_REFLECTION * beyond;
     UNITVEC_PRECISE vec3 on_side = flat_part + shared_part;
-    vec3 i = ico_nearest(max(on_side, -flat_part), sum, lattice);
+    vec3 i = unitvec_ico_nearest(max(on_side, -flat_part), sum, lattice);
 
     // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
     // they are equal, it is the one whose base ends there.
-    float x = ico_signed(i.x, flat_part.x);
-    float y = ico_signed(i.y, flat_part.y);
-    float z = ico_signed(i.z, flat_part.z);
+    float x = unitvec_ico_signed(i.x, flat_part.x);
+    float y = unitvec_ico_signed(i.y, flat_part.y);
+    float z = unitvec_ico_signed(i.z, flat_part.z);
     bool of_z = x < 0.5 && x <= y && x < z;
     bool of_x = z < 0.5 && z <= x && z < y;
     bool is_octant = !of_z && !of_x && y > 0.5 && usable;
-    i = ico_turn(i, of_z, of_x);
-    vec3 sides = ico_turn(v, of_x, of_z);
+    i = unitvec_ico_turn(i, of_z, of_x);
+    vec3 sides = unitvec_ico_turn(v, of_x, of_z);
 
     // All of these are whole.
     bool straddled_side = unitvec_is_negative(sides.y);
@@ -186,17 +192,17 @@ uint ico_encode(vec3 v, IcoLattice lattice) {
     // +Z is in the middle of the first row.
     line = usable ? line : 0.0;
     column = usable ? column : 0.5 * n;
-    uint first = is_octant ? ico_octants(lattice) : 0u;
+    uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
     return first + unitvec_whole_to_u32(line) * row_length + unitvec_whole_to_u32(column);
 }
 
 // Unit length to within 2 ULP.
-vec3 ico_decode(uint code, IcoLattice lattice) {
+vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
-    code = min(code, ico_last(lattice));
-    bool is_octant = code >= ico_octants(lattice);
-    uint first = is_octant ? ico_octants(lattice) : 0u;
+    code = min(code, unitvec_ico_last(lattice));
+    bool is_octant = code >= unitvec_ico_octants(lattice);
+    uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
     float per_length = is_octant ? 2.0 / (n - 1.0) : 2.0 / (n + 2.0);
     float rows = is_octant ? n - 2.0 : n;
@@ -222,11 +228,12 @@ vec3 ico_decode(uint code, IcoLattice lattice) {
     bool is_second = column > second_depth;
     UNITVEC_PRECISE float x = (is_second ? second_across : column) + least;
     UNITVEC_PRECISE float z = (is_second ? second_depth : row) + least;
-    vec3 w = ico_weights(lattice, ico_point(lattice, x, z));
+    vec3 w = unitvec_ico_weights(lattice, unitvec_ico_point(lattice, x, z));
     float to_x = is_octant ? w.y : 0.0;
     float to_z = is_octant ? 0.0 : w.y;
-    float y_of_y = is_octant ? ICO_GOLDEN : -1.0;
-    UNITVEC_PRECISE vec3 v = vec3(ICO_GOLDEN * w.z + to_x, w.x + y_of_y * w.y, ICO_GOLDEN * (w.x + to_z) + w.z);
+    float y_of_y = is_octant ? UNITVEC_ICO_GOLDEN : -1.0;
+    UNITVEC_PRECISE vec3 v =
+        vec3(UNITVEC_ICO_GOLDEN * w.z + to_x, w.x + y_of_y * w.y, UNITVEC_ICO_GOLDEN * (w.x + to_z) + w.z);
     uint block = unitvec_whole_to_u32(block_number);
     uint odd = block << 31u;
     uint upper = (block << 30u) & 0x80000000u;
@@ -235,15 +242,15 @@ vec3 ico_decode(uint code, IcoLattice lattice) {
         unitvec_negate_if(is_second, v.x),
         uintBitsToFloat(floatBitsToUint(v.y) ^ (is_octant ? odd : 0u)),
         uintBitsToFloat(floatBitsToUint(v.z) ^ (is_octant ? upper : odd)));
-    return ico_turn(v, !is_octant && (block & 6u) == 2u, !is_octant && block >= 4u);
+    return unitvec_ico_turn(v, !is_octant && (block & 6u) == 2u, !is_octant && block >= 4u);
 }
 
-uint ico16_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_16); }
-uint ico24_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_24); }
-uint ico32_encode(vec3 v) { return ico_encode(v, ICO_LATTICE_32); }
+uint ico16_encode(vec3 v) { return unitvec_ico_encode(v, UNITVEC_ICO_LATTICE_16); }
+uint ico24_encode(vec3 v) { return unitvec_ico_encode(v, UNITVEC_ICO_LATTICE_24); }
+uint ico32_encode(vec3 v) { return unitvec_ico_encode(v, UNITVEC_ICO_LATTICE_32); }
 
-vec3 ico16_decode(uint code) { return ico_decode(code & unitvec_mask(16u), ICO_LATTICE_16); }
-vec3 ico24_decode(uint code) { return ico_decode(code & unitvec_mask(24u), ICO_LATTICE_24); }
-vec3 ico32_decode(uint code) { return ico_decode(code, ICO_LATTICE_32); }
+vec3 ico16_decode(uint code) { return unitvec_ico_decode(code & unitvec_mask(16u), UNITVEC_ICO_LATTICE_16); }
+vec3 ico24_decode(uint code) { return unitvec_ico_decode(code & unitvec_mask(24u), UNITVEC_ICO_LATTICE_24); }
+vec3 ico32_decode(uint code) { return unitvec_ico_decode(code, UNITVEC_ICO_LATTICE_32); }
 
 #endif

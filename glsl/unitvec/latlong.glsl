@@ -17,7 +17,10 @@
 #include "arith.glsl"
 #endif
 
-uint latlong_grid_encode(vec3 v, uint half_bits) {
+precision highp float;
+precision highp int;
+
+uint unitvec_latlong_grid_encode(vec3 v, uint half_bits) {
     v = unitvec_angles_scaled(v);
     float rings = float(1u << half_bits);
     UNITVEC_PRECISE float colatitude = unitvec_atan2_half_turns(unitvec_horizontal_length(v), v.z) * rings;
@@ -27,7 +30,7 @@ uint latlong_grid_encode(vec3 v, uint half_bits) {
     return unitvec_signed_code(floor(azimuth), half_bits) | (unitvec_whole_to_u32(min(ring, last)) << half_bits);
 }
 
-vec3 latlong_grid_decode(uint code, uint half_bits) {
+vec3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
     float step_size = 1.0 / float(1u << half_bits);
     float ring = float((code >> half_bits) & unitvec_mask(half_bits));
     UNITVEC_PRECISE float colatitude = (ring + 0.5) * step_size;
@@ -37,7 +40,7 @@ vec3 latlong_grid_decode(uint code, uint half_bits) {
 }
 
 // Rings 0 (the pole) to n (the equator): S, which gives their first patch, and its inverse, lowest power first.
-struct LatlongRings {
+struct UnitvecLatlongRings {
     float n;
     vec3 a;
     vec4 q;
@@ -45,24 +48,24 @@ struct LatlongRings {
     float offset;
 };
 
-const LatlongRings LATLONG_RINGS_16 = LatlongRings(
+const UnitvecLatlongRings UNITVEC_LATLONG_RINGS_16 = UnitvecLatlongRings(
     113.0, vec3(0.7756357, -1.244649e-5, 7.392083e-11), vec4(1.1121525, 1.7299868e-5, 0.0, 0.0), 0.0, 0.7887458);
-const LatlongRings LATLONG_RINGS_24 = LatlongRings(
+const UnitvecLatlongRings UNITVEC_LATLONG_RINGS_24 = UnitvecLatlongRings(
     1782.0, vec3(0.81366533, -5.2502063e-8, 1.2538275e-15),
     vec4(1.1107166, 3.7894093e-8, 9.317108e-15, 0.0), 0.0, 0.23774427);
-const LatlongRings LATLONG_RINGS_32 = LatlongRings(
+const UnitvecLatlongRings UNITVEC_LATLONG_RINGS_32 = UnitvecLatlongRings(
     29225.0, vec3(0.7753543, -1.8601036e-10, 1.6516002e-20),
     vec4(1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30), 8.5294734e-38, 0.4510315);
 
 // Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
-float latlong_border(LatlongRings rings, float h) {
+float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
     UNITVEC_PRECISE float u = h * h;
     UNITVEC_PRECISE float s = u * (rings.a.x + u * (rings.a.y + u * rings.a.z)) + (0.95 * h + 0.72515);
     return s;
 }
 
 // From i to i + 2 for the indices of ring i.
-float latlong_inverse(LatlongRings rings, float index) {
+float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     UNITVEC_PRECISE float low = rings.q.x + index * rings.q.y;
     UNITVEC_PRECISE float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q4;
     float high = rings.q4 != 0.0 ? both_high : rings.q.z;
@@ -73,24 +76,24 @@ float latlong_inverse(LatlongRings rings, float index) {
 }
 
 // An index as the sum of two floats: from 25 bits on a single one need not hold it.
-vec2 latlong_in_parts(uint index, uint bits) {
+vec2 unitvec_latlong_in_parts(uint index, uint bits) {
     uint low = bits <= 24u ? 0u : index & unitvec_mask(12u);
     return vec2(float(int(index - low)), float(int(low)));
 }
 
 // -x where the highest bit of sign_bit is set.
-float latlong_negate_by(uint sign_bit, float x) {
+float unitvec_latlong_negate_by(uint sign_bit, float x) {
     return uintBitsToFloat(floatBitsToUint(x) ^ (sign_bit & 0x80000000u));
 }
 
-uint latlong_patch_encode(vec3 v, LatlongRings rings, uint index_bits) {
+uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_bits) {
     v = unitvec_angles_scaled(v);
     float colatitude = unitvec_atan2_half_turns(unitvec_horizontal_length(v), abs(v.z));
     UNITVEC_PRECISE float ring = colatitude * (2.0 * rings.n) + 0.5;
     float i = floor(ring);
     UNITVEC_PRECISE vec2 h = vec2(i - 0.5, i + 0.5);
-    float start = floor(latlong_border(rings, h.x));
-    UNITVEC_PRECISE float count = floor(latlong_border(rings, h.y)) - start;
+    float start = floor(unitvec_latlong_border(rings, h.x));
+    UNITVEC_PRECISE float count = floor(unitvec_latlong_border(rings, h.y)) - start;
     float angle = unitvec_atan2_half_turns(abs(v.y), abs(v.x));
     UNITVEC_PRECISE float position = angle * (2.0 * count) + 0.5;
     float j = floor(position);
@@ -111,16 +114,16 @@ uint latlong_patch_encode(vec3 v, LatlongRings rings, uint index_bits) {
     return below | (i > 0.0 ? place : 0u);
 }
 
-vec3 latlong_patch_decode(uint code, LatlongRings rings, uint index_bits) {
+vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint index_bits) {
     uint index = code & unitvec_mask(index_bits);
-    vec2 parts = latlong_in_parts(index, index_bits);
+    vec2 parts = unitvec_latlong_in_parts(index, index_bits);
 
     // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
-    float nearest = floor(latlong_inverse(rings, float(int(index))));
+    float nearest = floor(unitvec_latlong_inverse(rings, float(int(index))));
     UNITVEC_PRECISE vec3 h = nearest - vec3(1.5, 0.5, -0.5);
-    float previous = latlong_border(rings, h.x);
-    float border = latlong_border(rings, h.y);
-    float next = latlong_border(rings, h.z);
+    float previous = unitvec_latlong_border(rings, h.x);
+    float border = unitvec_latlong_border(rings, h.y);
+    float next = unitvec_latlong_border(rings, h.z);
     UNITVEC_PRECISE float from_index = border - parts.x;
     UNITVEC_PRECISE float to_next = parts.y + 1.0;
     bool before = from_index >= to_next;
@@ -147,28 +150,29 @@ vec3 latlong_patch_decode(uint code, LatlongRings rings, uint index_bits) {
     bool odd = (quarter & (1u << index_bits)) != 0u;
     float a = odd ? equator.y : equator.x;
     float b = odd ? equator.x : equator.y;
-    a = latlong_negate_by((quarter + (1u << index_bits)) << (30u - index_bits), a);
-    b = latlong_negate_by(quarter << (30u - index_bits), b);
+    a = unitvec_latlong_negate_by((quarter + (1u << index_bits)) << (30u - index_bits), a);
+    b = unitvec_latlong_negate_by(quarter << (30u - index_bits), b);
     uint below = code << (29u - index_bits);
-    UNITVEC_PRECISE float z = latlong_negate_by(below, meridian.x) - latlong_negate_by(below, meridian.y);
+    UNITVEC_PRECISE float z =
+        unitvec_latlong_negate_by(below, meridian.x) - unitvec_latlong_negate_by(below, meridian.y);
     UNITVEC_PRECISE vec2 p = vec2(a - b, a + b) * radius;
     return vec3(p, z);
 }
 
-uint latlong16_encode(vec3 v) { return latlong_grid_encode(v, 8u); }
-uint latlong24_encode(vec3 v) { return latlong_grid_encode(v, 12u); }
-uint latlong32_encode(vec3 v) { return latlong_grid_encode(v, 16u); }
+uint latlong16_encode(vec3 v) { return unitvec_latlong_grid_encode(v, 8u); }
+uint latlong24_encode(vec3 v) { return unitvec_latlong_grid_encode(v, 12u); }
+uint latlong32_encode(vec3 v) { return unitvec_latlong_grid_encode(v, 16u); }
 
-vec3 latlong16_decode(uint code) { return latlong_grid_decode(code, 8u); }
-vec3 latlong24_decode(uint code) { return latlong_grid_decode(code, 12u); }
-vec3 latlong32_decode(uint code) { return latlong_grid_decode(code, 16u); }
+vec3 latlong16_decode(uint code) { return unitvec_latlong_grid_decode(code, 8u); }
+vec3 latlong24_decode(uint code) { return unitvec_latlong_grid_decode(code, 12u); }
+vec3 latlong32_decode(uint code) { return unitvec_latlong_grid_decode(code, 16u); }
 
-uint latlong16d_encode(vec3 v) { return latlong_patch_encode(v, LATLONG_RINGS_16, 13u); }
-uint latlong24d_encode(vec3 v) { return latlong_patch_encode(v, LATLONG_RINGS_24, 21u); }
-uint latlong32d_encode(vec3 v) { return latlong_patch_encode(v, LATLONG_RINGS_32, 29u); }
+uint latlong16d_encode(vec3 v) { return unitvec_latlong_patch_encode(v, UNITVEC_LATLONG_RINGS_16, 13u); }
+uint latlong24d_encode(vec3 v) { return unitvec_latlong_patch_encode(v, UNITVEC_LATLONG_RINGS_24, 21u); }
+uint latlong32d_encode(vec3 v) { return unitvec_latlong_patch_encode(v, UNITVEC_LATLONG_RINGS_32, 29u); }
 
-vec3 latlong16d_decode(uint code) { return latlong_patch_decode(code, LATLONG_RINGS_16, 13u); }
-vec3 latlong24d_decode(uint code) { return latlong_patch_decode(code, LATLONG_RINGS_24, 21u); }
-vec3 latlong32d_decode(uint code) { return latlong_patch_decode(code, LATLONG_RINGS_32, 29u); }
+vec3 latlong16d_decode(uint code) { return unitvec_latlong_patch_decode(code, UNITVEC_LATLONG_RINGS_16, 13u); }
+vec3 latlong24d_decode(uint code) { return unitvec_latlong_patch_decode(code, UNITVEC_LATLONG_RINGS_24, 21u); }
+vec3 latlong32d_decode(uint code) { return unitvec_latlong_patch_decode(code, UNITVEC_LATLONG_RINGS_32, 29u); }
 
 #endif

@@ -1,14 +1,21 @@
-// unitvec: octahedral codes of 16, 20, 22, 24 and 32 bits.
+// unitvec: octahedral codes of 8, 12, 16, 18, 20, 22, 24 and 32 bits.
 //
 // Source: Cigolle et al. 2014, listings 1 to 5; Meyer et al. 2010, section 5.
 //
-//   oct16_encode(v), oct16_decode(code)      integer codes; also oct20, oct22, oct24, oct32
+//   oct16_encode(v), oct16_decode(code)      integer codes; also oct8, oct12, oct18, oct20, oct22, oct24, oct32
 //   oct16p_encode(v), ...                    precise encoders of the same formats
-//   float32x3_to_oct(v), oct_to_float32x3(e) for snorm formats that the hardware converts
+//   float32x3_to_oct(v)                      a pair on [-1, 1], for an snorm format to which the hardware converts
+//   float32x3_to_octn_precise(v, n)          the precise code as such a pair, for a format of n bits (even, 4 to 32)
+//   oct_to_float32x3(e)                      the direction of such a pair
+//   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: x in the
-// low half, y in the high half, two's complement snorm; oct24 instead has the three bytes of listing 5, first byte
-// lowest. With m the snorm's largest integer, codes are the whole points of the square [-m, m]^2: its lattice.
+// To an attachment of RG16_SNORM, float32x3_to_octn_precise(v, 32) stores the code of oct32p, exactly, and
+// float32x3_to_oct(v) that of oct32 but for 3 codes in 1000, which are a step off: it rounds, and the hardware again.
+//
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; other
+// floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24 has
+// the three bytes of listing 5 instead, first byte lowest. With m the snorm's largest integer, codes are the whole
+// points of the square [-m, m]^2: its lattice.
 
 #ifndef UNITVEC_OCT_GLSL
 #define UNITVEC_OCT_GLSL
@@ -17,28 +24,31 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // Moves a point of the positive octant, scaled to x + y + z = m, to where the lower half of the octahedron is folded
 // out if z is negative.
-vec2 oct_fold(float z, vec2 p, float m) {
+vec2 unitvec_oct_fold(float z, vec2 p, float m) {
     UNITVEC_PRECISE vec2 folded = m - p.yx;
     return unitvec_is_negative(z) ? folded : p;
 }
 
 // Gives p, from the positive octant, the signs of v.
-vec2 oct_mirror(vec3 v, vec2 p) {
+vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
     return vec2(unitvec_negate_if(unitvec_is_negative(v.x), p.x), unitvec_negate_if(unitvec_is_negative(v.y), p.y));
 }
 
 // Lattice point of the direction of v: the nearest one in the square (listing 1, then snorm rounding).
-vec2 oct_lattice(vec3 v, float m) {
+vec2 unitvec_oct_lattice(vec3 v, float m) {
     v = unitvec_or_z(v);
     UNITVEC_PRECISE vec2 p = abs(v.xy) * (m / unitvec_l1_norm(v));
-    UNITVEC_PRECISE vec2 rounded = floor(oct_fold(v.z, p, m) + 0.5);
-    return oct_mirror(v, rounded);
+    UNITVEC_PRECISE vec2 rounded = floor(unitvec_oct_fold(v.z, p, m) + 0.5);
+    return unitvec_oct_mirror(v, rounded);
 }
 
 // q of where the ray of p meets the plane x + y + z = m.
-vec2 oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
+vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     UNITVEC_PRECISE float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
     UNITVEC_PRECISE float stretch = missing * (1.0 / m);
     UNITVEC_PRECISE vec2 moved = q + stretch * p.xy;
@@ -47,7 +57,7 @@ vec2 oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
 
 // A and B with the denominators (c . p)^2 taken into account: as if q were q + u (X, Y), with u = 3 / m N /
 // (3 + X^2 + Y^2 + Z^2), Z = -X - Y, and N that of two corners where they tie.
-vec2 oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
+vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE float minus_z = at.x + at.y;
     UNITVEC_PRECISE float z_squared = minus_z * minus_z;
     UNITVEC_PRECISE float over = abs(ab.x + ab.y) - cross_term;
@@ -61,7 +71,7 @@ vec2 oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
-vec2 oct_approached(vec2 q, vec2 at, float m) {
+vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE vec2 moved = q + at * (0.3795 / m);
     return moved;
 }
@@ -73,12 +83,12 @@ vec2 oct_approached(vec2 q, vec2 at, float m) {
 // (2 + Y^2) dx^2 + 2 (1 - X Y) dx dy + (2 + X^2) dy^2. With q = p from the cell's middle, A = (2 + Y^2) q.x +
 // (1 - X Y) q.y, B = (1 - X Y) q.x + (2 + X^2) q.y and H = (1 - X Y) / 2, the right corner is nearer than the upper one
 // where A > B; then the near one loses to it where A > -H, the far one wins where B > H. Else likewise.
-vec2 oct_nearest_corner(vec3 p, float m) {
+vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
     UNITVEC_PRECISE vec2 middle = floor(p.xy) + 0.5;
     UNITVEC_PRECISE vec2 q = p.xy - middle;
     UNITVEC_PRECISE vec2 at = p.xy * (3.0 / m) - 1.0;
-    if (m >= 256.0 && m < 4096.0) q = oct_approached(q, at, m);
-    if (m >= 65536.0) q = oct_projected(q, p, middle, m);
+    if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
+    if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
     UNITVEC_PRECISE float turn = at.y * q.x - at.x * q.y;
     UNITVEC_PRECISE float sum = q.x + q.y;
@@ -86,7 +96,7 @@ vec2 oct_nearest_corner(vec3 p, float m) {
     UNITVEC_PRECISE float b = (q.y + sum) - at.x * turn;
     UNITVEC_PRECISE float cross_term = 1.0 - at.x * at.y;
     vec2 ab = vec2(a, b);
-    if (m < 256.0) ab = oct_weighed(ab, cross_term, q, at, m);
+    if (m < 256.0) ab = unitvec_oct_weighed(ab, cross_term, q, at, m);
 
     float half_cross = 0.5 * cross_term;
     float least_b = ab.x >= ab.y ? half_cross : -half_cross;
@@ -96,7 +106,7 @@ vec2 oct_nearest_corner(vec3 p, float m) {
 
 // A corner of a lattice cell: x, y, and the square of the tangent of its angle from p as a fraction, z / w. One beyond the
 // edge z = 0 of the octant is farther than any.
-vec4 oct_corner(float x, float y, vec3 p, float m) {
+vec4 unitvec_oct_corner(float x, float y, vec3 p, float m) {
     UNITVEC_PRECISE float z = m - x - y;
     UNITVEC_PRECISE float a = y * p.z - z * p.y;
     UNITVEC_PRECISE float b = z * p.x - x * p.z;
@@ -108,38 +118,38 @@ vec4 oct_corner(float x, float y, vec3 p, float m) {
 }
 
 // b where it is nearer, else a.
-vec4 oct_nearer(vec4 a, vec4 b) {
+vec4 unitvec_oct_nearer(vec4 a, vec4 b) {
     UNITVEC_PRECISE float of_b = b.z * a.w;
     UNITVEC_PRECISE float of_a = a.z * b.w;
     return of_b < of_a ? b : a;
 }
 
-// As oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
-vec2 oct_searched_corner(vec3 p, float m) {
+// As unitvec_oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
+vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec2 low = floor(p.xy);
     UNITVEC_PRECISE vec2 high = low + 1.0;
-    vec4 near = oct_corner(low.x, low.y, p, m);
-    vec4 right = oct_corner(high.x, low.y, p, m);
-    vec4 up = oct_corner(low.x, high.y, p, m);
-    vec4 far = oct_corner(high.x, high.y, p, m);
-    return oct_nearer(oct_nearer(oct_nearer(near, right), up), far).xy;
+    vec4 near = unitvec_oct_corner(low.x, low.y, p, m);
+    vec4 right = unitvec_oct_corner(high.x, low.y, p, m);
+    vec4 up = unitvec_oct_corner(low.x, high.y, p, m);
+    vec4 far = unitvec_oct_corner(high.x, high.y, p, m);
+    return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
 }
 
 // Lattice point of the direction of v that is nearest in angle. Without a usable direction, all is computed and then
 // dropped: to select here takes fewer operations than in v.
-vec2 oct_lattice_precise(vec3 v, float m) {
+vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
     // 2^-26 of the norm: denormals, which some devices flush, are less, and so break no ties.
     p = max(p, m * 1.490116119384765625e-8);
-    // Squares of fewer steps than 63 (up to 12 bits) are too coarse for oct_weighed.
-    vec2 corner = m < 63.0 ? oct_searched_corner(p, m) : oct_nearest_corner(p, m);
-    vec2 e = oct_fold(v.z, corner, m);
-    return oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
+    // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
+    vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
+    vec2 e = unitvec_oct_fold(v.z, corner, m);
+    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
 }
 
 // Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.
-vec3 oct_from_lattice(vec2 e, float m) {
+vec3 unitvec_oct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float z = m - abs(e.x) - abs(e.y);
     float below = z < 0.0 ? -z : 0.0;
     UNITVEC_PRECISE float x = e.x + unitvec_negate_if(e.x >= 0.0, below);
@@ -147,28 +157,29 @@ vec3 oct_from_lattice(vec2 e, float m) {
     return unitvec_normalize(vec3(x, y, z));
 }
 
-// Listing 1: the octahedral projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds.
-// v must have a direction; its length does not matter.
+// Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.
 vec2 float32x3_to_oct(vec3 v) {
-    UNITVEC_PRECISE vec2 p = abs(v.xy) * (1.0 / unitvec_l1_norm(v));
-    return oct_mirror(v, oct_fold(v.z, p, 1.0));
+    float norm = unitvec_l1_norm(v);
+    UNITVEC_PRECISE vec2 p = abs(v.xy) * (1.0 / norm);
+    vec2 e = unitvec_oct_fold(v.z, p, 1.0);
+    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
 }
 
 // Listing 2: the direction of a pair of snorm values on [-1, 1].
 vec3 oct_to_float32x3(vec2 e) {
-    return oct_from_lattice(e, 1.0);
+    return unitvec_oct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_octn_precise(vec3 v, int n) {
-    float m = snorm_max(uint(n / 2));
-    UNITVEC_PRECISE vec2 e = oct_lattice_precise(v, m) / m;
+    float m = unitvec_snorm_max(uint(n / 2));
+    UNITVEC_PRECISE vec2 e = unitvec_oct_lattice_precise(v, m) / m;
     return e;
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 vec3 snorm12x2_to_unorm8x3(vec2 f) {
-    UNITVEC_PRECISE vec2 u = floor(clamp(f, -1.0, 1.0) * 2047.0 + 2047.5);
+    UNITVEC_PRECISE vec2 u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
     float high = floor(u.x / 16.0);
     float carry = floor(u.y / 256.0);
     UNITVEC_PRECISE vec3 bytes = vec3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
@@ -178,15 +189,15 @@ vec3 snorm12x2_to_unorm8x3(vec2 f) {
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.
 vec2 unorm8x3_to_snorm12x2(vec3 u) {
-    UNITVEC_PRECISE vec3 bytes = floor(u * 255.0 + 0.5);
+    UNITVEC_PRECISE vec3 bytes = floor(clamp(u, 0.0, 1.0) * 255.0 + 0.5);
     float high = floor(bytes.y / 16.0);
     UNITVEC_PRECISE vec2 biased = vec2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
     UNITVEC_PRECISE vec2 s = (biased - 2047.0) / 2047.0;
-    return clamp(s, vec2(-1.0), vec2(1.0));
+    return unitvec_is_nan(unitvec_l1_norm(u)) ? vec2(0.0) : clamp(s, -1.0, 1.0);
 }
 
 // Code of a lattice point with m = 2047: the bytes of listing 5, the first in the low bits.
-uint oct_pack_unorm8x3(vec2 e) {
+uint unitvec_oct_pack_unorm8x3(vec2 e) {
     UNITVEC_PRECISE vec2 biased = e + 2047.0;
     uint u = unitvec_signed_code(biased.x, 12u);
     uint v = unitvec_signed_code(biased.y, 12u);
@@ -194,7 +205,7 @@ uint oct_pack_unorm8x3(vec2 e) {
 }
 
 // The pattern 4095 of a component, which encoding never writes, counts as 4094.
-vec2 oct_unpack_unorm8x3(uint code) {
+vec2 unitvec_oct_unpack_unorm8x3(uint code) {
     float u = float(((code & 255u) << 4u) | ((code >> 12u) & 15u));
     float v = float((code & 0xf00u) | ((code >> 16u) & 255u));
     UNITVEC_PRECISE vec2 e = vec2(u, v) - 2047.0;
@@ -202,54 +213,54 @@ vec2 oct_unpack_unorm8x3(uint code) {
 }
 
 // Code of a lattice point, `bits` bits in all.
-uint oct_pack(vec2 e, uint bits) {
-    if (bits == 24u) return oct_pack_unorm8x3(e);
+uint unitvec_oct_pack(vec2 e, uint bits) {
+    if (bits == 24u) return unitvec_oct_pack_unorm8x3(e);
     return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
 }
 
-vec2 oct_unpack(uint code, uint bits) {
-    if (bits == 24u) return oct_unpack_unorm8x3(code);
+vec2 unitvec_oct_unpack(uint code, uint bits) {
+    if (bits == 24u) return unitvec_oct_unpack_unorm8x3(code);
     return vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
 }
 
-uint oct_encode(vec3 v, uint bits) {
-    return oct_pack(oct_lattice(v, snorm_max(bits / 2u)), bits);
+uint unitvec_oct_encode(vec3 v, uint bits) {
+    return unitvec_oct_pack(unitvec_oct_lattice(v, unitvec_snorm_max(bits / 2u)), bits);
 }
 
-uint oct_encode_precise(vec3 v, uint bits) {
-    return oct_pack(oct_lattice_precise(v, snorm_max(bits / 2u)), bits);
+uint unitvec_oct_encode_precise(vec3 v, uint bits) {
+    return unitvec_oct_pack(unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits);
 }
 
-vec3 oct_decode(uint code, uint bits) {
-    return oct_from_lattice(oct_unpack(code, bits), snorm_max(bits / 2u));
+vec3 unitvec_oct_decode(uint code, uint bits) {
+    return unitvec_oct_from_lattice(unitvec_oct_unpack(code, bits), unitvec_snorm_max(bits / 2u));
 }
 
-uint oct8_encode(vec3 v) { return oct_encode(v, 8u); }
-uint oct12_encode(vec3 v) { return oct_encode(v, 12u); }
-uint oct16_encode(vec3 v) { return oct_encode(v, 16u); }
-uint oct18_encode(vec3 v) { return oct_encode(v, 18u); }
-uint oct20_encode(vec3 v) { return oct_encode(v, 20u); }
-uint oct22_encode(vec3 v) { return oct_encode(v, 22u); }
-uint oct24_encode(vec3 v) { return oct_encode(v, 24u); }
-uint oct32_encode(vec3 v) { return oct_encode(v, 32u); }
+uint oct8_encode(vec3 v) { return unitvec_oct_encode(v, 8u); }
+uint oct12_encode(vec3 v) { return unitvec_oct_encode(v, 12u); }
+uint oct16_encode(vec3 v) { return unitvec_oct_encode(v, 16u); }
+uint oct18_encode(vec3 v) { return unitvec_oct_encode(v, 18u); }
+uint oct20_encode(vec3 v) { return unitvec_oct_encode(v, 20u); }
+uint oct22_encode(vec3 v) { return unitvec_oct_encode(v, 22u); }
+uint oct24_encode(vec3 v) { return unitvec_oct_encode(v, 24u); }
+uint oct32_encode(vec3 v) { return unitvec_oct_encode(v, 32u); }
 
-uint oct8p_encode(vec3 v) { return oct_encode_precise(v, 8u); }
-uint oct12p_encode(vec3 v) { return oct_encode_precise(v, 12u); }
-uint oct16p_encode(vec3 v) { return oct_encode_precise(v, 16u); }
-uint oct18p_encode(vec3 v) { return oct_encode_precise(v, 18u); }
-uint oct20p_encode(vec3 v) { return oct_encode_precise(v, 20u); }
-uint oct22p_encode(vec3 v) { return oct_encode_precise(v, 22u); }
-uint oct24p_encode(vec3 v) { return oct_encode_precise(v, 24u); }
-uint oct32p_encode(vec3 v) { return oct_encode_precise(v, 32u); }
+uint oct8p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 8u); }
+uint oct12p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 12u); }
+uint oct16p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 16u); }
+uint oct18p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 18u); }
+uint oct20p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 20u); }
+uint oct22p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 22u); }
+uint oct24p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 24u); }
+uint oct32p_encode(vec3 v) { return unitvec_oct_encode_precise(v, 32u); }
 
-vec3 oct8_decode(uint code) { return oct_decode(code, 8u); }
-vec3 oct12_decode(uint code) { return oct_decode(code, 12u); }
-vec3 oct16_decode(uint code) { return oct_decode(code, 16u); }
-vec3 oct18_decode(uint code) { return oct_decode(code, 18u); }
-vec3 oct20_decode(uint code) { return oct_decode(code, 20u); }
-vec3 oct22_decode(uint code) { return oct_decode(code, 22u); }
-vec3 oct24_decode(uint code) { return oct_decode(code, 24u); }
-vec3 oct32_decode(uint code) { return oct_decode(code, 32u); }
+vec3 oct8_decode(uint code) { return unitvec_oct_decode(code, 8u); }
+vec3 oct12_decode(uint code) { return unitvec_oct_decode(code, 12u); }
+vec3 oct16_decode(uint code) { return unitvec_oct_decode(code, 16u); }
+vec3 oct18_decode(uint code) { return unitvec_oct_decode(code, 18u); }
+vec3 oct20_decode(uint code) { return unitvec_oct_decode(code, 20u); }
+vec3 oct22_decode(uint code) { return unitvec_oct_decode(code, 22u); }
+vec3 oct24_decode(uint code) { return unitvec_oct_decode(code, 24u); }
+vec3 oct32_decode(uint code) { return unitvec_oct_decode(code, 32u); }
 
 vec3 oct8p_decode(uint code) { return oct8_decode(code); }
 vec3 oct12p_decode(uint code) { return oct12_decode(code); }

@@ -17,10 +17,13 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // A direction in the positive octant, on the octahedron x + y + z = m: the whole numbers of its x and y, how far it
 // lies beyond them, itself as a part of m, and the vector without signs, scaled by a power of two to an L1 norm of 1
 // to 2.
-struct OctWidePosition {
+struct UnitvecOctWidePosition {
     ivec2 whole;
     vec2 fraction;
     vec3 part;
@@ -28,19 +31,19 @@ struct OctWidePosition {
 };
 
 // Largest integer of an snorm of `bits` bits (2 to 31).
-int oct_wide_max(uint bits) {
+int unitvec_oct_wide_max(uint bits) {
     return int(unitvec_mask(bits - 1u));
 }
 
 // Where v, which has a direction, lies in the positive octant, after mirroring.
-OctWidePosition oct_wide_position(vec3 v, uint bits) {
+UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
     vec3 scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
     vec2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     vec2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     UNITVEC_PRECISE vec2 sum = vec2(sum_z.x, sum_xy.y + sum_z.y);
     UNITVEC_PRECISE float reciprocal = 1.0 / sum.x;
 
-    OctWidePosition p;
+    UnitvecOctWidePosition p;
     int x;
     int y;
     float fraction_x;
@@ -56,7 +59,7 @@ OctWidePosition oct_wide_position(vec3 v, uint bits) {
 }
 
 // Unit vector of the lattice point p of the positive octant.
-vec3 oct_wide_decode_octant(ivec3 p, uint bits) {
+vec3 unitvec_oct_wide_decode_octant(ivec3 p, uint bits) {
     uint low_bits = bits - 13u;
     UNITVEC_PRECISE vec3 lower = vec3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits));
     return unitvec_normalize_parts(vec3(p >> low_bits), lower);
@@ -64,7 +67,7 @@ vec3 oct_wide_decode_octant(ivec3 p, uint bits) {
 
 // Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the
 // vector itself costs least, so that what was decoded once keeps its code's vector.
-float oct_wide_cost(OctWidePosition p, ivec2 corner, uint bits) {
+float unitvec_oct_wide_cost(UnitvecOctWidePosition p, ivec2 corner, uint bits) {
     UNITVEC_PRECISE vec2 d = vec2(corner) - p.fraction;
     UNITVEC_PRECISE float along = d.x * (p.part.x - p.part.z) + d.y * (p.part.y - p.part.z);
     UNITVEC_PRECISE float squared = 2.0 * ((d.x * d.x + d.x * d.y) + d.y * d.y);
@@ -72,75 +75,75 @@ float oct_wide_cost(OctWidePosition p, ivec2 corner, uint bits) {
     if (bits != 26u) return cost;
 
     ivec2 point = p.whole + corner;
-    vec3 decoded = oct_wide_decode_octant(ivec3(point, oct_wide_max(bits) - point.x - point.y), bits);
+    vec3 decoded = unitvec_oct_wide_decode_octant(ivec3(point, unitvec_oct_wide_max(bits) - point.x - point.y), bits);
     return decoded == p.vector ? -1.0 : cost;
 }
 
 // Lattice point nearest to p in angle, of the four corners of its cell. The far corner of a cell that the octant's edge
 // z = 0 cuts is no candidate: the octahedron folds there.
-ivec2 oct_wide_nearest_corner(OctWidePosition p, uint bits) {
-    float near = oct_wide_cost(p, ivec2(0, 0), bits);
-    float right = oct_wide_cost(p, ivec2(1, 0), bits);
-    float up = oct_wide_cost(p, ivec2(0, 1), bits);
-    float far = oct_wide_cost(p, ivec2(1, 1), bits);
+ivec2 unitvec_oct_wide_nearest_corner(UnitvecOctWidePosition p, uint bits) {
+    float near = unitvec_oct_wide_cost(p, ivec2(0, 0), bits);
+    float right = unitvec_oct_wide_cost(p, ivec2(1, 0), bits);
+    float up = unitvec_oct_wide_cost(p, ivec2(0, 1), bits);
+    float far = unitvec_oct_wide_cost(p, ivec2(1, 1), bits);
 
     ivec2 best = right < near ? ivec2(1, 0) : ivec2(0, 0);
     float least = right < near ? right : near;
     best = up < least ? ivec2(0, 1) : best;
     least = up < least ? up : least;
-    best = far < least && oct_wide_max(bits) - p.whole.x - p.whole.y >= 2 ? ivec2(1, 1) : best;
+    best = far < least && unitvec_oct_wide_max(bits) - p.whole.x - p.whole.y >= 2 ? ivec2(1, 1) : best;
     return p.whole + best;
 }
 
 // Moves a lattice point of the positive octant to where the lower half of the octahedron is folded out if v.z is
 // negative, gives it the signs of v.x and v.y, and packs it.
-uvec2 oct_wide_pack(vec3 v, ivec2 p, uint bits) {
-    ivec2 e = unitvec_is_negative(v.z) ? oct_wide_max(bits) - p.yx : p;
+uvec2 unitvec_oct_wide_pack(vec3 v, ivec2 p, uint bits) {
+    ivec2 e = unitvec_is_negative(v.z) ? unitvec_oct_wide_max(bits) - p.yx : p;
     uint x = uint(unitvec_is_negative(v.x) ? -e.x : e.x) & unitvec_mask(bits);
     uint y = uint(unitvec_is_negative(v.y) ? -e.y : e.y) & unitvec_mask(bits);
     return uvec2(x | (y << bits), y >> (32u - bits));
 }
 
 // Integer of an snorm code, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
-int oct_wide_snorm_integer(uint code, uint bits) {
+int unitvec_oct_wide_snorm_integer(uint code, uint bits) {
     int integer = int(code << (32u - bits)) >> int(32u - bits);
-    return max(integer, -oct_wide_max(bits));
+    return max(integer, -unitvec_oct_wide_max(bits));
 }
 
 // Code of two components of `bits` bits; the nearest point along each axis, rounded before the fold.
-uvec2 oct_wide_encode(vec3 v, uint bits) {
+uvec2 unitvec_oct_wide_encode(vec3 v, uint bits) {
     v = unitvec_or_z(v);
-    OctWidePosition p = oct_wide_position(v, bits);
+    UnitvecOctWidePosition p = unitvec_oct_wide_position(v, bits);
     ivec2 up = ivec2(p.fraction.x < 0.5 ? 0 : 1, p.fraction.y < 0.5 ? 0 : 1);
-    return oct_wide_pack(v, p.whole + up, bits);
+    return unitvec_oct_wide_pack(v, p.whole + up, bits);
 }
 
 // Code of two components of `bits` bits, nearest in angle.
-uvec2 oct_wide_encode_precise(vec3 v, uint bits) {
+uvec2 unitvec_oct_wide_encode_precise(vec3 v, uint bits) {
     v = unitvec_or_z(v);
-    return oct_wide_pack(v, oct_wide_nearest_corner(oct_wide_position(v, bits), bits), bits);
+    return unitvec_oct_wide_pack(v, unitvec_oct_wide_nearest_corner(unitvec_oct_wide_position(v, bits), bits), bits);
 }
 
-vec3 oct_wide_decode(uvec2 code, uint bits) {
-    int x = oct_wide_snorm_integer(code.x, bits);
-    int y = oct_wide_snorm_integer((code.x >> bits) | (code.y << (32u - bits)), bits);
-    int m = oct_wide_max(bits);
+vec3 unitvec_oct_wide_decode(uvec2 code, uint bits) {
+    int x = unitvec_oct_wide_snorm_integer(code.x, bits);
+    int y = unitvec_oct_wide_snorm_integer((code.x >> bits) | (code.y << (32u - bits)), bits);
+    int m = unitvec_oct_wide_max(bits);
     ivec2 p = abs(ivec2(x, y));
     int z = m - p.x - p.y;
     p = z < 0 ? m - p.yx : p;
-    vec3 v = oct_wide_decode_octant(ivec3(p, abs(z)), bits);
+    vec3 v = unitvec_oct_wide_decode_octant(ivec3(p, abs(z)), bits);
     // Not where a component is 0, which would become -0.
     bool left = x < 0 && p.x > 0;
     bool down = y < 0 && p.y > 0;
     return vec3(unitvec_negate_if(left, v.x), unitvec_negate_if(down, v.y), unitvec_negate_if(z < 0, v.z));
 }
 
-uvec2 oct48_encode(vec3 v) { return oct_wide_encode(v, 24u); }
-uvec2 oct48p_encode(vec3 v) { return oct_wide_encode_precise(v, 24u); }
-uvec2 oct52p_encode(vec3 v) { return oct_wide_encode_precise(v, 26u); }
+uvec2 oct48_encode(vec3 v) { return unitvec_oct_wide_encode(v, 24u); }
+uvec2 oct48p_encode(vec3 v) { return unitvec_oct_wide_encode_precise(v, 24u); }
+uvec2 oct52p_encode(vec3 v) { return unitvec_oct_wide_encode_precise(v, 26u); }
 
-vec3 oct48_decode(uvec2 code) { return oct_wide_decode(code, 24u); }
+vec3 oct48_decode(uvec2 code) { return unitvec_oct_wide_decode(code, 24u); }
 vec3 oct48p_decode(uvec2 code) { return oct48_decode(code); }
-vec3 oct52p_decode(uvec2 code) { return oct_wide_decode(code, 26u); }
+vec3 oct52p_decode(uvec2 code) { return unitvec_oct_wide_decode(code, 26u); }
 
 #endif

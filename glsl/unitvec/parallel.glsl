@@ -17,12 +17,15 @@
 #include "arith.glsl"
 #endif
 
-const float PARALLEL_INSET = 0.4375;
+precision highp float;
+precision highp int;
+
+const float UNITVEC_PARALLEL_INSET = 0.4375;
 // 1 - 2^-21.
-const float PARALLEL_KEPT = 0.9999995;
+const float UNITVEC_PARALLEL_KEPT = 0.9999995;
 
 // The plane that the components are stored in.
-struct ParallelPlane {
+struct UnitvecParallelPlane {
     vec2 m;
     vec2 steps;
     float limit;
@@ -30,33 +33,33 @@ struct ParallelPlane {
     bool sextant;
 };
 
-ParallelPlane parallel_disk(uint x_bits, uint y_bits) {
-    vec2 m = vec2(snorm_max(x_bits), snorm_max(y_bits));
+UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
+    vec2 m = vec2(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    return ParallelPlane(m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : PARALLEL_INSET, false);
+    return UnitvecParallelPlane(m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
 }
 
-ParallelPlane parallel_sextant(uint u_bits, uint v_bits) {
-    vec2 m = vec2(snorm_max(u_bits), snorm_max(v_bits));
+UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
+    vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    return ParallelPlane(m, steps, PARALLEL_KEPT, u_bits > 22u ? 0.0 : PARALLEL_INSET, true);
+    return UnitvecParallelPlane(m, steps, UNITVEC_PARALLEL_KEPT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
 }
 
 // 1 on the border.
-float parallel_extent(ParallelPlane plane, vec2 p) {
+float unitvec_parallel_extent(UnitvecParallelPlane plane, vec2 p) {
     float larger = max(p.x, p.y);
     UNITVEC_PRECISE float disk = p.x * p.x + p.y * p.y;
     UNITVEC_PRECISE float sextant = disk + larger * larger;
     return plane.sextant ? sextant : disk;
 }
 
-bool parallel_is_outside(ParallelPlane plane, vec2 e) {
+bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, vec2 e) {
     UNITVEC_PRECISE vec2 p = e / plane.steps;
-    return parallel_extent(plane, p) > plane.limit;
+    return unitvec_parallel_extent(plane, p) > plane.limit;
 }
 
 // e with the component along which the border is sooner reached lessened by `by` steps.
-vec2 parallel_inwards(ParallelPlane plane, vec2 e, float by) {
+vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
     UNITVEC_PRECISE vec2 p = e / plane.steps;
     UNITVEC_PRECISE float x = p.x * plane.steps.y;
     UNITVEC_PRECISE float y = p.y * plane.steps.x;
@@ -67,27 +70,27 @@ vec2 parallel_inwards(ParallelPlane plane, vec2 e, float by) {
 }
 
 // Whole numbers of a point of the positive quadrant.
-vec2 parallel_round(ParallelPlane plane, vec2 p) {
+vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
     UNITVEC_PRECISE vec2 position = p * plane.steps + 0.5;
     vec2 e = min(floor(position), plane.m);
-    bool unwritten = parallel_is_outside(plane, e)
-        && parallel_is_outside(plane, parallel_inwards(plane, e, plane.inset));
-    return unwritten ? parallel_inwards(plane, e, 1.0) : e;
+    bool unwritten = unitvec_parallel_is_outside(plane, e)
+        && unitvec_parallel_is_outside(plane, unitvec_parallel_inwards(plane, e, plane.inset));
+    return unwritten ? unitvec_parallel_inwards(plane, e, 1.0) : e;
 }
 
 // Point that whole numbers, not negative, stand for: not outside.
-vec2 parallel_point(ParallelPlane plane, vec2 e) {
-    vec2 inset = parallel_is_outside(plane, e) ? parallel_inwards(plane, e, plane.inset) : e;
+vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
+    vec2 inset = unitvec_parallel_is_outside(plane, e) ? unitvec_parallel_inwards(plane, e, plane.inset) : e;
     UNITVEC_PRECISE vec2 p = e / plane.steps;
-    UNITVEC_PRECISE float onto_border = PARALLEL_KEPT / sqrt(parallel_extent(plane, p));
+    UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(unitvec_parallel_extent(plane, p));
     UNITVEC_PRECISE vec2 projected = e * onto_border;
-    vec2 chosen = parallel_is_outside(plane, inset) ? floor(projected) : inset;
+    vec2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
     UNITVEC_PRECISE vec2 point = chosen / plane.steps;
     return point;
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
-vec3 parallel_unit(vec3 v) {
+vec3 unitvec_parallel_unit(vec3 v) {
     UNITVEC_PRECISE float raised = unitvec_l1_norm(v) * 1.1;
     UNITVEC_PRECISE vec3 scaled = v * unitvec_scale_to_one(raised);
     float square = unitvec_dot(scaled, scaled);
@@ -97,21 +100,21 @@ vec3 parallel_unit(vec3 v) {
     return n;
 }
 
-float parallel_third(vec2 p) {
+float unitvec_parallel_third(vec2 p) {
     UNITVEC_PRECISE float square = 1.0 - (p.x * p.x + p.y * p.y);
     UNITVEC_PRECISE float root = sqrt(square > 0.0 ? square : 0.0);
     return root;
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.
-uint parallel_field(bool negative, float whole, uint bits) {
+uint unitvec_parallel_field(bool negative, float whole, uint bits) {
     uint magnitude = unitvec_whole_to_u32(whole);
     return (negative ? 0u - magnitude : magnitude) & unitvec_mask(bits);
 }
 
-uvec2 parallel_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
-    uint x = parallel_field(unitvec_is_negative(p.x), e.x, x_bits);
-    uint y = parallel_field(unitvec_is_negative(p.y), e.y, y_bits);
+uvec2 unitvec_parallel_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
+    uint x = unitvec_parallel_field(unitvec_is_negative(p.x), e.x, x_bits);
+    uint y = unitvec_parallel_field(unitvec_is_negative(p.y), e.y, y_bits);
     uint low = x | (y << x_bits);
     uint components = x_bits + y_bits;
     if (components < 32u) {
@@ -120,8 +123,8 @@ uvec2 parallel_pack(vec3 p, vec2 e, uint top, uint x_bits, uint y_bits) {
     return uvec2(low, (y >> (32u - x_bits)) | (top << (components - 32u)));
 }
 
-// The integers in xy; the bits above them are taken by parallel_top.
-vec2 parallel_unpack(uvec2 code, uint x_bits, uint y_bits) {
+// The integers in xy; the bits above them are taken by unitvec_parallel_top.
+vec2 unitvec_parallel_unpack(uvec2 code, uint x_bits, uint y_bits) {
     uint y = code.x >> x_bits;
     if (x_bits + y_bits >= 32u) {
         y |= code.y << (32u - x_bits);
@@ -129,93 +132,94 @@ vec2 parallel_unpack(uvec2 code, uint x_bits, uint y_bits) {
     return vec2(unitvec_snorm_integer(code.x, x_bits), unitvec_snorm_integer(y, y_bits));
 }
 
-uint parallel_top(uvec2 code, uint components) {
+uint unitvec_parallel_top(uvec2 code, uint components) {
     if (components < 32u) {
         return code.x >> components;
     }
     return code.y >> (components - 32u);
 }
 
-vec3 parallel_from_plane(ParallelPlane plane, vec2 e, bool negative) {
-    vec2 p = parallel_point(plane, abs(e));
+vec3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, vec2 e, bool negative) {
+    vec2 p = unitvec_parallel_point(plane, abs(e));
     return vec3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative, parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
+        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.
-vec3 parallel_upper_unit(vec3 v) {
-    return parallel_unit(unitvec_upper_or_z(v));
+vec3 unitvec_parallel_upper_unit(vec3 v) {
+    return unitvec_parallel_unit(unitvec_upper_or_z(v));
 }
 
-uint xyonly_encode(vec3 v, uint bits) {
-    vec3 n = parallel_upper_unit(v);
-    vec2 e = parallel_round(parallel_disk(bits, bits), abs(n.xy));
-    return parallel_pack(n, e, 0u, bits, bits).x;
+uint unitvec_xyonly_encode(vec3 v, uint bits) {
+    vec3 n = unitvec_parallel_upper_unit(v);
+    vec2 e = unitvec_parallel_round(unitvec_parallel_disk(bits, bits), abs(n.xy));
+    return unitvec_parallel_pack(n, e, 0u, bits, bits).x;
 }
 
-vec3 xyonly_decode(uint code, uint bits) {
-    vec2 e = parallel_unpack(uvec2(code, 0u), bits, bits);
-    return parallel_from_plane(parallel_disk(bits, bits), e, false);
+vec3 unitvec_xyonly_decode(uint code, uint bits) {
+    vec2 e = unitvec_parallel_unpack(uvec2(code, 0u), bits, bits);
+    return unitvec_parallel_from_plane(unitvec_parallel_disk(bits, bits), e, false);
 }
 
-uvec2 pp_encode(vec3 v, uint x_bits, uint y_bits) {
+uvec2 unitvec_pp_encode(vec3 v, uint x_bits, uint y_bits) {
     v = unitvec_or_z(v);
-    vec3 n = parallel_unit(v);
-    vec2 e = parallel_round(parallel_disk(x_bits, y_bits), abs(n.xy));
+    vec3 n = unitvec_parallel_unit(v);
+    vec2 e = unitvec_parallel_round(unitvec_parallel_disk(x_bits, y_bits), abs(n.xy));
     // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
-    return parallel_pack(n, e, unitvec_is_negative(v.z) ? 1u : 0u, x_bits, y_bits);
+    return unitvec_parallel_pack(n, e, unitvec_is_negative(v.z) ? 1u : 0u, x_bits, y_bits);
 }
 
-vec3 pp_decode(uvec2 code, uint x_bits, uint y_bits) {
-    vec2 e = parallel_unpack(code, x_bits, y_bits);
-    uint top = parallel_top(code, x_bits + y_bits);
-    return parallel_from_plane(parallel_disk(x_bits, y_bits), e, (top & 1u) != 0u);
+vec3 unitvec_pp_decode(uvec2 code, uint x_bits, uint y_bits) {
+    vec2 e = unitvec_parallel_unpack(code, x_bits, y_bits);
+    uint top = unitvec_parallel_top(code, x_bits + y_bits);
+    return unitvec_parallel_from_plane(unitvec_parallel_disk(x_bits, y_bits), e, (top & 1u) != 0u);
 }
 
-uvec2 spp_encode(vec3 v, uint u_bits, uint v_bits) {
+uvec2 unitvec_spp_encode(vec3 v, uint u_bits, uint v_bits) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
-    vec3 n = unitvec_to_face(parallel_unit(v), face);
-    vec2 e = parallel_round(parallel_sextant(u_bits, v_bits), abs(n.xy));
-    return parallel_pack(n, e, face, u_bits, v_bits);
+    vec3 n = unitvec_to_face(unitvec_parallel_unit(v), face);
+    vec2 e = unitvec_parallel_round(unitvec_parallel_sextant(u_bits, v_bits), abs(n.xy));
+    return unitvec_parallel_pack(n, e, face, u_bits, v_bits);
 }
 
-vec3 spp_decode(uvec2 code, uint u_bits, uint v_bits) {
-    vec2 e = parallel_unpack(code, u_bits, v_bits);
-    uint top = parallel_top(code, u_bits + v_bits);
-    vec3 n = parallel_from_plane(parallel_sextant(u_bits, v_bits), e, (top & 1u) != 0u);
+vec3 unitvec_spp_decode(uvec2 code, uint u_bits, uint v_bits) {
+    vec2 e = unitvec_parallel_unpack(code, u_bits, v_bits);
+    uint top = unitvec_parallel_top(code, u_bits + v_bits);
+    vec3 n = unitvec_parallel_from_plane(unitvec_parallel_sextant(u_bits, v_bits), e, (top & 1u) != 0u);
     return unitvec_from_face(n, top & 7u);
 }
 
-vec2 xyonly32f_halves(uint a, uint b) {
+vec2 unitvec_xyonly32f_halves(uint a, uint b) {
     return vec2(unitvec_half_decode_magnitude(a), unitvec_half_decode_magnitude(b));
 }
 
-bool xyonly32f_is_off_disk(vec2 p) {
+bool unitvec_xyonly32f_is_off_disk(vec2 p) {
     UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
     return square > 1.0;
 }
 
 // Numbers of two halves without signs, the larger one moved towards the next smaller half.
-vec2 xyonly32f_halves_inset(uint a, uint b) {
-    vec2 p = xyonly32f_halves(a, b);
-    vec2 inner = xyonly32f_halves(a > 0u ? a - 1u : 0u, b > 0u ? b - 1u : 0u);
-    UNITVEC_PRECISE vec2 q = p - PARALLEL_INSET * (p - inner);
+vec2 unitvec_xyonly32f_halves_inset(uint a, uint b) {
+    vec2 p = unitvec_xyonly32f_halves(a, b);
+    vec2 inner = unitvec_xyonly32f_halves(a > 0u ? a - 1u : 0u, b > 0u ? b - 1u : 0u);
+    UNITVEC_PRECISE vec2 q = p - UNITVEC_PARALLEL_INSET * (p - inner);
     return p.x >= p.y ? vec2(q.x, p.y) : vec2(p.x, q.y);
 }
 
 // A half not above x: the next one, or 0 in place of those below 2^-14.
-float xyonly32f_half_below(float x) {
+float unitvec_xyonly32f_half_below(float x) {
     uint bits = floatBitsToUint(x);
     return uintBitsToFloat(bits < 0x38800000u ? 0u : bits & 0xffffe000u);
 }
 
 uint xyonly32f_encode(vec3 v) {
-    vec3 n = parallel_upper_unit(v);
+    vec3 n = unitvec_parallel_upper_unit(v);
     uint a = unitvec_half_encode_magnitude(n.x);
     uint b = unitvec_half_encode_magnitude(n.y);
-    bool unwritten = xyonly32f_is_off_disk(xyonly32f_halves(a, b))
-        && xyonly32f_is_off_disk(xyonly32f_halves_inset(a, b));
+    bool unwritten = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves(a, b))
+        && unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves_inset(a, b));
     uint x = a - (unwritten && a >= b ? 1u : 0u);
     uint y = b - (unwritten && a < b ? 1u : 0u);
     uint x_sign = unitvec_is_negative(n.x) && x != 0u ? 0x8000u : 0u;
@@ -226,40 +230,40 @@ uint xyonly32f_encode(vec3 v) {
 vec3 xyonly32f_decode(uint code) {
     uint a = code & 0x7fffu;
     uint b = (code >> 16u) & 0x7fffu;
-    vec2 p = xyonly32f_halves(a, b);
-    vec2 inset = xyonly32f_is_off_disk(p) ? xyonly32f_halves_inset(a, b) : p;
+    vec2 p = unitvec_xyonly32f_halves(a, b);
+    vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? unitvec_xyonly32f_halves_inset(a, b) : p;
     UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
-    UNITVEC_PRECISE float onto_border = PARALLEL_KEPT / sqrt(square);
+    UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(square);
     UNITVEC_PRECISE vec2 projected = p * onto_border;
-    vec2 below = vec2(xyonly32f_half_below(projected.x), xyonly32f_half_below(projected.y));
-    vec2 q = xyonly32f_is_off_disk(inset) ? below : inset;
+    vec2 below = vec2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
+    vec2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return vec3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x), unitvec_negate_positive((code >> 31u) != 0u, q.y),
-        parallel_third(q));
+        unitvec_parallel_third(q));
 }
 
-uint xyonly16_encode(vec3 v) { return xyonly_encode(v, 8u); }
-vec3 xyonly16_decode(uint code) { return xyonly_decode(code, 8u); }
-uint xyonly24_encode(vec3 v) { return xyonly_encode(v, 12u); }
-vec3 xyonly24_decode(uint code) { return xyonly_decode(code, 12u); }
-uint xyonly32_encode(vec3 v) { return xyonly_encode(v, 16u); }
-vec3 xyonly32_decode(uint code) { return xyonly_decode(code, 16u); }
+uint xyonly16_encode(vec3 v) { return unitvec_xyonly_encode(v, 8u); }
+vec3 xyonly16_decode(uint code) { return unitvec_xyonly_decode(code, 8u); }
+uint xyonly24_encode(vec3 v) { return unitvec_xyonly_encode(v, 12u); }
+vec3 xyonly24_decode(uint code) { return unitvec_xyonly_decode(code, 12u); }
+uint xyonly32_encode(vec3 v) { return unitvec_xyonly_encode(v, 16u); }
+vec3 xyonly32_decode(uint code) { return unitvec_xyonly_decode(code, 16u); }
 
-uint pp16_encode(vec3 v) { return pp_encode(v, 8u, 7u).x; }
-vec3 pp16_decode(uint code) { return pp_decode(uvec2(code, 0u), 8u, 7u); }
-uint pp24_encode(vec3 v) { return pp_encode(v, 12u, 11u).x; }
-vec3 pp24_decode(uint code) { return pp_decode(uvec2(code, 0u), 12u, 11u); }
-uint pp32_encode(vec3 v) { return pp_encode(v, 16u, 15u).x; }
-vec3 pp32_decode(uint code) { return pp_decode(uvec2(code, 0u), 16u, 15u); }
-uvec2 pp48_encode(vec3 v) { return pp_encode(v, 24u, 23u); }
-vec3 pp48_decode(uvec2 code) { return pp_decode(code, 24u, 23u); }
+uint pp16_encode(vec3 v) { return unitvec_pp_encode(v, 8u, 7u).x; }
+vec3 pp16_decode(uint code) { return unitvec_pp_decode(uvec2(code, 0u), 8u, 7u); }
+uint pp24_encode(vec3 v) { return unitvec_pp_encode(v, 12u, 11u).x; }
+vec3 pp24_decode(uint code) { return unitvec_pp_decode(uvec2(code, 0u), 12u, 11u); }
+uint pp32_encode(vec3 v) { return unitvec_pp_encode(v, 16u, 15u).x; }
+vec3 pp32_decode(uint code) { return unitvec_pp_decode(uvec2(code, 0u), 16u, 15u); }
+uvec2 pp48_encode(vec3 v) { return unitvec_pp_encode(v, 24u, 23u); }
+vec3 pp48_decode(uvec2 code) { return unitvec_pp_decode(code, 24u, 23u); }
 
-uint spp16_encode(vec3 v) { return spp_encode(v, 7u, 6u).x; }
-vec3 spp16_decode(uint code) { return spp_decode(uvec2(code, 0u), 7u, 6u); }
-uint spp24_encode(vec3 v) { return spp_encode(v, 11u, 10u).x; }
-vec3 spp24_decode(uint code) { return spp_decode(uvec2(code, 0u), 11u, 10u); }
-uint spp32_encode(vec3 v) { return spp_encode(v, 15u, 14u).x; }
-vec3 spp32_decode(uint code) { return spp_decode(uvec2(code, 0u), 15u, 14u); }
-uvec2 spp48_encode(vec3 v) { return spp_encode(v, 23u, 22u); }
-vec3 spp48_decode(uvec2 code) { return spp_decode(code, 23u, 22u); }
+uint spp16_encode(vec3 v) { return unitvec_spp_encode(v, 7u, 6u).x; }
+vec3 spp16_decode(uint code) { return unitvec_spp_decode(uvec2(code, 0u), 7u, 6u); }
+uint spp24_encode(vec3 v) { return unitvec_spp_encode(v, 11u, 10u).x; }
+vec3 spp24_decode(uint code) { return unitvec_spp_decode(uvec2(code, 0u), 11u, 10u); }
+uint spp32_encode(vec3 v) { return unitvec_spp_encode(v, 15u, 14u).x; }
+vec3 spp32_decode(uint code) { return unitvec_spp_decode(uvec2(code, 0u), 15u, 14u); }
+uvec2 spp48_encode(vec3 v) { return unitvec_spp_encode(v, 23u, 22u); }
+vec3 spp48_decode(uvec2 code) { return unitvec_spp_decode(code, 23u, 22u); }
 
 #endif

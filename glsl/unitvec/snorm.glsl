@@ -14,41 +14,45 @@
 #include "arith.glsl"
 #endif
 
-uint snorm3_encode(vec3 v, uint xy_bits, uint z_bits) {
+precision highp float;
+precision highp int;
+
+uint unitvec_snorm3_encode(vec3 v, uint xy_bits, uint z_bits) {
     v = unitvec_or_z(v);
-    uint code = snorm_encode(v.x, xy_bits) | (snorm_encode(v.y, xy_bits) << xy_bits)
-        | (snorm_encode(v.z, z_bits) << (2u * xy_bits));
+    uint code = unitvec_snorm_encode(v.x, xy_bits) | (unitvec_snorm_encode(v.y, xy_bits) << xy_bits)
+        | (unitvec_snorm_encode(v.z, z_bits) << (2u * xy_bits));
     return code == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
 }
 
-vec3 snorm3_decode(uint code, uint xy_bits, uint z_bits) {
+vec3 unitvec_snorm3_decode(uint code, uint xy_bits, uint z_bits) {
     uint used = code << (32u - 2u * xy_bits - z_bits);
     code = used == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
-    return vec3(snorm_decode(code, xy_bits), snorm_decode(code >> xy_bits, xy_bits),
-        snorm_decode(code >> (2u * xy_bits), z_bits));
+    return vec3(unitvec_snorm_decode(code, xy_bits), unitvec_snorm_decode(code >> xy_bits, xy_bits),
+        unitvec_snorm_decode(code >> (2u * xy_bits), z_bits));
 }
 
 uvec2 snorm16x3_encode(vec3 v) {
     v = unitvec_or_z(v);
-    uint low = snorm_encode(v.x, 16u) | (snorm_encode(v.y, 16u) << 16u);
-    uint z = snorm_encode(v.z, 16u);
+    uint low = unitvec_snorm_encode(v.x, 16u) | (unitvec_snorm_encode(v.y, 16u) << 16u);
+    uint z = unitvec_snorm_encode(v.z, 16u);
     return uvec2(low, (low | z) == 0u ? unitvec_mask(15u) : z);
 }
 
 vec3 snorm16x3_decode(uvec2 code) {
     uint z = code.y & unitvec_mask(16u);
     z = (code.x | z) == 0u ? unitvec_mask(15u) : z;
-    return vec3(snorm_decode(code.x, 16u), snorm_decode(code.x >> 16u, 16u), snorm_decode(z, 16u));
+    return vec3(unitvec_snorm_decode(code.x, 16u), unitvec_snorm_decode(code.x >> 16u, 16u),
+        unitvec_snorm_decode(z, 16u));
 }
 
-uint snorm5x3_encode(vec3 v) { return snorm3_encode(v, 5u, 5u); }
-uint snorm8x3_encode(vec3 v) { return snorm3_encode(v, 8u, 8u); }
-uint snorm10x3_encode(vec3 v) { return snorm3_encode(v, 10u, 10u); }
-uint snorm11_11_10_encode(vec3 v) { return snorm3_encode(v, 11u, 10u); }
+uint snorm5x3_encode(vec3 v) { return unitvec_snorm3_encode(v, 5u, 5u); }
+uint snorm8x3_encode(vec3 v) { return unitvec_snorm3_encode(v, 8u, 8u); }
+uint snorm10x3_encode(vec3 v) { return unitvec_snorm3_encode(v, 10u, 10u); }
+uint snorm11_11_10_encode(vec3 v) { return unitvec_snorm3_encode(v, 11u, 10u); }
 
-vec3 snorm5x3_decode(uint code) { return snorm3_decode(code, 5u, 5u); }
-vec3 snorm8x3_decode(uint code) { return snorm3_decode(code, 8u, 8u); }
-vec3 snorm10x3_decode(uint code) { return snorm3_decode(code, 10u, 10u); }
-vec3 snorm11_11_10_decode(uint code) { return snorm3_decode(code, 11u, 10u); }
+vec3 snorm5x3_decode(uint code) { return unitvec_snorm3_decode(code, 5u, 5u); }
+vec3 snorm8x3_decode(uint code) { return unitvec_snorm3_decode(code, 8u, 8u); }
+vec3 snorm10x3_decode(uint code) { return unitvec_snorm3_decode(code, 10u, 10u); }
+vec3 snorm11_11_10_decode(uint code) { return unitvec_snorm3_decode(code, 11u, 10u); }
 
 #endif

@@ -15,8 +15,11 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // The integers of the direction of v: m is the largest of theta, half_turn the one of phi = pi.
-vec2 spherical_lattice(vec3 v, float m, float half_turn) {
+vec2 unitvec_spherical_lattice(vec3 v, float m, float half_turn) {
     v = unitvec_angles_scaled(v);
     UNITVEC_PRECISE float latitude = unitvec_atan2_half_turns(v.z, unitvec_horizontal_length(v)) * (-2.0 * m);
     UNITVEC_PRECISE float azimuth = unitvec_atan2_half_turns(v.y, v.x) * half_turn;
@@ -25,36 +28,36 @@ vec2 spherical_lattice(vec3 v, float m, float half_turn) {
 }
 
 // Direction of a pair of integers, unit length to within 2 ULP.
-vec3 spherical_from_lattice(vec2 e, float m, float half_turn) {
+vec3 unitvec_spherical_from_lattice(vec2 e, float m, float half_turn) {
     // The product of m is 1/2 exactly.
     UNITVEC_PRECISE vec2 angles = vec2(e.x * (-0.5 / m), e.y * (1.0 / half_turn));
     vec2 meridian = unitvec_sin_cos_half_turns(angles.x);
     return unitvec_angles_around_z(meridian.x, meridian.y, angles.y);
 }
 
-uint spherical_encode(vec3 v, uint bits) {
-    float m = snorm_max(bits / 2u);
-    vec2 e = spherical_lattice(v, m, m + 1.0);
+uint unitvec_spherical_encode(vec3 v, uint bits) {
+    float m = unitvec_snorm_max(bits / 2u);
+    vec2 e = unitvec_spherical_lattice(v, m, m + 1.0);
     return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
 }
 
-vec3 spherical_decode(uint code, uint bits) {
-    float m = snorm_max(bits / 2u);
+vec3 unitvec_spherical_decode(uint code, uint bits) {
+    float m = unitvec_snorm_max(bits / 2u);
     float i = unitvec_snorm_integer(code, bits / 2u);
     float j = unitvec_signed_integer(code >> (bits / 2u), bits / 2u);
-    return spherical_from_lattice(vec2(i, j), m, m + 1.0);
+    return unitvec_spherical_from_lattice(vec2(i, j), m, m + 1.0);
 }
 
-uint spherical16_encode(vec3 v) { return spherical_encode(v, 16u); }
-uint spherical20_encode(vec3 v) { return spherical_encode(v, 20u); }
-uint spherical22_encode(vec3 v) { return spherical_encode(v, 22u); }
-uint spherical24_encode(vec3 v) { return spherical_encode(v, 24u); }
-uint spherical32_encode(vec3 v) { return spherical_encode(v, 32u); }
+uint spherical16_encode(vec3 v) { return unitvec_spherical_encode(v, 16u); }
+uint spherical20_encode(vec3 v) { return unitvec_spherical_encode(v, 20u); }
+uint spherical22_encode(vec3 v) { return unitvec_spherical_encode(v, 22u); }
+uint spherical24_encode(vec3 v) { return unitvec_spherical_encode(v, 24u); }
+uint spherical32_encode(vec3 v) { return unitvec_spherical_encode(v, 32u); }
 
-vec3 spherical16_decode(uint code) { return spherical_decode(code, 16u); }
-vec3 spherical20_decode(uint code) { return spherical_decode(code, 20u); }
-vec3 spherical22_decode(uint code) { return spherical_decode(code, 22u); }
-vec3 spherical24_decode(uint code) { return spherical_decode(code, 24u); }
-vec3 spherical32_decode(uint code) { return spherical_decode(code, 32u); }
+vec3 spherical16_decode(uint code) { return unitvec_spherical_decode(code, 16u); }
+vec3 spherical20_decode(uint code) { return unitvec_spherical_decode(code, 20u); }
+vec3 spherical22_decode(uint code) { return unitvec_spherical_decode(code, 22u); }
+vec3 spherical24_decode(uint code) { return unitvec_spherical_decode(code, 24u); }
+vec3 spherical32_decode(uint code) { return unitvec_spherical_decode(code, 32u); }
 
 #endif

@@ -16,31 +16,35 @@
 #include "arith.glsl"
 #endif
 
+precision highp float;
+precision highp int;
+
 // What an angle is counted in: steps in a quarter turn; the size of a step in half turns, cut down to a power of two;
 // what was cut off, as a part of that.
-struct SphericalWideSteps {
+struct UnitvecSphericalWideSteps {
     int in_quarter;
     float size;
     float excess;
 };
 
 // Half a turn has 2^24 - 2 steps of theta and 2^23 of phi.
-const SphericalWideSteps SPHERICAL_WIDE_THETA =
-    SphericalWideSteps(8388607, 5.9604644775390625e-8, 1.1920928955078125e-7);
-const SphericalWideSteps SPHERICAL_WIDE_PHI = SphericalWideSteps(4194304, 1.1920928955078125e-7, 0.0);
+const UnitvecSphericalWideSteps UNITVEC_SPHERICAL_WIDE_THETA =
+    UnitvecSphericalWideSteps(8388607, 5.9604644775390625e-8, 1.1920928955078125e-7);
+const UnitvecSphericalWideSteps UNITVEC_SPHERICAL_WIDE_PHI =
+    UnitvecSphericalWideSteps(4194304, 1.1920928955078125e-7, 0.0);
 
 // 2^-40: a vector of about unit length that is nearer to the z axis is that of a pole.
-const float SPHERICAL_WIDE_POLAR = 9.094947017729282e-13;
+const float UNITVEC_SPHERICAL_WIDE_POLAR = 9.094947017729282e-13;
 
 // Numbers as sums of two floats are vec2: the second is what the first lacks. This one is a + b + low, where a is 0 or
 // no less than b in magnitude, and low is far less.
-vec2 spherical_wide_sum(float a, float b, float low) {
+vec2 unitvec_spherical_wide_sum(float a, float b, float low) {
     UNITVEC_PRECISE float high = a + b;
     UNITVEC_PRECISE float rest = (b - (high - a)) + low;
     return vec2(high, rest);
 }
 
-vec2 spherical_wide_product(vec2 a, vec2 b) {
+vec2 unitvec_spherical_wide_product(vec2 a, vec2 b) {
     UNITVEC_PRECISE float high = a.x * b.x;
     UNITVEC_PRECISE float crosswise = a.x * b.y + a.y * b.x;
     UNITVEC_PRECISE float low = unitvec_product_rest(a.x, b.x, high) + crosswise;
@@ -48,46 +52,46 @@ vec2 spherical_wide_product(vec2 a, vec2 b) {
 }
 
 // base + low + linear u + rest, in order of magnitude: base, linear u, rest, low.
-vec2 spherical_wide_polynomial(float base, float low, float linear, float u, float rest) {
+vec2 unitvec_spherical_wide_polynomial(float base, float low, float linear, float u, float rest) {
     UNITVEC_PRECISE float product = linear * u;
-    vec2 sum = spherical_wide_sum(product, rest, unitvec_product_rest(linear, u, product));
+    vec2 sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(linear, u, product));
     UNITVEC_PRECISE float lows = sum.y + low;
-    return spherical_wide_sum(base, sum.x, lows);
+    return unitvec_spherical_wide_sum(base, sum.x, lows);
 }
 
 // Cosine and sine of n steps, up to an eighth of a turn.
-void spherical_wide_octant(int n, SphericalWideSteps steps, out vec2 cosine, out vec2 sine) {
+void unitvec_spherical_wide_octant(int n, UnitvecSphericalWideSteps steps, out vec2 cosine, out vec2 sine) {
     UNITVEC_PRECISE float r = float(n) * steps.size;
     UNITVEC_PRECISE float u = r * r;
     UNITVEC_PRECISE float cosine_rest =
         (u * u) * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
     UNITVEC_PRECISE float sine_rest = (u * u) * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3);
-    vec2 c = spherical_wide_polynomial(1.0, 0.0, UNITVEC_COS_0, u, cosine_rest);
-    vec2 sine_over_r = spherical_wide_polynomial(UNITVEC_PI, UNITVEC_SIN_0, UNITVEC_SIN_1, u, sine_rest);
-    vec2 s = spherical_wide_product(vec2(r, 0.0), sine_over_r);
+    vec2 c = unitvec_spherical_wide_polynomial(1.0, 0.0, UNITVEC_COS_0, u, cosine_rest);
+    vec2 sine_over_r = unitvec_spherical_wide_polynomial(UNITVEC_PI, UNITVEC_SIN_0, UNITVEC_SIN_1, u, sine_rest);
+    vec2 s = unitvec_spherical_wide_product(vec2(r, 0.0), sine_over_r);
 
     // The rest of the angle is so small that it is its own sine, and its cosine is 1.
     UNITVEC_PRECISE float turn = r * (UNITVEC_PI * steps.excess);
     UNITVEC_PRECISE float along = -(turn * s.x);
     UNITVEC_PRECISE float across = turn * c.x;
-    cosine = spherical_wide_sum(c.x, c.y, along);
-    sine = spherical_wide_sum(s.x, s.y, across);
+    cosine = unitvec_spherical_wide_sum(c.x, c.y, along);
+    sine = unitvec_spherical_wide_sum(s.x, s.y, across);
 }
 
 // Cosine and sine of n steps, up to a quarter turn.
-void spherical_wide_quarter(int n, SphericalWideSteps steps, out vec2 x, out vec2 y) {
+void unitvec_spherical_wide_quarter(int n, UnitvecSphericalWideSteps steps, out vec2 x, out vec2 y) {
     int rest = steps.in_quarter - n;
     bool steep = n > rest;
     vec2 cosine;
     vec2 sine;
-    spherical_wide_octant(steep ? rest : n, steps, cosine, sine);
+    unitvec_spherical_wide_octant(steep ? rest : n, steps, cosine, sine);
     x = steep ? sine : cosine;
     y = steep ? cosine : sine;
 }
 
 // Number of steps nearest to the angle of (x, y) from +X; neither is negative. An estimate in single precision is put
 // right by how far (x, y) lies from its direction.
-int spherical_wide_nearest(vec2 x, vec2 y, SphericalWideSteps steps) {
+int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps steps) {
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
@@ -96,25 +100,25 @@ int spherical_wide_nearest(vec2 x, vec2 y, SphericalWideSteps steps) {
 
     vec2 cosine;
     vec2 sine;
-    spherical_wide_octant(estimate, steps, cosine, sine);
-    vec2 forth = spherical_wide_product(shorter, cosine);
-    vec2 back = spherical_wide_product(longer, sine);
+    unitvec_spherical_wide_octant(estimate, steps, cosine, sine);
+    vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
+    vec2 back = unitvec_spherical_wide_product(longer, sine);
     UNITVEC_PRECISE float across = (forth.x - back.x) + (forth.y - back.y);
     UNITVEC_PRECISE float root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
-    UNITVEC_PRECISE float radians = max(root, SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
+    UNITVEC_PRECISE float radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
     UNITVEC_PRECISE float off = across / radians + 0.5;
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
 
 // Length of (x, y), neither of which is negative.
-vec2 spherical_wide_length(float x, float y) {
+vec2 unitvec_spherical_wide_length(float x, float y) {
     float longer = y > x ? y : x;
     float shorter = y > x ? x : y;
     UNITVEC_PRECISE float a = longer * longer;
     UNITVEC_PRECISE float b = shorter * shorter;
     UNITVEC_PRECISE float first = sqrt(a + b);
-    float root = max(first, SPHERICAL_WIDE_POLAR);
+    float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     UNITVEC_PRECISE float square = root * root;
     UNITVEC_PRECISE float rests =
         (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
@@ -126,9 +130,9 @@ vec2 spherical_wide_length(float x, float y) {
 uvec2 spherical48_encode(vec3 v) {
     v = unitvec_or_z(v);
     vec3 p = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
-    vec2 radius = spherical_wide_length(p.x, p.y);
-    int latitude = spherical_wide_nearest(radius, vec2(p.z, 0.0), SPHERICAL_WIDE_THETA);
-    int turned = spherical_wide_nearest(vec2(p.x, 0.0), vec2(p.y, 0.0), SPHERICAL_WIDE_PHI);
+    vec2 radius = unitvec_spherical_wide_length(p.x, p.y);
+    int latitude = unitvec_spherical_wide_nearest(radius, vec2(p.z, 0.0), UNITVEC_SPHERICAL_WIDE_THETA);
+    int turned = unitvec_spherical_wide_nearest(vec2(p.x, 0.0), vec2(p.y, 0.0), UNITVEC_SPHERICAL_WIDE_PHI);
     turned = unitvec_is_negative(v.x) ? 8388608 - turned : turned;
     int longitude = latitude < 8388607 ? turned : 0;
 
@@ -146,12 +150,12 @@ vec3 spherical48_decode(uvec2 code) {
     bool left = longitude > 4194304;
     vec2 radius;
     vec2 z;
-    spherical_wide_quarter(latitude, SPHERICAL_WIDE_THETA, radius, z);
+    unitvec_spherical_wide_quarter(latitude, UNITVEC_SPHERICAL_WIDE_THETA, radius, z);
     vec2 x;
     vec2 y;
-    spherical_wide_quarter(left ? 8388608 - longitude : longitude, SPHERICAL_WIDE_PHI, x, y);
-    x = spherical_wide_product(radius, x);
-    y = spherical_wide_product(radius, y);
+    unitvec_spherical_wide_quarter(left ? 8388608 - longitude : longitude, UNITVEC_SPHERICAL_WIDE_PHI, x, y);
+    x = unitvec_spherical_wide_product(radius, x);
+    y = unitvec_spherical_wide_product(radius, y);
     UNITVEC_PRECISE vec3 v = vec3(x.x + x.y, y.x + y.y, z.x + z.y);
     return vec3(unitvec_negate_positive(left, v.x), unitvec_negate_positive(j < 0, v.y), unitvec_negate_if(i > 0, v.z));
 }

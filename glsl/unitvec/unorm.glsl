@@ -13,25 +13,28 @@
 #include "arith.glsl"
 #endif
 
-uint unorm8x3_encode_component(float r) {
+precision highp float;
+precision highp int;
+
+uint unitvec_unorm8x3_encode_component(float r) {
     UNITVEC_PRECISE float biased = r * 0.5 + 0.5;
-    return unorm_encode(biased, 8u);
+    return unitvec_unorm_encode(biased, 8u);
 }
 
-float unorm8x3_decode_component(uint code) {
+float unitvec_unorm8x3_decode_component(uint code) {
     UNITVEC_PRECISE float r = (2.0 * float(code & unitvec_mask(8u)) - 255.0) / 255.0;
     return r;
 }
 
 uint unorm8x3_encode(vec3 v) {
     v = unitvec_or_z(v);
-    return unorm8x3_encode_component(v.x) | (unorm8x3_encode_component(v.y) << 8u)
-        | (unorm8x3_encode_component(v.z) << 16u);
+    return unitvec_unorm8x3_encode_component(v.x) | (unitvec_unorm8x3_encode_component(v.y) << 8u)
+        | (unitvec_unorm8x3_encode_component(v.z) << 16u);
 }
 
 vec3 unorm8x3_decode(uint code) {
-    return vec3(unorm8x3_decode_component(code), unorm8x3_decode_component(code >> 8u),
-        unorm8x3_decode_component(code >> 16u));
+    return vec3(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
+        unitvec_unorm8x3_decode_component(code >> 16u));
 }
 
 #endif

@@ -6,6 +6,7 @@
 mod accuracy;
 mod claims;
 pub mod costs;
+mod flat;
 mod prose;
 mod slices;
 mod tables;

@@ -8,8 +8,10 @@ pub mod remez;
 pub mod suite;
 pub mod tested;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, FRAMES};
 use unitvec_host::manifest::{self, sha256_hex};
 use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
@@ -22,6 +24,12 @@ pub const BACKENDS: &[&str] =
 pub fn repository() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.parent().unwrap_or(here).to_owned()
+}
+
+/// The families' files of GLSL: `oct.glsl`.
+pub fn glsl_families() -> BTreeSet<String> {
+    let vectors = CATALOGUE.iter().map(CodecInfo::glsl_file);
+    vectors.chain(FRAMES.iter().map(|codec| codec.glsl_file().to_owned())).collect()
 }
 
 /// lavapipe, with validation.

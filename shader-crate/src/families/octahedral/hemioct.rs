@@ -21,7 +21,7 @@
 //!   where x or y is 0.
 
 use crate::arith::{
-    mask, normalize, round_symmetric, signed_code, snorm_integer, snorm_max, without_denormal,
+    mask, max, normalize, round_symmetric, signed_code, snorm_integer, snorm_max, without_denormal,
 };
 use crate::codec::Codec;
 use crate::direction::upper_or_z;
@@ -46,12 +46,13 @@ pub(super) fn project(v: Vec3, norm: f32, m: f32) -> Vec2 {
     Vec2::new(round_symmetric(u), round_symmetric(w))
 }
 
-/// The direction of a lattice point (listing 6): unit length to within 2 ULP, z >= 0. All steps before the
-/// normalisation are exact for lattice points; with `m` = 1 it takes snorm values instead.
+/// The direction of a lattice point (listing 6): unit length to within 2 ULP, z >= 0, since `|x| + |y|` is twice the
+/// larger of `|e.x|` and `|e.y|`. All steps before the normalisation are exact for lattice points; with `m` = 1 it takes
+/// snorm values instead.
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let (x, y) = (e.x + e.y, e.x - e.y);
-    normalize(Vec3::new(x, y, 2.0 * m - x.abs() - y.abs()))
+    normalize(Vec3::new(x, y, 2.0 * (m - max(e.x.abs(), e.y.abs()))))
 }
 
 /// `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32 (at most 2^-21 of the square's half

@@ -1,76 +1,39 @@
-//! The GLSL includes compile in every way they may be used, and the survey's functions do what its listings do.
+//! The GLSL: the includes compile, the survey's functions do what its listings do, and the arithmetic is the crate's.
 
-use std::collections::BTreeSet;
-use std::process::Command;
-use unitvec_host::catalogue::{CATALOGUE, Domain};
+mod floats;
+mod names;
+mod versions;
+
+use unitvec_host::catalogue::{CATALOGUE, Domain, FRAMES};
 use unitvec_host::glsl::{self, Compiler};
 use unitvec_host::sampling::random_directions;
 use unitvec_host::vulkan::Runner;
-use unitvec_tests::{assert_no_validation_messages, lavapipe};
+use unitvec_tests::{assert_no_validation_messages, glsl_families, lavapipe};
 
-/// The families' include files.
-fn families() -> BTreeSet<String> {
-    CATALOGUE.iter().map(|codec| codec.glsl_file()).collect()
-}
-
-/// What to paste for a file: the files that it includes, and those they include, before it.
-fn pasted(file: &str) -> String {
-    let text = glsl::source(&format!("unitvec/{file}")).unwrap();
-    let included = text.lines().filter_map(|line| line.strip_prefix("#include \"")?.strip_suffix('"'));
-    included.map(pasted).collect::<String>() + text
-}
-
-/// A call of every codec's two functions.
+/// A call of every function of a family's codecs, where `v` is a vec3.
 fn calls(file: &str) -> String {
-    let codecs = CATALOGUE.iter().filter(|codec| codec.glsl_file() == file);
-    codecs.map(|codec| format!("v += {id}_decode({id}_encode(v));\n", id = codec.id)).collect()
+    let vectors = CATALOGUE.iter().filter(|codec| codec.glsl_file() == file);
+    let frames = FRAMES.iter().filter(|codec| codec.glsl_file() == file);
+    let of_frames = frames.map(|codec| {
+        let id = codec.id;
+        format!("{{ vec3 n; vec4 t; {id}_decode({id}_encode(v, v.xyzx), n, t); v += n + t.xyz * t.w; }}\n")
+    });
+    vectors
+        .map(|codec| format!("v += {id}_decode({id}_encode(v));\n", id = codec.id))
+        .chain(of_frames)
+        .collect()
 }
 
 #[test]
 fn every_family_compiles_by_include() {
     let compiler = Compiler::new().unwrap();
-    for file in families().into_iter().chain(["unitvec.glsl".to_owned()]) {
+    for file in glsl_families().into_iter().chain(["unitvec.glsl".to_owned()]) {
         let shader = format!(
             "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/{file}\"\n\
              layout(local_size_x = 1) in;\nlayout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{}}}\n",
             calls(&file)
         );
         compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{file}: {error}"));
-    }
-}
-
-/// Pasted with what they include, once or twice, in a shader that does not know #include.
-#[test]
-fn families_compile_by_pasting() {
-    let compiler = Compiler::new().unwrap();
-    for file in families() {
-        let (text, calls) = (pasted(&file), calls(&file));
-        let shader = format!(
-            "#version 450\n{text}{text}layout(local_size_x = 1) in;\n\
-             layout(binding = 0) buffer B {{ vec3 v; }};\nvoid main() {{\n{calls}}}\n"
-        );
-        compiler.compile("user.comp", &shader, &[]).unwrap_or_else(|error| panic!("{file}: {error}"));
-    }
-}
-
-/// glslang's own checker, since shaderc has no ES 3.00.
-#[test]
-fn families_are_valid_glsl_es_300() {
-    let folder = tempfile::tempdir().unwrap();
-    for file in families() {
-        let shader = format!(
-            "#version 300 es\nprecision highp float;\nprecision highp int;\n{}in vec3 direction;\n\
-             out vec4 color;\nvoid main() {{\nvec3 v = direction;\n{}color = vec4(v, 1.0);\n}}\n",
-            pasted(&file),
-            calls(&file)
-        );
-        let path = folder.path().join("shader.frag");
-        std::fs::write(&path, shader).unwrap();
-        let output = Command::new("glslangValidator")
-            .arg(&path)
-            .output()
-            .expect("glslangValidator is missing: `cargo xtask setup` installs it");
-        assert!(output.status.success(), "{file}: {}", String::from_utf8_lossy(&output.stdout));
     }
 }
 
@@ -216,8 +179,9 @@ fn hemioct_is_listing_6() {
 fn scalar_functions_are_the_crates() {
     let inputs: Vec<[f32; 3]> = (-3000..3000).map(|n| [n as f32 / 2500.0, 0.0, 0.0]).collect();
     for bits in [2, 5, 8, 10, 16, 22] {
-        let expression =
-            format!("vec3(float(unorm_encode(v.x, {bits}u)), float(snorm_encode(v.x, {bits}u)), 0.0)");
+        let expression = format!(
+            "vec3(float(unitvec_unorm_encode(v.x, {bits}u)), float(unitvec_snorm_encode(v.x, {bits}u)), 0.0)"
+        );
         for (input, result) in inputs.iter().zip(evaluate(&expression, &inputs)) {
             let expected =
                 [unitvec::arith::unorm_encode(input[0], bits), unitvec::arith::snorm_encode(input[0], bits)];
