@@ -3,7 +3,7 @@
 use crate::kernel::Kernel;
 use unitvec_host::catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
 use unitvec_host::manifest::{
-    self, Binding, Codec, Constant, EntryPoint, Interface, Module, PushConstant, Table,
+    self, Binding, Codec, Constant, EntryPoint, Interface, Module, PushConstant, Role, Table,
 };
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
 
