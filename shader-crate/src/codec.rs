@@ -84,6 +84,13 @@ pub trait Code: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
 
     /// The code of these words; one-word codes ignore the high one.
     fn from_words(words: [u32; 2]) -> Self;
+
+    /// [`from_words`](Self::from_words), without an array, which costs time where nothing is optimised.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn from_low_high(low: u32, high: u32) -> Self {
+        Self::from_words([low, high])
+    }
 }
 
 impl Code for u32 {
@@ -95,6 +102,11 @@ impl Code for u32 {
     #[inline(always)]
     fn from_words(words: [u32; 2]) -> Self {
         words[0]
+    }
+
+    #[inline(always)]
+    fn from_low_high(low: u32, _: u32) -> Self {
+        low
     }
 }
 

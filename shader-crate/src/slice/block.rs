@@ -66,7 +66,7 @@ impl Block {
         let mut start = 0;
         while start < count && start < BLOCK {
             each!(i in start, start + GROUP => {
-                let v = C::decode_vec3(C::Code::from_words([self.low[i], self.high[i]]));
+                let v = C::decode_vec3(C::Code::from_low_high(self.low[i], self.high[i]));
                 self.x[i] = v.x;
                 self.y[i] = v.y;
                 self.z[i] = v.z;
@@ -87,7 +87,7 @@ impl Block {
     #[inline(always)]
     pub fn store_vectors<T: Target<V>, V>(&self, to: &mut [V]) {
         each!(i in 0, to.len() => {
-            to[i] = T::vector([self.x[i], self.y[i], self.z[i]]);
+            to[i] = T::vector(Vec3::new(self.x[i], self.y[i], self.z[i]));
         });
     }
 
@@ -116,10 +116,10 @@ impl Block {
     {
         let codes = as_chunks::<_, SIZE>(codes).0;
         each!(i in 0, codes.len() => {
-            let words = codes[i].words();
-            self.low[i] = words[0];
+            let (low, high) = codes[i].words();
+            self.low[i] = low;
             if SIZE > 4 {
-                self.high[i] = words[1];
+                self.high[i] = high;
             }
         });
     }
@@ -168,8 +168,8 @@ impl Block {
 
 /// What codes are decoded to: a type of vectors, `V`.
 pub trait Target<V> {
-    /// The vector of these components.
-    fn vector(xyz: [f32; 3]) -> V;
+    /// The vector as this type.
+    fn vector(v: Vec3) -> V;
 }
 
 /// Vectors as they are.
@@ -177,8 +177,8 @@ pub struct Floats;
 
 impl<V: Vector> Target<V> for Floats {
     #[inline(always)]
-    fn vector(xyz: [f32; 3]) -> V {
-        xyz.into()
+    fn vector(v: Vec3) -> V {
+        v.to_array().into()
     }
 }
 
@@ -187,8 +187,8 @@ pub struct Snorms;
 
 impl Target<[i16; 4]> for Snorms {
     #[inline(always)]
-    fn vector([x, y, z]: [f32; 3]) -> [i16; 4] {
-        [snorm_encode(x, 16) as i16, snorm_encode(y, 16) as i16, snorm_encode(z, 16) as i16, 0]
+    fn vector(v: Vec3) -> [i16; 4] {
+        [snorm_encode(v.x, 16) as i16, snorm_encode(v.y, 16) as i16, snorm_encode(v.z, 16) as i16, 0]
     }
 }
 

@@ -311,7 +311,8 @@ where
     let codes = as_chunks::<_, SIZE>(codes).0;
     let mut i = 0;
     while i < vectors.len() {
-        vectors[i] = T::vector(C::decode_vec3(C::Code::from_words(codes[i].words())).to_array());
+        let (low, high) = codes[i].words();
+        vectors[i] = T::vector(C::decode_vec3(C::Code::from_low_high(low, high)));
         i += 1;
     }
 }

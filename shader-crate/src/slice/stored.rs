@@ -5,38 +5,57 @@ pub trait Stored {
     /// The low bytes of a code's two words.
     fn of_words(words: [u32; 2]) -> Self;
 
-    /// The words of the code, the low one first.
-    fn words(self) -> [u32; 2];
+    /// The low and the high word of the code.
+    fn words(self) -> (u32, u32);
 }
 
-/// Implements [`Stored`]. For each word: its bytes that are stored, and in parentheses those that are not.
+/// Implements [`Stored`].
 macro_rules! stored {
-    ($size:literal: $($low:ident)* ($($no_low:ident)*) $(, $($high:ident)* ($($no_high:ident)*))?) => {
+    ($size:literal: $words:ident => $of_words:expr, $bytes:ident => $to_words:expr) => {
         impl Stored for [u8; $size] {
             #[inline(always)]
-            fn of_words(words: [u32; 2]) -> Self {
-                let [$($low,)* ..] = words[0].to_le_bytes();
-                $(let [$($high,)* ..] = words[1].to_le_bytes();)?
-                [$($low,)* $($($high),*)?]
+            fn of_words($words: [u32; 2]) -> Self {
+                $of_words
             }
 
             #[inline(always)]
-            fn words(self) -> [u32; 2] {
-                let [$($low,)* $($($high),*)?] = self;
-                $(let $no_low = 0;)*
-                $($(let $no_high = 0;)*)?
-                [u32::from_le_bytes([$($low,)* $($no_low),*]), 0 $(| u32::from_le_bytes([$($high,)* $($no_high),*]))?]
+            fn words(self) -> (u32, u32) {
+                let $bytes = self;
+                $to_words
             }
         }
     };
 }
 
-stored!(1: a (b c d));
-stored!(2: a b (c d));
-stored!(3: a b c (d));
-stored!(4: a b c d ());
-stored!(6: a b c d (), e f (g h));
-stored!(8: a b c d (), e f g h ());
+// Bytes are converted together where it can be done: without optimisation a word that is loaded just after its bytes were
+// stored one by one makes the processor wait.
+stored!(1: words => [words[0] as u8], bytes => (bytes[0] as u32, 0));
+stored!(2: words => (words[0] as u16).to_le_bytes(), bytes => (u16::from_le_bytes(bytes) as u32, 0));
+stored!(4: words => words[0].to_le_bytes(), bytes => (u32::from_le_bytes(bytes), 0));
+stored!(3:
+    words => {
+        let [a, b, c, _] = words[0].to_le_bytes();
+        [a, b, c]
+    },
+    bytes => (bytes[0] as u32 | (bytes[1] as u32) << 8 | (bytes[2] as u32) << 16, 0)
+);
+stored!(6:
+    words => {
+        let ([a, b, c, d], [e, f, ..]) = (words[0].to_le_bytes(), words[1].to_le_bytes());
+        [a, b, c, d, e, f]
+    },
+    bytes => {
+        let [a, b, c, d, e, f] = bytes;
+        (u32::from_le_bytes([a, b, c, d]), u16::from_le_bytes([e, f]) as u32)
+    }
+);
+stored!(8:
+    words => ((words[1] as u64) << 32 | words[0] as u64).to_le_bytes(),
+    bytes => {
+        let word = u64::from_le_bytes(bytes);
+        (word as u32, (word >> 32) as u32)
+    }
+);
 
 /// `$call`, in which `$size` is the constant `$bytes`: a size of stored codes.
 macro_rules! with_size {
