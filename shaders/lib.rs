@@ -26,7 +26,8 @@ pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }
 
-/// A file of `spirv/`: `kernels/oct16.spv`, `manifest.json`; the kernels in `cost/` are for measuring.
+/// A file of `spirv/`: `kernels/oct16.spv`; `manifest.json` and its schema, `manifest.schema.json`; `best_fit_table.bin`,
+/// which two kernels read. The kernels in `cost/` are for measuring.
 pub fn spirv(path: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(path)?.contents())
 }

@@ -368,6 +368,9 @@ pub struct UnknownCodec {
 
 /// Codecs whose identifier or survey name is this one but for case, or else that begin with the same letters.
 fn suggestion(id: &str) -> String {
+    if find_frame(id).is_some() {
+        return "it is a codec of tangent frames: see `find_frame`; ".to_owned();
+    }
     let letters =
         |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
     let codecs = CATALOGUE.iter().map(|codec| (codec.id, codec.survey_name));

@@ -25,8 +25,8 @@
 //!   (21) bits, whose upper two count quarter turns from the basis's first vector to the second; at the top the
 //!   handedness, 1 for -1. A code of 64 bits is two words, low word first. Every pattern is a frame.
 //! * Error of the normal: that of the octahedral code, at most `sqrt(2) / m` radians. Error of the tangent: the angle
-//!   between the tangent that was encoded, perpendicular to the normal that was encoded, and the decoded one. It holds
-//!   how far the normal's error tilts the plane, at most `d`, and how far the angle is off in it, at most `e`:
+//!   between the tangent that was encoded, perpendicular to the normal that was encoded, and the decoded one. It
+//!   includes how far the normal's error tilts the plane, at most `d`, and how far the angle is off in it, at most `e`:
 //!   `acos(cos d cos e) <= sqrt(d^2 + e^2)`. `e` is half a step, which the stretching leaves 0.26 % above
 //!   `pi / 2^bits`.
 //! * The bare diamond, without the polynomial, is finer near the basis's vectors: where a mesh's tangents gather there,
@@ -35,7 +35,8 @@
 //! * Decoded normal and tangent have unit length to within 2 ULP, and `|normal . tangent|` is at most 4 ULP of 1: most
 //!   of it is the normal's length, which turns the basis by twice what it is off. The basis is continuous but for the
 //!   equator, z = 0, where that of the lower hemisphere takes over; what it divides by is never less than 1.
-//! * Exact: normals along the axes and, about those, tangents along the axes. Multiples of 45 degrees are codes.
+//! * Exact: normals along the axes and, about those, tangents along the axes. Multiples of 45
+//!   degrees have codes of their own.
 //! * Good for: vertex attributes. What glTF stores in 28 bytes (NORMAL and TANGENT) takes 4 or 8. Weaknesses: a tangent
 //!   at 32 bits has several times the normal's error; what is not orthogonal in a frame is lost; codes cannot be
 //!   interpolated.
@@ -57,7 +58,7 @@ use glam::{Vec2, Vec3};
 /// A tangent frame: what a normal map is applied in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
-    /// The surface's normal.
+    /// The surface's normal, of this crate's [`glam`]. [`to_gltf`](Self::to_gltf) gives vectors of any library.
     pub normal: Vec3,
     /// The direction of increasing u, perpendicular to the normal.
     pub tangent: Vec3,
@@ -127,7 +128,7 @@ pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static
     const MAX_NORMAL_ERROR_DEG: f32;
 
     /// An upper bound of the angle, in degrees, between a tangent, perpendicular to its normal, and its decoded code.
-    /// It holds the tilt that the normal's error brings.
+    /// It includes the tilt that the normal's error brings.
     const MAX_TANGENT_ERROR_DEG: f32;
 
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.

@@ -52,18 +52,19 @@
 //! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | 9.7 / 4.2 |
 //! <!-- end -->
 //!
-//! Cost is arithmetic on lavapipe, as a multiple of `oct32`'s. Types named `…Precise…` write the format of the fast ones:
+//! Cost is arithmetic on lavapipe (Vulkan on the CPU), as a multiple of `oct32`'s. Types named `…Precise…` write the format of the fast ones:
 //! their encoder takes longer and finds the nearest code. `docs/codecs.md` of the repository lists all codecs,
 //! `docs/costs.md` says more about when to take which.
 //!
-//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`].
+//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`]. Whole slices
+//! and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate `unitvec-catalogue`.
 //!
 //! The families, each with a module that says what it is good for:
 //!
-//! * octahedral: [`oct`], finer than `f32` [`oct_wide`], of equal area [`eaoct`], with the sign of z apart [`soct`], of a
-//!   hemisphere [`hemioct`];
-//! * numbered points: the lattice of an icosahedron [`ico`], spherical Fibonacci points [`fib`];
-//! * angles: [`spherical`], finer than `f32` [`spherical_wide`], [`cylindrical`], [`latlong`];
+//! * octahedral: [`oct`]; [`oct_wide`], finer than `f32`; [`eaoct`], of equal area; [`soct`], with the sign of z apart;
+//!   [`hemioct`], of a hemisphere;
+//! * numbered points: [`ico`], the lattice of an icosahedron; [`fib`], spherical Fibonacci points;
+//! * angles: [`spherical`]; [`spherical_wide`], finer than `f32`; [`cylindrical`]; [`latlong`];
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
 //! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`].
 //!

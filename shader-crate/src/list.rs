@@ -176,7 +176,7 @@ macro_rules! for_each_frame {
 
 /// A codec of the list: what its row says.
 pub trait Listed: Codec {
-    /// Identifier: `oct16p`.
+    /// Identifier, such as `oct16p`.
     const NAME: &'static str;
 
     /// Name of the type in this crate: `OctPrecise16`.
@@ -197,7 +197,7 @@ pub trait Listed: Codec {
 
 /// A codec of frames of the list: what its row says.
 pub trait ListedFrame: FrameCodec {
-    /// Identifier: `frame32`.
+    /// Identifier, such as `frame32`.
     const NAME: &'static str;
 
     /// Name of the type in this crate: `Frame32`.
@@ -213,7 +213,7 @@ macro_rules! define {
         $id:ident $codec:ident $(($by:ident))? = $family:ident::$type:ident $(<$($parameter:tt),*>)?,
         $survey_name:literal, $domain:ident, $vk_format:expr
     ])*) => {$(
-        #[doc = concat!("`", stringify!($id), "`, the survey's `", $survey_name, "`: see [`", stringify!($family), "`](mod@crate::", stringify!($family), ").")]
+        #[doc = concat!("The codec `", stringify!($id), "`: see [`", stringify!($family), "`](mod@crate::", stringify!($family), ").")]
         pub type $codec = $crate::$family::$type$(<$($parameter),*>)?;
 
         impl Listed for $codec {

@@ -4,6 +4,7 @@ use super::{BEGIN, END, files, markdown, tables};
 use std::collections::BTreeSet;
 use std::path::Path;
 use unitvec_host::catalogue::{CATALOGUE, FRAMES};
+use unitvec_tests::program::run;
 use unitvec_tests::repository;
 
 fn read(path: &Path) -> String {
@@ -62,7 +63,8 @@ fn by_hand(text: &str) -> String {
 }
 
 /// Numbers with decimals that we did not measure: versions, sections of papers, what the Vulkan specification allows.
-const NOT_MEASURED: [&str; 9] = ["1.1", "1.85", "2.0", "3.30", "3.00", "0.10.0", "4.2", "2.5", "4.5"];
+const NOT_MEASURED: [&str; 12] =
+    ["1.1", "1.85", "1.87", "2.0", "3.30", "3.00", "3.3", "3.0", "0.10.0", "4.2", "2.5", "4.5"];
 
 /// Measurements stand in generated parts only, where they cannot grow old.
 #[test]
@@ -74,6 +76,31 @@ fn measurements_are_generated() {
             assert!(!is_decimal || NOT_MEASURED.contains(&word), "{}: {word}", path.display());
         }
     }
+}
+
+/// The oldest Rust that README promises, for the crate and for the program, is that of their manifests.
+#[test]
+fn rust_versions_are_those_of_the_manifests() {
+    let text = read(&repository().join("README.md"));
+    for manifest in ["Cargo.toml", "host/Cargo.toml"] {
+        let manifest = read(&repository().join(manifest));
+        let version = manifest.lines().find_map(|line| line.strip_prefix("rust-version = \"")).unwrap();
+        assert!(
+            text.contains(&format!("needs Rust {} ", version.trim_end_matches('"')).replace(" ,", ",")),
+            "{version}"
+        );
+    }
+}
+
+/// README quotes what `encode` says of the bunny.
+#[test]
+fn the_quoted_line_is_what_encode_says() {
+    let folder = tempfile::tempdir().unwrap();
+    let bunny = repository().join("host/data/bunny.obj");
+    let output =
+        unitvec(&["encode", "--codec", "oct24p", bunny.to_str().unwrap()], &folder.path().join("out"));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(read(&repository().join("README.md")).contains(&format!("`{}`", said.trim_end())), "{said}");
 }
 
 /// Where a text says how many bits there are, it says what the catalogue does: of vectors, or of frames too.

@@ -1,5 +1,6 @@
 //! The GLSL: the includes compile, the survey's functions do what its listings do, and the arithmetic is the crate's.
 
+mod examples;
 mod floats;
 mod names;
 mod versions;

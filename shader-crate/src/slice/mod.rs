@@ -7,9 +7,11 @@
 //!   much as 32: for single vectors take the functions of [`Codec`].
 //! * Vectors are those of any library: see [`Vector`].
 //! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
-//! * They are compiled with your crate, at its `opt-level`. At 0, the development profile's, they go one vector at a time,
-//!   and are no faster than single calls. `opt-level = 1` under `[profile.dev]` makes them many times faster; to set it for
-//!   dependencies alone, as `[profile.dev.package."*"]` does, has little effect.
+//! * Frames have functions of their own: [`encode_frames`](crate::frame::encode_frames).
+//! * Slice functions are generic, and so compiled at the `opt-level` of the crate that calls them. At 0, that of the
+//!   development profile, they go one vector at a time and are no faster than single calls. `opt-level = 2` under
+//!   `[profile.dev]` gives them the speed of a release build. To keep your own crate at 0, call them, with a named codec, in a
+//!   library crate of yours and set `opt-level` for that one, or for all dependencies with `[profile.dev.package."*"]`.
 //! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores.
 //!
 //! ```

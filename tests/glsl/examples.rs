@@ -1,0 +1,48 @@
+//! The GLSL in README and docs compiles.
+
+use super::versions::assert_valid;
+use unitvec_tests::repository;
+
+/// The blocks of GLSL in a Markdown file.
+fn blocks(file: &str) -> Vec<String> {
+    let text = std::fs::read_to_string(repository().join(file)).unwrap();
+    let starts = text.split("```glsl\n").skip(1);
+    starts.map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
+}
+
+/// Fails unless glslangValidator, called as README says, accepts a shader.
+fn assert_compiles(what: &str, stage: &str, shader: &str) {
+    let folder = format!("-I{}", repository().join("glsl").display());
+    assert_valid(what, shader, &["-V", &folder, "-S", stage, "-o", "/dev/null"]);
+}
+
+#[test]
+fn the_readmes_shader_compiles() {
+    let [shader] = &blocks("README.md")[..] else { panic!("README has another number of shaders than one") };
+    assert_compiles("README.md", "frag", shader);
+}
+
+/// Fragments of shaders: declarations go before `main`, statements into it.
+#[test]
+fn the_lines_for_formats_compile() {
+    let blocks = blocks("docs/formats.md");
+    assert_eq!(blocks.len(), 3);
+    for block in blocks {
+        let is_declaration = |line: &&str| line.starts_with("layout") || line.starts_with('#');
+        let (declarations, statements): (Vec<&str>, Vec<&str>) = block.lines().partition(is_declaration);
+        let sampler = if block.contains("usampler2D") { "usampler2D" } else { "sampler2D" };
+        let (stage, given) = if block.contains("texelFetch") {
+            let inputs = "layout(location = 0) in vec3 normal;\nlayout(location = 1) flat in ivec2 pixel;";
+            ("frag", format!("{inputs}\nlayout(binding = 0) uniform {sampler} normals;"))
+        } else {
+            ("vert", String::new())
+        };
+        let shader = format!(
+            "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/oct.glsl\"\n\
+             {given}\n{}\nvoid main() {{\n{}\n}}\n",
+            declarations.join("\n"),
+            statements.join("\n")
+        );
+        assert_compiles("docs/formats.md", stage, &shader);
+    }
+}
