@@ -121,13 +121,14 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
     let device = lavapipe();
     let mut runner = Runner::new(&device, 16, true).unwrap();
     let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
-    let frame = [0.48f32, 0.64, -0.6, 1.0, 0.0, 0.0, -1.0];
     for id in ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
         let format = find_format(id).unwrap();
-        let mut elements = frame[..format.element.floats()].to_vec();
-        let mut codes = vec![0; format.bytes];
+        let random = sampling::random_elements(format.element, Domain::Sphere, 9);
+        let mut elements: Vec<f32> = random.take(12 * format.element.floats()).collect();
+        let mut codes = vec![0; 12 * format.bytes];
         Cpu.encode(format, &elements, &mut codes).unwrap();
         Cpu.decode(format, &codes, &mut elements).unwrap();
+        Cpu.encode(format, &elements, &mut codes).unwrap();
         let elements: Vec<u8> = elements.iter().flat_map(|f| f.to_le_bytes()).collect();
         for (operation, read, written) in
             [(Operation::Encode, &elements, &codes), (Operation::Decode, &codes, &elements)]
@@ -140,16 +141,47 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
                 for (count, input, output) in
                     [(5, 12, 12), (12, 5, 12), (12, 7, 12), (12, 12, 5), (12, 12, 7)]
                 {
-                    let input = read.repeat(input);
-                    let mut actual = vec![0; (written.len() * output).next_multiple_of(4)];
-                    runner.run(&kernel, count, &input, &mut actual).unwrap();
-                    let held = input.len().next_multiple_of(4) / read.len();
-                    let mut expected = written.repeat(count.min(held).min(actual.len() / written.len()));
+                    // Whole words, whose rest holds the beginning of what comes next.
+                    let [input, output] = [(read, input), (written, output)]
+                        .map(|(bytes, count)| (bytes.len() / 12 * count).next_multiple_of(4));
+                    let mut actual = vec![0; output];
+                    runner.run(&kernel, count, &read[..input], &mut actual).unwrap();
+                    let held = (12 * input / read.len()).min(12 * output / written.len());
+                    let mut expected = written[..count.min(held) * written.len() / 12].to_vec();
                     expected.resize(expected.len().next_multiple_of(4), 0);
                     let untouched = SENTINEL.to_le_bytes().into_iter().cycle();
                     expected.extend(untouched.take(actual.len() - expected.len()));
-                    assert_eq!(actual, expected, "{name}: {count}, {}, {}", input.len(), actual.len());
+                    assert_eq!(actual, expected, "{name}: {count}, {input}, {output}");
                 }
+            }
+        }
+    }
+    drop(runner);
+    assert_no_validation_messages(device);
+}
+
+/// Nothing is written where a table is a word too short.
+#[test]
+fn kernels_write_nothing_by_a_short_table() {
+    let device = lavapipe();
+    let mut runner = Runner::new(&device, 4, true).unwrap();
+    let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
+    let encoder = |id| compiler.kernel(find_format(id).unwrap(), Operation::Encode).unwrap();
+    for (name, from_glsl, whole) in [
+        ("snorm8x3p_encode", encoder("snorm8x3p"), 4 * unitvec::best_fit::TABLE_WORDS),
+        ("crytek_bfn24_encode", encoder("crytek_bfn24"), 4 * unitvec::best_fit::TABLE_WORDS),
+        ("decode_by_table", compiler.decode_by_table().unwrap(), 12 << 16),
+    ] {
+        let short = runner.table(&vec![0x11; whole - 4]).unwrap();
+        let whole = runner.table(&vec![0x11; whole]).unwrap();
+        let from_rust = modules.load(name).unwrap();
+        for (spirv, entry_point) in [(&from_rust[..], name), (&from_glsl[..], glsl::ENTRY_POINT)] {
+            for (table, is_written) in [(&short, false), (&whole, true)] {
+                let kernel = runner.kernel(spirv, entry_point, Some(table)).unwrap();
+                let mut output = [0; 12];
+                runner.run(&kernel, 1, &[0x22; 12], &mut output).unwrap();
+                let untouched = output.chunks(4).all(|word| word == SENTINEL.to_le_bytes());
+                assert_eq!(untouched, !is_written, "{entry_point} of {name}");
             }
         }
     }

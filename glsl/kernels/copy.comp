@@ -1,5 +1,6 @@
 // Reads and writes as many bytes as a codec's kernel, and does no more with them than it takes to read them all: what
-// the memory allows; of a last group of fewer than four, nothing. The compiler is given BYTES, ENCODE or DECODE, and FRAME where it is frames that are encoded.
+// the memory allows. It skips an incomplete last group. The compiler is given BYTES, ENCODE or DECODE, and FRAME where
+// frames are encoded.
 #version 450
 
 #ifdef FRAME

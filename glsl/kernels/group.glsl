@@ -7,6 +7,10 @@ layout(push_constant) uniform Count { uint vectors; };
 layout(set = 0, binding = 0) readonly buffer Input { uint words_in[]; };
 layout(set = 0, binding = 1) writeonly buffer Output { uint words_out[]; };
 
+#ifndef HAS_TABLE
+#define HAS_TABLE true
+#endif
+
 // The words of a group of which there are `count`; words that it lacks repeat the last one that it has.
 uint[READ] load(uint group, uint count) {
     uint first = group * READ;
@@ -38,7 +42,7 @@ void main() {
     uint group = gl_GlobalInvocationID.x;
     uint held = min(uint(words_in.length()) * 4u / READ, uint(words_out.length()) * 4u / WRITTEN);
     uint number = min(vectors, held);
-    if (group * 4u < number) {
+    if (group * 4u < number && HAS_TABLE) {
         uint here = number - group * 4u;
         store(convert(load(group, here)), group, here);
     }

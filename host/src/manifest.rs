@@ -34,7 +34,7 @@ pub struct Manifest {
     pub spirv: String,
     /// All SPIR-V capabilities that they declare.
     pub capabilities: Vec<String>,
-    /// Members of VkPhysicalDeviceFeatures and its like that have to be enabled.
+    /// Device features that have to be enabled.
     pub features: Vec<String>,
     /// Version of rust-gpu that compiled the modules.
     pub rust_gpu: String,
@@ -46,7 +46,7 @@ pub struct Manifest {
     pub interfaces: BTreeMap<String, Interface>,
     /// Tables that some kernels read.
     pub tables: Vec<Table>,
-    /// The modules, by file name.
+    /// The modules, sorted by file.
     pub modules: Vec<Module>,
 }
 
@@ -91,7 +91,7 @@ pub struct Codec {
 pub struct EntryPoint {
     /// Its name, which no other entry point of the manifest has.
     pub name: String,
-    /// Half of the codec.
+    /// Whether it encodes or decodes.
     #[schemars(with = "OperationName")]
     pub operation: Operation,
     /// The name of its interface.
@@ -105,8 +105,8 @@ pub struct EntryPoint {
 pub struct Interface {
     /// Size of a workgroup.
     pub workgroup_size: [u32; 3],
-    /// Vectors that a workgroup takes. To be dispatched: the number of vectors divided by this, rounded up; 1; 1. For no
-    /// vectors, nothing.
+    /// Vectors that a workgroup takes. Dispatch the number of vectors divided by this, rounded up, in x; 1 in y and z. For no
+    /// vectors dispatch nothing.
     pub vectors_per_workgroup: u32,
     /// The descriptor set that has all bindings.
     pub descriptor_set: u32,
@@ -138,7 +138,7 @@ pub struct Binding {
     /// no vector that lies outside one of the ranges, ignore what rounding adds to the input, and write 0 to what it adds to
     /// the output.
     pub size_multiple: u32,
-    /// The table to bind, where it is one of the manifest's: its file. Otherwise absent.
+    /// The file of the table to bind; absent where it is not one of the manifest's tables.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub table: Option<String>,
 }
@@ -228,8 +228,8 @@ fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A hash of everything in the repository that the modules are made from: the crate's and the SPIR-V build's sources
-/// without comments, and the locked versions of the packages that shape the output.
+/// A hash of what the modules are made from: the crate's and the SPIR-V build's sources without comments, and the locked
+/// versions of the packages that shape the output.
 ///
 /// # Errors
 /// Any error of reading those files.

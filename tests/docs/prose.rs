@@ -85,10 +85,7 @@ fn rust_versions_are_those_of_the_manifests() {
     for manifest in ["Cargo.toml", "host/Cargo.toml"] {
         let manifest = read(&repository().join(manifest));
         let version = manifest.lines().find_map(|line| line.strip_prefix("rust-version = \"")).unwrap();
-        assert!(
-            text.contains(&format!("needs Rust {} ", version.trim_end_matches('"')).replace(" ,", ",")),
-            "{version}"
-        );
+        assert!(text.contains(&format!("needs Rust {}", version.trim_end_matches('"'))), "{version}");
     }
 }
 
@@ -97,8 +94,8 @@ fn rust_versions_are_those_of_the_manifests() {
 fn the_quoted_line_is_what_encode_says() {
     let folder = tempfile::tempdir().unwrap();
     let bunny = repository().join("host/data/bunny.obj");
-    let output =
-        unitvec(&["encode", "--codec", "oct24p", bunny.to_str().unwrap()], &folder.path().join("out"));
+    let out = folder.path().join("out");
+    let output = run(["encode", "--codec", "oct24p", bunny.to_str().unwrap(), out.to_str().unwrap()]);
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(read(&repository().join("README.md")).contains(&format!("`{}`", said.trim_end())), "{said}");
 }

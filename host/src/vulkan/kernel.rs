@@ -296,8 +296,8 @@ impl Runner {
             .dst_binding(binding)
             .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
             .buffer_info(&buffer);
-        // SAFETY: the set is not in use, since each submission is waited for; buffers have whole words, and live as long as
-        // the set or, tables, as the kernels that read them: a set with a table that is gone is bound only for others.
+        // SAFETY: the set is not in use, since each submission is waited for. The range lies in the buffer, which has whole
+        // words. Input and output live as long as the set; a kernel keeps its table, and other kernels do not read binding 2.
         unsafe { self.device.raw.update_descriptor_sets(&[write], &[]) };
     }
 

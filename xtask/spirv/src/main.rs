@@ -71,7 +71,10 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         (manifest::SCHEMA.to_owned(), manifest::schema().into_bytes()),
     ]);
     for Built { file, kernels, bytes } in modules {
-        manifest.interfaces.extend(kernels.iter().map(describe::interface));
+        for (name, interface) in kernels.iter().map(describe::interface) {
+            let named = manifest.interfaces.entry(name).or_insert_with(|| interface.clone());
+            ensure!(*named == interface, "{file}: two interfaces have one name");
+        }
         manifest.modules.push(describe::module(&file, &kernels, &bytes));
         files.insert(file, bytes);
     }
