@@ -23,7 +23,7 @@ pub const RECOMMENDED: [Recommendation; 8] = [
     recommend("encoded often: G-buffers", &["oct32", "oct24", "oct16"], 1),
     recommend("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], 3),
     recommend("z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], 2),
-    recommend("two snorms and a bit to spare", &["soct17", "soct25"], 1),
+    recommend("two snorms and a sign bit", &["soct17", "soct25"], 1),
     recommend("least maximum error for the bytes", &["ico16", "ico24", "ico32"], 3),
     recommend("very few bits", &["oct8p", "oct12p"], 1),
     recommend("finer than 32 bits", &["oct48p", "oct52p"], 1),
