@@ -13,7 +13,7 @@
 // snorm8x3p_encode and crytek_bfn24_encode look the lengths of cells up if UNITVEC_BEST_FIT_TABLE(i) is defined before
 // this file is included, as an expression that gives word i of the table, i below 206080:
 // `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`. Else they work them out, at some 300 times the cost and with the
-// same result. These two round by adding 1.5 2^23; without `precise` (GLSL ES 3.00) a compiler may undo that in the
+// same result. These two round by adding 1.5 2^23; without `precise` (see arith.glsl) a compiler may undo that in the
 // choice of a length, which then is a cell's first.
 //
 // The code functions take any v: length does not matter, and +Z stands in for what has no direction. Decoding gives

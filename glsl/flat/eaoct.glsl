@@ -29,7 +29,8 @@
 //   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
 //
 // To an attachment of RG16_SNORM, float32x3_to_octn_precise(v, 32) stores the code of oct32p, exactly, and
-// float32x3_to_oct(v) that of oct32 but for 3 codes in 1000, which are a step off: it rounds, and the hardware again.
+// float32x3_to_oct(v) that of oct32 but for at most 3 codes in 1000, which are a step off: it rounds, and the hardware
+// again.
 //
 // All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; other
 // floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24 has

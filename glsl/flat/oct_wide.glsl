@@ -9,7 +9,7 @@
 //
 // Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: x in the low 24 or 26
 // bits, y in those above, two's complement snorm. Positions are sums of two floats, since one does not hold them;
-// decoded components are the floats nearest to the exact ones. Without `precise` (GLSL ES 3.00) a compiler may undo
+// decoded components are the floats nearest to the exact ones. Without `precise` (see arith.glsl) a compiler may undo
 // that.
 
 #ifndef UNITVEC_OCT_WIDE_GLSL

@@ -8,7 +8,7 @@
 //
 // Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: round((2 theta / pi - 1) m)
 // in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24, periodic; both in two's
-// complement. Sines and cosines are sums of two floats, since one is too coarse. Without `precise` (GLSL ES 3.00) a
+// complement. Sines and cosines are sums of two floats, since one is too coarse. Without `precise` (see arith.glsl) a
 // compiler may undo that.
 
 #ifndef UNITVEC_SPHERICAL_WIDE_GLSL

@@ -39,7 +39,7 @@
 //! |  | [`OctPrecise16`] | 16 | 0.315 / 0.638 | 2.4 / 1.1 |
 //! | z >= 0: tangent-space normal maps | [`HemiOct16`] | 16 | 0.240 / 0.553 | 1.5 / 0.7 |
 //! |  | [`HemiOct24`] | 24 | 0.0149 / 0.0343 | 1.5 / 0.8 |
-//! | two snorms and a bit to spare | [`SOct17`] | 17 | 0.240 / 0.553 | 1.1 / 0.9 |
+//! | two snorms and a sign bit | [`SOct17`] | 17 | 0.240 / 0.553 | 1.1 / 0.9 |
 //! |  | [`SOct25`] | 25 | 0.0149 / 0.0343 | 1.1 / 0.9 |
 //! | least maximum error for the bytes | [`Ico16`] | 16 | 0.304 / 0.509 | 9.3 / 4.2 |
 //! |  | [`Ico24`] | 24 | 0.0188 / 0.0312 | 9.2 / 4.3 |
