@@ -14,8 +14,7 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// As many of a file's first bytes as [`of`](Self::of) should be given. JSON may begin with much else than what
-    /// tells that it is glTF.
+    /// As many of a file's first bytes as [`of`](Self::of) should be given. In JSON, `asset` may come late.
     pub const HEAD: usize = 1 << 20;
 
     /// The format that the first bytes tell; where they tell none, that of the ending, in any case: obj, ply, gltf, glb.
@@ -40,10 +39,16 @@ impl FileFormat {
     }
 }
 
+/// Text without the byte order mark that it may begin with.
+pub(super) fn without_mark(text: &[u8]) -> &[u8] {
+    text.strip_prefix("\u{feff}".as_bytes()).unwrap_or(text)
+}
+
 /// True for a JSON object with `asset`, which every glTF file must have.
 fn is_gltf_json(head: &[u8]) -> bool {
     const KEY: &[u8] = b"\"asset\"";
-    head.trim_ascii_start().starts_with(b"{") && head.windows(KEY.len()).any(|bytes| bytes == KEY)
+    without_mark(head).trim_ascii_start().starts_with(b"{")
+        && head.windows(KEY.len()).any(|bytes| bytes == KEY)
 }
 
 #[cfg(test)]
@@ -66,6 +71,7 @@ mod tests {
         for (head, format) in [
             (&b"glTF\x02\0\0\0"[..], FileFormat::Gltf),
             (b"{\"asset\":{\"version\":\"2.0\"}}", FileFormat::Gltf),
+            (b"\xef\xbb\xbf{\"asset\":{}}", FileFormat::Gltf),
             (b"\n {\n \"accessors\": [],\n \"asset\": {", FileFormat::Gltf),
             (b"ply\nformat ascii 1.0\n", FileFormat::Ply),
             (b"ply\r\nformat", FileFormat::Ply),

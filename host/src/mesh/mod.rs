@@ -116,7 +116,7 @@ pub enum MeshError {
         /// What is wrong, in one line.
         reason: String,
     },
-    /// No normals, and no face with an area to compute them from.
+    /// No normals, and no face to compute them from.
     #[error("{path} has neither normals nor faces to compute them from; export the mesh with normals")]
     NoFaces {
         /// The mesh file.
@@ -186,18 +186,10 @@ pub enum MeshError {
 ///
 /// Every [`MeshError`]; no input makes it panic.
 pub fn read(path: &Path) -> Result<Mesh, MeshError> {
-    let (format, bytes) = open(path)?;
+    let bytes = std::fs::read(path).map_err(|source| MeshError::Read { path: path.into(), source })?;
+    let format =
+        FileFormat::of(path, &bytes).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
     parse(path, format, &bytes)
-}
-
-/// Reads the tangent frames of the vertices of a glTF file.
-///
-/// # Errors
-///
-/// As [`read`]; [`MeshError::NoTangents`] for a file without them.
-pub fn read_frames(path: &Path) -> Result<Frames, MeshError> {
-    let (format, bytes) = open(path)?;
-    parse_frames(path, format, &bytes)
 }
 
 /// Reads the vertex normals of a mesh file in memory; `path` stands in errors, and files beside it may be read.
@@ -217,19 +209,12 @@ pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, Mesh
 ///
 /// # Errors
 ///
-/// As [`read_frames`].
+/// As [`parse`]; [`MeshError::NoTangents`] for a file without tangents.
 pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Frames, MeshError> {
     match format {
         FileFormat::Gltf => gltf::parse_frames(path, bytes),
         FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoTangents { path: path.into() }),
     }
-}
-
-fn open(path: &Path) -> Result<(FileFormat, Vec<u8>), MeshError> {
-    let bytes = std::fs::read(path).map_err(|source| MeshError::Read { path: path.into(), source })?;
-    let format =
-        FileFormat::of(path, &bytes).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
-    Ok((format, bytes))
 }
 
 /// Reads the vertex normals of OBJ text in memory; `name` stands in errors.
@@ -244,17 +229,24 @@ pub fn read_obj(name: &Path, text: &[u8]) -> Result<Mesh, MeshError> {
 /// The [`Mesh`] of a file with one list of normals.
 fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh, MeshError> {
     let count = normals.len();
-    let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
-    finish(path, Mesh { normals, parts: vec![part] })
-}
-
-/// A reader's `mesh`, or [`MeshError::NoFaces`] where it has no normal, or none with a direction among computed ones.
-fn finish(path: &Path, mesh: Mesh) -> Result<Mesh, MeshError> {
-    let has_own = mesh.computed() < mesh.parts.len();
-    if mesh.normals.is_empty() || !(has_own || mesh.normals.iter().any(|normal| has_direction(*normal))) {
+    if count == 0 {
         return Err(MeshError::NoFaces { path: path.into() });
     }
-    Ok(mesh)
+    let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
+    Ok(Mesh { normals, parts: vec![part] })
+}
+
+/// The [`Mesh`] of a file without normals: [`area_weighted`]. A file without triangles is [`MeshError::NoFaces`].
+fn one_computed_part(
+    path: &Path,
+    positions: &[DVec3],
+    triangles: impl IntoIterator<Item = [i64; 3]>,
+) -> Result<Mesh, MeshError> {
+    let mut triangles = triangles.into_iter().peekable();
+    if triangles.peek().is_none() {
+        return Err(MeshError::NoFaces { path: path.into() });
+    }
+    one_part(path, area_weighted(path, positions, triangles)?, true)
 }
 
 /// A [`MeshError::Parse`]; `reason` is cut to one line, since parsers quote the input at length, and loses the mark that
@@ -451,7 +443,6 @@ mod tests {
         std::fs::write(scratch.path("a.stl"), b"solid").unwrap();
         assert!(matches!(read(&scratch.path("a.stl")), Err(MeshError::UnknownFormat { .. })));
         assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::Read { .. })));
-        assert!(matches!(read_frames(Path::new("absent.glb")), Err(MeshError::Read { .. })));
     }
 
     /// A file on disk reads like the same text in memory.

@@ -1,6 +1,6 @@
 //! Wavefront OBJ, parsed by `obj`.
 
-use super::{Mesh, MeshError, area_weighted, check_finite, fan, one_part, parse_error};
+use super::{Mesh, MeshError, check_finite, fan, one_computed_part, one_part, parse_error};
 use glam::Vec3;
 use obj::ObjData;
 use std::path::Path;
@@ -18,7 +18,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     }
     let polygons = data.objects.into_iter().flat_map(|object| object.groups).flat_map(|group| group.polys);
     let faces: Vec<Vec<i64>> = polygons.map(|face| face.0.iter().map(|c| c.0 as i64).collect()).collect();
-    one_part(path, area_weighted(path, &positions, faces.iter().flat_map(|face| fan(face)))?, true)
+    one_computed_part(path, &positions, faces.iter().flat_map(|face| fan(face)))
 }
 
 /// The lines that the normals come from. Of the others, the parser refuses those it does not know, and it loses faces
@@ -134,10 +134,17 @@ mod tests {
         }
     }
 
-    /// No faces, or none with an area, is its own error.
+    /// Faces without an area leave all vertices in place, without a direction.
+    #[test]
+    fn faces_without_an_area() {
+        let mesh = read("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\nf 1 1 1\n").unwrap();
+        assert_eq!((mesh.computed(), mesh.normals), (1, vec![[0.0; 3]; 3]));
+    }
+
+    /// No faces is its own error.
     #[test]
     fn needs_faces() {
-        for text in ["", "v 0 0 0\n", "v 0 0 0\nv 1 0 0\nl 1 2\n", "v 0 0 0\nf 1 1 1\n"] {
+        for text in ["", "v 0 0 0\n", "v 0 0 0\nv 1 0 0\nl 1 2\n"] {
             assert!(matches!(read(text), Err(MeshError::NoFaces { .. })), "{text}");
         }
     }

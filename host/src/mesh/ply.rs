@@ -8,7 +8,7 @@ use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAcces
 
 use glam::DVec3;
 
-use super::{Mesh, MeshError, area_weighted, check_finite, fan, one_part, parse_error};
+use super::{Mesh, MeshError, check_finite, fan, one_computed_part, one_part, parse_error};
 
 const FORMAT: &str = "PLY";
 
@@ -27,10 +27,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
             check_finite(path, &positions)?;
             one_part(path, vertices.into_iter().map(|vertex| vertex.normal).collect(), false)
         }
-        Source::Faces => {
-            let triangles = faces.iter().flat_map(|face| fan(&face.0));
-            one_part(path, area_weighted(path, &positions, triangles)?, true)
-        }
+        Source::Faces => one_computed_part(path, &positions, faces.iter().flat_map(|face| fan(&face.0))),
     }
 }
 
