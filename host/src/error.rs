@@ -42,12 +42,35 @@ pub enum Error {
     },
     /// A file that is no mesh and does not have the name of raw floats.
     #[error(
-        "{} is neither a mesh (.obj, .ply, .gltf, .glb) nor named as raw f32 (.{}); if it is raw f32, add --raw",
+        "{} is neither a mesh (.obj, .ply, .gltf, .glb) nor named as raw f32 (.{}); export it as .glb or .obj, or, if it is \
+         raw f32, add --raw",
         .path.display(),
         input::RAW_ENDINGS.join(", .")
     )]
     UnknownInput {
         /// Its path.
+        path: PathBuf,
+    },
+    /// Text where raw floats were expected.
+    #[error(
+        "{} is text, not raw f32; save a mesh as .obj or .glb and name that file, or, if it is raw f32, add --raw",
+        .path.display()
+    )]
+    TextInput {
+        /// Its path.
+        path: PathBuf,
+    },
+    /// A backend decoded a vector that has a direction to NaN or infinity.
+    #[error(
+        "{id} decodes vector {index} of {} to NaN or infinity, a fault of the backend: check it with `unitvec conform`",
+        .path.display()
+    )]
+    NotFinite {
+        /// Codec.
+        id: &'static str,
+        /// Its place in the file, counted from 0.
+        index: u64,
+        /// The file.
         path: PathBuf,
     },
     /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
@@ -101,6 +124,7 @@ impl Error {
             Self::Usage(_)
                 | Self::UnknownCodec(_)
                 | Self::UnknownInput { .. }
+                | Self::TextInput { .. }
                 | Self::Vulkan(vulkan::Error::UnknownDevice { .. })
         )
     }

@@ -1,4 +1,4 @@
-//! Input files, and what they hold: a mesh, raw floats, or what the name and the first bytes do not tell.
+//! Input files, and what they hold: a mesh, raw floats, or unknown.
 
 use crate::catalogue::Element;
 use crate::mesh::{self, FileFormat, Frames, Mesh, MeshError, Part};
@@ -16,6 +16,7 @@ pub struct Input {
     reader: Box<dyn Read>,
     length: Option<u64>,
     mesh: Option<FileFormat>,
+    is_text: bool,
 }
 
 impl Input {
@@ -28,9 +29,9 @@ impl Input {
         let (mut reader, length) = open(path).map_err(error)?;
         let mut head = Vec::new();
         reader.by_ref().take(FileFormat::HEAD as u64).read_to_end(&mut head).map_err(error)?;
-        let mesh = FileFormat::of(path, &head);
+        let (mesh, is_text) = (FileFormat::of(path, &head), is_text(&head));
         let reader = Box::new(Cursor::new(head).chain(reader));
-        Ok(Self { path: path.to_owned(), reader, length, mesh })
+        Ok(Self { path: path.to_owned(), reader, length, mesh, is_text })
     }
 
     /// The format of the mesh that it holds, if it does.
@@ -42,6 +43,16 @@ impl Input {
     pub fn is_raw(&self) -> bool {
         let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         self.length.is_none() || RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending))
+    }
+
+    /// Refuses what is neither a mesh nor, as far as can be told, raw floats.
+    fn check(&self) -> Result<()> {
+        let path = || self.path.clone();
+        match self.mesh {
+            None if !self.is_raw() => Err(Error::UnknownInput { path: path() }),
+            None if self.is_text => Err(Error::TextInput { path: path() }),
+            _ => Ok(()),
+        }
     }
 
     /// Its length in bytes, where it is a file.
@@ -85,11 +96,15 @@ impl Elements {
     /// `raw`, as raw floats in any case.
     ///
     /// # Errors
-    /// [`Error::UnknownInput`] if it is neither, and whatever reading it meets.
+    /// [`Error::UnknownInput`] if it is neither, [`Error::TextInput`] if it is text instead of raw floats, and whatever reading
+    /// it meets.
     pub fn open(path: &Path, element: Element, raw: bool) -> Result<Self> {
         let input = Input::open(path)?;
-        match (input.mesh, element) {
-            _ if raw => Ok(Self::raw(input, element)),
+        if !raw {
+            input.check()?;
+        }
+        match (input.mesh.filter(|_| !raw), element) {
+            (None, _) => Ok(Self::raw(input, element)),
             (Some(_), Element::Vector) => {
                 let Mesh { normals, parts } = input.parse(mesh::parse)?;
                 Ok(Self::of_mesh(&normals, parts))
@@ -98,9 +113,20 @@ impl Elements {
                 let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
                 Ok(Self::of_mesh(&frames, parts))
             }
-            (None, _) if input.is_raw() => Ok(Self::raw(input, element)),
-            (None, _) => Err(Error::UnknownInput { path: path.to_owned() }),
         }
+    }
+
+    /// Finds early what [`open`](Self::open) would refuse of a file before it parses it. Pipes are left alone, since they can be
+    /// opened once.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn check(path: &Path, raw: bool) -> Result<()> {
+        if path == Path::new("-") || path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
+            return Ok(());
+        }
+        let input = Input::open(path)?;
+        if raw { Ok(()) } else { input.check() }
     }
 
     fn raw(input: Input, element: Element) -> Self {
@@ -112,6 +138,17 @@ impl Elements {
         let floats = Box::new(Cursor::new(to_bytes(elements.as_flattened())));
         Self { floats, count: Some(elements.len() as u64), parts: Some(parts) }
     }
+}
+
+/// True for printable text in UTF-8, of which the end may be cut off. Floats of directions have bytes that are not.
+fn is_text(head: &[u8]) -> bool {
+    let whole = match std::str::from_utf8(head) {
+        Err(error) if error.error_len().is_none() => head.get(..error.valid_up_to()),
+        Err(_) => None,
+        Ok(_) => Some(head),
+    };
+    let is_printable = |byte: &u8| !byte.is_ascii_control() || byte.is_ascii_whitespace();
+    whole.is_some_and(|text| !text.is_empty() && text.iter().all(is_printable))
 }
 
 /// Floats as little-endian bytes.
@@ -147,6 +184,35 @@ mod tests {
             assert_eq!(input.length(), Some(length as u64));
             input.read_to_end(&mut read).unwrap();
             assert!(read == bytes, "{length}");
+        }
+    }
+
+    /// Text is not taken for raw floats, unless asked to be; no bytes at all are no text.
+    #[test]
+    fn text_is_no_raw_input() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.bin");
+        let floats = to_bytes(&[0.6, -0.8, 0.0]);
+        let late = format!("{{{}\"asset\":{{}}}}", " ".repeat(FileFormat::HEAD));
+        let umlauts = "\u{e4}".repeat(FileFormat::HEAD);
+        for (content, is_text) in [
+            (&b"v 0 0 0\r\nvn 0 0 1\n"[..], true),
+            ("# M\u{fc}nchen\nv 0 0 0".as_bytes(), true),
+            (late.as_bytes(), true),
+            (umlauts.as_bytes(), true),
+            (&format!("a{umlauts}").into_bytes(), true),
+            (b"", false),
+            (&floats, false),
+            (b"v 0 0 0\0", false),
+            (b"v 0 0 0\xff", false),
+        ] {
+            std::fs::write(&path, content).unwrap();
+            for found in
+                [Elements::open(&path, Element::Vector, false).map(drop), Elements::check(&path, false)]
+            {
+                assert_eq!(matches!(found, Err(Error::TextInput { .. })), is_text, "{}", content.len());
+            }
+            assert!(Elements::open(&path, Element::Vector, true).is_ok());
         }
     }
 

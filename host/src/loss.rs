@@ -103,7 +103,8 @@ impl Meter {
     /// Measures the raw vectors or frames of a file. `progress` is told the elements done so far.
     ///
     /// # Errors
-    /// [`Error::Truncated`] if the input ends within an element, and whatever reading and the backend meet.
+    /// [`Error::Truncated`] if the input ends within an element, [`Error::NotFinite`] if the backend decodes to NaN, and
+    /// whatever reading and the backend meet.
     pub fn measure(
         &mut self,
         backend: &mut dyn Backend,
@@ -119,7 +120,15 @@ impl Meter {
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
                 round_trip(backend, *format, elements, decoded)?;
                 for (part, tally) in tallies.iter_mut().enumerate() {
-                    tally.add_all(&Chunk { file: &file, before, element, part, elements, decoded });
+                    tally.add_all(&Chunk {
+                        file: &file,
+                        id: format.id,
+                        before,
+                        element,
+                        part,
+                        elements,
+                        decoded,
+                    })?;
                 }
             }
             progress(before + (elements.len() / element.floats()) as u64);
@@ -177,6 +186,7 @@ fn round_trip(
 /// A part of the elements of a file, and what they were decoded to.
 struct Chunk<'a> {
     file: &'a str,
+    id: &'static str,
     before: u64,
     element: Element,
     part: usize,
@@ -231,13 +241,20 @@ struct Tally {
 }
 
 impl Tally {
-    fn add_all(&mut self, chunk: &Chunk<'_>) {
+    fn add_all(&mut self, chunk: &Chunk<'_>) -> Result<()> {
         self.bins.resize(BINS, 0);
         for (at, error) in chunk.errors().into_iter().enumerate() {
             let Some(error) = error else {
                 self.left_out += 1;
                 continue;
             };
+            if error.is_nan() {
+                return Err(Error::NotFinite {
+                    id: chunk.id,
+                    index: chunk.before + at as u64,
+                    path: chunk.file.into(),
+                });
+            }
             self.count += 1;
             self.sum += error;
             self.bins[((error as f32).to_bits() >> BIN_SHIFT) as usize] += 1;
@@ -246,6 +263,7 @@ impl Tally {
                 self.worst = Some(chunk.worst(at));
             }
         }
+        Ok(())
     }
 
     /// Takes in what another file has.
@@ -289,5 +307,37 @@ impl Tally {
                 f64::from(f32::from_bits(middle)).min(self.max)
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::catalogue::find_format;
+    use crate::stream::Named;
+    use std::path::Path;
+
+    /// Decodes the last element to NaN.
+    struct Broken;
+
+    impl Backend for Broken {
+        fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> Result<()> {
+            Ok(())
+        }
+
+        fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> Result<()> {
+            elements.fill(1.0);
+            elements[elements.len() - 1] = f32::NAN;
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_decoder_that_gives_nan_is_an_error() {
+        let mut meter = Meter::new(vec![find_format("oct16").unwrap()]).unwrap();
+        let mut bytes: &[u8] = bytemuck::cast_slice(&[1.0f32; 9]);
+        let input: Input<'_> = Named::new(Path::new("in.bin"), &mut bytes);
+        let error = meter.measure(&mut Broken, input, &mut |_| ()).unwrap_err();
+        assert!(matches!(error, Error::NotFinite { id: "oct16", index: 2, .. }), "{error}");
     }
 }
