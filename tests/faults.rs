@@ -168,6 +168,40 @@ fn a_file_of_an_unknown_kind() {
     assert!(names(&folder).is_empty());
 }
 
+/// Text is not taken for raw floats: a mesh from a pipe that no first bytes tell, or one named as raw floats.
+#[test]
+fn text_instead_of_floats() {
+    let folder = folder();
+    let obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
+    let input = file(&folder, "mesh.bin", obj);
+    let output = folder.path().join("out");
+    assert_fails(&mut encode("oct16", &input, &output), 2, &["mesh.bin is text", ".obj", "add --raw"]);
+    assert_fails(&mut command(["error".as_ref(), input.as_os_str()]), 2, &["mesh.bin is text"]);
+    let mut piped = encode("oct16", Path::new("-"), &output);
+    assert_fails(piped.stdin(std::fs::File::open(&input).unwrap()), 2, &["- is text"]);
+    assert_eq!(names(&folder), ["mesh.bin"]);
+    assert!(encode("oct16", &input, &output).arg("--raw").output().unwrap().status.success());
+    assert!(encode("oct16", Path::new("-"), &output).output().unwrap().status.success());
+}
+
+/// All files are looked for before any is measured, and the standard input cannot be read twice.
+#[test]
+fn files_to_measure() {
+    let folder = folder();
+    let cut = file(&folder, "cut.bin", &[0; 13]);
+    let absent = folder.path().join("absent.bin");
+    // The first file would fail as soon as it is read to its end.
+    assert_fails(command(["error"]).args([&cut, &absent]), 1, &["absent.bin"]);
+    assert_fails(&mut command(["error", "-", "-"]), 2, &["name it once"]);
+}
+
+#[test]
+fn columns_that_are_no_number() {
+    for columns in ["0", "-1", "wide", "99999999999999999999"] {
+        assert_fails(command(["codecs"]).env("UNITVEC_COLUMNS", columns), 2, &[columns, "UNITVEC_COLUMNS"]);
+    }
+}
+
 /// A mesh by another name is no codes either.
 #[test]
 fn a_mesh_to_decode() {

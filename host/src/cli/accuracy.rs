@@ -1,7 +1,6 @@
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, counts, degrees, print, reports_to_stdout, to_csv, to_json};
+use super::{OpenBackend, Vulkan, counts, degrees, print, progress, reports_to_stdout, to_csv, to_json};
 use clap::{Args, ValueEnum};
-use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -85,6 +84,7 @@ struct Report {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
+    let columns = arguments.wide.columns()?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
     let published: Vec<_> = arguments
         .table
@@ -95,10 +95,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let methods = meyer_rows(arguments.table.has_meyer());
     let beyond: Vec<_> = beyond::codecs().filter(|_| arguments.table.has_beyond()).collect();
     let frames: Vec<_> = beyond::frames().filter(|_| arguments.table.has_beyond()).collect();
-    let bar = progress_bar((published.len() + methods.len() + beyond.len() + frames.len()) as u64);
+    let count = published.len() + methods.len() + beyond.len() + frames.len();
+    let bar = progress::bar(Some(count as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left");
     let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
     let (mut rows, mut missing) = (Vec::new(), Vec::new());
     for (table, row) in published {
+        progress::show_if_due(&bar);
         bar.set_message(row.name.clone());
         match row.codec() {
             Some(codec) => {
@@ -114,11 +116,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         bar.inc(1);
     }
     for (method, codec) in methods {
+        progress::show_if_due(&bar);
         bar.set_message(codec.id);
         rows.push(accuracy::measure_meyer_row(backend, method, codec, count, seed)?);
         bar.inc(1);
     }
     for codec in beyond {
+        progress::show_if_due(&bar);
         bar.set_message(codec.id);
         let mut measured = beyond::measure_row(backend, codec, count, seed)?;
         if arguments.float64 {
@@ -129,6 +133,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         bar.inc(1);
     }
     for codec in frames {
+        progress::show_if_due(&bar);
         bar.set_message(codec.id);
         rows.extend(beyond::measure_frame(backend, codec, count, seed)?);
         bar.inc(1);
@@ -136,7 +141,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     bar.finish_and_clear();
 
     if !to_stdout {
-        print(&table_text(&rows, &missing, arguments.float64, arguments.wide.columns()))?;
+        print(&table_text(&rows, &missing, arguments.float64, columns))?;
     }
     if let Some(path) = &arguments.chart {
         let failed = |error: Box<dyn std::error::Error>| {
@@ -159,12 +164,6 @@ fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static CodecInfo)> {
     methods
         .flat_map(|method| WIDTHS.iter().filter_map(move |bits| Some((method, method.codec(*bits)?))))
         .collect()
-}
-
-fn progress_bar(rows: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left")
-        .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(rows).with_style(style)
 }
 
 /// As [`degrees`]; - for none.

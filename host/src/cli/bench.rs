@@ -1,7 +1,8 @@
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{Vulkan, chosen_formats, print, reports_to_stdout, status_after_validation, to_csv, to_json};
+use super::{
+    Vulkan, chosen_formats, print, progress, reports_to_stdout, status_after_validation, to_csv, to_json,
+};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -46,15 +47,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         samples: arguments.samples as usize,
         throughput_samples: 2 * arguments.samples as usize,
     };
-    let columns = arguments.wide.columns();
+    let columns = arguments.wide.columns()?;
     let table = table(columns);
     if !to_stdout {
         print(&(wrapped(&legend(device.info(), &options), "    ", columns) + &table.heading()))?;
     }
-    let bar = progress_bar(chosen.len() as u64);
+    let length = chosen.len() as u64;
+    let bar = progress::bar(Some(length), "{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left");
+    bar.enable_steady_tick(std::time::Duration::from_secs(1));
     let mut bench = Bench::new(&device, arguments.vulkan.modules()?, options)?;
     let mut rows = Vec::new();
     for format in chosen {
+        progress::show_if_due(&bar);
         bar.set_message(format.id);
         let measured = bench.measure(format)?;
         if !to_stdout {
@@ -83,14 +87,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         print(&(wrapped(&summary(&report), "", columns) + &left_out(&[&table])))?;
     }
     Ok(status_after_validation(&instance.validation_messages(), true))
-}
-
-fn progress_bar(length: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left")
-        .unwrap_or_else(|_| ProgressStyle::default_bar());
-    let bar = ProgressBar::new(length).with_style(style);
-    bar.enable_steady_tick(std::time::Duration::from_secs(1));
-    bar
 }
 
 fn legend(device: &DeviceInfo, options: &Options) -> String {
@@ -145,17 +141,17 @@ fn lines(table: &Layout, rows: &[Row]) -> String {
         text += &table.line(&[
             &rust.id,
             &operation.to_string(),
-            &number(rust.alu_ns_per_vector, 4),
-            &number(rust.alu_spread_ns, 4),
-            &number(glsl.alu_ns_per_vector, 4),
-            &number(glsl.alu_spread_ns, 4),
-            &number(rust.alu_ratio_to_glsl, 3),
-            &number(rust.alu_ratio_to_oct32, 2),
-            &number(rust.survey_ns_per_vector, 4),
-            &format_args!("{:.1}", rust.vectors_per_s / 1e6),
-            &format_args!("{:.1}", glsl.vectors_per_s / 1e6),
+            &fitting(rust.alu_ns_per_vector, 4, 8),
+            &fitting(rust.alu_spread_ns, 4, 7),
+            &fitting(glsl.alu_ns_per_vector, 4, 8),
+            &fitting(glsl.alu_spread_ns, 4, 7),
+            &fitting(rust.alu_ratio_to_glsl, 3, 6),
+            &fitting(rust.alu_ratio_to_oct32, 2, 7),
+            &fitting(rust.survey_ns_per_vector, 4, 7),
+            &fitting(Some(rust.vectors_per_s / 1e6), 1, 8),
+            &fitting(Some(glsl.vectors_per_s / 1e6), 1, 8),
             &format_args!("{:.0}", 100.0 * rust.bytes_per_s / rust.copy_bytes_per_s),
-            &number(by_table, 1),
+            &fitting(by_table, 1, 7),
         ]);
     }
     text
@@ -214,6 +210,13 @@ fn number(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
+/// A number with fewer digits where it would be wider than its column, as the noise of small samples can be.
+fn fitting(value: Option<f64>, digits: usize, width: usize) -> String {
+    let texts = (0..=digits).rev().map(|digits| number(value, digits));
+    let short = value.map(|value| format!("{value:.0e}"));
+    texts.chain(short).find(|text| text.len() <= width).unwrap_or_else(|| "-".to_owned())
+}
+
 /// Where SPIR-V from Rust costs more than that from GLSL.
 fn summary(report: &Report) -> String {
     let slower: Vec<String> = report
@@ -227,4 +230,24 @@ fn summary(report: &Report) -> String {
         "\nbench: {} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n",
         of_rust(report, Operation::Encode).count()
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A number loses decimals before it is wider than its column.
+    #[test]
+    fn numbers_fit_their_columns() {
+        for (value, digits, width, expected) in [
+            (Some(1.9759), 4, 8, "1.9759"),
+            (Some(-100.5884), 4, 8, "-100.588"),
+            (Some(-50.908), 3, 6, "-50.91"),
+            (Some(99999.96), 1, 7, "100000"),
+            (Some(-123456.7), 3, 6, "-1e5"),
+            (None, 3, 6, "-"),
+        ] {
+            assert_eq!(fitting(value, digits, width), expected);
+        }
+    }
 }

@@ -64,7 +64,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if arguments.json {
         print(&to_json(&Report { costs_of: costs.device(), reason, candidates: &found }))?;
     } else {
-        print(&table(&found, &costs, &reason, arguments.wide.columns()))?;
+        print(&table(&found, &costs, &reason, arguments.wide.columns()?))?;
     }
     Ok(if found.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
 }

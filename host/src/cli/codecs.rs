@@ -17,7 +17,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    print(&if arguments.json { to_json(&entries()) } else { tables(arguments.wide.columns()) })
+    print(&if arguments.json { to_json(&entries()) } else { tables(arguments.wide.columns()?) })
 }
 
 /// A row of `--json`: what the catalogue says, and the names to call.

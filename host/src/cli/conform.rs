@@ -1,7 +1,6 @@
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{Vulkan, chosen_formats, counts, print, status_after_validation, to_json};
+use super::{Vulkan, chosen_formats, counts, print, progress, status_after_validation, to_json};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -68,15 +67,20 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     };
 
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
-    let columns = arguments.wide.columns();
+    let columns = arguments.wide.columns()?;
     let table = table(columns);
     if !to_stdout {
         print(&(heading(device.info(), &options, columns) + &table.heading()))?;
     }
     let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
-    let bar = progress_bar(plans.iter().map(Plan::work).sum());
+    let work = plans.iter().map(Plan::work).sum();
+    let bar = progress::bar(Some(work), "{msg:<20} {wide_bar} {percent}%, {eta} left");
     let mut rows = Vec::new();
-    conform::run(plans, open, &mut |done| bar.inc(done), &mut |row| {
+    let mut advance = |done| {
+        progress::show_if_due(&bar);
+        bar.inc(done);
+    };
+    conform::run(plans, open, &mut advance, &mut |row| {
         bar.set_message(row.id);
         if !to_stdout {
             bar.suspend(|| print(&lines(&table, &row, columns)))?;
@@ -116,12 +120,6 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
         normals.extend(mesh::read(path)?.normals);
     }
     Ok(normals)
-}
-
-fn progress_bar(length: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{msg:<20} {wide_bar} {percent}%, {eta} left")
-        .unwrap_or_else(|_| ProgressStyle::default_bar());
-    ProgressBar::new(length).with_style(style)
 }
 
 fn heading(device: &DeviceInfo, options: &Options, columns: Option<usize>) -> String {

@@ -19,5 +19,5 @@ pub fn run(vulkan: &Vulkan) -> Result<ExitCode> {
         );
     }
     text += "* is the device that would be used; choose another with --device or UNITVEC_DEVICE\n";
-    print(&wrapped(&text, "    ", terminal_columns()))
+    print(&wrapped(&text, "    ", terminal_columns()?))
 }

@@ -4,13 +4,13 @@ use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_host::Result;
 use unitvec_host::backend::BackendKind;
 use unitvec_host::catalogue::{Domain, Element, Format, find_format};
 use unitvec_host::choose::RECOMMENDED;
 use unitvec_host::input::Elements;
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
 use unitvec_host::stream::Named;
+use unitvec_host::{Error, Result};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -37,8 +37,14 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let columns = arguments.wide.columns()?;
     let mut meter = Meter::new(formats(&arguments.codec)?)?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
+    if arguments.file.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
+        return Err(Error::Usage("- can be read once; name it once".to_owned()));
+    }
+    // What is missing is told before minutes of measuring.
+    arguments.file.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
     let bar = progress::bar(Some(arguments.file.len() as u64), "{wide_msg} file {pos} of {len}, {elapsed}");
     for path in &arguments.file {
         bar.inc(1);
@@ -51,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     bar.finish_and_clear();
     let report = meter.report();
-    print(&if arguments.json { to_json(&report) } else { text(&report, arguments.wide.columns()) })?;
+    print(&if arguments.json { to_json(&report) } else { text(&report, columns) })?;
     Ok(open.close())
 }
 

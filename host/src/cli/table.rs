@@ -5,6 +5,7 @@ use std::fmt::Display;
 use std::io;
 use terminal_size::{Width, terminal_size_of};
 use textwrap::Options;
+use unitvec_host::{Error, Result};
 
 #[derive(Args)]
 pub struct Wide {
@@ -15,17 +16,30 @@ pub struct Wide {
 }
 
 impl Wide {
-    /// Characters that a line may have; none where it may have any number.
-    pub fn columns(&self) -> Option<usize> {
-        if self.wide { None } else { terminal_columns() }
+    /// Characters that a line may have. `None`: no limit.
+    ///
+    /// # Errors
+    /// As [`terminal_columns`].
+    pub fn columns(&self) -> Result<Option<usize>> {
+        if self.wide { Ok(None) } else { terminal_columns() }
     }
 }
 
 /// Characters in a line of the standard output where that is a terminal. UNITVEC_COLUMNS makes anything one: COLUMNS
 /// does not, since where that is exported it would cut what scripts read.
-pub fn terminal_columns() -> Option<usize> {
-    let set = super::variable("UNITVEC_COLUMNS").and_then(|columns| columns.parse().ok());
-    set.or_else(|| terminal_size_of(io::stdout()).map(|(Width(columns), _)| columns.into()))
+///
+/// # Errors
+/// [`Error::Usage`] if UNITVEC_COLUMNS is not a number from 1.
+pub fn terminal_columns() -> Result<Option<usize>> {
+    let Some(columns) = super::variable("UNITVEC_COLUMNS") else {
+        return Ok(terminal_size_of(io::stdout()).map(|(Width(columns), _)| columns.into()));
+    };
+    match columns.parse() {
+        Ok(columns) if columns > 0 => Ok(Some(columns)),
+        _ => Err(Error::Usage(format!(
+            "UNITVEC_COLUMNS is `{columns}`; set it to a number from 1, or unset it"
+        ))),
+    }
 }
 
 /// Lines of prose broken between words to fit; what continues a line is `indent`ed.
@@ -83,7 +97,7 @@ impl Layout {
             let (column, is_shown) = &mut columns[at];
             let with_it = taken + column.gap + column.width;
             // The first column has no gap: it is counted once too often, and one more character fits.
-            *is_shown = column.rank == 0 || width.is_none_or(|width| with_it <= width + 1);
+            *is_shown = column.rank == 0 || width.is_none_or(|width| with_it <= width.saturating_add(1));
             taken = if *is_shown { with_it } else { taken };
         }
         Self { columns }
