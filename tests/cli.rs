@@ -7,7 +7,7 @@ use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_host::catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
 use unitvec_host::{mesh, sampling};
-use unitvec_tests::program::{run, run_with_input, stderr, stdout};
+use unitvec_tests::program::{command, run, run_with_input, stderr, stdout};
 use unitvec_tests::{BACKENDS, repository};
 
 fn raw<const N: usize>(elements: &[[f32; N]]) -> Vec<u8> {
@@ -242,7 +242,7 @@ fn encode_says_it_in_json() {
     let part = |mesh: u64, name: Value, first: u64, count: u64, computed: bool| json!({"mesh": mesh, "name": name, "primitive": 0, "first": first, "count": count, "computed": computed});
     let expected = json!({
         "input": path(&mesh), "output": path(&codes), "codec": "oct16", "element": "vector", "count": 7,
-        "without_direction": 3, "meshes": 2,
+        "without_direction": 3, "keeps_lengths": false, "meshes": 2,
         "parts": [part(0, Value::Null, 0, 3, false), part(1, "bare".into(), 3, 4, true)],
     });
     assert_eq!(json, expected);
@@ -273,12 +273,25 @@ fn lines_of_raw_input() {
             &vectors,
             "5 vectors, 2 without a direction (stored as +Z), components stored as given, clamped",
         ),
+        (
+            "encode",
+            "hemioct16",
+            &raw(&[[0.0f32, 0.0, -1.0]]),
+            "1 vector, 1 without a direction (stored as +Z), 0 below the equator",
+        ),
+        (
+            "encode",
+            "frame64",
+            &frame([0.0, 0.6, 0.8], [0.0, 0.6, 0.8]),
+            "1 frame, 0 normals without a direction, 1 tangent without a direction (stored as a perpendicular to the \
+             normal)",
+        ),
         ("encode", "snorm8x3p", &vectors, "5 vectors, 2 without a direction (stored as +Z)"),
         (
             "encode",
             "frame32",
             &frames,
-            "3 frames, 1 normals without a direction (stored as +Z), 2 tangents without a direction (stored as a \
+            "3 frames, 1 normal without a direction (stored as +Z), 2 tangents without a direction (stored as a \
              perpendicular to the normal)",
         ),
         ("encode", "oct16", &vectors[48..].to_vec(), "1 vector, 0 without a direction"),
@@ -288,6 +301,33 @@ fn lines_of_raw_input() {
         let told = run_with_input([command, "--codec", codec, "-", "-"], input);
         assert_eq!(stderr(&told), format!("{line}\n"), "{command} {codec}");
     }
+}
+
+/// The standard output is known by its other names too: the codes are appended to it, and JSON goes elsewhere.
+#[test]
+fn another_name_of_the_standard_output() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    std::fs::write(&out, b"before").unwrap();
+    let appended = std::fs::File::options().append(true).open(&out).unwrap();
+    let arguments = ["encode", "--json", "--codec", "oct16", "host/data/bunny.obj", "/dev/stdout"];
+    let to_file = command(arguments).current_dir(repository()).stdout(appended).output().unwrap();
+    let to_pipe = command(arguments).current_dir(repository()).output().unwrap();
+    for output in [&to_file, &to_pipe] {
+        let json: Value = serde_json::from_slice(&output.stderr).unwrap();
+        assert_eq!(json["count"].as_u64().unwrap() as usize * 2, to_pipe.stdout.len());
+    }
+    assert_eq!(std::fs::read(&out).unwrap(), [&b"before"[..], &to_pipe.stdout].concat());
+}
+
+/// A mesh whose faces have no area gives a code for each vertex.
+#[test]
+fn faces_without_an_area() {
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = folder.path().join("line.obj");
+    std::fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n").unwrap();
+    let output = run(["encode", "--codec", "oct16", path(&mesh), "-"]);
+    assert_eq!(decoded(&output.stdout), [[0.0, 0.0, 1.0]; 3], "{}", stderr(&output));
 }
 
 /// The header and the chunk of a GLB.

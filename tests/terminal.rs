@@ -1,7 +1,5 @@
 //! What the program shows on a terminal of 80 columns, the usual width. `UNITVEC_COLUMNS` stands for the terminal.
 
-use std::path::Path;
-use unitvec_host::output::refuse_binary;
 use unitvec_tests::program::{command, run, stderr, stdout};
 use unitvec_tests::repository;
 
@@ -123,12 +121,30 @@ fn help_fits_80_columns() {
     }
 }
 
+/// However many columns there are, none is left out.
+#[test]
+fn the_widest_terminal() {
+    assert_eq!(printed(&["codecs"], Some(usize::MAX)), printed(&["codecs"], None));
+}
+
+/// On a pseudo-terminal, which is the standard output and has two names more.
+#[cfg(target_os = "linux")]
 #[test]
 fn binary_output_to_a_terminal_is_refused() {
-    let error = refuse_binary(Path::new("-"), true).unwrap_err();
-    assert!(error.is_usage());
-    assert!(error.to_string().contains("name a file") && !error.to_string().contains('\n'), "{error}");
-    for (path, is_terminal) in [("-", false), ("codes.bin", true), ("codes.bin", false)] {
-        refuse_binary(Path::new(path), is_terminal).unwrap();
+    let program = unitvec_tests::program::path().display();
+    for arguments in ["encode --codec oct16", "decode --codec oct16 --raw", "normals"] {
+        for name in ["-", "/dev/stdout", "/dev/tty"] {
+            let line = format!("'{program}' {arguments} host/data/bunny.obj {name}");
+            let output = std::process::Command::new("script")
+                .args(["-qec", &line, "/dev/null"])
+                .current_dir(repository())
+                .stdin(std::process::Stdio::null())
+                .output()
+                .unwrap();
+            let text = stdout(&output);
+            assert_eq!(output.status.code(), Some(2), "{line}: {text}");
+            assert!(text.starts_with("unitvec: ") && text.contains("name a file"), "{line}: {text}");
+            assert_eq!(text.lines().count(), 1, "{line}: {text}");
+        }
     }
 }

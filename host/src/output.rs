@@ -2,7 +2,9 @@
 
 use crate::{Error, Result};
 use std::fs::OpenOptions;
-use std::io::{self, Write};
+#[cfg(unix)]
+use std::fs::{File, Metadata};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
@@ -12,11 +14,13 @@ static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
 /// that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
-/// directly.
+/// directly. Another name of the standard output, such as `/dev/stdout`, is as `-`.
 pub struct Output {
     path: PathBuf,
     target: PathBuf,
     to: Destination,
+    is_stdout: bool,
+    is_terminal: bool,
 }
 
 enum Destination {
@@ -32,9 +36,28 @@ impl Output {
     pub fn create(path: &Path) -> Result<Self> {
         // A link stays one: what it points to is replaced.
         let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        let to = open(if path == Path::new("-") { path } else { &target })
-            .map_err(|source| Error::writing(path, source))?;
-        Ok(Self { path: path.to_owned(), target, to })
+        let is_stdout = is_stdout(path);
+        let (to, is_terminal) = open(&target, is_stdout).map_err(|source| Error::writing(path, source))?;
+        Ok(Self { path: path.to_owned(), target, to, is_stdout, is_terminal })
+    }
+
+    /// As [`create`](Self::create), for binary data: a terminal would show noise, and might obey it.
+    ///
+    /// # Errors
+    /// As [`create`](Self::create), and [`Error::Usage`] if it is a terminal.
+    pub fn create_binary(path: &Path) -> Result<Self> {
+        let output = Self::create(path)?;
+        if output.is_terminal {
+            let message =
+                "the output is binary and would go to the terminal; name a file instead, or redirect: > FILE";
+            return Err(Error::Usage(message.to_owned()));
+        }
+        Ok(output)
+    }
+
+    /// True where it is the standard output, by whatever name.
+    pub fn is_stdout(&self) -> bool {
+        self.is_stdout
     }
 
     /// The path it will have.
@@ -78,13 +101,37 @@ impl Write for Output {
     }
 }
 
-fn open(path: &Path) -> io::Result<Destination> {
-    if path == Path::new("-") {
-        return Ok(Destination::Direct(Box::new(io::stdout().lock())));
+/// True for `-` and, where that can be told, for what the standard output is open to.
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-") || is_open_as_stdout(path)
+}
+
+#[cfg(unix)]
+fn is_open_as_stdout(path: &Path) -> bool {
+    use std::os::fd::AsFd;
+    use std::os::unix::fs::MetadataExt;
+    let stdout = io::stdout().as_fd().try_clone_to_owned().and_then(|fd| File::from(fd).metadata());
+    let identity = |metadata: io::Result<Metadata>| metadata.map(|data| (data.dev(), data.ino())).ok();
+    identity(stdout).is_some_and(|stdout| identity(path.metadata()) == Some(stdout))
+}
+
+#[cfg(not(unix))]
+fn is_open_as_stdout(_: &Path) -> bool {
+    false
+}
+
+/// Where to write, and whether it is a terminal.
+fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
+    if is_stdout {
+        let stdout = io::stdout().lock();
+        let is_terminal = stdout.is_terminal();
+        return Ok((Destination::Direct(Box::new(stdout)), is_terminal));
     }
     let is_special = path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
     if is_special {
-        return Ok(Destination::Direct(Box::new(OpenOptions::new().write(true).open(path)?)));
+        let file = OpenOptions::new().write(true).open(path)?;
+        let is_terminal = file.is_terminal();
+        return Ok((Destination::Direct(Box::new(file)), is_terminal));
     }
     if path.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
@@ -106,7 +153,7 @@ fn open(path: &Path) -> io::Result<Destination> {
     // The error's own text names the temporary file.
     let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).push(file.path().to_owned());
-    Ok(Destination::Temporary(file))
+    Ok((Destination::Temporary(file), false))
 }
 
 /// Removes the temporary files of all unfinished outputs: for a program that is interrupted, in which nothing is
@@ -124,19 +171,6 @@ fn plain_permissions(builder: &mut tempfile::Builder<'_, '_>) {
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     #[cfg(not(unix))]
     let _ = builder;
-}
-
-/// Refuses to write binary data to a terminal, which would show noise and might obey it: `-` where the standard output
-/// `is_terminal`.
-///
-/// # Errors
-/// [`Error::Usage`].
-pub fn refuse_binary(path: &Path, is_terminal: bool) -> Result<()> {
-    if path == Path::new("-") && is_terminal {
-        let message = "the output is binary and would go to the terminal; name a file instead of -, or redirect: > FILE";
-        return Err(Error::Usage(message.to_owned()));
-    }
-    Ok(())
 }
 
 /// Writes a whole small file, as [`Output`] does.

@@ -1,7 +1,7 @@
 //! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
 
 use crate::backend::{Backend, CHUNK};
-use crate::catalogue::{Domain, Element, Format};
+use crate::catalogue::{self, Domain, Element, Format};
 use crate::mesh::has_direction;
 use crate::{Error, Result};
 use std::io::{self, Read, Write};
@@ -37,29 +37,77 @@ pub type Sink<'a> = Named<'a, dyn Write + 'a>;
 pub struct Counts {
     /// Vectors or frames.
     pub elements: u64,
-    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]): stored as +Z.
+    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also those
+    /// that leave nothing to store: -Z for a codec of the hemisphere, components that all round to 0. They are stored as +Z.
     pub no_direction: u64,
-    /// Tangents of frames without one: any perpendicular to the normal is stored.
+    /// Tangents of frames without one; in codes also those with none in the plane of the decoded normal. Any perpendicular
+    /// to the normal is stored.
     pub no_tangent: u64,
     /// Vectors below the equator that a codec of the hemisphere cannot store.
     pub below: u64,
 }
 
 impl Counts {
-    /// Counts elements that lie one after the other, for a codec of this domain.
-    pub fn add(&mut self, element: Element, domain: Domain, floats: &[f32]) {
-        let of =
-            |at: usize| floats.chunks_exact(element.floats()).map(move |e| [e[at], e[at + 1], e[at + 2]]);
-        let without = |at| of(at).filter(|vector| !has_direction(*vector)).count() as u64;
-        self.elements += (floats.len() / element.floats()) as u64;
-        self.no_direction += without(0);
+    /// Counts elements that lie one after the other.
+    pub fn add(&mut self, element: Element, floats: &[f32]) {
+        self.add_normals(element, floats);
         if element == Element::Frame {
-            self.no_tangent += without(3);
-        }
-        if domain == Domain::Hemisphere {
-            self.below += of(0).filter(|vector| vector[2] < 0.0 && has_direction(*vector)).count() as u64;
+            self.no_tangent +=
+                vectors(element, floats, 3).filter(|vector| !has_direction(*vector)).count() as u64;
         }
     }
+
+    fn add_normals(&mut self, element: Element, floats: &[f32]) {
+        self.elements += (floats.len() / element.floats()) as u64;
+        self.no_direction +=
+            vectors(element, floats, 0).filter(|vector| !has_direction(*vector)).count() as u64;
+    }
+
+    /// Counts vectors and their codes.
+    fn add_vectors(&mut self, format: Format, z_code: &[u8], floats: &[f32], codes: &[u8]) {
+        self.add_normals(Element::Vector, floats);
+        let is_raw = keeps_lengths(format);
+        let with_direction = vectors(Element::Vector, floats, 0)
+            .zip(codes.chunks_exact(format.bytes))
+            .filter(|(vector, _)| has_direction(*vector));
+        for (vector, code) in with_direction {
+            let is_below = format.domain == Domain::Hemisphere && vector[2] < 0.0;
+            // Of raw components, those of a vector along +Z are 1/2 at least where their code is that of +Z.
+            let is_small = is_raw && vector.iter().all(|component| component.abs() < 0.5);
+            if code == z_code && (is_below || is_small) {
+                self.no_direction += 1;
+            } else if is_below {
+                self.below += 1;
+            }
+        }
+    }
+
+    /// Counts frames by their codes and those with the tangents turned round. Only where a codec finds no tangent are the
+    /// two alike.
+    fn add_frames(&mut self, format: Format, floats: &[f32], codes: &[u8], turned: &[u8]) {
+        self.add_normals(Element::Frame, floats);
+        let pairs = codes.chunks_exact(format.bytes).zip(turned.chunks_exact(format.bytes));
+        self.no_tangent += pairs.filter(|(code, turned)| code == turned).count() as u64;
+    }
+}
+
+/// The vectors that begin at this float of each element.
+fn vectors(element: Element, floats: &[f32], at: usize) -> impl Iterator<Item = [f32; 3]> {
+    floats.chunks_exact(element.floats()).map(move |e| [e[at], e[at + 1], e[at + 2]])
+}
+
+/// True for codecs that store components as given, so that a vector's length is kept, or is lost with small ones.
+pub fn keeps_lengths(format: Format) -> bool {
+    catalogue::find(format.id).is_ok_and(|codec| !codec.is_unit && codec.family != "best_fit")
+}
+
+/// Frames with their tangents turned round.
+fn turned(frames: &[f32]) -> Vec<f32> {
+    let mut turned = frames.to_vec();
+    for frame in turned.chunks_exact_mut(Element::Frame.floats()) {
+        frame[3..6].iter_mut().for_each(|component| *component = -*component);
+    }
+    turned
 }
 
 /// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` is told the elements done so far.
@@ -74,12 +122,24 @@ pub fn encode(
     progress: &mut dyn FnMut(u64),
 ) -> Result<Counts> {
     let mut codes = vec![0; CHUNK * format.bytes];
+    let mut turned_codes = codes.clone();
+    let mut z_code = vec![0; format.bytes];
+    if format.element == Element::Vector {
+        format.encode_cpu(&[0.0, 0.0, 1.0], &mut z_code)?;
+    }
     let mut done = Counts::default();
     for_each_chunk(input, format.element, &mut |elements, _| {
         let codes = &mut codes[..elements.len() / format.element.floats() * format.bytes];
         backend.encode(format, elements, codes)?;
         write(&mut output, codes)?;
-        done.add(format.element, format.domain, elements);
+        match format.element {
+            Element::Vector => done.add_vectors(format, &z_code, elements, codes),
+            Element::Frame => {
+                let turned_codes = &mut turned_codes[..codes.len()];
+                backend.encode(format, &turned(elements), turned_codes)?;
+                done.add_frames(format, elements, codes, turned_codes);
+            }
+        }
         progress(done.elements);
         Ok(())
     })?;
@@ -246,8 +306,42 @@ mod tests {
         assert_eq!(count("oct32", &vectors), expected);
         let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[1.0]].concat();
         let frames = [frame(zero, zero), frame(x, nan), frame(zero, x), frame(x, x), frame(x, huge)].concat();
-        let expected = Counts { elements: 5, no_direction: 2, no_tangent: 3, below: 0 };
+        // That of (x, x) is parallel to its normal.
+        let expected = Counts { elements: 5, no_direction: 2, no_tangent: 4, below: 0 };
         assert_eq!(count("frame32", &frames), expected);
+    }
+
+    /// A tangent along its normal, or along the +Z that stands for a missing one, is lost; one that is a degree off is not.
+    #[test]
+    fn tangents_along_their_normals_are_counted() {
+        let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[-1.0]].concat();
+        let n = [3.0, -4.0, 5.0];
+        let frames = [
+            frame(n, n),
+            frame(n, n.map(|c| c * -0.01)),
+            frame([0.0; 3], [0.0, 0.0, 2.0]),
+            frame(n, [3.1, -4.0, 5.0]),
+            frame([0.0; 3], [1.0, 0.0, 2.0]),
+        ];
+        for codec in ["frame32", "frame64"] {
+            let counts = count(codec, &frames.concat());
+            assert_eq!((counts.no_direction, counts.no_tangent), (2, 3), "{codec}");
+        }
+    }
+
+    /// A codec of the hemisphere has nothing of -Z to keep; raw formats keep nothing of what rounds to 0.
+    #[test]
+    fn vectors_that_leave_nothing_are_counted() {
+        let vectors = [0.0, 0.0, -1.0, 0.0, -0.0, -3.0, 0.0, 0.0, 1.0, 0.1, 0.0, -1.0];
+        for codec in ["hemioct16", "xyonly16", "xyonly32f"] {
+            let counts = count(codec, &vectors);
+            assert_eq!((counts.no_direction, counts.below), (2, 1), "{codec}");
+        }
+        let vectors = [1e-3, 0.0, 0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 1.0, 0.0, 0.0, 3.0, 0.0, 0.5, 0.0];
+        for (codec, expected) in [("snorm8x3", 2), ("snorm5x3", 2), ("float16x3", 0), ("oct16", 0)] {
+            assert_eq!(count(codec, &vectors).no_direction, expected, "{codec}");
+        }
+        assert_eq!(count("float16x3", &[1e-9, 0.0, 0.0]).no_direction, 1);
     }
 
     /// What lies below the equator is counted for codecs of the hemisphere alone.

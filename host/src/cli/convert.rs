@@ -2,14 +2,14 @@ use super::summary::{Options, Summary};
 use super::{OpenBackend, Vulkan, progress};
 use clap::Args;
 use indicatif::ProgressBar;
-use std::io::{IsTerminal, Read, stdout};
+use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
-use unitvec_host::catalogue::{Domain, Element, Format, find_format};
+use unitvec_host::catalogue::{Element, Format, find_format};
 use unitvec_host::input::{Elements, Input, to_bytes};
 use unitvec_host::mesh::{self, Frames};
-use unitvec_host::output::{Output, refuse_binary, write_file};
+use unitvec_host::output::Output;
 use unitvec_host::stream::{self, Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 
@@ -76,7 +76,8 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
-    refuse_binary(&arguments.out, stdout().is_terminal())?;
+    let mut output = Output::create_binary(&arguments.out)?;
+    let to_stdout = output.is_stdout();
     let input = Input::open(&arguments.mesh)?;
     let (element, floats, parts, filled) = if arguments.frames {
         let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
@@ -86,11 +87,12 @@ pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
         let filled = mesh.fill_with_z();
         (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled as u64)
     };
-    write_file(&arguments.out, &to_bytes(&floats))?;
+    output.write_all(&to_bytes(&floats)).map_err(|source| Error::writing(&arguments.out, source))?;
+    output.finish()?;
     let mut counts = Counts { no_direction: filled, ..Counts::default() };
-    counts.add(element, Domain::Sphere, &floats);
+    counts.add(element, &floats);
     let summary = Summary::of_export(element, counts, parts, filled);
-    arguments.summary.print(&summary, &arguments.mesh, &arguments.out)?;
+    arguments.summary.print(&summary, [&arguments.mesh, &arguments.out], to_stdout)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -107,9 +109,8 @@ struct Conversion<'a> {
 
 impl<'a> Conversion<'a> {
     fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
-        refuse_binary(&arguments.out, stdout().is_terminal())?;
+        let output = Output::create_binary(&arguments.out)?;
         let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
-        let output = Output::create(&arguments.out)?;
         Ok(Self { arguments, format, open, output })
     }
 
@@ -127,9 +128,10 @@ impl<'a> Conversion<'a> {
     }
 
     fn finish(self, summary: &Summary) -> Result<ExitCode> {
+        let to_stdout = self.output.is_stdout();
         self.output.finish()?;
         let Arguments { summary: options, r#in, out, .. } = self.arguments;
-        options.print(summary, r#in, out)?;
+        options.print(summary, [r#in, out], to_stdout)?;
         Ok(self.open.close())
     }
 }

@@ -7,9 +7,9 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
 use unitvec_host::Result;
-use unitvec_host::catalogue::{self, Domain, Element, Format};
+use unitvec_host::catalogue::{Domain, Element, Format};
 use unitvec_host::mesh::{Part, mesh_count};
-use unitvec_host::stream::Counts;
+use unitvec_host::stream::{Counts, keeps_lengths};
 
 #[derive(Args)]
 pub struct Options {
@@ -23,15 +23,15 @@ pub struct Options {
 }
 
 impl Options {
-    /// Prints what was read from `input` and written to `output`.
-    pub fn print(&self, summary: &Summary, input: &Path, output: &Path) -> Result<()> {
+    /// Prints what was read from one file and written to the other, which is the standard output or not.
+    pub fn print(&self, summary: &Summary, files: [&Path; 2], to_stdout: bool) -> Result<()> {
         let json = |summary| {
-            let [input, output] = [input, output].map(|path| path.display().to_string());
+            let [input, output] = files.map(|path| path.display().to_string());
             to_json(&Report { input, output, summary })
         };
         match (self.json, self.quiet) {
             // Where the standard error is closed, the exit status has to do.
-            (true, _) if output == Path::new("-") => {
+            (true, _) if to_stdout => {
                 let _ = write!(std::io::stderr(), "{}", json(summary));
             }
             (true, _) => drop(print(&json(summary))?),
@@ -66,8 +66,9 @@ pub struct Summary {
     tangents_without_direction: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     below_equator: Option<u64>,
-    #[serde(skip)]
-    keeps_lengths: bool,
+    /// Of an encoding.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    keeps_lengths: Option<bool>,
     /// Of an export: computed normals without a direction, in whose place +Z was written.
     #[serde(rename = "written_as_z", skip_serializing_if = "Option::is_none")]
     filled: Option<u64>,
@@ -96,7 +97,7 @@ impl Summary {
             without_direction: None,
             tangents_without_direction: None,
             below_equator: None,
-            keeps_lengths: false,
+            keeps_lengths: None,
             filled: None,
             mesh: None,
         }
@@ -104,14 +105,12 @@ impl Summary {
 
     /// Of `unitvec encode`.
     pub fn of_encoding(format: Format, counts: Counts, parts: Option<Vec<Part>>) -> Self {
-        let is_raw =
-            catalogue::find(format.id).is_ok_and(|codec| !codec.is_unit && codec.family != "best_fit");
         Self {
             codec: Some(format.id),
             without_direction: Some(counts.no_direction),
             tangents_without_direction: (format.element == Element::Frame).then_some(counts.no_tangent),
             below_equator: (format.domain == Domain::Hemisphere).then_some(counts.below),
-            keeps_lengths: is_raw,
+            keeps_lengths: Some(keeps_lengths(format)),
             mesh: parts.map(MeshSummary::from),
             ..Self::new(format.element, counts.elements)
         }
@@ -139,9 +138,10 @@ impl Summary {
             line += &format!(" from {}", counted(mesh.meshes as u64, "meshes"));
         }
         if let Some(count) = self.without_direction {
-            let of = if self.element == Element::Frame { "normals " } else { "" };
+            let of =
+                if self.element == Element::Frame { counted(count, "normals") } else { count.to_string() };
             // Writing to a String cannot fail.
-            let _ = write!(line, ", {count} {of}without a direction{}", self.stored(count));
+            let _ = write!(line, ", {of} without a direction{}", self.stored(count));
         }
         if let Some(count) = self.tangents_without_direction {
             let stored = match (count, self.filled) {
@@ -149,13 +149,13 @@ impl Summary {
                 (_, None) => " (stored as a perpendicular to the normal)",
                 (_, Some(_)) => " (as in the file)",
             };
-            let _ = write!(line, ", {count} tangents without a direction{stored}");
+            let _ = write!(line, ", {} without a direction{stored}", counted(count, "tangents"));
         }
         if let Some(count) = self.below_equator {
             let moved = if count > 0 { " (moved up to it)" } else { "" };
             let _ = write!(line, ", {count} below the equator{moved}");
         }
-        if self.keeps_lengths {
+        if self.keeps_lengths == Some(true) {
             line += ", components stored as given, clamped";
         }
         if let Some(mesh) = self.mesh.as_ref().filter(|_| self.element == Element::Vector) {
