@@ -342,6 +342,10 @@ mod tests {
             assert_eq!(count(codec, &vectors).no_direction, expected, "{codec}");
         }
         assert_eq!(count("float16x3", &[1e-9, 0.0, 0.0]).no_direction, 1);
+        let kept =
+            ["snorm8x3", "unorm8x3", "float16x3", "snorm8x3p", "snorm8x3_nearest", "crytek_bfn24", "oct16"]
+                .map(|codec| keeps_lengths(find_format(codec).unwrap()));
+        assert_eq!(kept, [true, true, true, false, false, false, false]);
     }
 
     /// What lies below the equator is counted for codecs of the hemisphere alone.
