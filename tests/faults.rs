@@ -172,7 +172,8 @@ fn a_file_of_an_unknown_kind() {
 #[test]
 fn text_instead_of_floats() {
     let folder = folder();
-    let obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n";
+    // Its length is that of three vectors.
+    let obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n\n\n\n";
     let input = file(&folder, "mesh.bin", obj);
     let output = folder.path().join("out");
     assert_fails(&mut encode("oct16", &input, &output), 2, &["mesh.bin is text", ".obj", "add --raw"]);
