@@ -389,3 +389,30 @@ fn a_module_of_something_else() {
         assert_modules_fail(&modules, &["oct16_encode", "is not a module"]);
     }
 }
+
+/// The output never takes the place of the input, nor of a file with a mesh's name. Both stay as they were.
+#[test]
+fn meshes_are_not_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    let bunny = std::fs::read(repository().join("host/data/bunny.obj")).unwrap();
+    let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let [mesh, other, raw] = ["a.obj", "b.obj", "a.bin"].map(path);
+    for file in [&mesh, &other] {
+        std::fs::write(file, &bunny).unwrap();
+    }
+    std::fs::write(&raw, [0; 12]).unwrap();
+    for arguments in [
+        ["encode", "--codec=oct24", &mesh, &mesh],
+        ["encode", "--codec=oct24", &mesh, &other],
+        ["encode", "--codec=oct24", &raw, &raw],
+        ["decode", "--codec=oct24", &raw, &other],
+        ["normals", "--quiet", &mesh, &other],
+    ] {
+        let output = unitvec_tests::program::run(arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!((output.status.code(), said.lines().count()), (Some(2), 1), "{arguments:?}: {said}");
+        assert!(said.contains("another name"), "{said}");
+    }
+    assert!([mesh, other].iter().all(|file| std::fs::read(file).unwrap() == bunny));
+    assert_eq!(std::fs::read(raw).unwrap(), [0; 12]);
+}

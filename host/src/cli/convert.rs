@@ -3,12 +3,12 @@ use super::{OpenBackend, Vulkan, progress};
 use clap::Args;
 use indicatif::ProgressBar;
 use std::io::{Read, Write};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
 use unitvec_host::catalogue::{Element, Format, find_format};
 use unitvec_host::input::{Elements, Input, to_bytes};
-use unitvec_host::mesh::{self, Frames};
+use unitvec_host::mesh::{self, FileFormat, Frames};
 use unitvec_host::output::Output;
 use unitvec_host::stream::{self, Counts, Named, Sink};
 use unitvec_host::{Error, Result};
@@ -76,7 +76,7 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
-    let mut output = Output::create_binary(&arguments.out)?;
+    let mut output = create_output(&arguments.mesh, &arguments.out)?;
     let to_stdout = output.is_stdout();
     let input = Input::open(&arguments.mesh)?;
     let (element, floats, parts, filled) = if arguments.frames {
@@ -96,6 +96,18 @@ pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
     Ok(ExitCode::SUCCESS)
 }
 
+/// The output, which replaces neither the input nor what is called a mesh: as where OUT was forgotten after `*.obj`.
+fn create_output(input: &Path, out: &Path) -> Result<Output> {
+    let is_input =
+        input.canonicalize().is_ok_and(|input| input.is_file() && out.canonicalize().ok() == Some(input));
+    if is_input || FileFormat::of_ending(out).is_some() {
+        let what = if is_input { "the input" } else { "the name of a mesh" };
+        let message = format!("{} is {what}; give the output another name", out.display());
+        return Err(Error::Usage(message));
+    }
+    Output::create_binary(out)
+}
+
 /// [`stream::encode`] or [`stream::decode`].
 type Convert<T> = fn(&mut dyn Backend, Format, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
@@ -109,7 +121,7 @@ struct Conversion<'a> {
 
 impl<'a> Conversion<'a> {
     fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
-        let output = Output::create_binary(&arguments.out)?;
+        let output = create_output(&arguments.r#in, &arguments.out)?;
         let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
         Ok(Self { arguments, format, open, output })
     }

@@ -29,7 +29,8 @@ impl FileFormat {
         }
     }
 
-    fn of_ending(path: &Path) -> Option<Self> {
+    /// The format that a file's ending tells, in any case.
+    pub fn of_ending(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "obj" => Some(Self::Obj),
             "ply" => Some(Self::Ply),
