@@ -200,3 +200,19 @@ fn codecs_of_two_kinds_are_refused() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(stderr(&refused).contains("one after the other"), "{}", stderr(&refused));
 }
+
+/// The table says where normals were computed, and that a hemisphere codec moves what lies below; otherwise neither.
+#[test]
+fn what_was_measured_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("own.obj");
+    std::fs::write(&file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n").unwrap();
+    let own = file.to_str().unwrap();
+    let bunny = repository().join("host/data/bunny.obj");
+    let computed = stdout(&run(["error", "--codec", "hemioct16", bunny.to_str().unwrap(), own]));
+    let line = computed.lines().find(|line| line.starts_with("normals computed from faces: ")).unwrap();
+    assert!(line.ends_with("bunny.obj"), "{line}");
+    assert!(computed.contains("take z < 0 as z = 0"), "{computed}");
+    let plain = stdout(&run(["error", "--codec", "oct16", own]));
+    assert!(!plain.contains("computed") && !plain.contains("z < 0"), "{plain}");
+}

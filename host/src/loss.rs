@@ -65,6 +65,8 @@ pub struct Report {
     pub rows: Vec<Row>,
     /// A row for each codec and part, over all files.
     pub totals: Vec<Row>,
+    /// Files that have no normals, or not all, so that these were computed from the faces.
+    pub computed: Vec<String>,
 }
 
 /// Measures codecs over one file after the other, in bounded memory.
@@ -142,7 +144,7 @@ impl Meter {
     /// The errors measured.
     pub fn report(self) -> Report {
         let totals = rows(&self.formats, parts(self.element), &self.totals, None).collect();
-        Report { rows: self.rows, totals }
+        Report { rows: self.rows, totals, computed: Vec::new() }
     }
 }
 

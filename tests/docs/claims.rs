@@ -4,6 +4,8 @@ use super::accuracy::{Errors, of, over_bound};
 use super::{costs, slices};
 use unitvec_host::accuracy::Table;
 use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Domain, find};
+use unitvec_host::vulkan::{GROUP, WORKGROUP};
+use unitvec_tests::repository;
 
 fn errors(id: &str) -> Errors {
     of(id, "direction")
@@ -24,6 +26,27 @@ fn is_cheaper(id: &str, than: &str) -> bool {
 fn is_finer(id: &str, than: &str) -> bool {
     let (own, other) = (errors(id), errors(than));
     own.mean < other.mean && own.max < other.max
+}
+
+/// docs/kernels.md: what the least limits of Vulkan hold, and how vectors are shared out.
+#[test]
+fn limits_of_a_dispatch() {
+    let text = std::fs::read_to_string(repository().join("docs/kernels.md")).unwrap();
+    let grouped = |number: usize| {
+        let digits = number.to_string();
+        let groups =
+            digits.as_bytes().rchunks(3).rev().map(|group| String::from_utf8_lossy(group).into_owned());
+        groups.collect::<Vec<_>>().join(" ")
+    };
+    let taken = GROUP * WORKGROUP;
+    for said in [
+        format!("{WORKGROUP} invocations, which take {taken} vectors"),
+        format!("{} vectors or {}\nframes", grouped((1 << 27) / 12), grouped((1 << 27) / 28)),
+        format!("{}, which take {}", grouped(65_535), grouped(65_535 * taken)),
+        format!("(count + {}) / {taken}", taken - 1),
+    ] {
+        assert!(text.contains(&said), "{said}");
+    }
 }
 
 /// docs/costs.md, "Which to take".

@@ -5,7 +5,7 @@ use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::backend::BackendKind;
-use unitvec_host::catalogue::{Domain, Element, Format, find_format};
+use unitvec_host::catalogue::{Domain, Element, Format, find, find_format};
 use unitvec_host::choose::RECOMMENDED;
 use unitvec_host::input::Elements;
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
@@ -46,9 +46,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     // What is missing is told before minutes of measuring.
     arguments.file.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
     let bar = progress::bar(Some(arguments.file.len() as u64), "{wide_msg} file {pos} of {len}, {elapsed}");
+    let mut computed = Vec::new();
     for path in &arguments.file {
         bar.inc(1);
-        let mut input = Elements::open(path, meter.element(), arguments.raw)?.floats;
+        let Elements { floats: mut input, parts, .. } = Elements::open(path, meter.element(), arguments.raw)?;
+        if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
+            computed.push(path.display().to_string());
+        }
         let unit = meter.element().plural();
         meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
             progress::show_if_due(&bar);
@@ -56,7 +60,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         })?;
     }
     bar.finish_and_clear();
-    let report = meter.report();
+    let report = Report { computed, ..meter.report() };
     print(&if arguments.json { to_json(&report) } else { text(&report, columns) })?;
     Ok(open.close())
 }
@@ -100,6 +104,17 @@ fn text(report: &Report, columns: Option<usize>) -> String {
     let mut text = wrapped("errors in degrees, over the vectors that have a direction\n", "", columns);
     text += &layout.heading();
     rows.iter().for_each(|cells| text += &layout.line(&cells.each_ref().map(|cell| cell as &dyn Display)));
+    if !report.computed.is_empty() {
+        text += &wrapped(
+            &format!("normals computed from faces: {}\n", report.computed.join(", ")),
+            "    ",
+            columns,
+        );
+    }
+    if report.totals.iter().any(|row| find(row.id).is_ok_and(|codec| codec.domain == Domain::Hemisphere)) {
+        let words = "hemioct and xyonly take z < 0 as z = 0: that counts as error\n";
+        text += &wrapped(words, "    ", columns);
+    }
     text + &left_out(&[&layout])
 }
 
