@@ -84,19 +84,3 @@ fn count_relaxed(shader: &str) -> usize {
     let of_members = spirv.all(OP_MEMBER_DECORATE).filter(|operands| operands[2] == RELAXED_PRECISION);
     of_ids.count() + of_members.count()
 }
-
-/// naga, which wgpu and Bevy read GLSL with, knows no `#include`.
-#[test]
-fn naga_reads_the_flattened_files() {
-    use naga::front::glsl::{Frontend, Options};
-    use naga::valid::{Capabilities, ValidationFlags, Validator};
-    for family in glsl_families() {
-        let text = shader(("450", true), "", std::slice::from_ref(&family));
-        let module = Frontend::default()
-            .parse(&Options::from(naga::ShaderStage::Fragment), &text)
-            .unwrap_or_else(|error| panic!("{family}: {}", error.emit_to_string(&text)));
-        Validator::new(ValidationFlags::all(), Capabilities::all())
-            .validate(&module)
-            .unwrap_or_else(|error| panic!("{family}: {}", error.emit_to_string(&text)));
-    }
-}
