@@ -31,8 +31,3 @@ pub mod vulkan;
 
 pub use error::{Error, Result};
 pub use unitvec_catalogue as catalogue;
-
-/// The repository's README, whose Rust is compiled and run.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;

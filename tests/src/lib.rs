@@ -81,3 +81,8 @@ pub fn replace_module(folder: &Path, file: &str, bytes: &[u8]) {
     std::fs::write(folder.join(file), bytes).unwrap();
     std::fs::write(folder.join(manifest::FILE_NAME), serde_json::to_vec(&manifest).unwrap()).unwrap();
 }
+
+/// The repository's README, whose Rust is compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;
