@@ -10,6 +10,7 @@ use unitvec_host::glsl::Compiler;
 use unitvec_host::manifest::{
     BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, schema, sha256_hex, sources_sha256,
 };
+use unitvec_host::vulkan::{GROUP, WORKGROUP};
 use unitvec_tests::repository;
 
 fn folder() -> PathBuf {
@@ -237,7 +238,9 @@ fn entry_points_are_as_the_manifest_says() {
             let actual = spirv.buffers(function);
             let found = actual.iter().map(|&(set, binding, is_read, _)| (set, binding, is_read));
             assert_eq!(found.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{name}");
-            let is_cost = interface.vectors_per_workgroup == interface.workgroup_size[0];
+            let is_cost = module.file.starts_with("cost/");
+            let group = if is_cost { 1 } else { GROUP };
+            assert_eq!(interface.vectors_per_workgroup as usize, group * WORKGROUP, "{name}");
             for (buffer, binding) in actual.iter().zip(&interface.bindings[..2]) {
                 let element = if is_cost { binding.bytes_per_vector } else { Some(binding.size_multiple) };
                 assert_eq!(Some(buffer.3), element, "{name}");

@@ -180,6 +180,9 @@ pub enum Element {
 }
 
 impl Element {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Vector, Self::Frame];
+
     /// Its number of f32.
     pub const fn floats(self) -> usize {
         match self {

@@ -66,11 +66,25 @@ pub fn round_trip<const N: usize>(
     let mut decoded = vec![[0.0; N]; CHUNK.min(count)];
     sampling::in_chunks(elements, count, CHUNK, |elements| {
         let (codes, decoded) = (&mut codes[..elements.len() * format.bytes], &mut decoded[..elements.len()]);
-        backend.encode(format, elements.as_flattened(), codes)?;
-        backend.decode(format, codes, decoded.as_flattened_mut())?;
+        round_trip_slice(backend, format, elements.as_flattened(), codes, decoded.as_flattened_mut())?;
         elements.iter().zip(decoded).for_each(|(element, decoded)| each(*element, *decoded));
         Ok(())
     })
+}
+
+/// Encodes elements whose floats follow each other, and decodes the codes.
+///
+/// # Errors
+/// What the backend meets.
+pub fn round_trip_slice(
+    backend: &mut dyn Backend,
+    format: Format,
+    elements: &[f32],
+    codes: &mut [u8],
+    decoded: &mut [f32],
+) -> Result<()> {
+    backend.encode(format, elements, codes)?;
+    backend.decode(format, codes, decoded)
 }
 
 /// The crate's functions on this machine's CPU.

@@ -1,6 +1,6 @@
 //! What the vectors and frames of files lose to codecs: the angles between them and what they are decoded to.
 
-use crate::backend::{Backend, CHUNK};
+use crate::backend::{Backend, CHUNK, round_trip_slice};
 use crate::catalogue::{Element, Format};
 use crate::mesh::has_direction;
 use crate::stream::{self, Input};
@@ -116,11 +116,14 @@ impl Meter {
         let (element, parts) = (self.element, parts(self.element));
         let file = input.path.display().to_string();
         let mut tallies = vec![Tally::default(); self.totals.len()];
+        let bytes = self.formats.iter().map(|format| format.bytes).max().unwrap_or(0);
+        let mut codes = vec![0; CHUNK * bytes];
         let mut decoded = vec![0.0; CHUNK * element.floats()];
         stream::for_each_chunk(input, element, &mut |elements, before| {
             let decoded = &mut decoded[..elements.len()];
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
-                round_trip(backend, *format, elements, decoded)?;
+                let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
+                round_trip_slice(backend, *format, elements, codes, decoded)?;
                 for (part, tally) in tallies.iter_mut().enumerate() {
                     tally.add_all(&Chunk {
                         file: &file,
@@ -172,17 +175,6 @@ fn rows(
         left_out: tally.left_out,
         errors: tally.errors(),
     })
-}
-
-fn round_trip(
-    backend: &mut dyn Backend,
-    format: Format,
-    elements: &[f32],
-    decoded: &mut [f32],
-) -> Result<()> {
-    let mut codes = vec![0; elements.len() / format.element.floats() * format.bytes];
-    backend.encode(format, elements, &mut codes)?;
-    backend.decode(format, &codes, decoded)
 }
 
 /// A part of the elements of a file, and what they were decoded to.

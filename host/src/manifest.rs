@@ -2,7 +2,7 @@
 //! define the file; [`schema`] is made of them.
 
 use crate::catalogue::{Element, Operation};
-use schemars::JsonSchema;
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -70,8 +70,8 @@ pub struct Module {
 pub struct Codec {
     /// Identifier.
     pub id: String,
-    /// What it encodes.
-    #[schemars(with = "ElementName")]
+    /// What it encodes: vectors are three packed f32, frames seven, which are normal, tangent and handedness.
+    #[schemars(schema_with = "element_names")]
     pub element: Element,
     /// Significant bits of a code.
     pub bits: u32,
@@ -92,7 +92,7 @@ pub struct EntryPoint {
     /// Its name, which no other entry point of the manifest has.
     pub name: String,
     /// Whether it encodes or decodes.
-    #[schemars(with = "OperationName")]
+    #[schemars(schema_with = "operation_names")]
     pub operation: Operation,
     /// The name of its interface.
     pub interface: String,
@@ -191,26 +191,12 @@ pub enum Constant {
     Repetitions,
 }
 
-/// [`Element`] as the schema has it.
-#[derive(JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[allow(dead_code)]
-enum ElementName {
-    /// Three packed f32.
-    Vector,
-    /// Seven packed f32: normal, tangent, handedness.
-    Frame,
+fn element_names(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": Element::ALL })
 }
 
-/// [`Operation`] as the schema has it.
-#[derive(JsonSchema)]
-#[serde(rename_all = "lowercase")]
-#[allow(dead_code)]
-enum OperationName {
-    /// Vectors or frames to codes.
-    Encode,
-    /// Codes to vectors or frames.
-    Decode,
+fn operation_names(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": Operation::ALL })
 }
 
 /// The JSON schema of the manifest, as text.

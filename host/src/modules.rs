@@ -8,6 +8,7 @@ use std::{fs, io};
 /// A folder of modules with its manifest.
 pub struct Modules {
     folder: Folder,
+    /// In a box, since [`KernelSource`](crate::backend::KernelSource) has modules beside a compiler that is small.
     manifest: Box<Manifest>,
 }
 

@@ -49,7 +49,11 @@ use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
 use crate::oct::{from_lattice, lattice_precise};
 #[cfg(not(target_arch = "spirv"))]
-use crate::slice::{LengthMismatch, expect_length, load, store};
+use crate::slice::machine::{as_chunks, as_chunks_mut};
+#[cfg(not(target_arch = "spirv"))]
+use crate::slice::stored::{Stored, with_size};
+#[cfg(not(target_arch = "spirv"))]
+use crate::slice::{LengthMismatch, expect_length};
 use crate::{Oct22, OctPrecise22};
 use core::fmt::Debug;
 use core::hash::Hash;
@@ -354,9 +358,11 @@ impl FrameCodec for Frame64 {
 #[cfg(not(target_arch = "spirv"))]
 pub fn encode_frames<F: FrameCodec>(frames: &[[f32; 7]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
     expect_length(frames.len() * F::BYTES, codes.len())?;
-    for (frame, stored) in frames.iter().zip(codes.chunks_exact_mut(F::BYTES)) {
-        store(F::encode(Frame::from_array(*frame)), stored);
-    }
+    with_size!(F::BYTES, SIZE => {
+        for (frame, stored) in frames.iter().zip(as_chunks_mut::<_, SIZE>(codes).0) {
+            *stored = Stored::of_words(F::encode(Frame::from_array(*frame)).to_words());
+        }
+    });
     Ok(())
 }
 
@@ -367,8 +373,11 @@ pub fn encode_frames<F: FrameCodec>(frames: &[[f32; 7]], codes: &mut [u8]) -> Re
 #[cfg(not(target_arch = "spirv"))]
 pub fn decode_frames<F: FrameCodec>(codes: &[u8], frames: &mut [[f32; 7]]) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), frames.len() * F::BYTES)?;
-    for (stored, frame) in codes.chunks_exact(F::BYTES).zip(frames) {
-        *frame = F::decode(load(stored)).to_array();
-    }
+    with_size!(F::BYTES, SIZE => {
+        for (stored, frame) in as_chunks::<_, SIZE>(codes).0.iter().zip(frames) {
+            let (low, high) = stored.words();
+            *frame = F::decode(F::Code::from_low_high(low, high)).to_array();
+        }
+    });
     Ok(())
 }

@@ -1,4 +1,4 @@
-use super::table::{Layout, Wide, left, left_out, right, wrapped};
+use super::table::{Layout, Wide, left, right, wrapped};
 use super::{Vulkan, chosen_formats, counts, print, progress, status_after_validation, to_json};
 use clap::Args;
 use std::fmt::Write;
@@ -106,7 +106,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         output::write_file(path, to_json(&report).as_bytes())?;
     }
     if !to_stdout {
-        print(&(wrapped(&verdict(&report, messages.len()), "", columns) + &left_out(&[&table])))?;
+        print(&wrapped(&verdict(&report, messages.len()), "", columns))?;
     }
     Ok(status_after_validation(&messages, report.agreed))
 }

@@ -1,5 +1,5 @@
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, degrees, print, progress, to_json};
+use super::{OpenBackend, Vulkan, chosen_formats, degrees, print, progress, to_json};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -68,7 +68,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 /// The codecs chosen; else those of the README's table that take any vector.
 fn formats(ids: &[String]) -> Result<Vec<Format>> {
     if !ids.is_empty() {
-        return Ok(ids.iter().map(|id| find_format(id)).collect::<Result<_, _>>()?);
+        return chosen_formats(ids);
     }
     let recommended = RECOMMENDED.iter().flat_map(|row| row.short()).filter_map(|id| find_format(id).ok());
     let is_for_all = |format: &Format| format.element == Element::Vector && format.domain == Domain::Sphere;

@@ -32,7 +32,7 @@ pub(crate) mod block;
 pub mod machine;
 #[cfg(feature = "rayon")]
 mod parallel;
-mod stored;
+pub(crate) mod stored;
 mod strided;
 
 use crate::codec::{Code, Codec};
@@ -99,9 +99,11 @@ pub fn encode_slice_with<C: Codec>(
     encode: impl Fn([f32; 3]) -> C::Code,
 ) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
-    for (vector, stored) in vectors.iter().zip(codes.chunks_exact_mut(C::BYTES)) {
-        store(encode((*vector).into()), stored);
-    }
+    with_size!(C::BYTES, SIZE => {
+        for (vector, stored) in vectors.iter().zip(as_chunks_mut::<_, SIZE>(codes).0) {
+            *stored = Stored::of_words(encode((*vector).into()).to_words());
+        }
+    });
     Ok(())
 }
 
@@ -177,21 +179,6 @@ pub fn decode_slice_i16x4_at<C: Codec>(
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
     level.run(Decode { codes, vectors, codec: PhantomData::<(C, Snorms)> });
     Ok(())
-}
-
-/// Writes the low bytes of `code`, as many as `stored` has: at most 8.
-pub(crate) fn store(code: impl Code, stored: &mut [u8]) {
-    let [low, high] = code.to_words();
-    let bytes = ((u64::from(high) << 32) | u64::from(low)).to_le_bytes();
-    stored.copy_from_slice(&bytes[..stored.len()]);
-}
-
-/// The code that [`store`] wrote.
-pub(crate) fn load<T: Code>(stored: &[u8]) -> T {
-    let mut bytes = [0; 8];
-    bytes[..stored.len()].copy_from_slice(stored);
-    let code = u64::from_le_bytes(bytes);
-    T::from_words([code as u32, (code >> 32) as u32])
 }
 
 /// Fails unless the two sizes are the same.
