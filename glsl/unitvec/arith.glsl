@@ -49,6 +49,8 @@ const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
 
 // sign: signs that do not depend on how a device treats denormals and -0.
 
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
+
 // True where x is below zero by at least the least normal number. A comparison with zero would depend on whether the
 // device flushes denormals.
 bool unitvec_is_negative(float x) {
@@ -62,6 +64,11 @@ float unitvec_negate_if(bool negative, float x) {
 // -x where negative, else x, for x of at least 0; 0 stays +0.
 float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
+}
+
+// `magnitude`, of at least 0, with the sign bit of y.
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
 // round: rounding to whole numbers, and whole numbers as integers.
@@ -136,6 +143,13 @@ uint unitvec_mask(uint bits) {
 // Two's complement, in `bits` bits, of a whole number.
 uint unitvec_signed_code(float whole, uint bits) {
     return uint(int(whole)) & unitvec_mask(bits);
+}
+
+// Two's complement, in `bits` bits (at most 22), of the whole number nearest to x, the even one of two: one addition rounds
+// and converts. Magnitudes up to 2^21; for others, and NaN, any code.
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 
 // Integer of the low `bits` bits (2 to 25) of a code, in two's complement.

@@ -1,6 +1,6 @@
 //! Integers in the low bits of words.
 
-use super::whole_to_i32;
+use super::{ONE_AND_A_HALF_2_23, whole_to_i32};
 
 /// The low `bits` bits set. `bits` is 1 to 31.
 #[inline(always)]
@@ -12,6 +12,16 @@ pub const fn mask(bits: u32) -> u32 {
 #[inline(always)]
 pub fn signed_code(whole: f32, bits: u32) -> u32 {
     whole_to_i32(whole) as u32 & mask(bits)
+}
+
+/// The two's complement, in `bits` bits (at most 22), of the whole number nearest to `x`, the even one of two. Magnitudes
+/// up to 2^21; for others, and NaN, any code.
+///
+/// One addition rounds and converts: the sum's last place is the unit. It needs a device that rounds sums to nearest, as
+/// all known ones do; one that truncates gives the whole number below.
+#[inline(always)]
+pub fn nearest_code(x: f32, bits: u32) -> u32 {
+    (x + ONE_AND_A_HALF_2_23).to_bits() & mask(bits)
 }
 
 /// The integer of the low `bits` bits (2 to 25) of a code, in two's complement.
