@@ -157,6 +157,11 @@ float unitvec_signed_integer(uint code, uint bits) {
     return float(int(code << (32u - bits)) >> int(32u - bits));
 }
 
+// The nearest whole numbers to those of e as one code: x in the low `bits` bits (at most 16), y in the next.
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
+}
+
 // snorm: normalised fixed point.
 
 // Largest integer of a unorm of `bits` bits (1 to 23).
@@ -194,6 +199,13 @@ uint unitvec_snorm_encode(float r, uint bits) {
 // Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
 float unitvec_snorm_integer(uint code, uint bits) {
     return max(unitvec_signed_integer(code, bits), -unitvec_snorm_max(bits));
+}
+
+// The integers of a code of two snorms of `bits` bits: x in the low bits, y in the next.
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    uint left = 32u - bits;
+    vec2 integers = vec2(int(code << left) >> int(left), int(code << (left - bits)) >> int(left));
+    return max(integers, -unitvec_snorm_max(bits));
 }
 
 // By comparing integers: see unitvec_is_within.

@@ -33,9 +33,10 @@ const float UNITVEC_UNWARP_0 = 0.27020066;
 const float UNITVEC_UNWARP_1 = -0.13198552;
 const float UNITVEC_UNWARP_2 = 0.0392082;
 
-// Two unit vectors that make an orthonormal basis with the unit vector n: right-handed, (first, second, n).
+// Two unit vectors that make an orthonormal basis with the decoded normal n, whose z is not -0: right-handed, (first,
+// second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
-    float s = unitvec_is_negative(n.z) ? -1.0 : 1.0;
+    float s = unitvec_with_sign(1.0, n.z);
     UNITVEC_PRECISE float a = -1.0 / (s + n.z);
     UNITVEC_PRECISE float b = (n.x * n.y) * a;
     UNITVEC_PRECISE vec3 e = vec3(1.0 + s * ((n.x * n.x) * a), s * b, -(s * n.x));
@@ -61,12 +62,8 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
     return nearer;
 }
 
-// v scaled by a power of two to an L1 norm of 1 to 2; 0 where it has no usable direction.
-vec3 unitvec_frame_scaled(vec3 v) {
-    float norm = unitvec_l1_norm(v);
-    bool usable = unitvec_is_usable(norm);
-    return unitvec_scaled_to_one(usable ? v : vec3(0.0), usable ? norm : 1.0);
-}
+// 2^23: the low bits of its sum with a number that is not negative are that, to the nearest whole number.
+const float UNITVEC_FRAME_2_23 = 8388608.0;
 
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
 // than the part `parallel`, along both axes together.
@@ -74,25 +71,24 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     vec3 first;
     vec3 second;
     unitvec_frame_basis(n, first, second);
-    vec3 scaled = unitvec_frame_scaled(tangent);
-    float x = unitvec_dot(scaled, first);
-    float y = unitvec_dot(scaled, second);
+    float x = unitvec_dot(tangent, first);
+    float y = unitvec_dot(tangent, second);
+    float norm = unitvec_l1_norm(tangent);
     UNITVEC_PRECISE float sum = abs(x) + abs(y);
-    UNITVEC_PRECISE float least = parallel * unitvec_l1_norm(scaled);
-    bool usable = sum > least;
+    UNITVEC_PRECISE float least = parallel * norm;
+    bool usable = unitvec_is_usable(norm) && sum > least;
 
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
-    bool below = unitvec_is_negative(y);
-    bool odd = unitvec_is_negative(x) != below;
+    uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
+    uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     UNITVEC_PRECISE float difference = abs(y) - abs(x);
-    UNITVEC_PRECISE float w = unitvec_negate_if(odd, difference) / (usable ? sum : 1.0);
+    UNITVEC_PRECISE float w = uintBitsToFloat(floatBitsToUint(difference) ^ odd) / sum;
 
     float half_places = float(1u << (angle_bits - 3u));
-    UNITVEC_PRECISE float position = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0);
-    UNITVEC_PRECISE float place = floor(position + 0.5);
-    uint quarters = ((below ? 2u : 0u) + (odd ? 1u : 0u)) << (angle_bits - 2u);
+    UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_FRAME_2_23;
+    uint quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    uint code = (quarters + unitvec_whole_to_u32(place)) & unitvec_mask(angle_bits);
+    uint code = (quarters + floatBitsToUint(place)) & unitvec_mask(angle_bits);
     return usable ? code : 0u;
 }
 
@@ -101,12 +97,12 @@ vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
     UNITVEC_PRECISE float v = place * (1.0 / float(1u << (angle_bits - 3u))) - 1.0;
 
-    bool odd = (code & (1u << (angle_bits - 2u))) != 0u;
-    bool below = (code & (1u << (angle_bits - 1u))) != 0u;
-    float w = unitvec_negate_if(odd, unitvec_frame_warp(v));
+    uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
+    uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
+    float w = uintBitsToFloat(floatBitsToUint(unitvec_frame_warp(v)) ^ odd);
     UNITVEC_PRECISE float x = 1.0 - w;
     UNITVEC_PRECISE float y = 1.0 + w;
-    return vec2(unitvec_negate_if(odd != below, x), unitvec_negate_if(below, y));
+    return vec2(uintBitsToFloat(floatBitsToUint(x) ^ odd ^ below), uintBitsToFloat(floatBitsToUint(y) ^ below));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.
@@ -124,39 +120,36 @@ uint unitvec_frame_handedness_code(float handedness) {
     return floatBitsToUint(handedness) - 0x80800000u < 0x7f000001u ? 1u : 0u;
 }
 
-// +1 for an even code, -1 for an odd one.
+// -1 where bit 31 of a code is set, else +1.
 float unitvec_frame_handedness(uint code) {
-    return unitvec_negate_if((code & 1u) != 0u, 1.0);
-}
-
-// Unit vector of a normal's lattice point, given in 21 bits each.
-vec3 unitvec_frame64_normal(uint x, uint y) {
-    vec2 e = vec2(unitvec_snorm_integer(x, 21u), unitvec_snorm_integer(y, 21u));
-    return unitvec_oct_from_lattice(e, unitvec_snorm_max(21u));
+    return unitvec_with_sign(1.0, uintBitsToFloat(code));
 }
 
 uint frame32_encode(vec3 normal, vec4 tangent) {
-    uint code = oct22p_encode(normal);
-    uint angle = unitvec_frame_angle_code(oct22_decode(code), tangent.xyz, 9u, 0.00390625);
-    return code | (angle << 22u) | (unitvec_frame_handedness_code(tangent.w) << 31u);
+    float m = unitvec_snorm_max(11u);
+    vec2 e = unitvec_oct_lattice_precise(normal, m);
+    uint angle = unitvec_frame_angle_code(unitvec_oct_from_lattice(e, m), tangent.xyz, 9u, 0.00390625);
+    return unitvec_nearest_pair(e, 11u) | (angle << 22u) | (unitvec_frame_handedness_code(tangent.w) << 31u);
 }
 
 uvec2 frame64_encode(vec3 normal, vec4 tangent) {
-    vec2 e = unitvec_oct_lattice_precise(normal, unitvec_snorm_max(21u));
-    uint x = unitvec_signed_code(e.x, 21u);
-    uint y = unitvec_signed_code(e.y, 21u);
-    uint angle = unitvec_frame_angle_code(unitvec_frame64_normal(x, y), tangent.xyz, 21u, 3.814697265625e-6);
+    float m = unitvec_snorm_max(21u);
+    vec2 e = unitvec_oct_lattice_precise(normal, m);
+    uint angle = unitvec_frame_angle_code(unitvec_oct_from_lattice(e, m), tangent.xyz, 21u, 3.814697265625e-6);
+    uint x = unitvec_nearest_code(e.x, 21u);
+    uint y = unitvec_nearest_code(e.y, 21u);
     return uvec2(x | (y << 21u), (y >> 11u) | (angle << 10u) | (unitvec_frame_handedness_code(tangent.w) << 31u));
 }
 
 void frame32_decode(uint code, out vec3 normal, out vec4 tangent) {
     normal = oct22_decode(code);
-    tangent = vec4(unitvec_frame_tangent(normal, code >> 22u, 9u), unitvec_frame_handedness(code >> 31u));
+    tangent = vec4(unitvec_frame_tangent(normal, code >> 22u, 9u), unitvec_frame_handedness(code));
 }
 
 void frame64_decode(uvec2 code, out vec3 normal, out vec4 tangent) {
-    normal = unitvec_frame64_normal(code.x, (code.x >> 21u) | (code.y << 11u));
-    tangent = vec4(unitvec_frame_tangent(normal, code.y >> 10u, 21u), unitvec_frame_handedness(code.y >> 31u));
+    vec2 e = vec2(unitvec_snorm_integer(code.x, 21u), unitvec_snorm_integer((code.x >> 21u) | (code.y << 11u), 21u));
+    normal = unitvec_oct_from_lattice(e, unitvec_snorm_max(21u));
+    tangent = vec4(unitvec_frame_tangent(normal, code.y >> 10u, 21u), unitvec_frame_handedness(code.y));
 }
 
 #endif

@@ -19,17 +19,23 @@
 precision highp float;
 precision highp int;
 
-// Lattice point of a vector with z >= 0 and an L1 norm of `norm`, m the snorm's largest integer.
-vec2 unitvec_hemioct_project(vec3 v, float norm, float m) {
-    float x = unitvec_without_denormal(v.x), y = unitvec_without_denormal(v.y);
-    UNITVEC_PRECISE vec2 p = vec2(x + y, x - y) * (m / norm);
-    return vec2(unitvec_round_symmetric(p.x), unitvec_round_symmetric(p.y));
+// Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
+vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
+    UNITVEC_PRECISE vec2 e = vec2(v.x + v.y, v.x - v.y) * (m / norm);
+    return e;
 }
 
-// Lattice point of the direction of v (listing 6, then snorm rounding), m the snorm's largest integer.
-vec2 unitvec_hemioct_lattice(vec3 v, float m) {
-    v = unitvec_upper_or_z(v);
-    return unitvec_hemioct_project(v, unitvec_l1_norm(v), m);
+// The L1 norms of v, and of v with what is below the equator moved up to it.
+vec2 unitvec_hemioct_norms(vec3 v) {
+    UNITVEC_PRECISE float across = abs(v.x) + abs(v.y);
+    UNITVEC_PRECISE vec2 norms = vec2(across + abs(v.z), across + max(v.z, 0.0));
+    return norms;
+}
+
+// True where both norms give a direction: the first, not the smaller one, is not too large, the second not too small.
+bool unitvec_hemioct_is_usable(vec2 norms) {
+    return floatBitsToUint(norms.x) < floatBitsToUint(UNITVEC_MAX_NORM) &&
+        floatBitsToUint(norms.y) >= floatBitsToUint(UNITVEC_MIN_NORM);
 }
 
 // Direction of a lattice point (listing 6), unit length to within 2 ULP. |p.x| + |p.y| is twice the larger of |e.x| and
@@ -40,12 +46,11 @@ vec3 unitvec_hemioct_from_lattice(vec2 e, float m) {
     return unitvec_normalize(vec3(p, z));
 }
 
-// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for what unitvec_upper_or_z takes for it.
+// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for what has no direction, or none above the equator.
 vec2 float32x3_to_hemioct(vec3 v) {
-    float norm = unitvec_l1_norm(vec3(v.xy, max(v.z, 0.0)));
-    UNITVEC_PRECISE vec2 p = v.xy * (1.0 / norm);
-    UNITVEC_PRECISE vec2 e = vec2(p.x + p.y, p.x - p.y);
-    return unitvec_is_usable(unitvec_l1_norm(v)) && unitvec_is_usable(norm) ? e : vec2(0.0);
+    vec2 norms = unitvec_hemioct_norms(v);
+    vec2 e = unitvec_hemioct_position(v, norms.y, 1.0);
+    return unitvec_hemioct_is_usable(norms) ? e : vec2(0.0);
 }
 
 // Listing 6: the direction of a pair of snorm values on [-1, 1].
@@ -54,13 +59,14 @@ vec3 hemioct_to_float32x3(vec2 e) {
 }
 
 uint unitvec_hemioct_encode(vec3 v, uint bits) {
-    vec2 e = unitvec_hemioct_lattice(v, unitvec_snorm_max(bits / 2u));
-    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+    vec2 norms = unitvec_hemioct_norms(v);
+    vec2 e = unitvec_hemioct_position(v, norms.y, unitvec_snorm_max(bits / 2u));
+    uint code = unitvec_nearest_pair(e, bits / 2u);
+    return unitvec_hemioct_is_usable(norms) ? code : 0u;
 }
 
 vec3 unitvec_hemioct_decode(uint code, uint bits) {
-    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
-    return unitvec_hemioct_from_lattice(e, unitvec_snorm_max(bits / 2u));
+    return unitvec_hemioct_from_lattice(unitvec_snorm_integers(code, bits / 2u), unitvec_snorm_max(bits / 2u));
 }
 
 uint hemioct16_encode(vec3 v) { return unitvec_hemioct_encode(v, 16u); }

@@ -37,15 +37,15 @@ vec2 unitvec_oct_fold(float z, vec2 p, float m) {
 
 // Gives p, from the positive octant, the signs of v.
 vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
-    return vec2(unitvec_negate_if(unitvec_is_negative(v.x), p.x), unitvec_negate_if(unitvec_is_negative(v.y), p.y));
+    return vec2(unitvec_with_sign(p.x, v.x), unitvec_with_sign(p.y, v.y));
 }
 
-// Lattice point of the direction of v: the nearest one in the square (listing 1, then snorm rounding).
-vec2 unitvec_oct_lattice(vec3 v, float m) {
-    v = unitvec_or_z(v);
-    UNITVEC_PRECISE vec2 p = abs(v.xy) * (m / unitvec_l1_norm(v));
-    UNITVEC_PRECISE vec2 rounded = floor(unitvec_oct_fold(v.z, p, m) + 0.5);
-    return unitvec_oct_mirror(v, rounded);
+// Where v, of this L1 norm, lies on the square [-m, m]^2 (listing 1). Below the equator x is folded to m - |y| s, with s =
+// m / norm, which is (|x| + |z|) s.
+vec2 unitvec_oct_position(vec3 v, float norm, float m) {
+    float below = max(-v.z, 0.0);
+    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * (m / norm);
+    return unitvec_oct_mirror(v, p);
 }
 
 // q of where the ray of p meets the plane x + y + z = m.
@@ -61,8 +61,7 @@ vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
 vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE float minus_z = at.x + at.y;
     UNITVEC_PRECISE float z_squared = minus_z * minus_z;
-    UNITVEC_PRECISE float over = abs(ab.x + ab.y) - cross_term;
-    over = over > 0.0 ? over : 0.0;
+    UNITVEC_PRECISE float over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     UNITVEC_PRECISE float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     UNITVEC_PRECISE float half_s = z_squared + (0.5 + cross_term);
     UNITVEC_PRECISE float u = n * ((1.5 / m) / half_s);
@@ -136,34 +135,35 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
 }
 
-// Lattice point of the direction of v that is nearest in angle. Without a usable direction, all is computed and then
-// dropped: to select here takes fewer operations than in v.
-vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
-    float norm = unitvec_l1_norm(v);
+// Lattice point that is nearest in angle to the direction of v, of this L1 norm.
+vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
-    // 2^-26 of the norm: denormals, which some devices flush, are less, and so break no ties.
-    p = max(p, m * 1.490116119384765625e-8);
     // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
     vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
-    vec2 e = unitvec_oct_fold(v.z, corner, m);
-    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
+    return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));
+}
+
+// The same for any v, (0, 0) where it has no direction.
+vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_precise_point(v, norm, m);
+    return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 
 // Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.
 vec3 unitvec_oct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float z = m - abs(e.x) - abs(e.y);
-    float below = z < 0.0 ? -z : 0.0;
-    UNITVEC_PRECISE float x = e.x + unitvec_negate_if(e.x >= 0.0, below);
-    UNITVEC_PRECISE float y = e.y + unitvec_negate_if(e.y >= 0.0, below);
+    float below = max(-z, 0.0);
+    UNITVEC_PRECISE float x = e.x - unitvec_with_sign(below, e.x);
+    UNITVEC_PRECISE float y = e.y - unitvec_with_sign(below, e.y);
     return unitvec_normalize(vec3(x, y, z));
 }
 
 // Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.
 vec2 float32x3_to_oct(vec3 v) {
     float norm = unitvec_l1_norm(v);
-    UNITVEC_PRECISE vec2 p = abs(v.xy) * (1.0 / norm);
-    vec2 e = unitvec_oct_fold(v.z, p, 1.0);
-    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
+    vec2 e = unitvec_oct_position(v, norm, 1.0);
+    return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 
 // Listing 2: the direction of a pair of snorm values on [-1, 1].
@@ -197,39 +197,55 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
     return unitvec_is_nan(unitvec_l1_norm(u)) ? vec2(0.0) : clamp(s, -1.0, 1.0);
 }
 
-// Code of a lattice point with m = 2047: the bytes of listing 5, the first in the low bits.
+// 2^23: of its sum with a whole number below it the low 23 bits are that number.
+const float UNITVEC_OCT_2_23 = 8388608.0;
+
+// 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
+const float UNITVEC_OCT_BIAS = 8390655.0;
+
+// The code of +Z, both components 2047.
+const uint UNITVEC_OCT24_Z = 0xfff77fu;
+
+// Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
 uint unitvec_oct_pack_unorm8x3(vec2 e) {
-    UNITVEC_PRECISE vec2 biased = e + 2047.0;
-    uint u = unitvec_signed_code(biased.x, 12u);
-    uint v = unitvec_signed_code(biased.y, 12u);
-    return (u >> 4u) | ((u & 15u) << 12u) | (v & 0xf00u) | ((v & 255u) << 16u);
+    UNITVEC_PRECISE vec2 sum = e + UNITVEC_OCT_BIAS;
+    uint both = (floatBitsToUint(sum.x) << 12u) + floatBitsToUint(sum.y);
+    return ((both >> 16u) & 255u) | (both & 0xff00u) | ((both & 255u) << 16u);
 }
 
 // The pattern 4095 of a component, which encoding never writes, counts as 4094.
 vec2 unitvec_oct_unpack_unorm8x3(uint code) {
-    float u = float(((code & 255u) << 4u) | ((code >> 12u) & 15u));
-    float v = float((code & 0xf00u) | ((code >> 16u) & 255u));
-    UNITVEC_PRECISE vec2 e = vec2(u, v) - 2047.0;
+    uint both = ((code & 255u) << 16u) | (code & 0xff00u) | ((code >> 16u) & 255u);
+    uvec2 sum = uvec2(both >> 12u, both & 0xfffu) | floatBitsToUint(UNITVEC_OCT_2_23);
+    UNITVEC_PRECISE vec2 e = uintBitsToFloat(sum) - UNITVEC_OCT_BIAS;
     return min(e, 2047.0);
 }
 
-// Code of a lattice point, `bits` bits in all.
+// Code of the lattice point nearest to e, of two of them the one whose components are even (odd for 24 bits), `bits` bits
+// in all.
 uint unitvec_oct_pack(vec2 e, uint bits) {
-    if (bits == 24u) return unitvec_oct_pack_unorm8x3(e);
-    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+    return bits == 24u ? unitvec_oct_pack_unorm8x3(e) : unitvec_nearest_pair(e, bits / 2u);
 }
 
 vec2 unitvec_oct_unpack(uint code, uint bits) {
-    if (bits == 24u) return unitvec_oct_unpack_unorm8x3(code);
-    return vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
+    return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
+}
+
+// `code`, or that of +Z where this L1 norm gives no direction: to select here takes the fewest operations.
+uint unitvec_oct_usable_code(float norm, uint code, uint bits) {
+    return unitvec_is_usable(norm) ? code : (bits == 24u ? UNITVEC_OCT24_Z : 0u);
 }
 
 uint unitvec_oct_encode(vec3 v, uint bits) {
-    return unitvec_oct_pack(unitvec_oct_lattice(v, unitvec_snorm_max(bits / 2u)), bits);
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_position(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
 uint unitvec_oct_encode_precise(vec3 v, uint bits) {
-    return unitvec_oct_pack(unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits);
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_precise_point(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
 vec3 unitvec_oct_decode(uint code, uint bits) {

@@ -18,44 +18,45 @@
 precision highp float;
 precision highp int;
 
-// The codes of u and v, of `bits` bits each, and the sign, of the direction of v.
-uvec3 unitvec_soct_parts(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    vec2 e = unitvec_hemioct_project(vec3(v.xy, abs(v.z)), unitvec_l1_norm(v), unitvec_snorm_max(bits));
-    uint negative = unitvec_is_negative(v.z) ? 1u : 0u;
-    return uvec3(unitvec_signed_code(e.x, bits), unitvec_signed_code(e.y, bits), negative);
+// The code of u and v, of `bits` bits each, of the direction of v of this L1 norm.
+uint unitvec_soct_pair(vec3 v, float norm, uint bits) {
+    return unitvec_nearest_pair(unitvec_hemioct_position(v, norm, unitvec_snorm_max(bits)), bits);
 }
 
-// The direction of the codes of u and v, of `bits` bits each, and the sign: unit length to within 2 ULP.
-vec3 unitvec_soct_from_parts(uint u, uint v, uint negative, uint bits) {
-    vec2 e = vec2(unitvec_snorm_integer(u, bits), unitvec_snorm_integer(v, bits));
-    vec3 up = unitvec_hemioct_from_lattice(e, unitvec_snorm_max(bits));
-    return vec3(up.xy, unitvec_negate_positive((negative & 1u) != 0u, up.z));
+// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31: unit length to within 2 ULP. z is the
+// difference of two numbers that both have the sign, since a sum of them may be 0, which has none.
+vec3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
+    vec2 e = unitvec_snorm_integers(code, bits);
+    float below = uintBitsToFloat(sign_bit & UNITVEC_SIGN_BIT);
+    float across = 2.0 * max(abs(e.x), abs(e.y));
+    UNITVEC_PRECISE vec3 v = vec3(e.x + e.y, e.x - e.y,
+        unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below));
+    return unitvec_normalize(v);
 }
 
 uint unitvec_soct_encode(vec3 v, uint bits) {
-    uvec3 parts = unitvec_soct_parts(v, bits / 2u);
-    return parts.x | (parts.y << (bits / 2u)) | (parts.z << (bits - 1u));
+    float norm = unitvec_l1_norm(v);
+    uint code = unitvec_soct_pair(v, norm, bits / 2u) | (unitvec_is_negative(v.z) ? 1u << (bits - 1u) : 0u);
+    return unitvec_is_usable(norm) ? code : 0u;
 }
 
 vec3 unitvec_soct_decode(uint code, uint bits) {
-    uint half_mask = unitvec_mask(bits / 2u);
-    return unitvec_soct_from_parts(
-        code & half_mask, (code >> (bits / 2u)) & half_mask, code >> (bits - 1u), bits / 2u);
+    return unitvec_soct_from_parts(code, code << (32u - bits), bits / 2u);
 }
 
 uint soct17_encode(vec3 v) { return unitvec_soct_encode(v, 17u); }
 uint soct25_encode(vec3 v) { return unitvec_soct_encode(v, 25u); }
 
 uvec2 soct33_encode(vec3 v) {
-    uvec3 parts = unitvec_soct_parts(v, 16u);
-    return uvec2(parts.x | (parts.y << 16u), parts.z);
+    float norm = unitvec_l1_norm(v);
+    uvec2 code = uvec2(unitvec_soct_pair(v, norm, 16u), unitvec_is_negative(v.z) ? 1u : 0u);
+    return unitvec_is_usable(norm) ? code : uvec2(0u);
 }
 
 vec3 soct17_decode(uint code) { return unitvec_soct_decode(code, 17u); }
 vec3 soct25_decode(uint code) { return unitvec_soct_decode(code, 25u); }
 vec3 soct33_decode(uvec2 code) {
-    return unitvec_soct_from_parts(code.x & unitvec_mask(16u), code.x >> 16u, code.y, 16u);
+    return unitvec_soct_from_parts(code.x, code.y << 31u, 16u);
 }
 
 #endif

@@ -42,8 +42,7 @@
 //!   interpolated.
 
 use crate::arith::{
-    dot, floor, is_negative, mask, negate_if, normalize, scaled_to_one, signed_code, snorm_integer,
-    snorm_max, whole_to_u32,
+    SIGN_BIT, TWO_23, dot, mask, nearest_code, nearest_pair, normalize, snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
@@ -175,7 +174,7 @@ pub const UNWARP_2: f32 = 0.0392082;
 /// negative.
 #[inline(always)]
 pub fn basis(n: Vec3) -> (Vec3, Vec3) {
-    let sign = if is_negative(n.z) { -1.0 } else { 1.0 };
+    let sign = with_sign(1.0, n.z);
     let a = -1.0 / (sign + n.z);
     let b = (n.x * n.y) * a;
     (
@@ -204,14 +203,6 @@ fn unwarp<const ANGLE_BITS: u32>(w: f32) -> f32 {
     v + (w - warp(v)) * (core::f32::consts::FRAC_2_PI * 2.0) / (1.0 + u)
 }
 
-/// `v` scaled by a power of two to an L1 norm of 1 to 2; +0 where it has no usable direction.
-#[inline(always)]
-fn scaled(v: Vec3) -> Vec3 {
-    let norm = l1_norm(v);
-    let (v, norm) = if is_usable(norm) { (v, norm) } else { (Vec3::ZERO, 1.0) };
-    scaled_to_one(v, norm)
-}
-
 /// The code of the angle of `tangent` about the decoded normal `n`.
 ///
 /// A tangent must have more of its L1 norm left in the plane than the part `parallel`, along both axes together. For one
@@ -219,33 +210,39 @@ fn scaled(v: Vec3) -> Vec3 {
 #[inline(always)]
 fn angle_code<const ANGLE_BITS: u32>(n: Vec3, tangent: Vec3, parallel: f32) -> u32 {
     let (first, second) = basis(n);
-    let tangent = scaled(tangent);
     let (x, y) = (dot(tangent, first), dot(tangent, second));
+    let norm = l1_norm(tangent);
     let sum = x.abs() + y.abs();
-    let usable = sum > parallel * l1_norm(tangent);
+    let usable = is_usable(norm) && sum > parallel * norm;
 
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
-    let (left, below) = (is_negative(x), is_negative(y));
-    let odd = left != below;
-    let w = negate_if(odd, y.abs() - x.abs()) / if usable { sum } else { 1.0 };
+    let below = y.to_bits() & SIGN_BIT;
+    let odd = (x.to_bits() & SIGN_BIT) ^ below;
+    let w = flip(y.abs() - x.abs(), odd) / sum;
 
-    let position = ((1 << (ANGLE_BITS - 3)) as f32) * (unwarp::<ANGLE_BITS>(w) + 1.0);
-    let (half_turn, quarter_turn) = (if below { 2 } else { 0 }, if odd { 1 } else { 0 });
-    let quarters = (half_turn + quarter_turn) << (ANGLE_BITS - 2);
+    let half_places = (1 << (ANGLE_BITS - 3)) as f32;
+    let place = half_places * (unwarp::<ANGLE_BITS>(w) + 1.0) + TWO_23;
+    let quarters = (below >> (32 - ANGLE_BITS)) | (odd >> (33 - ANGLE_BITS));
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
-    let code = (quarters + whole_to_u32(floor(position + 0.5))) & mask(ANGLE_BITS);
+    let code = quarters.wrapping_add(place.to_bits()) & mask(ANGLE_BITS);
     if usable { code } else { 0 }
+}
+
+/// `-x` where `sign` is the sign bit, `x` where it is 0.
+#[inline(always)]
+fn flip(x: f32, sign: u32) -> f32 {
+    f32::from_bits(x.to_bits() ^ sign)
 }
 
 /// The place of an angle's code in the plane of the basis: a point of the diamond `|x| + |y| = 2`.
 #[inline(always)]
 fn diamond_point<const ANGLE_BITS: u32>(code: u32) -> Vec2 {
     let place = (code & mask(ANGLE_BITS - 2)) as f32;
-    let w = warp(place * (1.0 / (1 << (ANGLE_BITS - 3)) as f32) - 1.0);
-    let odd = code & (1 << (ANGLE_BITS - 2)) != 0;
-    let below = code & (1 << (ANGLE_BITS - 1)) != 0;
-    let w = negate_if(odd, w);
-    Vec2::new(negate_if(odd != below, 1.0 - w), negate_if(below, 1.0 + w))
+    let v = place * (1.0 / (1 << (ANGLE_BITS - 3)) as f32) - 1.0;
+    let odd = (code << (33 - ANGLE_BITS)) & SIGN_BIT;
+    let below = (code << (32 - ANGLE_BITS)) & SIGN_BIT;
+    let w = flip(warp(v), odd);
+    Vec2::new(flip(1.0 - w, odd ^ below), flip(1.0 + w, below))
 }
 
 /// The tangent of an angle's code, about the decoded normal `n`: of unit length to within 2 ULP.
@@ -265,10 +262,10 @@ fn handedness_code(handedness: f32) -> u32 {
     if handedness.to_bits().wrapping_sub(LEAST_NEGATIVE) < END - LEAST_NEGATIVE { 1 } else { 0 }
 }
 
-/// +1 for an even code, -1 for an odd one.
+/// -1 where bit 31 of a code is set, else +1.
 #[inline(always)]
 fn handedness(code: u32) -> f32 {
-    negate_if(code & 1 != 0, 1.0)
+    with_sign(1.0, f32::from_bits(code))
 }
 
 /// An upper bound of `sqrt(d^2 + e^2)`: steps of Heron's method from above stay above.
@@ -300,15 +297,16 @@ impl FrameCodec for Frame32 {
 
     #[inline(always)]
     fn encode(frame: Frame) -> u32 {
-        let normal = OctPrecise22::encode_vec3(frame.normal);
-        let angle = angle_code::<9>(Oct22::decode_vec3(normal), frame.tangent, 1.0 / 256.0);
-        normal | (angle << 22) | (handedness_code(frame.handedness) << 31)
+        let m = snorm_max(11);
+        let e = lattice_precise(frame.normal, m);
+        let angle = angle_code::<9>(from_lattice(e, m), frame.tangent, 1.0 / 256.0);
+        nearest_pair(e, 11) | (angle << 22) | (handedness_code(frame.handedness) << 31)
     }
 
     #[inline(always)]
     fn decode(code: u32) -> Frame {
         let normal = Oct22::decode_vec3(code);
-        Frame { normal, tangent: tangent::<9>(normal, code >> 22), handedness: handedness(code >> 31) }
+        Frame { normal, tangent: tangent::<9>(normal, code >> 22), handedness: handedness(code) }
     }
 }
 
@@ -318,14 +316,6 @@ impl FrameCodec for Frame32 {
 /// error and 1 % of its maximum: the two floats that [`oct_wide`](crate::oct_wide) takes for more bits would not pay.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Frame64;
-
-impl Frame64 {
-    /// The unit vector of a normal's lattice point, given in 21 bits each.
-    #[inline(always)]
-    fn normal(x: u32, y: u32) -> Vec3 {
-        from_lattice(Vec2::new(snorm_integer(x, 21), snorm_integer(y, 21)), snorm_max(21))
-    }
-}
 
 impl FrameCodec for Frame64 {
     const BITS: u32 = 64;
@@ -337,16 +327,18 @@ impl FrameCodec for Frame64 {
 
     #[inline(always)]
     fn encode(frame: Frame) -> [u32; 2] {
-        let e = lattice_precise(frame.normal, snorm_max(21));
-        let (x, y) = (signed_code(e.x, 21), signed_code(e.y, 21));
-        let angle = angle_code::<21>(Self::normal(x, y), frame.tangent, 1.0 / 262_144.0);
+        let m = snorm_max(21);
+        let e = lattice_precise(frame.normal, m);
+        let angle = angle_code::<21>(from_lattice(e, m), frame.tangent, 1.0 / 262_144.0);
+        let (x, y) = (nearest_code(e.x, 21), nearest_code(e.y, 21));
         [x | (y << 21), (y >> 11) | (angle << 10) | (handedness_code(frame.handedness) << 31)]
     }
 
     #[inline(always)]
     fn decode([low, high]: [u32; 2]) -> Frame {
-        let normal = Self::normal(low, (low >> 21) | (high << 11));
-        Frame { normal, tangent: tangent::<21>(normal, high >> 10), handedness: handedness(high >> 31) }
+        let e = Vec2::new(snorm_integer(low, 21), snorm_integer((low >> 21) | (high << 11), 21));
+        let normal = from_lattice(e, snorm_max(21));
+        Frame { normal, tangent: tangent::<21>(normal, high >> 10), handedness: handedness(high) }
     }
 }
 

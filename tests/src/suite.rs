@@ -146,7 +146,8 @@ pub fn length_does_not_matter(codec: &Tested) {
 }
 
 /// Components that are -0 or a denormal count as +0, however small the vector, and beside a tie between two steps too: it is
-/// not left to a device's treatment of them.
+/// not left to a device's treatment of them. Where an octahedron is unfolded, their sign may choose between two points of
+/// the square's border, which decode to the same vector.
 pub fn denormals_count_as_zero(codec: &Tested) {
     let flush = |c: f32| if c.is_subnormal() || c == 0.0 { 0.0 } else { c };
     let flushed = |v: [f32; 3]| v.map(flush);
@@ -154,10 +155,12 @@ pub fn denormals_count_as_zero(codec: &Tested) {
         .into_iter()
         .chain(ties(codec))
         .filter(|v| v.map(f32::to_bits) != flushed(*v).map(f32::to_bits));
+    let is_unfolded = codec.id.starts_with("oct") || codec.id.starts_with("eaoct");
     let mut count = 0;
     for v in odd {
         let [code, expected] = [v, flushed(v)].map(|v| codec.encode(Vec3::from_array(v)));
-        assert_eq!(code, expected, "{}: {v:?}", codec.id);
+        let is_mirrored = is_unfolded && codec.decode(code) == codec.decode(expected);
+        assert!(code == expected || is_mirrored, "{}: {v:?} {code:x?} {expected:x?}", codec.id);
         count += 1;
     }
     assert!(count > 10_000);

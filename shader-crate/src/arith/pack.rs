@@ -1,6 +1,7 @@
 //! Integers in the low bits of words.
 
 use super::{ONE_AND_A_HALF_2_23, whole_to_i32};
+use glam::Vec2;
 
 /// The low `bits` bits set. `bits` is 1 to 31.
 #[inline(always)]
@@ -28,4 +29,11 @@ pub fn nearest_code(x: f32, bits: u32) -> u32 {
 #[inline(always)]
 pub fn signed_integer(code: u32, bits: u32) -> f32 {
     ((code << (32 - bits)) as i32 >> (32 - bits)) as f32
+}
+
+/// The nearest whole numbers to those of `e`, as by [`nearest_code`], as one code: x in the low `bits` bits (at most 16), y
+/// in the next.
+#[inline(always)]
+pub fn nearest_pair(e: Vec2, bits: u32) -> u32 {
+    nearest_code(e.x, bits) | (nearest_code(e.y, bits) << bits)
 }

@@ -21,7 +21,6 @@ pub(crate) fn integer_part(x: f32) -> i32 {
 /// to a saturating sequence.
 #[inline(always)]
 pub fn whole_to_u32(whole: f32) -> u32 {
-    const TWO_23: f32 = 8_388_608.0;
     if cfg!(target_arch = "spirv") {
         integer_part(whole) as u32
     } else {
@@ -40,6 +39,9 @@ pub(crate) fn whole_to_i32(whole: f32) -> i32 {
         (whole + ONE_AND_A_HALF_2_23).to_bits().wrapping_sub(ONE_AND_A_HALF_2_23.to_bits()) as i32
     }
 }
+
+/// Sums of it and numbers of 0 to 2^23 have the unit as their last place, so that the low 23 bits are the number.
+pub(crate) const TWO_23: f32 = 8_388_608.0;
 
 /// Sums of it and numbers of at most 2^22 have the unit as their last place, so that they are whole; the low 22 bits are
 /// their two's complement.

@@ -4,6 +4,7 @@
 //! leave the rounding of ties open; here ties go away from zero.
 
 use super::{floor, integer_part, is_negative, mask, max, negate_if, signed_code, signed_integer};
+use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
 #[inline(always)]
@@ -53,6 +54,14 @@ pub fn snorm_decode(code: u32, bits: u32) -> f32 {
 #[inline(always)]
 pub fn snorm_integer(code: u32, bits: u32) -> f32 {
     max(signed_integer(code, bits), -snorm_max(bits))
+}
+
+/// The integers of a code of two snorms of `bits` bits (2 to 16): x in the low bits, y in the next.
+#[inline(always)]
+pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
+    let left = 32 - bits;
+    let (x, y) = ((code << left) as i32 >> left, (code << (left - bits)) as i32 >> left);
+    Vec2::new(max(x as f32, -snorm_max(bits)), max(y as f32, -snorm_max(bits)))
 }
 
 #[cfg(test)]

@@ -20,30 +20,30 @@
 //! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
 //!   where x or y is 0.
 
-use crate::arith::{
-    mask, max, normalize, round_symmetric, signed_code, snorm_integer, snorm_max, without_denormal,
-};
+use crate::arith::{max, nearest_pair, normalize, snorm_integers, snorm_max};
 use crate::codec::Codec;
-use crate::direction::upper_or_z;
+use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
 
-/// The lattice point of the direction of `v`: the nearest in the square (listing 6, then snorm rounding).
+/// Where `v` lies on the square `[-m, m]^2` (listing 6), `norm` the L1 norm of (x, y, |z|).
 #[inline(always)]
-pub fn lattice(v: Vec3, m: f32) -> Vec2 {
-    let (v, norm) = upper_or_z(v);
-    project(v, norm, m)
+pub(super) fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
+    let scale = m / norm;
+    Vec2::new((v.x + v.y) * scale, (v.x - v.y) * scale)
 }
 
-/// The lattice point of a vector with z >= 0 and an L1 norm of `norm`.
-///
-/// A denormal x or y counts as 0, since some devices flush it: beside another component near 2^-116, in a vector as
-/// short as may be, it might decide a rounding of their sum.
+/// The L1 norms of `v`, and of `v` with what lies below the equator moved up to it.
 #[inline(always)]
-pub(super) fn project(v: Vec3, norm: f32, m: f32) -> Vec2 {
-    let scale = m / norm;
-    let (x, y) = (without_denormal(v.x), without_denormal(v.y));
-    let (u, w) = ((x + y) * scale, (x - y) * scale);
-    Vec2::new(round_symmetric(u), round_symmetric(w))
+fn norms(v: Vec3) -> (f32, f32) {
+    let across = v.x.abs() + v.y.abs();
+    (across + v.z.abs(), across + max(v.z, 0.0))
+}
+
+/// True where both norms give a direction: the whole one, not the smaller, is not too large, that of the upper part not too
+/// small. The comparisons are of integers, since a GPU need not compare NaN as IEEE 754 says.
+#[inline(always)]
+fn is_usable(whole: f32, upper: f32) -> bool {
+    whole.to_bits() < MAX_NORM.to_bits() && upper.to_bits() >= MIN_NORM.to_bits()
 }
 
 /// The direction of a lattice point (listing 6): unit length to within 2 ULP, z >= 0, since `|x| + |y|` is twice the
@@ -73,14 +73,13 @@ impl<const BITS: u32> Codec for HemiOct<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        let e = lattice(v, snorm_max(BITS / 2));
-        signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+        let (whole, upper) = norms(v);
+        let code = nearest_pair(position(v, upper, snorm_max(BITS / 2)), BITS / 2);
+        if is_usable(whole, upper) { code } else { 0 }
     }
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        let u = snorm_integer(code & mask(BITS / 2), BITS / 2);
-        let v = snorm_integer(code >> (BITS / 2), BITS / 2);
-        from_lattice(Vec2::new(u, v), snorm_max(BITS / 2))
+        from_lattice(snorm_integers(code, BITS / 2), snorm_max(BITS / 2))
     }
 }

@@ -6,7 +6,8 @@ pub mod oct;
 pub mod oct_wide;
 pub mod soct;
 
-use crate::arith::{is_negative, mask, signed_code, snorm_integer};
+use crate::arith::{is_negative, nearest_pair, snorm_integers};
+use crate::direction::is_usable;
 use glam::Vec2;
 use oct::{snorm12x2_to_unorm8x3, unorm8x3_to_snorm12x2};
 
@@ -17,20 +18,30 @@ fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
     if is_negative(z) { (m - y, m - x) } else { (x, y) }
 }
 
-/// The code of a lattice point.
+/// The code of the lattice point nearest to `e`, of two of them the one whose components are even (odd for 24 bits).
 #[inline(always)]
 fn pack<const BITS: u32>(e: Vec2) -> u32 {
-    if BITS == 24 {
-        return snorm12x2_to_unorm8x3(e);
-    }
-    signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+    if BITS == 24 { snorm12x2_to_unorm8x3(e) } else { nearest_pair(e, BITS / 2) }
+}
+
+/// [`pack`] of `e`, or the code of +Z where a vector of this L1 norm has no direction: to select here takes the fewest
+/// operations.
+#[inline(always)]
+fn usable_code<const BITS: u32>(norm: f32, e: Vec2) -> u32 {
+    let code = pack::<BITS>(e);
+    if is_usable(norm) { code } else { Z::<BITS>::CODE }
+}
+
+/// The code of +Z.
+struct Z<const BITS: u32>;
+
+impl<const BITS: u32> Z<BITS> {
+    /// (0, 0); in 24 bits both components are 2047.
+    const CODE: u32 = if BITS == 24 { 0xff_f77f } else { 0 };
 }
 
 /// The lattice point of a code.
 #[inline(always)]
 fn unpack<const BITS: u32>(code: u32) -> Vec2 {
-    if BITS == 24 {
-        return unorm8x3_to_snorm12x2(code);
-    }
-    Vec2::new(snorm_integer(code & mask(BITS / 2), BITS / 2), snorm_integer(code >> (BITS / 2), BITS / 2))
+    if BITS == 24 { unorm8x3_to_snorm12x2(code) } else { snorm_integers(code, BITS / 2) }
 }

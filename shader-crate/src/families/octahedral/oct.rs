@@ -38,39 +38,40 @@
 //!   along that edge. The four corners are all -Z.
 //! * Good for: almost anything. Weakness: codes jump at the folds, so that they cannot be filtered across `z = 0`.
 
-use super::{fold, pack, unpack};
-use crate::arith::{exp2, floor, is_negative, max, negate_if, normalize, signed_code, snorm_max};
+use super::{fold, unpack, usable_code};
+use crate::arith::{TWO_23, floor, max, min, normalize, snorm_max, with_sign};
 use crate::codec::Codec;
-use crate::direction::{is_usable, l1_norm, or_z};
+use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
-/// The lattice point of the direction of `v` (listing 1, then snorm rounding): the nearest one in the square.
+/// Where `v`, of the L1 norm `norm`, lies on the square `[-m, m]^2` (listing 1).
 ///
-/// Rounds in the positive octant, where all signs are equal, so that mirrored directions get mirrored codes.
+/// Below the equator x is folded to `m - |y| s`, with `s = m / norm`. Since `norm` is `|x| + |y| + |z|`, that is
+/// `(|x| + |z|) s`. Signs are those of the bits: a component of -0 gives, below the equator, the mirrored point of the
+/// square's border, which stands for the same direction.
 #[inline(always)]
-pub fn lattice(v: Vec3, m: f32) -> Vec2 {
-    let (v, norm) = or_z(v);
+pub fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let scale = m / norm;
-    let (x, y) = (v.x.abs() * scale, v.y.abs() * scale);
-    let (x, y) = fold(v.z, x, y, m);
-    Vec2::new(negate_if(is_negative(v.x), floor(x + 0.5)), negate_if(is_negative(v.y), floor(y + 0.5)))
+    let below = max(-v.z, 0.0);
+    Vec2::new(with_sign((v.x.abs() + below) * scale, v.x), with_sign((v.y.abs() + below) * scale, v.y))
 }
 
-/// The lattice point of the direction of `v` that is nearest in angle: of the four corners of its cell, as in
-/// listing 3, which the nearest of all points is among.
-///
-/// Components count as at least 2^-26 of the norm, so that denormals, which some devices flush and which are less, break
-/// no ties. Without a usable direction, all is computed and then dropped: to select here takes fewer operations than in
-/// `v`.
+/// The lattice point that is nearest in angle to the direction of `v`, of the L1 norm `norm`: of the four corners of its
+/// cell, as in listing 3, which the nearest of all points is among.
+#[inline(always)]
+fn precise_point(v: Vec3, norm: f32, m: f32) -> Vec2 {
+    let p = v.abs() * (m / norm);
+    let nearest = if m < FEW { searched_corner(p, m) } else { nearest_corner(p, m) };
+    let (x, y) = fold(v.z, nearest.x, nearest.y, m);
+    Vec2::new(with_sign(x, v.x), with_sign(y, v.y))
+}
+
+/// The lattice point that is nearest in angle to the direction of `v`; (0, 0), which is +Z, where it has none.
 #[inline(always)]
 pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
     let norm = l1_norm(v);
-    let (p, least) = (v.abs() * (m / norm), m * LEAST_PART);
-    let p = Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least));
-    let nearest = if m < FEW { searched_corner(p, m) } else { nearest_corner(p, m) };
-    let (x, y) = fold(v.z, nearest.x, nearest.y, m);
-    let (x, y) = if is_usable(norm) { (x, y) } else { (0.0, 0.0) };
-    Vec2::new(negate_if(is_negative(v.x), x), negate_if(is_negative(v.y), y))
+    let e = precise_point(v, norm, m);
+    if is_usable(norm) { e } else { Vec2::ZERO }
 }
 
 /// The direction of a lattice point (listing 2, in Stubbe's branch-light form): unit length to within 2 ULP.
@@ -79,9 +80,8 @@ pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let z = m - e.x.abs() - e.y.abs();
-    let below = if z < 0.0 { -z } else { 0.0 };
-    let x = e.x + negate_if(e.x >= 0.0, below);
-    let y = e.y + negate_if(e.y >= 0.0, below);
+    let below = max(-z, 0.0);
+    let (x, y) = (e.x - with_sign(below, e.x), e.y - with_sign(below, e.y));
     normalize(Vec3::new(x, y, z))
 }
 
@@ -170,9 +170,6 @@ fn searched_corner(p: Vec3, m: f32) -> Vec2 {
 /// Squares of fewer steps than this (up to 12 bits) are so coarse that [`weighed`] no longer finds the nearest corner.
 const FEW: f32 = 63.0;
 
-/// 2^-26, that of the largest denormal in the shortest usable vector.
-const LEAST_PART: f32 = exp2(-26);
-
 /// Squares of fewer steps than this (14 to 18 bits) take [`weighed`], others (20 to 24 bits) [`approached`].
 const SMALL: f32 = 256.0;
 
@@ -206,8 +203,7 @@ fn projected(q: Vec2, p: Vec3, middle: Vec2, m: f32) -> Vec2 {
 fn weighed(a: f32, b: f32, cross: f32, q: Vec2, at: Vec2, m: f32) -> (f32, f32) {
     let minus_z = at.x + at.y;
     let z_squared = minus_z * minus_z;
-    let over = (a + b).abs() - cross;
-    let over = if over > 0.0 { over } else { 0.0 };
+    let over = max((a + b).abs() - cross, 0.0);
     let n = ((a * q.x + b * q.y) + (0.25 * z_squared + 0.5)) - over;
     let half_s = z_squared + (0.5 + cross);
     let u = n * ((1.5 / m) / half_s);
@@ -223,25 +219,26 @@ fn approached(q: Vec2, at: Vec2, m: f32) -> Vec2 {
     Vec2::new(q.x + at.x * (0.3795 / m), q.y + at.y * (0.3795 / m))
 }
 
-/// Packs a lattice point of the 24-bit format (`m` = 2047) into three bytes, the first in the low bits.
+/// 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
+const BIAS: f32 = TWO_23 + 2047.0;
+
+/// Packs the lattice point nearest to `e` in the 24-bit format (`m` = 2047) into three bytes, the first in the low bits.
 ///
 /// The bytes are those of listing 5, which takes them for an RGB8 texture: with `u = x + 2047` and `v = y + 2047` of 12 bits each,
-/// `u >> 4`, `(u & 15) << 4 | v >> 8` and `v & 255`.
+/// `u >> 4`, `(u & 15) << 4 | v >> 8` and `v & 255`. That is u and v in 24 bits, the highest byte first.
 #[inline(always)]
 pub fn snorm12x2_to_unorm8x3(e: Vec2) -> u32 {
-    let u = signed_code(e.x + 2047.0, 12);
-    let v = signed_code(e.y + 2047.0, 12);
-    (u >> 4) | ((u & 15) << 12) | (v & 0xf00) | ((v & 255) << 16)
+    let both = ((e.x + BIAS).to_bits() << 12).wrapping_add((e.y + BIAS).to_bits());
+    ((both >> 16) & 255) | (both & 0xff00) | ((both & 255) << 16)
 }
 
 /// The lattice point of three bytes as [`snorm12x2_to_unorm8x3`] packs them. The pattern 4095 of a component, which
 /// encoding never writes, counts as 4094 (+1).
 #[inline(always)]
 pub fn unorm8x3_to_snorm12x2(code: u32) -> Vec2 {
-    let u = ((code & 255) << 4) | ((code >> 12) & 15);
-    let v = (code & 0xf00) | ((code >> 16) & 255);
-    let (x, y) = (u as f32 - 2047.0, v as f32 - 2047.0);
-    Vec2::new(if x > 2047.0 { 2047.0 } else { x }, if y > 2047.0 { 2047.0 } else { y })
+    let both = ((code & 255) << 16) | (code & 0xff00) | ((code >> 16) & 255);
+    let (u, v) = ((both >> 12) | TWO_23.to_bits(), (both & 0xfff) | TWO_23.to_bits());
+    Vec2::new(min(f32::from_bits(u) - BIAS, 2047.0), min(f32::from_bits(v) - BIAS, 2047.0))
 }
 
 /// `radians_times_m` at this width in degrees, and what the rounding of the position in f32 (at most 2^-21 of the
@@ -261,7 +258,8 @@ impl<const BITS: u32> Codec for Oct<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        pack::<BITS>(lattice(v, snorm_max(BITS / 2)))
+        let norm = l1_norm(v);
+        usable_code::<BITS>(norm, position(v, norm, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]
@@ -282,7 +280,8 @@ impl<const BITS: u32> Codec for OctPrecise<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        pack::<BITS>(lattice_precise(v, snorm_max(BITS / 2)))
+        let norm = l1_norm(v);
+        usable_code::<BITS>(norm, precise_point(v, norm, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]

@@ -26,26 +26,30 @@
 //! * Each direction of the equator has two codes, one with either sign; both decode to z = 0. Encoding gives z = 0 the
 //!   sign 0, and a small negative z that rounds to 0 the sign 1.
 
-use super::hemioct::{error_bound, from_lattice, project};
-use crate::arith::{is_negative, mask, negate_positive, signed_code, snorm_integer, snorm_max};
+use super::hemioct::{error_bound, position};
+use crate::arith::{
+    SIGN_BIT, is_negative, max, nearest_pair, normalize, snorm_integers, snorm_max, with_sign,
+};
 use crate::codec::Codec;
-use crate::direction::or_z;
-use glam::{Vec2, Vec3};
+use crate::direction::{is_usable, l1_norm};
+use glam::Vec3;
 
-/// The codes of u and v, of `bits` bits each, and the sign, of the direction of `v`.
+/// The code of u and v, of `bits` bits each, of the direction of `v` of this L1 norm.
 #[inline(always)]
-fn parts(v: Vec3, bits: u32) -> (u32, u32, u32) {
-    let (v, norm) = or_z(v);
-    let e = project(Vec3::new(v.x, v.y, v.z.abs()), norm, snorm_max(bits));
-    (signed_code(e.x, bits), signed_code(e.y, bits), if is_negative(v.z) { 1 } else { 0 })
+fn pair(v: Vec3, norm: f32, bits: u32) -> u32 {
+    nearest_pair(position(v, norm, snorm_max(bits)), bits)
 }
 
-/// The direction of the codes of u and v, of `bits` bits each, and the sign: unit length to within 2 ULP.
+/// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31: unit length to within 2 ULP.
+///
+/// z is the difference of two numbers that both have the sign: 0 has none then.
 #[inline(always)]
-fn from_parts(u: u32, v: u32, sign: u32, bits: u32) -> Vec3 {
-    let e = Vec2::new(snorm_integer(u, bits), snorm_integer(v, bits));
-    let up = from_lattice(e, snorm_max(bits));
-    Vec3::new(up.x, up.y, negate_positive(sign & 1 != 0, up.z))
+fn from_parts(code: u32, sign_bit: u32, bits: u32) -> Vec3 {
+    let e = snorm_integers(code, bits);
+    let below = f32::from_bits(sign_bit & SIGN_BIT);
+    let across = 2.0 * max(e.x.abs(), e.y.abs());
+    let z = with_sign(2.0 * snorm_max(bits), below) - with_sign(across, below);
+    normalize(Vec3::new(e.x + e.y, e.x - e.y, z))
 }
 
 /// Signed octahedral code of `BITS` bits (17 or 25).
@@ -59,14 +63,14 @@ impl<const BITS: u32> Codec for SOct<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        let (u, w, sign) = parts(v, BITS / 2);
-        u | (w << (BITS / 2)) | (sign << (BITS - 1))
+        let norm = l1_norm(v);
+        let code = pair(v, norm, BITS / 2) | if is_negative(v.z) { 1 << (BITS - 1) } else { 0 };
+        if is_usable(norm) { code } else { 0 }
     }
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        let half = mask(BITS / 2);
-        from_parts(code & half, (code >> (BITS / 2)) & half, code >> (BITS - 1), BITS / 2)
+        from_parts(code, code << (32 - BITS), BITS / 2)
     }
 }
 
@@ -81,12 +85,13 @@ impl Codec for SOct33 {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> [u32; 2] {
-        let (u, w, sign) = parts(v, 16);
-        [u | (w << 16), sign]
+        let norm = l1_norm(v);
+        let code = [pair(v, norm, 16), if is_negative(v.z) { 1 } else { 0 }];
+        if is_usable(norm) { code } else { [0, 0] }
     }
 
     #[inline(always)]
     fn decode_vec3([low, high]: [u32; 2]) -> Vec3 {
-        from_parts(low & 0xffff, low >> 16, high, 16)
+        from_parts(low, high << 31, 16)
     }
 }
