@@ -1,11 +1,12 @@
 use super::table::{Layout, Wide, left, right, wrapped};
 use super::{Vulkan, chosen_formats, counts, print, progress, status_after_validation, to_json};
 use clap::Args;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind, Gpu, KernelSource};
-use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Row};
+use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row};
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, glsl, mesh, output};
 
@@ -66,11 +67,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         Ok(backends)
     };
 
+    let rounding = open()?
+        .iter_mut()
+        .map(|(kind, backend)| Ok((*kind, Rounding::of(backend.as_mut())?)))
+        .collect::<Result<Roundings>>()?;
     let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
     let columns = arguments.wide.columns()?;
     let table = table(columns);
     if !to_stdout {
-        print(&(heading(device.info(), &options, columns) + &table.heading()))?;
+        print(&(heading(device.info(), &options, &rounding, columns) + &table.heading()))?;
     }
     let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
     let work = plans.iter().map(Plan::work).sum();
@@ -99,7 +104,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         random_directions: options.count,
         all_codes_up_to: options.all_codes_up_to,
         glsl_compared: cfg!(feature = "glsl"),
-        agreed: rows.iter().all(Row::agrees),
+        agreed: rows.iter().all(Row::agrees) && is_nearest(&rounding),
+        rounding,
         rows,
     };
     if let Some(path) = &arguments.json {
@@ -122,10 +128,12 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
     Ok(normals)
 }
 
-fn heading(device: &DeviceInfo, options: &Options, columns: Option<usize>) -> String {
+fn heading(device: &DeviceInfo, options: &Options, rounding: &Roundings, columns: Option<usize>) -> String {
+    let sums = if is_nearest(rounding) { "rounded to nearest" } else { "not rounded to nearest" };
     let text = format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), {} mesh normals, special vectors; {}\n\
+         sums, by which encoders round: {sums}\n\
          diff: codes and vectors that differ from the CPU's in any bit\n\n",
         device.name,
         device.kind,
@@ -137,6 +145,13 @@ fn heading(device: &DeviceInfo, options: &Options, columns: Option<usize>) -> St
         codes_covered(options.all_codes_up_to, options.count),
     );
     wrapped(&text, "    ", columns)
+}
+
+/// How each backend rounds.
+type Roundings = BTreeMap<BackendKind, Rounding>;
+
+fn is_nearest(rounding: &Roundings) -> bool {
+    rounding.values().all(|rounding| *rounding == Rounding::Nearest)
 }
 
 fn table(columns: Option<usize>) -> Layout {
@@ -197,6 +212,14 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
              ({})\n",
             report.rows.len(),
             codes_covered(report.all_codes_up_to, report.random_directions),
+        );
+    }
+    let wrong = report.rounding.iter().find(|(_, rounding)| **rounding != Rounding::Nearest);
+    if let Some((kind, rounding)) = wrong {
+        let how = if *rounding == Rounding::Down { "down" } else { "in a way of its own" };
+        return format!(
+            "\nconform: FAIL: sums are not rounded to nearest on this device ({kind}: {how}), which encoders need: codes \
+             are up to a step off\n"
         );
     }
     let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id).collect();

@@ -2,9 +2,11 @@
 //! that from GLSL; and how large the error is.
 
 mod plan;
+mod rounding;
 mod workers;
 
 pub use plan::Plan;
+pub use rounding::Rounding;
 pub use workers::run;
 
 use crate::Result;
@@ -41,7 +43,9 @@ pub struct Report {
     pub all_codes_up_to: u32,
     /// False where the build had no GLSL compiler, so that only SPIR-V from Rust was compared with the CPU.
     pub glsl_compared: bool,
-    /// True if no row has a mismatch.
+    /// How each backend rounds sums, which many encoders turn positions into codes by.
+    pub rounding: BTreeMap<BackendKind, Rounding>,
+    /// True if no row has a mismatch and all backends round sums to nearest.
     pub agreed: bool,
     /// One row a codec.
     pub rows: Vec<Row>,
