@@ -5,7 +5,7 @@
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
-//! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`choose`]: what to take.
+//! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs, [`isa`]: as compilers count them. [`choose`]: what to take.
 //! * [`loss`]: errors over the vectors of files.
 //! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
 
@@ -19,6 +19,7 @@ pub mod conform;
 mod error;
 pub mod glsl;
 pub mod input;
+pub mod isa;
 pub mod loss;
 pub mod manifest;
 pub mod measure;

@@ -4,7 +4,6 @@
 use super::buffer::{Buffer, Place};
 use super::{Device, Error, Named, spirv};
 use ash::vk;
-use std::ffi::CString;
 use std::rc::Rc;
 use std::sync::{Arc, PoisonError};
 
@@ -44,10 +43,10 @@ struct Dispatch<'a> {
 }
 
 /// The interface that all kernels share.
-struct Layout {
+pub(super) struct Layout {
     set: vk::DescriptorSetLayout,
-    pipeline: vk::PipelineLayout,
-    device: Arc<Device>,
+    pub(super) pipeline: vk::PipelineLayout,
+    pub(super) device: Arc<Device>,
 }
 
 /// Runs kernels on a device: two buffers, in and out, staged where the host does not see the device's memory.
@@ -403,7 +402,7 @@ impl Drop for Runner {
 }
 
 impl Layout {
-    fn new(device: &Arc<Device>) -> Result<Self, Error> {
+    pub(super) fn new(device: &Arc<Device>) -> Result<Self, Error> {
         let binding = vk::DescriptorSetLayoutBinding::default()
             .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
             .descriptor_count(1)
@@ -443,15 +442,7 @@ impl Kernel {
         entry_point: &str,
         table: Option<Table>,
     ) -> Result<Self, Error> {
-        let not_spirv =
-            |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
-        let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
-            .map_err(|error| not_spirv(&error.to_string()))?;
-        if let Some(reason) = spirv::objection(&words, entry_point) {
-            return Err(not_spirv(reason));
-        }
-        let name =
-            CString::new(entry_point).map_err(|_| not_spirv("the entry point's name contains a NUL"))?;
+        let (words, name) = spirv::checked(spirv, entry_point)?;
         let device = &layout.device.raw;
 
         let create = vk::ShaderModuleCreateInfo::default().code(&words);
