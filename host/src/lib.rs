@@ -5,6 +5,7 @@
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
+//! * [`textbook`]: what people write today, to measure against.
 //! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`choose`]: what to take.
 //! * [`loss`]: errors over the vectors of files.
 //! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
@@ -27,6 +28,7 @@ pub mod modules;
 pub mod output;
 pub mod sampling;
 pub mod stream;
+pub mod textbook;
 pub mod vulkan;
 
 pub use error::{Error, Result};
