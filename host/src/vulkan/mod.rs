@@ -16,7 +16,7 @@ mod spirv;
 pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;
 pub use instance::Instance;
-pub use kernel::{GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
+pub use kernel::{Buffers, GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
 
 use ash::vk;
 
