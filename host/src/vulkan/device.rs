@@ -88,7 +88,7 @@ pub struct Device {
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     /// What a timestamp means; `None` if the queue has none.
     pub(super) timestamps: Option<Timestamps>,
-    /// The most vectors of one dispatch: by workgroups, and by buffer size.
+    /// The most vectors of one dispatch, whole groups: by workgroups, and by buffer size.
     pub(super) max_vectors: usize,
     info: DeviceInfo,
     instance: Arc<Instance>,
@@ -175,7 +175,7 @@ impl Device {
             (timestamp_bits > 0).then(|| Timestamps::new(timestamp_bits, limits.timestamp_period));
         let max_vectors = (limits.max_compute_work_group_count[0] as usize)
             .saturating_mul(GROUP * WORKGROUP)
-            .min(limits.max_storage_buffer_range as usize / MAX_ELEMENT);
+            .min(limits.max_storage_buffer_range as usize / (GROUP * MAX_ELEMENT) * GROUP);
         let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
             raw,
