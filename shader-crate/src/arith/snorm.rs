@@ -1,9 +1,9 @@
 //! Normalised fixed point: unorm of 1 to 23 bits, snorm of 2 to 22.
 //!
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
-//! leave the rounding of ties open; here ties go away from zero.
+//! leave the rounding of ties open; here the ties of unorm go up, and those of snorm to the even integer.
 
-use super::{floor, integer_part, is_negative, mask, max, negate_if, signed_code, signed_integer};
+use super::{integer_part, mask, max, nearest_code, signed_integer, with_sign};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -39,8 +39,7 @@ pub fn unorm_decode(code: u32, bits: u32) -> f32 {
 pub fn snorm_encode(r: f32, bits: u32) -> u32 {
     let magnitude = if r.abs() > 0.0 { r.abs() } else { 0.0 };
     let clamped = if magnitude < 1.0 { magnitude } else { 1.0 };
-    let rounded = floor(clamped * snorm_max(bits) + 0.5);
-    signed_code(negate_if(is_negative(r), rounded), bits)
+    nearest_code(with_sign(clamped * snorm_max(bits), r), bits)
 }
 
 /// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 24) are
