@@ -37,3 +37,30 @@ pub fn signed_integer(code: u32, bits: u32) -> f32 {
 pub fn nearest_pair(e: Vec2, bits: u32) -> u32 {
     nearest_code(e.x, bits) | (nearest_code(e.y, bits) << bits)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the standard library's rounding, of quarters and their neighbours.
+    #[test]
+    fn the_nearest_whole_number_is_the_even_one_of_two() {
+        for bits in [8, 11, 16, 21] {
+            let most = 1 << (bits - 1);
+            for quarter in (-4 * most..=4 * most - 4).step_by(if bits > 16 { 1021 } else { 1 }) {
+                let exact = quarter as f32 / 4.0;
+                for x in [exact.next_down(), exact, exact.next_up()] {
+                    let expected = x.round_ties_even() as i32 as u32 & mask(bits);
+                    assert_eq!(nearest_code(x, bits), expected, "{x} in {bits} bits");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pairs_are_codes_side_by_side() {
+        assert_eq!(nearest_pair(Vec2::new(-1.25, 2.75), 16), 0x0003_ffff);
+        assert_eq!(nearest_pair(Vec2::new(-1.25, 2.75), 11), 0x1fff);
+        assert_eq!(nearest_pair(Vec2::new(-0.0, -127.0), 8), 0x8100);
+    }
+}
