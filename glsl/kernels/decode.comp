@@ -1,9 +1,13 @@
 // Decodes four codes an invocation. The compiler is given DECODE, the codec's function, BYTES, its code's size, and FRAME
-// for codecs of frames (normal, tangent, handedness).
+// for codecs of frames (normal, tangent, handedness). With TEXTBOOK the function is one of textbook.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
+#ifdef TEXTBOOK
+#include "../textbook/textbook.glsl"
+#else
 #include "../unitvec/unitvec.glsl"
+#endif
 #include "words.glsl"
 
 uint[WRITTEN] convert(uint r[READ]) {

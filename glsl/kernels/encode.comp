@@ -1,11 +1,15 @@
 // Encodes four vectors or frames an invocation. The compiler is given ENCODE, the codec's function, BYTES, its code's size,
 // FRAME for codecs of frames (normal, tangent, handedness), and TABLE where the codec encodes by the table of
-// best_fit.glsl.
+// best_fit.glsl. With TEXTBOOK the function is one of textbook.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
 #include "table.glsl"
+#ifdef TEXTBOOK
+#include "../textbook/textbook.glsl"
+#else
 #include "../unitvec/unitvec.glsl"
+#endif
 #include "words.glsl"
 
 vec3 vector(uint w[READ], int first) {

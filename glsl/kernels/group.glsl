@@ -3,6 +3,9 @@
 // words to write of those that were read.
 
 layout(local_size_x = 64) in;
+// Not 0: the caller promises buffers of whole groups, at least of `vectors` of what they hold, so that no group and no
+// buffer is looked at.
+layout(constant_id = 0) const uint whole_groups = 0u;
 layout(push_constant) uniform Count { uint vectors; };
 layout(set = 0, binding = 0) readonly buffer Input { uint words_in[]; };
 layout(set = 0, binding = 1) writeonly buffer Output { uint words_out[]; };
@@ -38,12 +41,17 @@ void store(uint w[WRITTEN], uint group, uint count) {
     }
 }
 
-void main() {
-    uint group = gl_GlobalInvocationID.x;
+// How many of a group's four there are in both buffers, of those that the host asks for: none, where there is nothing to do.
+uint here(uint group) {
+    uint first = group * 4u;
+    if (whole_groups != 0u) return first < vectors ? 4u : 0u;
     uint held = min(uint(words_in.length()) * 4u / READ, uint(words_out.length()) * 4u / WRITTEN);
     uint number = min(vectors, held);
-    if (group * 4u < number && HAS_TABLE) {
-        uint here = number - group * 4u;
-        store(convert(load(group, here)), group, here);
-    }
+    return first < number ? number - first : 0u;
+}
+
+void main() {
+    uint group = gl_GlobalInvocationID.x;
+    uint count = here(group);
+    if (count > 0u && HAS_TABLE) store(convert(load(group, count)), group, count);
 }

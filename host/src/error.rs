@@ -1,3 +1,4 @@
+use crate::isa::radv;
 use crate::{catalogue, glsl, input, mesh, modules, vulkan};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -20,6 +21,9 @@ pub enum Error {
     /// See [`glsl::Error`].
     #[error(transparent)]
     Glsl(#[from] glsl::Error),
+    /// See [`radv::Error`].
+    #[error(transparent)]
+    Radv(#[from] radv::Error),
     /// See [`mesh::MeshError`].
     #[error(transparent)]
     Mesh(#[from] mesh::MeshError),

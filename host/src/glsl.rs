@@ -7,8 +7,9 @@ mod glslang;
 #[path = "glsl/no_glslang.rs"]
 mod glslang;
 
-use crate::catalogue::{Element, Format, Operation};
+use crate::catalogue::{Element, Format, Operation, UnknownCodec};
 use crate::manifest;
+use crate::textbook::Textbook;
 use glslang::Glslang;
 
 /// GLSL that could not be compiled to SPIR-V.
@@ -25,6 +26,14 @@ pub enum Error {
     NoSource {
         /// Path in `glsl/`.
         file: String,
+    },
+    /// A function of `glsl/textbook/` has no codec.
+    #[error("glsl/textbook, {id}: {error}")]
+    NoCodec {
+        /// Identifier in [`TEXTBOOK`](crate::textbook::TEXTBOOK).
+        id: &'static str,
+        /// The codec that it names.
+        error: UnknownCodec,
     },
     /// glslang rejects the source.
     #[error("glsl/{file} does not compile for {kernel}: {error}")]
@@ -59,7 +68,20 @@ impl Compiler {
     /// [`Error::NoSource`] or [`Error::Rejected`].
     pub fn kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
-        self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation))
+        self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation, &function))
+    }
+
+    /// The SPIR-V of the kernel of a function of `glsl/textbook/`, optimised. An encoder by table, where the
+    /// [format](Textbook::format) says so, reads that of [`best_fit_table`](crate::textbook::best_fit_table).
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel), and [`Error::NoCodec`].
+    pub fn textbook_kernel(&self, textbook: &Textbook, operation: Operation) -> Result<Vec<u8>, Error> {
+        let format = textbook.format().map_err(|error| Error::NoCodec { id: textbook.id, error })?;
+        let function = textbook.function(operation);
+        let mut macros = macros(format, operation, &function);
+        macros.push(("TEXTBOOK".into(), "1".into()));
+        self.kernel_file(&format!("{operation}.comp"), &function, &macros)
     }
 
     /// The SPIR-V of the kernel that measures a codec's arithmetic.
@@ -68,7 +90,7 @@ impl Compiler {
     /// As [`kernel`](Self::kernel).
     pub fn cost_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
-        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation))
+        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation, &function))
     }
 
     /// The SPIR-V of the kernel that measures what the others do besides encoding or decoding.
@@ -84,7 +106,7 @@ impl Compiler {
     /// # Errors
     /// As [`kernel`](Self::kernel).
     pub fn copy_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
-        self.kernel_file("copy.comp", "copy", &macros(format, operation))
+        self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"))
     }
 
     /// The SPIR-V of the kernel that decodes two-byte codes by a table.
@@ -114,10 +136,10 @@ impl Compiler {
     }
 }
 
-/// The macros that the kernel files are compiled with.
-fn macros(format: Format, operation: Operation) -> Vec<(String, String)> {
+/// The macros that the kernel files are compiled with for a function of this format.
+fn macros(format: Format, operation: Operation, function: &str) -> Vec<(String, String)> {
     let mut macros = vec![
-        (operation.to_string().to_uppercase(), format.function(operation)),
+        (operation.to_string().to_uppercase(), function.to_owned()),
         ("BYTES".into(), format.bytes.to_string()),
     ];
     if format.element == Element::Frame {

@@ -5,7 +5,9 @@
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
-//! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`choose`]: what to take.
+//! * [`textbook`]: what people write today, to measure against.
+//! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`isa`]: what compilers make of the
+//!   kernels. [`choose`]: what to take.
 //! * [`loss`]: errors over the vectors of files.
 //! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
 
@@ -19,6 +21,7 @@ pub mod conform;
 mod error;
 pub mod glsl;
 pub mod input;
+pub mod isa;
 pub mod loss;
 pub mod manifest;
 pub mod measure;
@@ -27,6 +30,7 @@ pub mod modules;
 pub mod output;
 pub mod sampling;
 pub mod stream;
+pub mod textbook;
 pub mod vulkan;
 
 pub use error::{Error, Result};

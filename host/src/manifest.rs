@@ -114,6 +114,8 @@ pub struct Interface {
     pub bindings: Vec<Binding>,
     /// Push constants, for the compute stage.
     pub push_constants: Vec<PushConstant>,
+    /// Specialization constants: values of the pipeline (VkSpecializationInfo), where the defaults are not wanted.
+    pub specialization_constants: Vec<SpecializationConstant>,
 }
 
 /// A buffer.
@@ -189,6 +191,22 @@ pub enum Constant {
     Count,
     /// How often each is encoded or decoded.
     Repetitions,
+}
+
+/// A specialization constant.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpecializationConstant {
+    /// Its `constantID`.
+    pub id: u32,
+    /// Its name in the kernels' sources.
+    pub name: String,
+    /// Type: `u32`, four bytes.
+    pub r#type: String,
+    /// The value that it has without VkSpecializationInfo.
+    pub default: u32,
+    /// What its values mean.
+    pub meaning: String,
 }
 
 fn element_names(_: &mut SchemaGenerator) -> Schema {

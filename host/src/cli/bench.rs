@@ -1,6 +1,6 @@
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
 use super::{
-    Vulkan, chosen_formats, print, progress, reports_to_stdout, status_after_validation, to_csv, to_json,
+    Vulkan, chosen_formats, isa, print, progress, reports_to_stdout, status_after_validation, to_csv, to_json,
 };
 use clap::Args;
 use std::fmt::Write;
@@ -16,7 +16,7 @@ use unitvec_host::{Result, output};
 pub struct Arguments {
     /// Codec to measure, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID")]
-    codec: Vec<String>,
+    pub codec: Vec<String>,
     /// Vectors in a dispatch.
     #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(1..=4_000_000))]
     count: u32,
@@ -25,20 +25,25 @@ pub struct Arguments {
     samples: u32,
     /// Write the report as JSON as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    pub json: Option<PathBuf>,
     /// Write the rows as CSV as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Write a table in Markdown as well: errors, and costs as multiples of oct32's.
+    pub csv: Option<PathBuf>,
+    /// Write a table in Markdown as well.
     #[arg(long, value_name = "FILE")]
-    markdown: Option<PathBuf>,
+    pub markdown: Option<PathBuf>,
     #[command(flatten)]
-    wide: Wide,
+    pub compiler: isa::Compiler,
     #[command(flatten)]
-    vulkan: Vulkan,
+    pub wide: Wide,
+    #[command(flatten)]
+    pub vulkan: Vulkan,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    if arguments.compiler.isa {
+        return isa::run(arguments);
+    }
     let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
     let chosen = chosen_formats(&arguments.codec)?;
     let device = arguments.vulkan.device()?;

@@ -8,6 +8,7 @@ mod conform;
 mod convert;
 mod devices;
 mod error;
+mod isa;
 mod progress;
 mod summary;
 mod table;
@@ -66,7 +67,8 @@ enum Command {
     Error(error::Arguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
     Accuracy(accuracy::Arguments),
-    /// Measure what encoding and decoding cost on a device, beside the survey's figures.
+    /// Measure what encoding and decoding cost on a device, beside the survey's figures; with --isa, what its compiler makes of
+    /// the kernels.
     Bench(bench::Arguments),
     /// Find the cheapest codecs of vectors that meet a demand.
     Choose(choose::Arguments),
@@ -129,11 +131,14 @@ impl Vulkan {
         Ok(Modules::open(self.folder().as_deref())?)
     }
 
+    /// True where the command line, not the environment, names a device.
+    fn names_device(&self) -> bool {
+        self.device.is_some() && self.device.as_deref() != std::env::var("UNITVEC_DEVICE").ok().as_deref()
+    }
+
     /// Fails where the command line, not the environment, asks for what the CPU backend does not have.
     fn refuse_for_cpu(&self) -> Result<()> {
-        let named = self.device.is_some()
-            && self.device.as_deref() != std::env::var("UNITVEC_DEVICE").ok().as_deref();
-        if named || self.validate || self.spirv.is_some() {
+        if self.names_device() || self.validate || self.spirv.is_some() {
             let options =
                 "--device, --validate and --spirv need a Vulkan backend; add --backend rust or glsl";
             return Err(Error::Usage(options.to_owned()));

@@ -1,11 +1,11 @@
 use super::kernel::{GROUP, MAX_ELEMENT, WORKGROUP};
 use super::{Error, Instance, Named};
-use ash::vk;
-use serde::Serialize;
+use ash::{khr, vk};
+use serde::{Deserialize, Serialize};
 use std::sync::{Arc, Mutex};
 
 /// What a device is.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DeviceInfo {
     /// Position in Vulkan's list.
     pub index: usize,
@@ -20,7 +20,7 @@ pub struct DeviceInfo {
 }
 
 /// Kinds of device, best first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum DeviceKind {
     /// A GPU of its own.
@@ -88,7 +88,7 @@ pub struct Device {
     pub(super) memory: vk::PhysicalDeviceMemoryProperties,
     /// What a timestamp means; `None` if the queue has none.
     pub(super) timestamps: Option<Timestamps>,
-    /// The most vectors of one dispatch: by workgroups, and by buffer size.
+    /// The most vectors of one dispatch, whole groups: by workgroups, and by buffer size.
     pub(super) max_vectors: usize,
     info: DeviceInfo,
     instance: Arc<Instance>,
@@ -118,16 +118,49 @@ impl Device {
     /// # Errors
     /// As [`DeviceChoice::choose`], [`Error::MissingFeature`], or a failed call.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
-        let info = choice.choose(&Self::list(instance)?)?.clone();
-        let physical = physical_devices(instance)?[info.index];
+        Self::open_with(instance, choice, false)
+    }
+
+    /// Opens a device that can tell what its compiler makes of kernels.
+    pub(super) fn open_for_statistics(
+        instance: &Arc<Instance>,
+        choice: &DeviceChoice,
+    ) -> Result<Arc<Self>, Error> {
+        Self::open_with(instance, choice, true)
+    }
+
+    fn open_with(
+        instance: &Arc<Instance>,
+        choice: &DeviceChoice,
+        has_statistics: bool,
+    ) -> Result<Arc<Self>, Error> {
+        let devices = Self::list(instance)?;
+        let info = choice.choose(&devices)?.clone();
+        let physicals = physical_devices(instance)?;
+        let physical = physicals[info.index];
+        if has_statistics && !offers_statistics(instance, physical)? {
+            let mut offering = Vec::new();
+            for (device, physical) in devices.iter().zip(&physicals) {
+                if offers_statistics(instance, *physical)? {
+                    offering.push(device.name.clone());
+                }
+            }
+            return Err(Error::NoStatistics { device: info.name, offering });
+        }
         let (queue_family, timestamp_bits) = compute_queue(instance, physical, &info)?;
 
         let priorities = [1.0];
         let queues = [vk::DeviceQueueCreateInfo::default()
             .queue_family_index(queue_family)
             .queue_priorities(&priorities)];
-        let create = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
-        // SAFETY: the physical device is the instance's, the queue family is one it has.
+        let extensions = [khr::pipeline_executable_properties::NAME.as_ptr()];
+        let mut features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default()
+            .pipeline_executable_info(true);
+        let mut create = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+        if has_statistics {
+            create = create.enabled_extension_names(&extensions).push_next(&mut features);
+        }
+        // SAFETY: the physical device is the instance's; the queue family, the extension and its feature are ones it has.
         let raw = unsafe { instance.raw.create_device(physical, &create, None) }.named("vkCreateDevice")?;
         // SAFETY: the device was created with one queue of this family.
         let queue = unsafe { raw.get_device_queue(queue_family, 0) };
@@ -142,7 +175,7 @@ impl Device {
             (timestamp_bits > 0).then(|| Timestamps::new(timestamp_bits, limits.timestamp_period));
         let max_vectors = (limits.max_compute_work_group_count[0] as usize)
             .saturating_mul(GROUP * WORKGROUP)
-            .min(limits.max_storage_buffer_range as usize / MAX_ELEMENT);
+            .min(limits.max_storage_buffer_range as usize / (GROUP * MAX_ELEMENT) * GROUP);
         let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
             raw,
@@ -191,6 +224,22 @@ fn physical_devices(instance: &Instance) -> Result<Vec<vk::PhysicalDevice>, Erro
         }
         result => result.named("vkEnumeratePhysicalDevices"),
     }
+}
+
+/// True where the device has VK_KHR_pipeline_executable_properties.
+fn offers_statistics(instance: &Instance, device: vk::PhysicalDevice) -> Result<bool, Error> {
+    // SAFETY: a query of a physical device of the instance.
+    let extensions = unsafe { instance.raw.enumerate_device_extension_properties(device) }
+        .named("vkEnumerateDeviceExtensionProperties")?;
+    let name = khr::pipeline_executable_properties::NAME;
+    if !extensions.iter().any(|extension| extension.extension_name_as_c_str() == Ok(name)) {
+        return Ok(false);
+    }
+    let mut statistics = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default();
+    let mut features = vk::PhysicalDeviceFeatures2::default().push_next(&mut statistics);
+    // SAFETY: as above; the device knows the chained struct, which is its extension's.
+    unsafe { instance.raw.get_physical_device_features2(device, &mut features) };
+    Ok(statistics.pipeline_executable_info == vk::TRUE)
 }
 
 fn describe(instance: &Instance, index: usize, device: vk::PhysicalDevice) -> DeviceInfo {

@@ -36,6 +36,18 @@ pub enum Error {
         /// Feature or limit.
         feature: &'static str,
     },
+    /// The device does not tell what its compiler makes of kernels.
+    #[error(
+        "device `{device}` does not tell what its compiler makes of kernels (it lacks VK_KHR_pipeline_executable_properties); \
+         {}ask a compiler of Mesa's, which needs no GPU, with --gpu navi21",
+        or_one_of(.offering)
+    )]
+    NoStatistics {
+        /// Device name.
+        device: String,
+        /// Names of the devices that do.
+        offering: Vec<String>,
+    },
     /// Validation was asked for and is not installed.
     #[error(
         "the validation layer VK_LAYER_KHRONOS_validation is not installed (Debian: apt-get install \
@@ -71,6 +83,14 @@ pub enum Error {
         /// What it returned.
         result: vk::Result,
     },
+}
+
+fn or_one_of(names: &[String]) -> String {
+    if names.is_empty() {
+        String::new()
+    } else {
+        format!("--device can name one that does ({}), or ", names.join(", "))
+    }
 }
 
 fn list(names: &[String]) -> String {

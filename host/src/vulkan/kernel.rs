@@ -4,7 +4,6 @@
 use super::buffer::{Buffer, Place};
 use super::{Device, Error, Named, spirv};
 use ash::vk;
-use std::ffi::CString;
 use std::rc::Rc;
 use std::sync::{Arc, PoisonError};
 
@@ -27,6 +26,19 @@ pub struct Kernel {
     pipeline: vk::Pipeline,
     layout: Arc<Layout>,
     table: Option<Table>,
+    buffers: Buffers,
+}
+
+/// What a kernel can rely on: specialization constant 0 of those with the interface of `spirv/manifest.json`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Buffers {
+    /// Buffers hold no more than the vectors and codes, and maybe less than the push constant says.
+    #[default]
+    ExactSize = 0,
+    /// Buffers hold whole groups of [`GROUP`] vectors, all that the push constant says. The last group's results beyond
+    /// that number mean nothing.
+    WholeGroups = 1,
 }
 
 /// Constant data on a device, for kernels to look things up in.
@@ -44,10 +56,10 @@ struct Dispatch<'a> {
 }
 
 /// The interface that all kernels share.
-struct Layout {
+pub(super) struct Layout {
     set: vk::DescriptorSetLayout,
-    pipeline: vk::PipelineLayout,
-    device: Arc<Device>,
+    pub(super) pipeline: vk::PipelineLayout,
+    pub(super) device: Arc<Device>,
 }
 
 /// Runs kernels on a device: two buffers, in and out, staged where the host does not see the device's memory.
@@ -66,8 +78,9 @@ pub struct Runner {
     fill_output: bool,
 }
 
-fn buffer_size(capacity: usize) -> usize {
-    capacity * MAX_ELEMENT
+/// Bytes that hold whole groups of any element.
+fn buffer_size(vectors: usize) -> usize {
+    vectors.next_multiple_of(GROUP) * MAX_ELEMENT
 }
 
 /// A device buffer and, where the host cannot map it, its staging buffer.
@@ -133,17 +146,32 @@ impl Runner {
         &self.device
     }
 
-    /// Makes a kernel of a SPIR-V module. One that reads binding 2 needs a table.
+    /// Makes a kernel of a SPIR-V module, for buffers of exact size. One that reads binding 2 needs a table.
     ///
     /// The module is trusted to be valid: drivers do not check. Its framing and the entry point are checked here.
     ///
     /// # Errors
     /// [`Error::NotSpirv`], [`Error::ForeignKernel`] for a table of another runner, or a failed call.
     pub fn kernel(&self, spirv: &[u8], entry_point: &str, table: Option<&Table>) -> Result<Kernel, Error> {
+        self.kernel_for(Buffers::ExactSize, spirv, entry_point, table)
+    }
+
+    /// Makes a kernel as [`kernel`](Self::kernel) does, for these buffers. A module without the specialization constant is
+    /// the same for all.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn kernel_for(
+        &self,
+        buffers: Buffers,
+        spirv: &[u8],
+        entry_point: &str,
+        table: Option<&Table>,
+    ) -> Result<Kernel, Error> {
         if table.is_some_and(|table| !Arc::ptr_eq(&table.layout, &self.layout)) {
             return Err(Error::ForeignKernel);
         }
-        Kernel::new(&self.layout, spirv, entry_point, table.cloned())
+        Kernel::new(&self.layout, buffers, spirv, entry_point, table.cloned())
     }
 
     /// Puts a table on the device.
@@ -238,8 +266,17 @@ impl Runner {
         let input = &input[..input.len().min(size)];
         self.input.host_mut().write(input);
         let written = output.len().min(size);
-        self.bind(0, &self.input, input.len());
-        self.bind(1, &self.output, written);
+        match dispatch.kernel.buffers {
+            Buffers::ExactSize => {
+                self.bind(0, &self.input, input.len());
+                self.bind(1, &self.output, written);
+            }
+            // The kernel does not look at their size: they hold the groups of any element, whatever the slices hold.
+            Buffers::WholeGroups => {
+                self.bind(0, &self.input, size);
+                self.bind(1, &self.output, size);
+            }
+        }
         if let Some(table) = &dispatch.kernel.table {
             self.bind(2, &table.data, table.data.device.size);
         }
@@ -308,7 +345,7 @@ impl Runner {
         let timed = self.queries != vk::QueryPool::null();
         // SAFETY: the command buffer is not in use, since each submission is waited for; all handles are the runner's
         // or the kernel's, of the same device; copies and the dispatch stay within the buffers, whose size is that of
-        // `capacity` vectors of the largest element; barriers order each step's memory accesses before the next's.
+        // `capacity` vectors of the largest element, in whole groups; barriers order each step's memory accesses before the next's.
         unsafe {
             begin(device, commands)?;
             if timed {
@@ -403,7 +440,7 @@ impl Drop for Runner {
 }
 
 impl Layout {
-    fn new(device: &Arc<Device>) -> Result<Self, Error> {
+    pub(super) fn new(device: &Arc<Device>) -> Result<Self, Error> {
         let binding = vk::DescriptorSetLayoutBinding::default()
             .descriptor_type(vk::DescriptorType::STORAGE_BUFFER)
             .descriptor_count(1)
@@ -439,29 +476,26 @@ impl Drop for Layout {
 impl Kernel {
     fn new(
         layout: &Arc<Layout>,
+        buffers: Buffers,
         spirv: &[u8],
         entry_point: &str,
         table: Option<Table>,
     ) -> Result<Self, Error> {
-        let not_spirv =
-            |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
-        let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
-            .map_err(|error| not_spirv(&error.to_string()))?;
-        if let Some(reason) = spirv::objection(&words, entry_point) {
-            return Err(not_spirv(reason));
-        }
-        let name =
-            CString::new(entry_point).map_err(|_| not_spirv("the entry point's name contains a NUL"))?;
+        let (words, name) = spirv::checked(spirv, entry_point)?;
         let device = &layout.device.raw;
 
         let create = vk::ShaderModuleCreateInfo::default().code(&words);
         // SAFETY: the code is SPIR-V by its magic number; that it is valid is checked where modules are built, and by
         // their hash where they are read.
         let module = unsafe { device.create_shader_module(&create, None) }.named("vkCreateShaderModule")?;
+        let data = (buffers as u32).to_ne_bytes();
+        let constants = [vk::SpecializationMapEntry::default().constant_id(0).offset(0).size(data.len())];
+        let specialization = vk::SpecializationInfo::default().map_entries(&constants).data(&data);
         let stage = vk::PipelineShaderStageCreateInfo::default()
             .stage(vk::ShaderStageFlags::COMPUTE)
             .module(module)
-            .name(&name);
+            .name(&name)
+            .specialization_info(&specialization);
         let create = [vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout.pipeline)];
         // SAFETY: the module and the layout are of this device; the module may go once the pipeline is made.
         let result = unsafe {
@@ -471,7 +505,7 @@ impl Kernel {
         };
         let pipelines =
             result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
-        Ok(Self { pipeline: pipelines[0], layout: layout.clone(), table })
+        Ok(Self { pipeline: pipelines[0], layout: layout.clone(), table, buffers })
     }
 }
 

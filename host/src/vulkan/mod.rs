@@ -12,11 +12,13 @@ mod error;
 mod instance;
 mod kernel;
 mod spirv;
+mod statistics;
 
 pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;
 pub use instance::Instance;
-pub use kernel::{GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
+pub use kernel::{Buffers, GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
+pub use statistics::{Inspector, Statistics};
 
 use ash::vk;
 

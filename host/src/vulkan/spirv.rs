@@ -1,16 +1,35 @@
 //! What is checked of SPIR-V before a driver sees it.
 
+use super::Error;
+use std::ffi::CString;
+
 const HEADER_WORDS: usize = 5;
 const OP_ENTRY_POINT: u16 = 15;
 const OP_FUNCTION: u16 = 54;
 const OP_FUNCTION_END: u16 = 56;
 const OP_FUNCTION_CALL: u16 = 57;
 
+/// The words of a module, and the name of its entry point for Vulkan.
+///
+/// # Errors
+/// [`Error::NotSpirv`].
+pub(super) fn checked(spirv: &[u8], entry_point: &str) -> Result<(Vec<u32>, CString), Error> {
+    let not_spirv =
+        |reason: &str| Error::NotSpirv { entry_point: entry_point.to_owned(), reason: reason.to_owned() };
+    let words = ash::util::read_spv(&mut std::io::Cursor::new(spirv))
+        .map_err(|error| not_spirv(&error.to_string()))?;
+    if let Some(reason) = objection(&words, entry_point) {
+        return Err(not_spirv(reason));
+    }
+    let name = CString::new(entry_point).map_err(|_| not_spirv("the entry point's name contains a NUL"))?;
+    Ok((words, name))
+}
+
 /// Why these words cannot be a whole module with this entry point; `None` if nothing speaks against it.
 ///
 /// This is no validation of the instructions. It finds a module cut short at any word, and an entry point that is not
 /// there: drivers need not notice either, and one may crash.
-pub(super) fn objection(words: &[u32], entry_point: &str) -> Option<&'static str> {
+fn objection(words: &[u32], entry_point: &str) -> Option<&'static str> {
     const CUT_SHORT: Option<&str> = Some("it is cut short");
     let mut is_there = false;
     let mut defined = Vec::new();

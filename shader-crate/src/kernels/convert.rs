@@ -27,63 +27,72 @@ pub struct Count {
     pub vectors: u32,
 }
 
-/// Vectors or frames that buffers of these numbers of words hold and the host asks for: at most `count`.
-#[inline(always)]
-fn number<E: Element, W: Codes>(count: Count, words: usize, code_words: usize) -> usize {
-    let held = words / (E::Four::LEN / GROUP);
-    let codes_held = code_words * 4 / W::LEN;
-    let held = if held < codes_held { held } else { codes_held };
-    let count = count.vectors as usize;
-    if count < held { count } else { held }
+/// What an invocation does: a group of four.
+#[derive(Clone, Copy)]
+struct Group {
+    index: usize,
+    count: Count,
+    whole_groups: u32,
+}
+
+impl Group {
+    /// How many of the four there are in buffers of these numbers of words, of those that the host asks for: none, where
+    /// the invocation has nothing to do.
+    #[inline(always)]
+    fn here<E: Element, W: Codes>(self, words: usize, code_words: usize) -> usize {
+        let (first, count) = (self.index * GROUP, self.count.vectors as usize);
+        if self.whole_groups != 0 {
+            return if first < count { GROUP } else { 0 };
+        }
+        let held = words / (E::Four::LEN / GROUP);
+        let codes_held = code_words * 4 / W::LEN;
+        let held = if held < codes_held { held } else { codes_held };
+        let count = if count < held { count } else { held };
+        if first < count { count - first } else { 0 }
+    }
 }
 
 #[inline(always)]
 fn encode<E: Element, W: Codes, C: Code>(
-    index: usize,
-    count: Count,
+    group: Group,
     input: &[u32],
     output: &mut [u32],
     encode: impl Fn(E) -> C,
 ) {
-    let number = number::<E, W>(count, input.len(), output.len());
-    let first = index * GROUP;
-    if first < number {
-        let here = number - first;
-        // SAFETY: both buffers hold `number` of what they are buffers of, so `here`, not 0, from this group on.
+    let here = group.here::<E, W>(input.len(), output.len());
+    if here > 0 {
+        // SAFETY: both buffers hold `here`, not 0, of the group's four.
         #[allow(unsafe_code)]
-        let words = unsafe { E::Four::load(input, index, here) };
+        let words = unsafe { E::Four::load(input, group.index, here) };
         let [a, b, c, d] = E::unpack(words);
         let codes =
             W::pack([encode(a).to_words(), encode(b).to_words(), encode(c).to_words(), encode(d).to_words()]);
         // SAFETY: as above.
         #[allow(unsafe_code)]
         unsafe {
-            codes.store(output, index, here)
+            codes.store(output, group.index, here)
         };
     }
 }
 
 #[inline(always)]
 fn decode<E: Element, W: Codes>(
-    index: usize,
-    count: Count,
+    group: Group,
     input: &[u32],
     output: &mut [u32],
     decode: impl Fn(CodeWords) -> E,
 ) {
-    let number = number::<E, W>(count, output.len(), input.len());
-    let first = index * GROUP;
-    if first < number {
-        let here = number - first;
+    let here = group.here::<E, W>(output.len(), input.len());
+    if here > 0 {
         // SAFETY: as in `encode`.
         #[allow(unsafe_code)]
-        let words = unsafe { W::load(input, index, here) };
+        let words = unsafe { W::load(input, group.index, here) };
         let [a, b, c, d] = words.unpack();
         let elements = E::pack([decode(a), decode(b), decode(c), decode(d)]);
         // SAFETY: as in `encode`.
         #[allow(unsafe_code)]
         unsafe {
-            elements.store(output, index, here)
+            elements.store(output, group.index, here)
         };
     }
 }
@@ -96,10 +105,16 @@ macro_rules! encode_kernel {
         pub fn encode(
             #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
             #[spirv(push_constant)] count: &Count,
+            #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
         ) {
-            super::encode::<_, FourCodes, _>(id.x as usize, *count, input, output, crate::$codec::$encode);
+            super::encode::<_, FourCodes, _>(
+                Group { index: id.x as usize, count: *count, whole_groups },
+                input,
+                output,
+                crate::$codec::$encode,
+            );
         }
     };
     ($codec:ident $encode:ident by_table) => {
@@ -108,6 +123,7 @@ macro_rules! encode_kernel {
         pub fn encode(
             #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
             #[spirv(push_constant)] count: &Count,
+            #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[u32],
@@ -118,9 +134,12 @@ macro_rules! encode_kernel {
             // SAFETY: the table has all its words, and encoders look up no others.
             #[allow(unsafe_code)]
             let word = |index| unsafe { element(table, index) };
-            super::encode::<_, FourCodes, _>(id.x as usize, *count, input, output, |v| {
-                crate::$codec::encode_by(v, word)
-            });
+            super::encode::<_, FourCodes, _>(
+                Group { index: id.x as usize, count: *count, whole_groups },
+                input,
+                output,
+                |v| crate::$codec::encode_by(v, word),
+            );
         }
     };
 }
@@ -142,10 +161,11 @@ macro_rules! kernels {
             pub fn decode(
                 #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
                 #[spirv(push_constant)] count: &Count,
+                #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
             ) {
-                super::decode::<_, FourCodes>(id.x as usize, *count, input, output, |words| {
+                super::decode::<_, FourCodes>(Group { index: id.x as usize, count: *count, whole_groups }, input, output, |words| {
                     crate::$codec::$decode(Code::from_words(words))
                 });
             }
@@ -173,6 +193,7 @@ for_each_frame!(frame_kernels);
 pub fn decode_by_table(
     #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
     #[spirv(push_constant)] count: &Count,
+    #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
     #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[[u32; 3]],
@@ -180,10 +201,15 @@ pub fn decode_by_table(
     if table.len() < 1 << 16 {
         return;
     }
-    decode::<_, [u32; 2]>(id.x as usize, *count, input, output, |[code, _]| {
-        // SAFETY: the table has 2^16 elements.
-        #[allow(unsafe_code)]
-        let [x, y, z] = unsafe { element(table, code & 0xffff) };
-        Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
-    });
+    decode::<_, [u32; 2]>(
+        Group { index: id.x as usize, count: *count, whole_groups },
+        input,
+        output,
+        |[code, _]| {
+            // SAFETY: the table has 2^16 elements.
+            #[allow(unsafe_code)]
+            let [x, y, z] = unsafe { element(table, code & 0xffff) };
+            Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
+        },
+    );
 }

@@ -3,7 +3,8 @@
 use crate::kernel::Kernel;
 use unitvec_host::catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
 use unitvec_host::manifest::{
-    self, Binding, Codec, Constant, EntryPoint, Interface, Module, PushConstant, Role, Table,
+    self, Binding, Codec, Constant, EntryPoint, Interface, Module, PushConstant, Role,
+    SpecializationConstant, Table,
 };
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
 
@@ -78,6 +79,7 @@ pub fn interface(kernel: &Kernel) -> (String, Interface) {
         descriptor_set: 0,
         bindings,
         push_constants,
+        specialization_constants: if kernel.is_cost { Vec::new() } else { vec![whole_groups()] },
     };
     (name, interface)
 }
@@ -153,4 +155,18 @@ fn table_binding(content: &str, bytes: usize, file: Option<&str>) -> Binding {
 
 fn constant(offset: u32, content: Constant) -> PushConstant {
     PushConstant { offset, r#type: "u32".to_owned(), content }
+}
+
+fn whole_groups() -> SpecializationConstant {
+    SpecializationConstant {
+        id: 0,
+        name: "whole_groups".to_owned(),
+        r#type: "u32".to_owned(),
+        default: 0,
+        meaning: format!(
+            "0: the kernel keeps to the ranges of both buffers. 1: it looks at no range; the caller promises that the ranges \
+             hold whole groups of {GROUP} vectors, all of the push constant's number, and the results beyond that number mean \
+             nothing. The range of a table is looked at in either case."
+        ),
+    }
 }
