@@ -62,7 +62,11 @@ pub const TEXTBOOK: &[Textbook] = &[
     named_alike("unorm8x3", Some("oct24p"), "x, y, z as unorm, `v * 0.5 + 0.5`, normalised when read"),
     named_alike("snorm10x3", Some("oct32p"), "x, y, z as snorm of 10 bits, normalised when read"),
     named_alike("snorm16x3", Some("oct48p"), "x, y, z as snorm, normalised when read"),
-    named_alike("crytek_bfn24", Some("oct24p"), "best fit normals by a table of 1024 x 1024: CryEngine 3, 2010"),
+    named_alike(
+        "crytek_bfn24",
+        Some("oct24p"),
+        "best fit normals by a table of 1024 x 1024: CryEngine 3, 2010",
+    ),
     named_alike("xyonly16", Some("hemioct16"), "x and y of normal maps, z by a square root, two snorm"),
     named_alike("xyonly32", Some("hemioct32"), "x and y of normal maps, z by a square root, two snorm"),
     named_alike("frame32", None, "tangent frame, octahedral and diamond: Ong 2023"),

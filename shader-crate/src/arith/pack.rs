@@ -31,6 +31,18 @@ pub fn signed_integer(code: u32, bits: u32) -> f32 {
     ((code << (32 - bits)) as i32 >> (32 - bits)) as f32
 }
 
+/// The integer of `bits` bits (2 to 25) of a code, from bit `first` on, in two's complement.
+///
+/// On a GPU two shifts, which are one instruction; on a CPU with SSE4.1 three are a little faster.
+#[inline(always)]
+pub fn signed_integer_at(code: u32, first: u32, bits: u32) -> f32 {
+    if cfg!(target_arch = "spirv") {
+        ((code << (32 - first - bits)) as i32 >> (32 - bits)) as f32
+    } else {
+        signed_integer(code >> first, bits)
+    }
+}
+
 /// The nearest whole numbers to those of `e`, as by [`nearest_code`], as one code: x in the low `bits` bits (at most 16), y
 /// in the next.
 #[inline(always)]

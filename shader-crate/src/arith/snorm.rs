@@ -3,7 +3,7 @@
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
 //! leave the rounding of ties open; here the ties of unorm go up, and those of snorm to the even integer.
 
-use super::{integer_part, mask, max, nearest_code, signed_integer, with_sign};
+use super::{integer_part, mask, max, nearest_code, signed_integer, signed_integer_at, with_sign};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -58,9 +58,8 @@ pub fn snorm_integer(code: u32, bits: u32) -> f32 {
 /// The integers of a code of two snorms of `bits` bits (2 to 16): x in the low bits, y in the next.
 #[inline(always)]
 pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
-    let left = 32 - bits;
-    let (x, y) = ((code << left) as i32 >> left, (code << (left - bits)) as i32 >> left);
-    Vec2::new(max(x as f32, -snorm_max(bits)), max(y as f32, -snorm_max(bits)))
+    let m = snorm_max(bits);
+    Vec2::new(max(signed_integer_at(code, 0, bits), -m), max(signed_integer_at(code, bits, bits), -m))
 }
 
 #[cfg(test)]
