@@ -21,7 +21,7 @@ static GLSL: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/glsl");
 static SPIRV: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/spirv");
 
 /// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, the same without any `#include` in
-/// `flat/`, kernels over them in `kernels/`.
+/// `flat/`, kernels over them in `kernels/`, what people write today in `textbook/`, only to measure against.
 pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }

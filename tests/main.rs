@@ -35,6 +35,8 @@ mod soct;
 mod spherical;
 mod suite;
 mod terminal;
+#[cfg(feature = "glsl")]
+mod textbook;
 mod totality;
 mod trig;
 mod unoptimised;

@@ -188,12 +188,12 @@ float unitvec_unorm_decode(uint code, uint bits) {
     return r;
 }
 
-// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go away from zero.
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go to the even integer.
 uint unitvec_snorm_encode(float r, uint bits) {
     float magnitude = abs(r) > 0.0 ? abs(r) : 0.0;
     float clamped = magnitude < 1.0 ? magnitude : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_snorm_max(bits) + 0.5;
-    return unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(r), floor(position)), bits);
+    UNITVEC_PRECISE float position = clamped * unitvec_snorm_max(bits);
+    return unitvec_nearest_code(unitvec_with_sign(position, r), bits);
 }
 
 // Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.

@@ -3,13 +3,14 @@
 //! `<!-- generated: NAME -->` begins a generated part, `<!-- end -->` ends it. `cargo xtask docs` writes them all again,
 //! `cargo xtask docs --measure` measures errors first.
 
-mod accuracy;
+pub mod accuracy;
 mod claims;
 pub mod costs;
 mod flat;
 mod prose;
 mod slices;
 mod tables;
+pub mod textbook;
 
 use std::path::{Path, PathBuf};
 use unitvec_tests::repository;

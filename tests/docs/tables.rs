@@ -1,7 +1,7 @@
 //! The tables of README, docs and module docs.
 
 use super::accuracy::{self, Errors};
-use super::{costs, files, slices};
+use super::{costs, files, slices, textbook};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use unitvec_host::accuracy::{Table, covering_bound_deg};
@@ -27,6 +27,8 @@ pub fn table(name: &str) -> Option<String> {
         "costs-gpus" => costs::gpus(),
         "costs-navi21" => costs::navi21(),
         "slices" => slices::table(rest),
+        "textbook" => textbook::table(),
+        "textbook-input" => textbook::input_table(),
         "slices-machine" => slices::machine(),
         _ => return None,
     })
@@ -41,7 +43,7 @@ fn degrees(error: f64) -> String {
     format!("{error:.decimals$}")
 }
 
-fn mean_and_max(errors: Errors) -> String {
+pub fn mean_and_max(errors: Errors) -> String {
     format!("{} / {}", degrees(errors.mean), degrees(errors.max))
 }
 

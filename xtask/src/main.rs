@@ -135,7 +135,12 @@ fn docs(arguments: &[String]) -> Result<(), String> {
     let built = run(cargo(&tests).args(WITH_GLSL).arg("--no-run"));
     pending.finish().and(built)?;
     if arguments.iter().any(|argument| argument == "--measure") {
-        run(cargo(&tests).args(WITH_GLSL).args(["--", "--ignored", "docs::accuracy::measure"]))?;
+        run(cargo(&tests).args(WITH_GLSL).args([
+            "--",
+            "--ignored",
+            "docs::accuracy::measure",
+            "textbook::measure",
+        ]))?;
     }
     run(cargo(&tests).args(WITH_GLSL).args(["--", "docs::"]).env("BLESS", "1"))
 }

@@ -18,7 +18,7 @@ mod vector;
 pub use elementary::{floor, max, min, sqrt};
 pub use face::{face_of, from_face, to_face};
 pub use half::{HALF_MAX, HALF_ONE, half_decode, half_decode_magnitude, half_encode, half_encode_magnitude};
-pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer};
+pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer, signed_integer_at};
 pub(crate) use round::{ONE_AND_A_HALF_2_23, TWO_23, integer_part, nearest_whole, small_floor, whole_to_i32};
 pub use round::{round_symmetric, whole_to_u32};
 pub use scale::{ENORMOUS, NEGLIGIBLE, is_within};

@@ -31,9 +31,48 @@ pub fn signed_integer(code: u32, bits: u32) -> f32 {
     ((code << (32 - bits)) as i32 >> (32 - bits)) as f32
 }
 
+/// The integer of `bits` bits (2 to 25) of a code, from bit `first` on, in two's complement.
+///
+/// On a GPU two shifts, which are one instruction; on a CPU with SSE4.1 three are a little faster.
+#[inline(always)]
+pub fn signed_integer_at(code: u32, first: u32, bits: u32) -> f32 {
+    if cfg!(target_arch = "spirv") {
+        ((code << (32 - first - bits)) as i32 >> (32 - bits)) as f32
+    } else {
+        signed_integer(code >> first, bits)
+    }
+}
+
 /// The nearest whole numbers to those of `e`, as by [`nearest_code`], as one code: x in the low `bits` bits (at most 16), y
 /// in the next.
 #[inline(always)]
 pub fn nearest_pair(e: Vec2, bits: u32) -> u32 {
     nearest_code(e.x, bits) | (nearest_code(e.y, bits) << bits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Against the standard library's rounding, of quarters and their neighbours.
+    #[test]
+    fn the_nearest_whole_number_is_the_even_one_of_two() {
+        for bits in [8, 11, 16, 21] {
+            let most = 1 << (bits - 1);
+            for quarter in (-4 * most..=4 * most - 4).step_by(if bits > 16 { 1021 } else { 1 }) {
+                let exact = quarter as f32 / 4.0;
+                for x in [exact.next_down(), exact, exact.next_up()] {
+                    let expected = x.round_ties_even() as i32 as u32 & mask(bits);
+                    assert_eq!(nearest_code(x, bits), expected, "{x} in {bits} bits");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn pairs_are_codes_side_by_side() {
+        assert_eq!(nearest_pair(Vec2::new(-1.25, 2.75), 16), 0x0003_ffff);
+        assert_eq!(nearest_pair(Vec2::new(-1.25, 2.75), 11), 0x1fff);
+        assert_eq!(nearest_pair(Vec2::new(-0.0, -127.0), 8), 0x8100);
+    }
 }

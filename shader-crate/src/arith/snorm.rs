@@ -1,9 +1,9 @@
 //! Normalised fixed point: unorm of 1 to 23 bits, snorm of 2 to 22.
 //!
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
-//! leave the rounding of ties open; here ties go away from zero.
+//! leave the rounding of ties open; here the ties of unorm go up, and those of snorm to the even integer.
 
-use super::{floor, integer_part, is_negative, mask, max, negate_if, signed_code, signed_integer};
+use super::{integer_part, mask, max, nearest_code, signed_integer, signed_integer_at, with_sign};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -39,8 +39,7 @@ pub fn unorm_decode(code: u32, bits: u32) -> f32 {
 pub fn snorm_encode(r: f32, bits: u32) -> u32 {
     let magnitude = if r.abs() > 0.0 { r.abs() } else { 0.0 };
     let clamped = if magnitude < 1.0 { magnitude } else { 1.0 };
-    let rounded = floor(clamped * snorm_max(bits) + 0.5);
-    signed_code(negate_if(is_negative(r), rounded), bits)
+    nearest_code(with_sign(clamped * snorm_max(bits), r), bits)
 }
 
 /// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 24) are
@@ -59,9 +58,8 @@ pub fn snorm_integer(code: u32, bits: u32) -> f32 {
 /// The integers of a code of two snorms of `bits` bits (2 to 16): x in the low bits, y in the next.
 #[inline(always)]
 pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
-    let left = 32 - bits;
-    let (x, y) = ((code << left) as i32 >> left, (code << (left - bits)) as i32 >> left);
-    Vec2::new(max(x as f32, -snorm_max(bits)), max(y as f32, -snorm_max(bits)))
+    let m = snorm_max(bits);
+    Vec2::new(max(signed_integer_at(code, 0, bits), -m), max(signed_integer_at(code, bits, bits), -m))
 }
 
 #[cfg(test)]

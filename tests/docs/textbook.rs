@@ -1,0 +1,220 @@
+//! What people write today beside the codecs, as `docs/data/textbook.csv` has it.
+
+use super::accuracy::{self, Errors};
+use super::tables::mean_and_max;
+use serde_json::Value;
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+use unitvec_host::catalogue::{Element, Operation, find, find_format, find_frame};
+use unitvec_host::textbook::{TEXTBOOK, Textbook};
+use unitvec_tests::repository;
+
+/// Who did what a row tells: the textbook's functions, or those of the codec in their place.
+pub const SOURCES: [&str; 2] = ["textbook", "unitvec"];
+
+/// The columns of figures.
+pub const FIGURES: [&str; 6] =
+    ["same_codes", "mean_deg", "max_deg", "tangent_mean_deg", "tangent_max_deg", "nan_per_million"];
+
+/// The columns of inputs, by what is in them, and their headings; the last is of codes.
+pub const INPUTS: [(&str, &str); 9] = [
+    ("zero", "zero"),
+    ("nan", "NaN"),
+    ("infinity", "infinity"),
+    ("signed_zeros", "0 and -0"),
+    ("minus_z", "(0, 0, -1)"),
+    ("long", "1e20 long"),
+    ("short", "1e-20 long"),
+    ("denormal", "denormals"),
+    ("codes", "decoding any code"),
+];
+
+/// The committed file, by identifier, source and column.
+fn recorded() -> &'static BTreeMap<[String; 3], String> {
+    static RECORDED: OnceLock<BTreeMap<[String; 3], String>> = OnceLock::new();
+    RECORDED.get_or_init(|| {
+        let text = std::fs::read_to_string(repository().join("docs/data/textbook.csv")).unwrap_or_default();
+        let mut lines = text.lines();
+        let head: Vec<&str> = lines.next().unwrap_or_default().split(',').collect();
+        let cells = lines.flat_map(|line| {
+            let fields: Vec<&str> = line.split(',').collect();
+            let key = [fields[0].to_owned(), fields[1].to_owned()];
+            let cells = head.iter().zip(fields).skip(2);
+            cells
+                .map(|(column, value)| ([key[0].clone(), key[1].clone(), (*column).into()], value.to_owned()))
+                .collect::<Vec<_>>()
+        });
+        cells.collect()
+    })
+}
+
+/// A committed cell.
+pub fn cell(id: &str, source: &str, column: &str) -> &'static str {
+    let found = recorded().get(&[id, source, column].map(str::to_owned));
+    found.unwrap_or_else(|| {
+        panic!("{id}, {source}, {column} is not in docs/data/textbook.csv: cargo xtask docs --measure")
+    })
+}
+
+/// A committed number of a textbook's functions.
+pub fn number(id: &str, column: &str) -> f64 {
+    cell(id, "textbook", column).parse().unwrap()
+}
+
+/// The errors of a textbook's functions: of directions or normals, and of tangents.
+fn errors(textbook: &Textbook) -> [Option<Errors>; 2] {
+    let of = |mean, max| Errors { mean: number(textbook.id, mean), max: number(textbook.id, max) };
+    let is_frame = textbook.format().unwrap().element == Element::Frame;
+    [Some(of("mean_deg", "max_deg")), is_frame.then(|| of("tangent_mean_deg", "tangent_max_deg"))]
+}
+
+/// The errors of a codec: of directions or normals, and of tangents.
+fn errors_of_codec(id: &str) -> [Option<Errors>; 2] {
+    let names = if find_frame(id).is_some() { ["normal", "tangent"] } else { ["direction", ""] };
+    names.map(|name| (!name.is_empty()).then(|| accuracy::of(id, name)))
+}
+
+fn joined(errors: [Option<Errors>; 2]) -> String {
+    match errors {
+        [Some(normal), Some(tangent)] => {
+            format!("normal {}, tangent {}", mean_and_max(normal), mean_and_max(tangent))
+        }
+        [errors, _] => errors.map(mean_and_max).unwrap_or_default(),
+    }
+}
+
+/// The rows of a compiler's report for RDNA 2, where there is one.
+fn rows() -> &'static [Value] {
+    static REPORT: OnceLock<Value> = OnceLock::new();
+    let report = REPORT.get_or_init(|| {
+        let text = std::fs::read(repository().join("host/data/costs_navi21.json")).unwrap_or_default();
+        serde_json::from_slice(&text).unwrap_or_default()
+    });
+    report["rows"].as_array().map_or(&[], Vec::as_slice)
+}
+
+/// Inverse throughput of the textbook's kernel and of the codec's, from GLSL.
+fn costs(textbook: &Textbook, operation: Operation) -> String {
+    let of = |source: &str, key: &str, id: &str| {
+        let row = rows().iter().find(|row| {
+            row["source"] == source && row[key] == id && row["operation"] == operation.to_string().as_str()
+        });
+        row.and_then(|row| row["inverse_throughput"].as_u64()).map_or("-".to_owned(), |t| t.to_string())
+    };
+    format!("{} → {}", of("textbook", "textbook", textbook.id), of("glsl", "id", textbook.codec))
+}
+
+/// The GLSL file of a codec.
+fn file(id: &str) -> String {
+    find_frame(id).map_or_else(|| find(id).unwrap().glsl_file(), |frame| frame.glsl_file().to_owned())
+}
+
+/// The inputs that come back as they should not, by what they come back as. A vector that is too short or too long to
+/// count as a direction may be +Z.
+fn faults(textbook: &Textbook, source: &str) -> String {
+    let mut faults: Vec<(&str, Vec<&str>)> = Vec::new();
+    for (column, heading) in INPUTS.iter().take(INPUTS.len() - 1) {
+        let outcome = cell(textbook.id, source, column);
+        if ["+Z", "right", "outside"].contains(&outcome) {
+            continue;
+        }
+        match faults.iter_mut().find(|(other, _)| *other == outcome) {
+            Some((_, headings)) => headings.push(heading),
+            None => faults.push((outcome, vec![heading])),
+        }
+    }
+    let told = faults.iter().map(|(outcome, headings)| format!("{}: {outcome}", headings.join(", ")));
+    let told: Vec<String> = told.collect();
+    if told.is_empty() { "as it should".to_owned() } else { told.join("; ") }
+}
+
+/// What you have, and what you get.
+pub fn table() -> String {
+    let mut text = String::from(
+        "| what you have | what you get: include, call | old codes stay | T encode | T decode | mean / max error, degrees \
+         | bad input | finer in as many bytes |\n|---|---|---|---|---|---|---|---|\n",
+    );
+    for textbook in TEXTBOOK {
+        let nan = number(textbook.id, "nan_per_million");
+        let nan = if nan > 0.0 { format!(", NaN for {nan} in a million") } else { String::new() };
+        let finer =
+            textbook.finer.map_or_else(String::new, |id| format!("`{id}`: {}", joined(errors_of_codec(id))));
+        text += &format!(
+            "| {}: `{}` | `{}`: `{}` | {} | {} | {} | {}{nan} → {} | {} → {} | {finer} |\n",
+            textbook.title,
+            textbook.id,
+            file(textbook.codec),
+            textbook.codec,
+            cell(textbook.id, "textbook", "same_codes"),
+            costs(textbook, Operation::Encode),
+            costs(textbook, Operation::Decode),
+            joined(errors(textbook)),
+            joined(errors_of_codec(textbook.codec)),
+            faults(textbook, "textbook"),
+            faults(textbook, "unitvec"),
+        );
+    }
+    text
+}
+
+/// What each does with vectors that have no direction or no unit length, and with codes that encoders never write.
+pub fn input_table() -> String {
+    let headings = INPUTS.map(|(_, heading)| heading).join(" | ");
+    let mut text = format!("| | {headings} |\n|---|{}\n", "---|".repeat(INPUTS.len()));
+    for textbook in TEXTBOOK {
+        for source in SOURCES {
+            let name = match source {
+                "textbook" => format!("`{}`, textbook", textbook.id),
+                _ => format!("`{}`, unitvec", textbook.codec),
+            };
+            let cells = INPUTS.map(|(column, _)| cell(textbook.id, source, column)).join(" | ");
+            text += &format!("| {name} | {cells} |\n");
+        }
+    }
+    text
+}
+
+/// What docs/textbook.md says in words.
+#[test]
+fn what_textbooks_do() {
+    let mean = |id| number(id, "mean_deg");
+    let max = |id| number(id, "max_deg");
+    let codec = |id| accuracy::of(id, "direction");
+    // Listing 3 picks among neighbours by cosines that float32 cannot tell apart.
+    assert!(
+        max("oct16p") < 1.01 * codec("oct16p").max
+            && (1.35..1.45).contains(&(max("oct24p") / codec("oct24p").max))
+    );
+    assert!(mean("oct32p") > 1.8 * mean("oct32") && max("oct32p") > 1.8 * max("oct32"));
+    for id in ["oct16", "oct24", "oct32", "oct16p", "oct24p", "oct32p"] {
+        assert!(
+            ["zero", "nan", "denormal"].iter().all(|column| cell(id, "textbook", column) == "-Z"),
+            "{id}"
+        );
+    }
+    // The sphere map's disk has a border, and -Z is on it.
+    assert!(
+        number("spheremap16", "nan_per_million") > 2000.0 && number("spheremap32", "nan_per_million") > 10.0
+    );
+    assert!(max("spheremap32") > 5.0);
+    assert!(
+        mean("spheremap16") > 1.4 * codec("oct16").mean && mean("spheremap32") > 1.5 * codec("oct32").mean
+    );
+    // lavapipe's trigonometry is good enough for 16 bits.
+    assert!(mean("spherical16") < 1.01 * codec("spherical16").mean);
+    assert!(mean("spherical32") > 3.0 * codec("spherical32").mean);
+    // The table of best fits is a little coarser than the cells of ours.
+    assert!(mean("crytek_bfn24") > codec("snorm8x3p").mean);
+    // The basis of a decoded normal is another where two of the normal's components are alike.
+    assert!(number("frame32", "tangent_max_deg") > 179.0);
+    assert!(accuracy::of("frame32", "tangent").max < 0.4);
+    for textbook in TEXTBOOK {
+        let codec = find_format(textbook.codec).unwrap().id;
+        assert!(mean(textbook.id) > 0.995 * errors_of_codec(codec)[0].unwrap().mean, "{}", textbook.id);
+        // Zero, NaN and infinity are +Z throughout.
+        for column in ["zero", "nan", "infinity"] {
+            assert_eq!(cell(textbook.id, "unitvec", column), "+Z", "{}", textbook.id);
+            assert_ne!(cell(textbook.id, "textbook", "nan"), "+Z", "{}", textbook.id);
+        }
+    }
+}
