@@ -88,15 +88,14 @@ fn draw(
     caption: &str,
     points: &[Point],
 ) -> Result<(), Box<dyn Error>> {
+    let range = costs(points);
+    let labels: Vec<f64> = COST_LABELS.into_iter().filter(|cost| range.contains(cost)).collect();
     let mut chart = ChartBuilder::on(area)
         .caption(caption, ("sans-serif", 18))
         .margin(10)
         .x_label_area_size(40)
         .y_label_area_size(60)
-        .build_cartesian_2d(
-            costs(points).log_scale().with_key_points(COST_LABELS.to_vec()),
-            DEGREES.log_scale(),
-        )?;
+        .build_cartesian_2d(range.log_scale().with_key_points(labels), DEGREES.log_scale())?;
     chart
         .configure_mesh()
         .x_labels(COST_LABELS.len())
