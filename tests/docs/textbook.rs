@@ -125,7 +125,7 @@ fn faults(textbook: &Textbook, source: &str) -> String {
     }
     let told = faults.iter().map(|(outcome, headings)| format!("{}: {outcome}", headings.join(", ")));
     let told: Vec<String> = told.collect();
-    if told.is_empty() { "as it should".to_owned() } else { told.join("; ") }
+    told.join("; ")
 }
 
 /// What you have, and what you get.
@@ -140,9 +140,9 @@ pub fn table() -> String {
         let finer =
             textbook.finer.map_or_else(String::new, |id| format!("`{id}`: {}", joined(errors_of_codec(id))));
         text += &format!(
-            "| {}: `{}` | `{}`: `{}` | {} | {} | {} | {}{nan} → {} | {} → {} | {finer} |\n",
-            textbook.title,
+            "| `{}`: {} | `{}`: `{}` | {} | {} | {} | {}{nan} → {} | {} | {finer} |\n",
             textbook.id,
+            textbook.title,
             file(textbook.codec),
             textbook.codec,
             cell(textbook.id, "textbook", "same_codes"),
@@ -150,8 +150,7 @@ pub fn table() -> String {
             costs(textbook, Operation::Decode),
             joined(errors(textbook)),
             joined(errors_of_codec(textbook.codec)),
-            faults(textbook, "textbook"),
-            faults(textbook, "unitvec"),
+            [faults(textbook, "textbook"), faults(textbook, "unitvec")].join(" → ").trim_end_matches(" → "),
         );
     }
     text
