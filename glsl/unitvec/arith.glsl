@@ -188,12 +188,21 @@ float unitvec_unorm_decode(uint code, uint bits) {
     return r;
 }
 
-// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go to the even integer.
+// By comparing integers: see unitvec_is_within.
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
+// code. Ties go to the even integer.
+uint unitvec_snorm_code(float r, uint bits) {
+    UNITVEC_PRECISE float position = min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits);
+    return unitvec_nearest_code(position, bits);
+}
+
+// The same for any r: NaN gives 0.
 uint unitvec_snorm_encode(float r, uint bits) {
-    float magnitude = abs(r) > 0.0 ? abs(r) : 0.0;
-    float clamped = magnitude < 1.0 ? magnitude : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_snorm_max(bits);
-    return unitvec_nearest_code(unitvec_with_sign(position, r), bits);
+    return unitvec_is_nan(r) ? 0u : unitvec_snorm_code(r, bits);
 }
 
 // Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
@@ -206,11 +215,6 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     uint left = 32u - bits;
     vec2 integers = vec2(int(code << left) >> int(left), int(code << (left - bits)) >> int(left));
     return max(integers, -unitvec_snorm_max(bits));
-}
-
-// By comparing integers: see unitvec_is_within.
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 
 // Both clamped to [-1, 1]; 0 where one is NaN.

@@ -3,7 +3,7 @@
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
 //! leave the rounding of ties open; here the ties of unorm go up, and those of snorm to the even integer.
 
-use super::{integer_part, mask, max, nearest_code, signed_integer, signed_integer_at, with_sign};
+use super::{SIGN_BIT, integer_part, mask, max, min, nearest_code, signed_integer, signed_integer_at};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -37,9 +37,15 @@ pub fn unorm_decode(code: u32, bits: u32) -> f32 {
 /// pattern of `-2^(bits-1)` is never written. NaN gives 0.
 #[inline(always)]
 pub fn snorm_encode(r: f32, bits: u32) -> u32 {
-    let magnitude = if r.abs() > 0.0 { r.abs() } else { 0.0 };
-    let clamped = if magnitude < 1.0 { magnitude } else { 1.0 };
-    nearest_code(with_sign(clamped * snorm_max(bits), r), bits)
+    const INFINITY: u32 = f32::INFINITY.to_bits();
+    let is_nan = r.to_bits() & !SIGN_BIT > INFINITY;
+    if is_nan { 0 } else { snorm_code(r, bits) }
+}
+
+/// As [`snorm_encode`], for `r` that is not NaN, which gives any code.
+#[inline(always)]
+pub fn snorm_code(r: f32, bits: u32) -> u32 {
+    nearest_code(min(max(r, -1.0), 1.0) * snorm_max(bits), bits)
 }
 
 /// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 24) are
