@@ -496,6 +496,38 @@ fn choose_gives_the_cheapest_that_meets_the_demand() {
     assert_eq!(run(["choose", "--max-error", "zero"]).status.code(), Some(2));
 }
 
+/// The costs of RDNA 2 are those to choose by where nothing else is named.
+#[test]
+fn choose_takes_the_costs_of_a_gpu() {
+    let with = |gpu: &[&str]| {
+        let output = run([&["choose", "--max-error", "0.05", "--json"], gpu].concat());
+        serde_json::from_slice::<Value>(&output.stdout).unwrap()
+    };
+    let default = with(&[]);
+    assert!(default["costs_of"].as_str().unwrap().starts_with("RDNA 2 (navi21)"), "{default}");
+    assert_eq!(default, with(&["--gpu", "navi21"]));
+    assert!(with(&["--gpu", "gcn4"])["costs_of"].as_str().unwrap().contains("polaris10"));
+    let lavapipe = with(&["--gpu", "lavapipe"]);
+    assert!(lavapipe["costs_of"].as_str().unwrap().contains("llvmpipe"));
+    assert_ne!(lavapipe["candidates"][0]["encode_cost"], default["candidates"][0]["encode_cost"]);
+    let unknown = run(["choose", "--max-error", "0.05", "--gpu", "voodoo2"]);
+    assert_eq!(unknown.status.code(), Some(2));
+    assert!(stderr(&unknown).contains("bench --isa --gpu voodoo2 --json FILE"), "{}", stderr(&unknown));
+}
+
+/// A report without `oct32` has nothing that costs could be multiples of.
+#[test]
+fn choose_needs_oct32_in_a_report() {
+    let folder = tempfile::tempdir().unwrap();
+    let costs = folder.path().join("costs.json");
+    let device = r#"{"index": 0, "name": "a", "kind": "discrete", "driver": "b", "api_version": "1.3.0"}"#;
+    let row = r#"{"id": "oct16", "operation": "encode", "source": "glsl", "inverse_throughput": 100}"#;
+    std::fs::write(&costs, format!(r#"{{"device": {device}, "sources": {{}}, "rows": [{row}]}}"#)).unwrap();
+    let refused = run(["choose", "--max-error", "0.05", "--costs", path(&costs)]);
+    assert_eq!(refused.status.code(), Some(1));
+    assert!(stderr(&refused).contains("no inverse throughput of oct32"), "{}", stderr(&refused));
+}
+
 /// With other costs the choice is another one.
 #[test]
 fn choose_goes_by_the_costs_it_is_given() {

@@ -22,6 +22,7 @@ mod frame;
 mod glsl;
 mod hemioct;
 mod ico;
+mod isa;
 mod latlong;
 mod list;
 mod loss;

@@ -5,13 +5,21 @@ use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
 use unitvec_host::catalogue::{self, Operation, find_format, formats};
-#[cfg(feature = "glsl")]
-use unitvec_host::glsl::Compiler;
 use unitvec_host::manifest::{
     BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, schema, sha256_hex, sources_sha256,
 };
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
+#[cfg(feature = "glsl")]
+use unitvec_host::{
+    catalogue::Domain,
+    glsl::{Compiler, ENTRY_POINT},
+    modules::Modules,
+    sampling,
+    vulkan::{Buffers, Runner, SENTINEL},
+};
 use unitvec_tests::repository;
+#[cfg(feature = "glsl")]
+use unitvec_tests::{assert_no_validation_messages, lavapipe};
 
 fn folder() -> PathBuf {
     repository().join("spirv")
@@ -249,6 +257,72 @@ fn entry_points_are_as_the_manifest_says() {
     }
 }
 
+/// Those of an entry point's interface, with their defaults: `whole_groups` of all but cost kernels.
+#[test]
+fn specialization_constants_are_those_of_the_manifest() {
+    let interfaces = manifest().interfaces;
+    for (module, spirv) in all_modules() {
+        let constants = spirv.all(OP_SPEC_CONSTANT);
+        let of_module: Vec<(u32, u32)> = constants
+            .map(|operands| (spirv.decoration(operands[1], SPEC_ID).unwrap()[0], operands[2]))
+            .collect();
+        let expected = if module.file.starts_with("cost/") { vec![] } else { vec![(0, 0)] };
+        assert_eq!(of_module, expected, "{}", module.file);
+        for entry in &module.entry_points {
+            let listed = &interfaces[&entry.interface].specialization_constants;
+            let listed = listed.iter().map(|constant| (constant.id, constant.default));
+            assert_eq!(listed.collect::<Vec<_>>(), of_module, "{}", entry.name);
+        }
+    }
+}
+
+/// With buffers of whole groups, kernels write the groups that the others write when they are asked for all of them, and
+/// nothing behind.
+#[cfg(feature = "glsl")]
+#[test]
+fn kernels_of_whole_groups_write_the_same() {
+    const COUNTS: [usize; 3] = [4, 1000, 4099];
+    const MOST: usize = 4100;
+    let device = lavapipe();
+    let mut runner = Runner::new(&device, MOST, true).unwrap();
+    let (modules, compiler) = (Modules::open(None).unwrap(), Compiler::new().unwrap());
+    for id in ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
+        let format = find_format(id).unwrap();
+        let random = sampling::random_elements(format.element, Domain::Sphere, 11);
+        let elements: Vec<u8> =
+            random.take(MOST * format.element.floats()).flat_map(f32::to_le_bytes).collect();
+        let mut codes = vec![0; MOST * format.bytes];
+        for operation in Operation::ALL {
+            let name = format.function(operation);
+            let from_rust = modules.load(&name).unwrap();
+            let from_glsl = compiler.kernel(format, operation).unwrap();
+            for (spirv, entry_point) in [(&from_rust[..], name.as_str()), (&from_glsl[..], ENTRY_POINT)] {
+                let [exact, whole] = [Buffers::ExactSize, Buffers::WholeGroups]
+                    .map(|buffers| runner.kernel_for(buffers, spirv, entry_point, None).unwrap());
+                let (read, written) = match operation {
+                    Operation::Encode => (&elements, format.bytes),
+                    Operation::Decode => (&codes, format.element.bytes()),
+                };
+                for count in COUNTS {
+                    let groups = count.next_multiple_of(GROUP);
+                    let input = &read[..groups * (read.len() / MOST)];
+                    let [mut expected, mut actual] = [(); 2].map(|()| vec![0; groups * written + 16]);
+                    runner.run(&exact, groups, input, &mut expected).unwrap();
+                    runner.run(&whole, count, input, &mut actual).unwrap();
+                    assert!(actual == expected, "{entry_point} of {name}: {count}");
+                    let behind = actual[groups * written..].chunks(4);
+                    assert!(behind.into_iter().all(|word| word == SENTINEL.to_le_bytes()), "{name}");
+                }
+                if operation == Operation::Encode {
+                    runner.run(&exact, MOST, &elements, &mut codes).unwrap();
+                }
+            }
+        }
+    }
+    drop(runner);
+    assert_no_validation_messages(device);
+}
+
 /// The text that begins these words, and the words after it.
 fn literal(words: &[u32]) -> (String, &[u32]) {
     let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_le_bytes()).collect();
@@ -346,12 +420,14 @@ const OP_EXECUTION_MODE: u32 = 16;
 const OP_CAPABILITY: u32 = 17;
 const OP_TYPE_STRUCT: u32 = 30;
 const OP_TYPE_POINTER: u32 = 32;
+const OP_SPEC_CONSTANT: u32 = 50;
 const OP_FUNCTION: u32 = 54;
 const OP_FUNCTION_END: u32 = 56;
 const OP_VARIABLE: u32 = 59;
 const OP_DECORATE: u32 = 71;
 /// OpAccessChain, OpInBoundsAccessChain, OpArrayLength.
 const ACCESSES: [u32; 3] = [65, 66, 68];
+const SPEC_ID: u32 = 1;
 const ARRAY_STRIDE: u32 = 6;
 const NON_WRITABLE: u32 = 24;
 const BINDING: u32 = 33;

@@ -16,6 +16,7 @@ fn tables() -> Vec<Vec<&'static str>> {
         vec!["error", "host/data/bunny.obj", "host/data/bunny.obj", "--codec", "stereo_concentric32"],
     ];
     if cfg!(feature = "glsl") {
+        commands.push(vec!["bench", "--isa", "--gpu", "navi21", "--codec", "stereo_concentric32"]);
         commands.push(vec!["bench", "--count", "100", "--samples", "1", "--codec", "stereo_concentric32"]);
     }
     commands
@@ -54,7 +55,7 @@ fn every_line_fits_80_columns() {
 /// enough, there is all that a pipe gets.
 #[test]
 fn wide_prints_what_a_pipe_gets() {
-    let is_timed = |arguments: &[&str]| arguments[0] == "bench";
+    let is_timed = |arguments: &[&str]| arguments[..2] == ["bench", "--count"];
     for arguments in tables() {
         let (whole, narrow) = (printed(&arguments, None), printed(&arguments, Some(80)));
         if widest(&whole) > 80 && !["choose", "devices", "conform"].contains(&arguments[0]) {

@@ -10,19 +10,30 @@ layout(push_constant) uniform Count { uint vectors; };
 layout(set = 0, binding = 0) readonly buffer Input { uint words_in[]; };
 layout(set = 0, binding = 1) writeonly buffer Output { uint words_out[]; };
 
-#ifndef HAS_TABLE
-#define HAS_TABLE true
+// The vectors that the host asks for: none, where a table is too short.
+uint asked() {
+#ifdef HAS_TABLE
+    return HAS_TABLE ? vectors : 0u;
+#else
+    return vectors;
 #endif
+}
 
-// The words of a group of which there are `count`; words that it lacks repeat the last one that it has.
+// The words of a group of which there are `count`; where it lacks words, some of those that it has come again.
 uint[READ] load(uint group, uint count) {
     uint first = group * READ;
     uint w[READ];
     if (count >= 4u) {
         for (uint k = 0u; k < READ; ++k) w[k] = words_in[first + k];
     } else {
+#if READ % 4 == 0
+        // Each of the four has whole words. Those of the last one stand in for what lacks.
+        const uint each = READ / 4;
+        for (uint k = 0u; k < READ; ++k) w[k] = words_in[first + each * min(k / each, count - 1u) + k % each];
+#else
         uint last = (count * READ - 1u) / 4u;
         for (uint k = 0u; k < READ; ++k) w[k] = words_in[first + min(k, last)];
+#endif
     }
     return w;
 }
@@ -33,25 +44,33 @@ void store(uint w[WRITTEN], uint group, uint count) {
     if (count >= 4u) {
         for (uint k = 0u; k < WRITTEN; ++k) words_out[first + k] = w[k];
     } else {
+#if WRITTEN % 4 == 0
+        // Each of the four has whole words: these have no more than three conditions.
+        const uint each = WRITTEN / 4;
+        for (uint k = 0u; k < WRITTEN; ++k) {
+            if (k / each < count) words_out[first + k] = w[k];
+        }
+#else
         uint bytes = count * WRITTEN;
         for (uint k = 0u; k < WRITTEN; ++k) {
             uint left = bytes - 4u * k;
             if (4u * k < bytes) words_out[first + k] = left < 4u ? w[k] & ((1u << (8u * left)) - 1u) : w[k];
         }
+#endif
     }
 }
 
 // How many of a group's four there are in both buffers, of those that the host asks for: none, where there is nothing to do.
 uint here(uint group) {
     uint first = group * 4u;
-    if (whole_groups != 0u) return first < vectors ? 4u : 0u;
+    if (whole_groups != 0u) return first < asked() ? 4u : 0u;
     uint held = min(uint(words_in.length()) * 4u / READ, uint(words_out.length()) * 4u / WRITTEN);
-    uint number = min(vectors, held);
+    uint number = min(asked(), held);
     return first < number ? number - first : 0u;
 }
 
 void main() {
     uint group = gl_GlobalInvocationID.x;
     uint count = here(group);
-    if (count > 0u && HAS_TABLE) store(convert(load(group, count)), group, count);
+    if (count > 0u) store(convert(load(group, count)), group, count);
 }

@@ -152,9 +152,18 @@ uint unitvec_nearest_code(float x, uint bits) {
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 
+// The integer of the `bits` bits of a code from bit `first` on, in two's complement.
+int unitvec_signed_field(uint code, uint first, uint bits) {
+#if __VERSION__ >= 400 || (defined(GL_ES) && __VERSION__ >= 310)
+    return bitfieldExtract(int(code), int(first), int(bits));
+#else
+    return int(code << (32u - bits - first)) >> int(32u - bits);
+#endif
+}
+
 // Integer of the low `bits` bits (2 to 25) of a code, in two's complement.
 float unitvec_signed_integer(uint code, uint bits) {
-    return float(int(code << (32u - bits)) >> int(32u - bits));
+    return float(unitvec_signed_field(code, 0u, bits));
 }
 
 // The nearest whole numbers to those of e as one code: x in the low `bits` bits (at most 16), y in the next.
@@ -205,9 +214,15 @@ uint unitvec_snorm_encode(float r, uint bits) {
     return unitvec_is_nan(r) ? 0u : unitvec_snorm_code(r, bits);
 }
 
-// Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
+// Integer of the snorm in the `bits` bits of a code from bit `first` on, as a float, with -2^(bits-1) taken as
+// -(2^(bits-1) - 1).
+float unitvec_snorm_field(uint code, uint first, uint bits) {
+    return max(float(unitvec_signed_field(code, first, bits)), -unitvec_snorm_max(bits));
+}
+
+// That of the low `bits` bits.
 float unitvec_snorm_integer(uint code, uint bits) {
-    return max(unitvec_signed_integer(code, bits), -unitvec_snorm_max(bits));
+    return unitvec_snorm_field(code, 0u, bits);
 }
 
 // The integers of a code of two snorms of `bits` bits: x in the low bits, y in the next.
@@ -240,7 +255,7 @@ uint unitvec_half_encode_magnitude(float x) {
     uint exponent = bits >> 23u;
 
     // From 2^-14 on: 13 bits less of the significand, 112 less of the exponent; a carry is right in both.
-    uint normal = (bits - 0x38000000u + 0xfffu + ((bits >> 13u) & 1u)) >> 13u;
+    uint normal = (bits - (0x38000000u - 0xfffu) + ((bits >> 13u) & 1u)) >> 13u;
 
     // From 2^-25 to 2^-14: whole multiples of 2^-24. Below, `shift` stands in for one that is larger.
     uint shift = exponent >= 102u ? (126u - exponent) & 31u : 25u;

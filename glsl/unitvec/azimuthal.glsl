@@ -219,7 +219,7 @@ uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
 
 vec3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
     // v without regard to the highest bit.
-    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_signed_integer(code >> (bits / 2u), bits / 2u - 1u));
+    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_signed_field(code, bits / 2u, bits / 2u - 1u));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
     vec2 m = unitvec_azimuthal_largest(bits);
     vec4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), m)

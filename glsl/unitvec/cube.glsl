@@ -49,7 +49,7 @@ uint unitvec_cube_unpack_face(uint code, uint bits) {
 
 vec2 unitvec_cube_unpack(uint code, uint bits) {
     uvec2 widths = unitvec_cube_widths(bits);
-    return vec2(unitvec_snorm_integer(code, widths.x), unitvec_snorm_integer(code >> widths.x, widths.y));
+    return vec2(unitvec_snorm_field(code, 0u, widths.x), unitvec_snorm_field(code, widths.x, widths.y));
 }
 
 uint unitvec_cube_encode(vec3 v, uint bits) {

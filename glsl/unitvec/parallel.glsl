@@ -73,14 +73,17 @@ vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
 vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
     UNITVEC_PRECISE vec2 position = p * plane.steps + 0.5;
     vec2 e = min(floor(position), plane.m);
-    bool unwritten = unitvec_parallel_is_outside(plane, e)
-        && unitvec_parallel_is_outside(plane, unitvec_parallel_inwards(plane, e, plane.inset));
-    return unwritten ? unitvec_parallel_inwards(plane, e, 1.0) : e;
+    // Variables, since `&&` and `?:` branch around calls.
+    bool outside = unitvec_parallel_is_outside(plane, e);
+    bool inset_outside = unitvec_parallel_is_outside(plane, unitvec_parallel_inwards(plane, e, plane.inset));
+    vec2 inner = unitvec_parallel_inwards(plane, e, 1.0);
+    return outside && inset_outside ? inner : e;
 }
 
 // Point that whole numbers, not negative, stand for: not outside.
 vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
-    vec2 inset = unitvec_parallel_is_outside(plane, e) ? unitvec_parallel_inwards(plane, e, plane.inset) : e;
+    vec2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
+    vec2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
     UNITVEC_PRECISE vec2 p = e / plane.steps;
     UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(unitvec_parallel_extent(plane, p));
     UNITVEC_PRECISE vec2 projected = e * onto_border;
@@ -102,7 +105,7 @@ vec3 unitvec_parallel_unit(vec3 v) {
 
 float unitvec_parallel_third(vec2 p) {
     UNITVEC_PRECISE float square = 1.0 - (p.x * p.x + p.y * p.y);
-    UNITVEC_PRECISE float root = sqrt(square > 0.0 ? square : 0.0);
+    UNITVEC_PRECISE float root = sqrt(max(square, 0.0));
     return root;
 }
 
@@ -218,8 +221,9 @@ uint xyonly32f_encode(vec3 v) {
     vec3 n = unitvec_parallel_upper_unit(v);
     uint a = unitvec_half_encode_magnitude(n.x);
     uint b = unitvec_half_encode_magnitude(n.y);
-    bool unwritten = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves(a, b))
-        && unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves_inset(a, b));
+    bool off_disk = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves(a, b));
+    bool inset_off_disk = unitvec_xyonly32f_is_off_disk(unitvec_xyonly32f_halves_inset(a, b));
+    bool unwritten = off_disk && inset_off_disk;
     uint x = a - (unwritten && a >= b ? 1u : 0u);
     uint y = b - (unwritten && a < b ? 1u : 0u);
     uint x_sign = unitvec_is_negative(n.x) && x != 0u ? 0x8000u : 0u;
@@ -231,7 +235,8 @@ vec3 xyonly32f_decode(uint code) {
     uint a = code & 0x7fffu;
     uint b = (code >> 16u) & 0x7fffu;
     vec2 p = unitvec_xyonly32f_halves(a, b);
-    vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? unitvec_xyonly32f_halves_inset(a, b) : p;
+    vec2 inner = unitvec_xyonly32f_halves_inset(a, b);
+    vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
     UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
     UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(square);
     UNITVEC_PRECISE vec2 projected = p * onto_border;

@@ -2,7 +2,9 @@
 
 use crate::accuracy::measure;
 use crate::backend::{BackendKind, Cpu};
+use crate::bench::REFERENCE;
 use crate::catalogue::{CATALOGUE, CodecInfo, Domain, Operation};
+use crate::isa::{self, GENERATIONS};
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -60,13 +62,13 @@ pub struct Demand {
     pub hemisphere: bool,
 }
 
-/// What codecs cost: their arithmetic as multiples of `oct32`'s, of both operations.
+/// What codecs cost: as multiples of `oct32`'s, of both operations.
 pub struct Costs {
     device: String,
     by_codec: HashMap<String, [f64; 2]>,
 }
 
-/// What [`Costs`] reads of the report of `unitvec bench --json`.
+/// What [`Costs`] reads of the report of `unitvec bench --json` without `--isa`.
 #[derive(Deserialize)]
 struct Report {
     device: ReportDevice,
@@ -87,34 +89,68 @@ struct ReportRow {
 }
 
 impl Costs {
-    /// Those measured on lavapipe, which ship with the program.
+    /// Those of a generation of GPUs, by the name of either, or `lavapipe`'s: they ship with the program.
     ///
     /// # Errors
-    /// [`Error::BadCosts`], which would be a fault of this crate.
-    pub fn shipped() -> Result<Self> {
+    /// [`Error::Usage`] for another name; [`Error::BadCosts`], which would be a fault of this crate.
+    pub fn shipped(name: &str) -> Result<Self> {
+        if let Some(generation) = isa::find_generation(name) {
+            return Self::compiled(&generation.path(), &generation.shipped()?);
+        }
+        if name != "lavapipe" {
+            return Err(Error::Usage(unknown(name)));
+        }
         Self::parse(Path::new("host/data/costs_lavapipe.json"), include_bytes!("../data/costs_lavapipe.json"))
     }
 
-    /// Those of a report of `unitvec bench --json`.
+    /// Those of a report of `unitvec bench --json`, with `--isa` or without.
     ///
     /// # Errors
     /// [`Error::BadCosts`] if it is not one.
     pub fn parse(path: &Path, json: &[u8]) -> Result<Self> {
+        if let Ok(report) = isa::Report::parse(path, json) {
+            return Self::compiled(path, &report);
+        }
         let report: Report = serde_json::from_slice(json)
             .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: error.to_string() })?;
-        let mut by_codec: HashMap<String, [f64; 2]> = HashMap::new();
-        for row in report.rows.into_iter().filter(|row| row.backend == BackendKind::Rust) {
-            if let Some(ratio) = row.alu_ratio_to_oct32 {
-                by_codec.entry(row.id).or_insert([f64::NAN; 2])[row.operation as usize] = ratio;
-            }
-        }
-        Ok(Self { device: report.device.name, by_codec })
+        let ratio = |row: ReportRow| Some((row.id, row.operation, row.alu_ratio_to_oct32?));
+        let rows = report.rows.into_iter().filter(|row| row.backend == BackendKind::Rust);
+        Ok(Self::new(report.device.name, rows.filter_map(ratio)))
     }
 
-    /// The device they were measured on.
+    /// By inverse throughput, of the kernels from GLSL.
+    fn compiled(path: &Path, report: &isa::Report) -> Result<Self> {
+        let rows = report.rows.iter().filter(|row| row.source == isa::Source::Glsl);
+        let ratio = |row: &isa::Row| Some((row.id.clone(), row.operation, report.ratio_to_oct32(row)?));
+        let costs = Self::new(report.subject(), rows.filter_map(ratio));
+        if costs.by_codec.is_empty() {
+            let reason = format!("it has no inverse throughput of {REFERENCE}, which costs are multiples of");
+            return Err(Error::BadCosts { path: path.to_owned(), reason });
+        }
+        Ok(costs)
+    }
+
+    fn new(device: String, ratios: impl Iterator<Item = (String, Operation, f64)>) -> Self {
+        let mut by_codec: HashMap<String, [f64; 2]> = HashMap::new();
+        for (id, operation, ratio) in ratios {
+            by_codec.entry(id).or_insert([f64::NAN; 2])[operation as usize] = ratio;
+        }
+        Self { device, by_codec }
+    }
+
+    /// The device they are of.
     pub fn device(&self) -> &str {
         &self.device
     }
+}
+
+fn unknown(name: &str) -> String {
+    let known = GENERATIONS.map(|generation| format!("{} ({})", generation.name, generation.gpu));
+    format!(
+        "no costs of a GPU `{name}` ship with the program; --gpu takes {} or lavapipe; for others, `unitvec bench --isa --gpu \
+         {name} --json FILE` writes a report that --costs takes",
+        known.join(", ")
+    )
 }
 
 /// A codec that meets the demand.
@@ -130,9 +166,9 @@ pub struct Candidate {
     pub max_error_deg: f64,
     /// Its mean error, measured now, degrees.
     pub mean_error_deg: f64,
-    /// Arithmetic of encoding as a multiple of `oct32`'s, where it was measured.
+    /// Cost of encoding as a multiple of `oct32`'s, where it is known.
     pub encode_cost: Option<f64>,
-    /// Arithmetic of decoding as a multiple of `oct32`'s, where it was measured.
+    /// Cost of decoding as a multiple of `oct32`'s, where it is known.
     pub decode_cost: Option<f64>,
 }
 

@@ -1,8 +1,12 @@
-//! What codecs cost on lavapipe, as `unitvec bench --json` wrote it to `host/data/costs_lavapipe.json`.
+//! What codecs cost: on lavapipe, as `unitvec bench --json` wrote it to `host/data/costs_lavapipe.json`, and on GPUs, by their
+//! compilers.
 
+use super::compare;
+use crate::isa::committed;
 use serde_json::Value;
 use std::sync::OnceLock;
-use unitvec_host::catalogue::formats;
+use unitvec_host::catalogue::{Operation, formats};
+use unitvec_host::isa::{GENERATIONS, Generation, Report, Source, find_generation, pareto};
 use unitvec_tests::repository;
 
 fn report() -> &'static Value {
@@ -75,4 +79,90 @@ pub fn table() -> String {
 pub fn by_table(id: &str) -> Option<f64> {
     let speed = |by_table| figure(id, "decode", by_table, "vectors_per_s");
     Some(speed(true)? / speed(false)?)
+}
+
+/// The committed figures of each generation.
+fn compiled() -> &'static [(&'static Generation, Report)] {
+    static COMPILED: OnceLock<Vec<(&Generation, Report)>> = OnceLock::new();
+    COMPILED
+        .get_or_init(|| GENERATIONS.iter().map(|generation| (generation, committed(generation))).collect())
+}
+
+fn rdna2() -> &'static Report {
+    let rdna2 = find_generation("rdna2").unwrap();
+    &compiled().iter().find(|(generation, _)| generation.name == rdna2.name).unwrap().1
+}
+
+/// Which compilers the figures are of.
+pub fn compilers() -> String {
+    let mut text = String::from("| generation | GPU | compiler |\n|---|---|---|\n");
+    for (generation, report) in compiled() {
+        text += &format!("| {} | `{}` | {} |\n", generation.title, generation.gpu, report.device.driver);
+    }
+    text
+}
+
+/// The inverse throughput of both operations as multiples of `oct32`'s, beside the arithmetic on lavapipe.
+pub fn gpus() -> String {
+    let titles: Vec<&str> = compiled().iter().map(|(generation, _)| generation.title).collect();
+    let mut text = format!(
+        "| codec: encode / decode | {} | lavapipe |\n|---|{}---|\n",
+        titles.join(" | "),
+        "---|".repeat(titles.len())
+    );
+    for format in formats() {
+        let of = |report: &Report| {
+            let cost = |operation| report.ratio_to_oct32(report.row(format.id, operation, Source::Glsl)?);
+            Operation::ALL.map(|operation| number(cost(operation), 1)).join(" / ")
+        };
+        let cells: Vec<String> = compiled().iter().map(|(_, report)| of(report)).collect();
+        text += &format!("| `{}` | {} | {} |\n", format.id, cells.join(" | "), both(format.id));
+    }
+    text
+}
+
+/// All figures on RDNA 2.
+pub fn navi21() -> String {
+    let mut text = String::from(
+        "| codec | encode: T | instructions | vector / v | registers | rust / glsl | decode: T | instructions | vector / v \
+         | registers | rust / glsl |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for format in formats() {
+        let cells = Operation::ALL.map(|operation| {
+            let row = |source| rdna2().row(format.id, operation, source);
+            let (glsl, rust) = (row(Source::Glsl).unwrap(), row(Source::Rust).unwrap());
+            let integer = |figure: Option<u64>| number(figure.map(|figure| figure as f64), 0);
+            [
+                integer(glsl.inverse_throughput),
+                integer(glsl.instructions),
+                number(glsl.vector_instructions, 1),
+                integer(glsl.vector_registers),
+                number(rdna2().ratio_to_glsl(rust), 2),
+            ]
+            .join(" | ")
+        });
+        text += &format!("| `{}` | {} |\n", format.id, cells.join(" | "));
+    }
+    text
+}
+
+/// The chart of error against cost shows the committed figures.
+#[test]
+fn the_chart_is_current() {
+    compare(&repository().join("docs/pareto.svg"), &pareto::svg(rdna2()).unwrap());
+}
+
+/// The chart names what is on its fronts, and nothing else.
+#[test]
+fn the_chart_names_its_fronts() {
+    let svg = pareto::svg(rdna2()).unwrap();
+    let is_named = |id: &str| svg.contains(&format!("\n{id}\n"));
+    for operation in Operation::ALL {
+        let points = pareto::points(rdna2(), operation);
+        // What has the least error of all takes part in a front, however much it costs; so does what costs least.
+        let finest = points.iter().min_by(|a, b| a.error_deg.total_cmp(&b.error_deg)).unwrap();
+        assert!(is_named(finest.codec.id) && is_named(points[0].codec.id), "{}", finest.codec.id);
+    }
+    assert!(is_named("ico16") && is_named("ico24") && is_named("ico32"));
+    assert!(!is_named("stereo16") && !is_named("hemioct16"));
 }

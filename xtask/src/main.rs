@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test, spirv, docs and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, costs, docs and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -21,6 +21,9 @@ usage: cargo xtask <command>
   setup                                      install what is missing, and nothing else
   spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead
+  costs [--driver ICD.json]                  compile the kernels for GPUs of all generations, without one, and write what they
+                                             cost to host/data and the docs; --driver names a newer RADV than the
+                                             system's, which those newer than Mesa's 22.3 need
   docs [--measure]                           write the tables of README and docs again; --measure measures errors first
   packages                                   build and test each package outside the repository, also with the oldest
                                              dependencies and, with the compiler of `spirv`, without std
@@ -38,6 +41,7 @@ fn main() -> ExitCode {
         "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
+        "costs" => costs(rest),
         "docs" => docs(rest),
         "packages" => setup::run().and_then(|()| packages::run(&repository())),
         "help" | "--help" | "-h" => {
@@ -108,6 +112,21 @@ fn spirv(arguments: &[String]) -> Result<(), String> {
     println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
     run(&mut cargo(&["test", "--quiet", "--package", "xtask-spirv"]))?;
     run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
+}
+
+fn costs(arguments: &[String]) -> Result<(), String> {
+    let driver = match arguments {
+        [] => None,
+        [option, file] if option == "--driver" => Some(file),
+        _ => return Err(format!("unknown arguments\n\n{USAGE}")),
+    };
+    setup::run()?;
+    let mut renew = cargo(&["test", "--package", "unitvec-tests", "--test", "unitvec"]);
+    renew.args(WITH_GLSL).args(["--", "--ignored", "--exact", "--nocapture", "isa::renew"]);
+    renew.envs(driver.map(|file| ("UNITVEC_NEWER_RADV_ICD", file)));
+    let renewed = run(&mut renew);
+    // The docs hold what could be renewed.
+    docs(&[]).and(renewed)
 }
 
 fn docs(arguments: &[String]) -> Result<(), String> {

@@ -24,8 +24,11 @@ pub struct Arguments {
     /// Directions with z >= 0 only, as in tangent-space normal maps: that saves a bit.
     #[arg(long)]
     hemisphere: bool,
-    /// Costs to choose by, which `unitvec bench --json FILE` wrote on the device in question; lavapipe's if not given.
-    #[arg(long, value_name = "FILE")]
+    /// GPU whose costs to choose by, by generation or code name (rdna2, navi21); or lavapipe.
+    #[arg(long, value_name = "NAME", default_value = "rdna2")]
+    gpu: String,
+    /// Costs to choose by instead: a report that `unitvec bench --json FILE` wrote, with --isa or without.
+    #[arg(long, value_name = "FILE", conflicts_with = "gpu")]
     costs: Option<PathBuf>,
     /// Print JSON instead of a table.
     #[arg(long)]
@@ -50,7 +53,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
             let json = std::fs::read(path).map_err(|source| Error::Read { path: path.clone(), source })?;
             Costs::parse(path, &json)?
         }
-        None => Costs::shipped()?,
+        None => Costs::shipped(&arguments.gpu)?,
     };
     let demand = Demand {
         max_error_deg: arguments.max_error,
@@ -90,10 +93,10 @@ fn reason(found: &[Candidate]) -> String {
             text += "; what it costs, or one of as few bytes, was not measured";
         }
         [] => text += ", and no other as few",
-        [_] => text += ", and the one other that takes as few costs more arithmetic",
+        [_] => text += ", and the one other that takes as few costs more",
         others => {
             // Writing to a String cannot fail.
-            let _ = write!(text, ", and the {} others that take as few cost more arithmetic", others.len());
+            let _ = write!(text, ", and the {} others that take as few cost more", others.len());
         }
     }
     let finest = alike.iter().min_by(|a, b| a.mean_error_deg.total_cmp(&b.mean_error_deg));
@@ -119,8 +122,7 @@ fn table(found: &[Candidate], costs: &Costs, reason: &str, columns: Option<usize
     let mut text = String::new();
     if !found.is_empty() {
         let legend = format!(
-            "errors in degrees: the upper bound of the maximum, the mean measured; cost of arithmetic as multiples of \
-             oct32's on {}",
+            "errors in degrees: the upper bound of the maximum, the mean measured; cost as multiples of oct32's on {}",
             costs.device()
         );
         text += &wrapped(&legend, "", columns);

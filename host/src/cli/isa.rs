@@ -6,11 +6,12 @@ use super::{
 };
 use clap::Args;
 use std::fmt::Write;
+use std::io;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::catalogue::Operation;
 use unitvec_host::isa::radv::{self, Radv};
-use unitvec_host::isa::{self, Report, Row, Source};
+use unitvec_host::isa::{self, Report, Row, Source, pareto};
 use unitvec_host::vulkan::{DeviceInfo, Inspector};
 use unitvec_host::{Error, Result, output};
 
@@ -27,6 +28,9 @@ pub struct Compiler {
     /// With --gpu: the file of the RADV to ask, radeon_icd*.json, instead of the system's; or the variable UNITVEC_RADV_ICD.
     #[arg(long, value_name = "FILE", requires = "gpu")]
     driver: Option<PathBuf>,
+    /// With --isa: draw a chart of the codecs' maximum errors against their costs, as SVG.
+    #[arg(long, value_name = "FILE", requires = "isa")]
+    chart: Option<PathBuf>,
 }
 
 impl Compiler {
@@ -74,6 +78,11 @@ pub fn run(arguments: &bench::Arguments) -> Result<ExitCode> {
     if let Some(path) = &arguments.markdown {
         output::write_file(path, markdown(&report).as_bytes())?;
     }
+    if let Some(path) = &arguments.compiler.chart {
+        let failed =
+            |error: Box<dyn std::error::Error>| Error::writing(path, io::Error::other(error.to_string()));
+        output::write_file(path, pareto::svg(&report).map_err(failed)?.as_bytes())?;
+    }
     if !to_stdout {
         print(&text(&report, columns))?;
     }
@@ -84,7 +93,7 @@ fn legend(device: &DeviceInfo) -> String {
     format!(
         "compiler: driver {} for {}; nothing was run\n\
          T: inverse throughput, cycles of a compute unit's busiest part for 64 invocations of four vectors; / oct32: T as a \
-         multiple of that of oct32's kernel of the same source; vector / v: vector instructions a vector; registers: vector \
+         multiple of that of oct32's kernel from GLSL; vector / v: vector instructions a vector; registers: vector \
          registers; / glsl: instructions as a multiple of those of the kernel from GLSL; -: the driver does not tell\n\n",
         device.driver, device.name,
     )
@@ -125,7 +134,7 @@ fn cells(report: &Report, row: &Row) -> [String; 11] {
         value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
     };
     [
-        row.id.clone(),
+        row.textbook.clone().unwrap_or_else(|| row.id.clone()),
         row.operation.to_string(),
         row.source.to_string(),
         integer(row.inverse_throughput),
@@ -154,16 +163,23 @@ fn markdown(report: &Report) -> String {
     text
 }
 
-/// Where the kernel from Rust has more instructions than that from GLSL.
+/// Where the kernels from Rust have more instructions than those from GLSL: the worst few.
 fn summary(report: &Report) -> String {
-    let longer: Vec<String> = report
-        .rows
-        .iter()
-        .filter(|row| row.source == Source::Rust)
+    const SHOWN: usize = 6;
+    let of_rust = report.rows.iter().filter(|row| row.source == Source::Rust);
+    let mut longer: Vec<(&Row, f64)> = of_rust
         .filter_map(|row| Some((row, report.ratio_to_glsl(row).filter(|ratio| *ratio > 1.02)?)))
+        .collect();
+    longer.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut named: Vec<String> = longer
+        .iter()
+        .take(SHOWN)
         .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
         .collect();
-    let verdict = if longer.is_empty() { "none".to_owned() } else { longer.join(", ") };
+    if longer.len() > SHOWN {
+        named.push(format!("{} more", longer.len() - SHOWN));
+    }
+    let verdict = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
     let is_counted = |row: &&Row| (row.source, row.operation) == (Source::Glsl, Operation::Encode);
     format!(
         "\nbench --isa: {} codecs; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",

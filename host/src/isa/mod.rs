@@ -8,6 +8,7 @@ use crate::bench::REFERENCE;
 use crate::catalogue::{self, Format, Operation};
 use crate::manifest::sha256_hex;
 use crate::modules::Modules;
+use crate::textbook::{TEXTBOOK, Textbook};
 use crate::vulkan::{DeviceInfo, Inspector, Statistics};
 use crate::{Error, Result, glsl};
 use rayon::prelude::*;
@@ -113,7 +114,7 @@ pub struct Report {
     pub rows: Vec<Row>,
 }
 
-/// What it made of one kernel. Figures that the driver does not give are left out.
+/// What it made of one kernel. Figures that the driver does not give are null.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Codec; for a textbook's kernel the codec in the same format.
@@ -123,25 +124,25 @@ pub struct Row {
     /// What it was compiled from.
     pub source: Source,
     /// For a textbook's kernel, which one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub textbook: Option<String>,
     /// Instructions of the kernel, which takes four vectors an invocation.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub instructions: Option<u64>,
     /// Vector instructions a vector.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub vector_instructions: Option<f64>,
     /// Cycles of a compute unit's busiest part for 64 invocations, by the compiler's estimate.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub inverse_throughput: Option<u64>,
     /// Cycles from the first instruction to the last, by the compiler's estimate.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub latency: Option<u64>,
     /// Vector registers.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub vector_registers: Option<u64>,
     /// Bytes of machine code.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[serde(default)]
     pub code_bytes: Option<u64>,
 }
 
@@ -168,23 +169,33 @@ impl Report {
         )
     }
 
-    /// The row of one of the kernels that ship.
+    /// What was compiled for, and by what: `RDNA 2 (navi21), radv Mesa 22.3.6`.
+    pub fn subject(&self) -> String {
+        let DeviceInfo { name, driver, .. } = &self.device;
+        let stand_in = name.strip_prefix("Null hardware (RADV ").and_then(|name| name.strip_suffix(')'));
+        match stand_in.and_then(find_generation) {
+            Some(generation) => format!("{} ({}), {driver}", generation.title, generation.gpu),
+            None => format!("{}, {driver}", stand_in.unwrap_or(name)),
+        }
+    }
+
+    /// The row of a kernel; of textbooks' for one codec the first.
     pub fn row(&self, id: &str, operation: Operation, source: Source) -> Option<&Row> {
         self.rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
     }
 
-    /// The inverse throughput of a kernel as a multiple of that of `oct32`'s from the same source.
+    /// The inverse throughput of a kernel as a multiple of that of `oct32`'s from GLSL.
     pub fn ratio_to_oct32(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, REFERENCE, row.source, |row| row.inverse_throughput)
+        self.ratio(row, REFERENCE, |row| row.inverse_throughput)
     }
 
     /// The instructions of a kernel as a multiple of those of the codec's kernel from GLSL.
     pub fn ratio_to_glsl(&self, row: &Row) -> Option<f64> {
-        self.ratio(row, &row.id, Source::Glsl, |row| row.instructions)
+        self.ratio(row, &row.id, |row| row.instructions)
     }
 
-    fn ratio(&self, row: &Row, id: &str, source: Source, figure: fn(&Row) -> Option<u64>) -> Option<f64> {
-        Some(figure(row)? as f64 / figure(self.row(id, row.operation, source)?)? as f64)
+    fn ratio(&self, row: &Row, id: &str, figure: fn(&Row) -> Option<u64>) -> Option<f64> {
+        Some(figure(row)? as f64 / figure(self.row(id, row.operation, Source::Glsl)?)? as f64)
     }
 }
 
@@ -220,24 +231,38 @@ fn of_codec(inspector: &Inspector, modules: &Modules, format: Format) -> Result<
     let mut rows = Vec::new();
     for operation in Operation::ALL {
         let name = format.function(operation);
-        let rust = inspector.statistics(&modules.load(&name)?, &name)?;
-        let glsl = inspector.statistics(&compiler.kernel(format, operation)?, glsl::ENTRY_POINT)?;
-        for (source, statistics) in [(Source::Rust, rust), (Source::Glsl, glsl)] {
-            rows.push(Row::new(format.id, operation, source, &statistics, &inspector.device().info().name));
+        let mut add = |source, module: &[u8], entry_point: &str, textbook: Option<&Textbook>| -> Result<()> {
+            let statistics = inspector.statistics(module, entry_point)?;
+            let device = &inspector.device().info().name;
+            rows.push(Row::new(format.id, operation, source, textbook, &statistics, device));
+            Ok(())
+        };
+        add(Source::Rust, &modules.load(&name)?, &name, None)?;
+        add(Source::Glsl, &compiler.kernel(format, operation)?, glsl::ENTRY_POINT, None)?;
+        for textbook in TEXTBOOK.iter().filter(|textbook| textbook.codec == format.id) {
+            let module = compiler.textbook_kernel(textbook, operation)?;
+            add(Source::Textbook, &module, glsl::ENTRY_POINT, Some(textbook))?;
         }
     }
     Ok(rows)
 }
 
 impl Row {
-    fn new(id: &str, operation: Operation, source: Source, statistics: &Statistics, device: &str) -> Self {
+    fn new(
+        id: &str,
+        operation: Operation,
+        source: Source,
+        textbook: Option<&Textbook>,
+        statistics: &Statistics,
+        device: &str,
+    ) -> Self {
         // RADV's names, and that of Intel's drivers for the first.
         let of = |names: &[&str]| names.iter().find_map(|name| statistics.get(*name).copied());
         Self {
             id: id.to_owned(),
             operation,
             source,
-            textbook: None,
+            textbook: textbook.map(|textbook| textbook.id.to_owned()),
             instructions: of(&["Instructions", "Instruction Count"]),
             vector_instructions: vector_instructions(statistics, device),
             inverse_throughput: of(&["Inverse Throughput"]),
@@ -251,19 +276,23 @@ impl Row {
 /// Vectors that an invocation takes.
 const GROUP: f64 = crate::vulkan::GROUP as f64;
 
+/// Vector instructions of a kernel besides those of its vectors: three make the number of the group and compare it, two
+/// make addresses of it. Some kernels have one more or less.
+const SHARED: f64 = 5.0;
+
 /// Vector instructions a vector: by RADV's own count, which newer versions give; else from the inverse throughput T, where
-/// that is known to tell.
+/// that tells.
 ///
-/// On RDNA 1 and 2 a wave of 64 takes two cycles for any vector instruction. The compiler counts what stands in the branch
-/// of the invocations that have vectors as 0.75, so that one of each of four vectors adds 4 x 2 x 0.75 = 6 to T. What
-/// the kernel does besides is 9. On GCN reciprocals and square roots take four times as long as others, so that T does
-/// not tell how many instructions there are. Nor does it where the latency, shared by the waves that run at once, is what
-/// limits the kernel.
+/// On RDNA 1 and 2 a wave of 64 takes two cycles for any vector instruction. The compiler counts three quarters of what
+/// stands in the branch of the invocations that have vectors, so that an instruction for each of four vectors adds
+/// 4 x 2 x 3/4 = 6 to T, and [`SHARED`], three of which stand before the branch, 3 x 2 + 2 x 2 x 3/4 = 9. On GCN some
+/// instructions take four times as long as others: T does not tell how many there are. Nor does it where the latency,
+/// divided among the waves that run at once, limits the kernel.
 fn vector_instructions(statistics: &Statistics, device: &str) -> Option<f64> {
     const RDNA: [&str; 9] =
         ["navi10", "navi12", "navi14", "navi21", "navi22", "navi23", "navi24", "vangogh", "rembrandt"];
     if let Some(count) = statistics.get("VALU") {
-        return Some(to_hundredths(*count as f64 / GROUP));
+        return Some((*count as f64 - SHARED) / GROUP);
     }
     let of = |name: &str| statistics.get(name).map(|value| *value as f64);
     let (throughput, latency) = (of("Inverse Throughput")?, of("Latency")?);
@@ -278,8 +307,11 @@ fn to_hundredths(number: f64) -> f64 {
     (100.0 * number).round() / 100.0
 }
 
-/// The files that the kernels of these codecs come from: GLSL, and modules.
-fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String, String>> {
+/// The files that the kernels of these codecs come from, GLSL and modules, as in [`Report::sources`].
+///
+/// # Errors
+/// [`glsl::Error::NoSource`], which would be a fault of this crate.
+pub fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String, String>> {
     let half = |sha256: &str| sha256.get(..32).unwrap_or(sha256).to_owned();
     let mut sources = BTreeMap::new();
     for path in unitvec_shaders::glsl_paths().filter(|path| is_source(path, formats)) {
@@ -295,7 +327,7 @@ fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String, Str
     Ok(sources)
 }
 
-/// True of GLSL that all codecs share, and of a codec's own.
+/// True of GLSL that all codecs share, of textbooks', and of a codec's own.
 fn is_source(path: &str, formats: &[Format]) -> bool {
     const SHARED: [&str; 6] = [
         "unitvec/arith.glsl",
@@ -305,7 +337,9 @@ fn is_source(path: &str, formats: &[Format]) -> bool {
         "kernels/words.glsl",
         "kernels/table.glsl",
     ];
-    SHARED.contains(&path) || formats.iter().any(|format| path == glsl_file(format.id))
+    SHARED.contains(&path)
+        || path.starts_with("textbook/")
+        || formats.iter().any(|format| path == glsl_file(format.id))
 }
 
 /// The file in `glsl/` with a codec's functions.
@@ -335,7 +369,7 @@ mod tests {
         assert_eq!(vector_instructions(&statistics(&older), "Null hardware (RADV VEGA10)"), None);
         let bound = [("Inverse Throughput", 38), ("Latency", 600), ("Subgroups per SIMD", 32)];
         assert_eq!(vector_instructions(&statistics(&bound), navi21), None);
-        assert_eq!(vector_instructions(&statistics(&[("VALU", 121)]), navi21), Some(30.25));
+        assert_eq!(vector_instructions(&statistics(&[("VALU", 121)]), navi21), Some(29.0));
     }
 
     #[test]

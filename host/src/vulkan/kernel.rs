@@ -58,7 +58,7 @@ struct Dispatch<'a> {
 /// The interface that all kernels share.
 pub(super) struct Layout {
     set: vk::DescriptorSetLayout,
-    pub(super) pipeline: vk::PipelineLayout,
+    pipeline: vk::PipelineLayout,
     pub(super) device: Arc<Device>,
 }
 
@@ -481,32 +481,45 @@ impl Kernel {
         entry_point: &str,
         table: Option<Table>,
     ) -> Result<Self, Error> {
-        let (words, name) = spirv::checked(spirv, entry_point)?;
-        let device = &layout.device.raw;
-
-        let create = vk::ShaderModuleCreateInfo::default().code(&words);
-        // SAFETY: the code is SPIR-V by its magic number; that it is valid is checked where modules are built, and by
-        // their hash where they are read.
-        let module = unsafe { device.create_shader_module(&create, None) }.named("vkCreateShaderModule")?;
-        let data = (buffers as u32).to_ne_bytes();
-        let constants = [vk::SpecializationMapEntry::default().constant_id(0).offset(0).size(data.len())];
-        let specialization = vk::SpecializationInfo::default().map_entries(&constants).data(&data);
-        let stage = vk::PipelineShaderStageCreateInfo::default()
-            .stage(vk::ShaderStageFlags::COMPUTE)
-            .module(module)
-            .name(&name)
-            .specialization_info(&specialization);
-        let create = [vk::ComputePipelineCreateInfo::default().stage(stage).layout(layout.pipeline)];
-        // SAFETY: the module and the layout are of this device; the module may go once the pipeline is made.
-        let result = unsafe {
-            let result = device.create_compute_pipelines(vk::PipelineCache::null(), &create, None);
-            device.destroy_shader_module(module, None);
-            result
-        };
-        let pipelines =
-            result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
-        Ok(Self { pipeline: pipelines[0], layout: layout.clone(), table, buffers })
+        let flags = vk::PipelineCreateFlags::empty();
+        let pipeline = compile(layout, buffers, spirv, entry_point, flags)?;
+        Ok(Self { pipeline, layout: layout.clone(), table, buffers })
     }
+}
+
+/// A pipeline for these buffers, of a device that knows the flags.
+pub(super) fn compile(
+    layout: &Layout,
+    buffers: Buffers,
+    spirv: &[u8],
+    entry_point: &str,
+    flags: vk::PipelineCreateFlags,
+) -> Result<vk::Pipeline, Error> {
+    let (words, name) = spirv::checked(spirv, entry_point)?;
+    let device = &layout.device.raw;
+
+    let create = vk::ShaderModuleCreateInfo::default().code(&words);
+    // SAFETY: the code is SPIR-V by its magic number; that it is valid is checked where modules are built, and by
+    // their hash where they are read.
+    let module = unsafe { device.create_shader_module(&create, None) }.named("vkCreateShaderModule")?;
+    let data = (buffers as u32).to_ne_bytes();
+    let constants = [vk::SpecializationMapEntry::default().constant_id(0).offset(0).size(data.len())];
+    let specialization = vk::SpecializationInfo::default().map_entries(&constants).data(&data);
+    let stage = vk::PipelineShaderStageCreateInfo::default()
+        .stage(vk::ShaderStageFlags::COMPUTE)
+        .module(module)
+        .name(&name)
+        .specialization_info(&specialization);
+    let create = [vk::ComputePipelineCreateInfo::default().flags(flags).stage(stage).layout(layout.pipeline)];
+    // SAFETY: the module and the layout are of this device, as the extensions of the flags are; the module may go once the
+    // pipeline is made.
+    let result = unsafe {
+        let result = device.create_compute_pipelines(vk::PipelineCache::null(), &create, None);
+        device.destroy_shader_module(module, None);
+        result
+    };
+    let pipelines = result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
+    Ok(pipelines[0])
 }
 
 impl Drop for Kernel {

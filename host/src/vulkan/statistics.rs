@@ -1,13 +1,10 @@
 //! What a device's compiler makes of kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
 
-use super::kernel::Layout;
-use super::{Device, DeviceChoice, Error, Instance, Named, spirv};
+use super::kernel::{Layout, compile};
+use super::{Buffers, Device, DeviceChoice, Error, Instance, Named};
 use ash::{khr, vk};
 use std::collections::HashMap;
 use std::sync::Arc;
-
-/// The number of the specialisation constant by which kernels leave out what incomplete groups need, and its value.
-const WHOLE_GROUPS: (u32, u32) = (0, 1);
 
 /// What a compiler tells of a kernel, by the names that the driver gives: `Instructions`.
 pub type Statistics = HashMap<String, u64>;
@@ -34,14 +31,15 @@ impl Inspector {
         &self.layout.device
     }
 
-    /// Compiles a kernel for buffers of whole groups, where it knows that constant.
+    /// Compiles a kernel, for [`Buffers::WholeGroups`].
     ///
     /// The module is trusted as in [`Runner::kernel`](super::Runner::kernel).
     ///
     /// # Errors
     /// [`Error::NotSpirv`] or a failed call.
     pub fn statistics(&self, module: &[u8], entry_point: &str) -> Result<Statistics, Error> {
-        let pipeline = self.compile(module, entry_point)?;
+        let flags = vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR;
+        let pipeline = compile(&self.layout, Buffers::WholeGroups, module, entry_point, flags)?;
         let info = vk::PipelineExecutableInfoKHR::default().pipeline(pipeline);
         // SAFETY: the pipeline was made to capture statistics and has one executable at least; nothing else knows it.
         let statistics = unsafe {
@@ -51,37 +49,6 @@ impl Inspector {
         }
         .named("vkGetPipelineExecutableStatisticsKHR")?;
         Ok(statistics.iter().filter_map(integer).collect())
-    }
-
-    fn compile(&self, module: &[u8], entry_point: &str) -> Result<vk::Pipeline, Error> {
-        let (words, name) = spirv::checked(module, entry_point)?;
-        let device = &self.layout.device.raw;
-        let (id, value) = WHOLE_GROUPS;
-        let entries = [vk::SpecializationMapEntry::default().constant_id(id).size(size_of::<u32>())];
-        let data = value.to_ne_bytes();
-        let constants = vk::SpecializationInfo::default().map_entries(&entries).data(&data);
-        let create = vk::ShaderModuleCreateInfo::default().code(&words);
-        // SAFETY: as in `Kernel::new`.
-        let module = unsafe { device.create_shader_module(&create, None) }.named("vkCreateShaderModule")?;
-        let stage = vk::PipelineShaderStageCreateInfo::default()
-            .stage(vk::ShaderStageFlags::COMPUTE)
-            .module(module)
-            .name(&name)
-            .specialization_info(&constants);
-        let create = [vk::ComputePipelineCreateInfo::default()
-            .flags(vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR)
-            .stage(stage)
-            .layout(self.layout.pipeline)];
-        // SAFETY: the module and the layout are of this device, which has the extension that the flag needs; the module may
-        // go once the pipeline is made.
-        let result = unsafe {
-            let result = device.create_compute_pipelines(vk::PipelineCache::null(), &create, None);
-            device.destroy_shader_module(module, None);
-            result
-        };
-        let pipelines =
-            result.map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })?;
-        Ok(pipelines[0])
     }
 }
 

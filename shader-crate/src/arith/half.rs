@@ -23,7 +23,7 @@ pub fn half_encode_magnitude(x: f32) -> u32 {
     let exponent = bits >> 23;
 
     // From 2^-14 on: 13 bits less of the significand, 112 less of the exponent; a carry is right in both.
-    let normal = bits.wrapping_sub(0x3800_0000).wrapping_add(0xfff + ((bits >> 13) & 1)) >> 13;
+    let normal = bits.wrapping_sub(0x3800_0000 - 0xfff).wrapping_add((bits >> 13) & 1) >> 13;
 
     // From 2^-25 to 2^-14: whole multiples of 2^-24. Below, `shift` stands in for one that is larger.
     let shift = if exponent >= 102 { 126u32.wrapping_sub(exponent) & 31 } else { 25 };

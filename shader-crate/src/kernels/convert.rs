@@ -6,6 +6,9 @@
 //! An invocation takes four consecutive vectors, which is what makes any code width end on whole words; the last takes what
 //! is left. Workgroups have 64 invocations.
 //!
+//! Specialization constant 0 is for callers whose buffers hold whole groups, all that the push constant says: not 0, it
+//! leaves out the lengths and the last group, which are a third of a cheap codec's instructions.
+//!
 //! Binding 2 is a table, where the kernel reads one: that of [`best_fit`](crate::best_fit) for `snorm8x3p_encode` and
 //! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose
 //! codes take two bytes. A kernel whose table is too short writes nothing.
@@ -31,7 +34,8 @@ pub struct Count {
 #[derive(Clone, Copy)]
 struct Group {
     index: usize,
-    count: Count,
+    /// Vectors that the host asks for, or none.
+    count: usize,
     whole_groups: u32,
 }
 
@@ -40,7 +44,7 @@ impl Group {
     /// the invocation has nothing to do.
     #[inline(always)]
     fn here<E: Element, W: Codes>(self, words: usize, code_words: usize) -> usize {
-        let (first, count) = (self.index * GROUP, self.count.vectors as usize);
+        let (first, count) = (self.index * GROUP, self.count);
         if self.whole_groups != 0 {
             return if first < count { GROUP } else { 0 };
         }
@@ -109,12 +113,8 @@ macro_rules! encode_kernel {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
         ) {
-            super::encode::<_, FourCodes, _>(
-                Group { index: id.x as usize, count: *count, whole_groups },
-                input,
-                output,
-                crate::$codec::$encode,
-            );
+            let group = Group { index: id.x as usize, count: count.vectors as usize, whole_groups };
+            super::encode::<_, FourCodes, _>(group, input, output, crate::$codec::$encode);
         }
     };
     ($codec:ident $encode:ident by_table) => {
@@ -128,18 +128,12 @@ macro_rules! encode_kernel {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
             #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[u32],
         ) {
-            if table.len() < TABLE_WORDS {
-                return;
-            }
-            // SAFETY: the table has all its words, and encoders look up no others.
+            // SAFETY: the table has all its words, or no vector is encoded, and encoders look up no others.
             #[allow(unsafe_code)]
             let word = |index| unsafe { element(table, index) };
-            super::encode::<_, FourCodes, _>(
-                Group { index: id.x as usize, count: *count, whole_groups },
-                input,
-                output,
-                |v| crate::$codec::encode_by(v, word),
-            );
+            let count = if table.len() < TABLE_WORDS { 0 } else { count.vectors as usize };
+            let group = Group { index: id.x as usize, count, whole_groups };
+            super::encode::<_, FourCodes, _>(group, input, output, |v| crate::$codec::encode_by(v, word));
         }
     };
 }
@@ -165,7 +159,8 @@ macro_rules! kernels {
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
                 #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
             ) {
-                super::decode::<_, FourCodes>(Group { index: id.x as usize, count: *count, whole_groups }, input, output, |words| {
+                let group = Group { index: id.x as usize, count: count.vectors as usize, whole_groups };
+                super::decode::<_, FourCodes>(group, input, output, |words| {
                     crate::$codec::$decode(Code::from_words(words))
                 });
             }
@@ -198,18 +193,12 @@ pub fn decode_by_table(
     #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
     #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[[u32; 3]],
 ) {
-    if table.len() < 1 << 16 {
-        return;
-    }
-    decode::<_, [u32; 2]>(
-        Group { index: id.x as usize, count: *count, whole_groups },
-        input,
-        output,
-        |[code, _]| {
-            // SAFETY: the table has 2^16 elements.
-            #[allow(unsafe_code)]
-            let [x, y, z] = unsafe { element(table, code & 0xffff) };
-            Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
-        },
-    );
+    let count = if table.len() < 1 << 16 { 0 } else { count.vectors as usize };
+    let group = Group { index: id.x as usize, count, whole_groups };
+    decode::<_, [u32; 2]>(group, input, output, |[code, _]| {
+        // SAFETY: the table has 2^16 elements, or no code is decoded.
+        #[allow(unsafe_code)]
+        let [x, y, z] = unsafe { element(table, code & 0xffff) };
+        Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
+    });
 }

@@ -13,8 +13,8 @@ pub trait Words: Copy {
     /// Their number, which is also the bytes of one of the four.
     const LEN: usize;
 
-    /// The words of group `index` of a buffer. The last group may hold only `count` of the four; words that it lacks repeat
-    /// the last one that it has.
+    /// The words of group `index` of a buffer. The last group may hold only `count` of the four; where it lacks words, some
+    /// of those that it has come again.
     ///
     /// # Safety
     /// The buffer holds `count` elements, at least one, of the group.
@@ -50,6 +50,16 @@ macro_rules! words {
                 if count >= GROUP {
                     // SAFETY: the buffer holds the whole group.
                     unsafe { [$(*buffer.index_unchecked(first + $n)),*] }
+                } else if $len % 4 == 0 {
+                    // Each of the four has whole words. Those of the last one stand in for what lacks.
+                    // SAFETY: the buffer holds the words of the group's first `count`, at least one.
+                    unsafe {
+                        [$({
+                            let of = 4 * $n / $len;
+                            let held = if of < count { of } else { count - 1 };
+                            *buffer.index_unchecked(first + $len / 4 * held + ($n - $len / 4 * of))
+                        }),*]
+                    }
                 } else {
                     let last = (count * $len - 1) / 4;
                     // SAFETY: the buffer holds the group's words up to `last`.
@@ -64,6 +74,14 @@ macro_rules! words {
                 if count >= GROUP {
                     // SAFETY: the buffer holds the whole group.
                     unsafe { $(*buffer.index_unchecked_mut(first + $n) = self[$n];)* }
+                } else if $len % 4 == 0 {
+                    // Each of the four has whole words: these have no more than three conditions.
+                    // SAFETY: the buffer holds the words of the group's first `count`.
+                    unsafe {
+                        $(if 4 * $n / $len < count {
+                            *buffer.index_unchecked_mut(first + $n) = self[$n];
+                        })*
+                    }
                 } else {
                     let bytes = count * $len;
                     // SAFETY: the buffer holds the words of the group's first `bytes` bytes.

@@ -1,9 +1,10 @@
 //! From rust-gpu's modules to those that are shipped.
 //!
-//! Each kernel gets NoContraction on every float result and is optimised; branches become selects and loops end at their
-//! condition; then the kernels of a codec join in one module, which is optimised once more.
+//! Each kernel gets NoContraction on every float result and is optimised; branches become selects, some instructions one, and
+//! loops end at their condition; then the kernels of a codec join in one module, which is optimised once more.
 
 mod blocks;
+mod combine;
 mod decorate;
 mod exit;
 mod features;
@@ -38,6 +39,7 @@ fn kernel(name: &str, words: &[u32]) -> Result<Module> {
     decorate::no_contraction(&mut module);
     let mut module = parse(&optimize(&module.assemble())?)?;
     select::for_branches(&mut module)?;
+    combine::instructions(&mut module)?;
     exit::at_conditions(&mut module);
     Ok(module)
 }

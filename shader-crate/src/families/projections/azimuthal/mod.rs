@@ -96,7 +96,7 @@ mod square;
 pub use disk::*;
 pub use square::*;
 
-use crate::arith::{floor, is_negative, mask, negate_if, signed_code, snorm_integer, snorm_max};
+use crate::arith::{floor, is_negative, negate_if, signed_code, signed_integer, snorm_integer, snorm_max};
 use crate::codec::Codec;
 use crate::direction::or_z;
 use core::marker::PhantomData;
@@ -145,8 +145,8 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BIT
         let (u_bits, v_bits) = (BITS / 2, BITS / 2 - 1);
         let (u_max, v_max) = largest(BITS);
         let m = Vec2::new(u_max, v_max);
-        let u = snorm_integer(code & mask(u_bits), u_bits);
-        let v = ((code << 1 << (32 - BITS)) as i32 >> (32 - v_bits)) as f32;
+        let u = snorm_integer(code, u_bits);
+        let v = signed_integer(code >> u_bits, v_bits);
         let flag = (code >> (BITS - 1)) & 1 != 0;
 
         let n = P::from_disk(S::to_disk(Vec2::new(u.abs(), v.abs()), m));

@@ -56,8 +56,8 @@ mod xyonly;
 pub use xyonly::{XyOnly, XyOnly32F};
 
 use crate::arith::{
-    dot, face_of, from_face, is_negative, mask, negate_positive, scale_to_one, snorm_integer, sqrt, to_face,
-    whole_to_u32,
+    dot, face_of, from_face, is_negative, mask, max, negate_positive, scale_to_one, snorm_integer, sqrt,
+    to_face, whole_to_u32,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -78,7 +78,7 @@ fn unit(v: Vec3, l1_norm: f32) -> Vec3 {
 #[inline(always)]
 fn third(p: Vec2) -> f32 {
     let square = 1.0 - (p.x * p.x + p.y * p.y);
-    sqrt(if square > 0.0 { square } else { 0.0 })
+    sqrt(max(square, 0.0))
 }
 
 /// Two's complement, in `bits` bits, of a whole number below 2^23 with a sign.

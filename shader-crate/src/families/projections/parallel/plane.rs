@@ -1,6 +1,6 @@
 //! The plane that the components are stored in, and what is done with points outside its border.
 
-use crate::arith::{floor, snorm_max, sqrt};
+use crate::arith::{floor, max, min, snorm_max, sqrt};
 use glam::Vec2;
 
 /// How far inwards, in steps, points outside decode.
@@ -57,7 +57,7 @@ impl Plane {
     /// 1 on the border, for a point of the positive quadrant.
     #[inline(always)]
     fn extent(self, p: Vec2) -> f32 {
-        let larger = if p.x >= p.y { p.x } else { p.y };
+        let larger = max(p.x, p.y);
         let disk = p.x * p.x + p.y * p.y;
         if self.sextant { disk + larger * larger } else { disk }
     }
@@ -82,7 +82,7 @@ impl Plane {
     pub(super) fn round(self, p: Vec2) -> Vec2 {
         let x = floor(p.x * self.steps.x + 0.5);
         let y = floor(p.y * self.steps.y + 0.5);
-        let e = Vec2::new(if x > self.m.x { self.m.x } else { x }, if y > self.m.y { self.m.y } else { y });
+        let e = Vec2::new(min(x, self.m.x), min(y, self.m.y));
         let unwritten = self.is_outside(e) && self.is_outside(self.inwards(e, self.inset));
         if unwritten { self.inwards(e, 1.0) } else { e }
     }

@@ -3,7 +3,7 @@
 use super::plane::{INSET, KEPT, Plane};
 use super::{field, from_plane, third, unit};
 use crate::arith::{
-    half_decode_magnitude, half_encode_magnitude, is_negative, mask, negate_positive, snorm_integer, sqrt,
+    half_decode_magnitude, half_encode_magnitude, is_negative, negate_positive, snorm_integer, sqrt,
 };
 use crate::codec::Codec;
 use crate::direction::upper_or_z;
@@ -40,7 +40,7 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        let x = snorm_integer(code & mask(BITS / 2), BITS / 2);
+        let x = snorm_integer(code, BITS / 2);
         let y = snorm_integer(code >> (BITS / 2), BITS / 2);
         from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
     }

@@ -1,0 +1,141 @@
+//! What the compilers of GPUs that are not there make of the kernels, held against the committed figures,
+//! `host/data/costs_*.json`, and those against what they promise. `cargo xtask costs` renews them.
+
+#[cfg(feature = "glsl")]
+mod compiled;
+
+use unitvec_host::catalogue::{Format, Operation, formats};
+use unitvec_host::isa::{self, GENERATIONS, Generation, Report, Source};
+use unitvec_host::modules::Modules;
+use unitvec_tests::repository;
+
+/// How to renew the figures.
+const RENEW: &str = "renew the figures: cargo xtask costs --driver ICD.json";
+
+/// The generation whose costs are promised.
+fn rdna2() -> &'static Generation {
+    isa::find_generation("rdna2").unwrap()
+}
+
+/// The committed figures.
+pub fn committed(generation: &Generation) -> Report {
+    let path = repository().join(generation.path());
+    Report::parse(&path, &std::fs::read(&path).unwrap()).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
+}
+
+/// The figures are of the kernels that are committed with them.
+#[test]
+fn costs_are_of_these_kernels() {
+    let all: Vec<Format> = formats().collect();
+    let sources = isa::sources(&Modules::open(None).unwrap(), &all).unwrap();
+    for generation in &GENERATIONS {
+        let report = committed(generation);
+        let differs = |file: &&String| report.sources.get(*file) != sources.get(*file);
+        let mut changed: Vec<&String> = sources.keys().chain(report.sources.keys()).filter(differs).collect();
+        changed.sort();
+        changed.dedup();
+        assert!(
+            changed.is_empty(),
+            "{} is of other files than these: {changed:?}; {RENEW}",
+            generation.path().display()
+        );
+    }
+}
+
+/// Every kernel has figures for every generation, compiled for its GPU.
+#[test]
+fn costs_are_complete() {
+    for generation in &GENERATIONS {
+        let report = committed(generation);
+        assert!(report.device.name.to_lowercase().contains(generation.gpu), "{}", report.device.name);
+        assert!(report.device.driver.contains("Mesa"), "{}", report.device.driver);
+        for (format, operation) in kernels() {
+            for source in [Source::Rust, Source::Glsl] {
+                let row = report.row(format.id, operation, source);
+                let is_whole = row.is_some_and(|row| {
+                    row.instructions.is_some()
+                        && row.inverse_throughput.is_some()
+                        && row.vector_registers.is_some()
+                });
+                assert!(is_whole, "{} {operation} from {source}, {}", format.id, generation.gpu);
+            }
+        }
+    }
+}
+
+fn kernels() -> impl Iterator<Item = (Format, Operation)> {
+    formats().flat_map(|format| Operation::ALL.map(|operation| (format, operation)))
+}
+
+/// What the driver makes of kernels from Rust has at most 1.02 times the instructions of those from GLSL.
+#[test]
+fn rust_costs_what_glsl_costs() {
+    let report = committed(rdna2());
+    let ratio = |(format, operation): (Format, Operation)| {
+        let row = report.row(format.id, operation, Source::Rust).unwrap();
+        (format.id, operation, report.ratio_to_glsl(row).unwrap())
+    };
+    let found: Vec<String> = kernels()
+        .map(ratio)
+        .filter(|(.., ratio)| *ratio > 1.02)
+        .map(|(id, operation, ratio)| format!("{id} {operation} {ratio:.3}"))
+        .collect();
+    assert!(found.is_empty(), "more instructions from Rust than 1.02 times those from GLSL: {found:?}");
+}
+
+/// The greatest inverse throughput that is promised of encoding and decoding on RDNA 2.
+const PROMISED: [(&str, Option<u64>, Option<u64>); 11] = [
+    ("oct32", Some(114), Some(136)),
+    ("oct16", Some(117), Some(138)),
+    ("oct24", Some(147), Some(186)),
+    ("oct32p", Some(306), Some(136)),
+    ("oct16p", Some(453), Some(138)),
+    ("hemioct16", Some(111), None),
+    ("hemioct32", Some(111), None),
+    ("soct17", Some(117), None),
+    ("soct33", Some(117), None),
+    ("frame32", Some(820), Some(522)),
+    ("ico24", Some(1150), None),
+];
+
+/// Kernels cost no more than is promised.
+#[test]
+fn kernels_cost_what_is_promised() {
+    let report = committed(rdna2());
+    let mut above = Vec::new();
+    for (id, encode, decode) in PROMISED {
+        for (operation, limit) in [(Operation::Encode, encode), (Operation::Decode, decode)] {
+            let cost = report.row(id, operation, Source::Glsl).unwrap().inverse_throughput.unwrap();
+            if limit.is_some_and(|limit| cost > limit) {
+                above.push(format!("{id} {operation}: {cost} above {limit:?}"));
+            }
+        }
+    }
+    assert!(above.is_empty(), "{above:?}");
+}
+
+/// The inverse throughput of textbooks' kernels on navi21, encoding and decoding, as a script measured it with Mesa 22.3.6 that
+/// shares nothing with the program.
+const TEXTBOOKS: [(&str, u64, u64); 7] = [
+    ("oct32", 99, 147),
+    ("oct16", 150, 149),
+    ("oct24", 215, 203),
+    ("oct32p", 657, 147),
+    ("oct16p", 708, 149),
+    ("hemioct32", 57, 111),
+    ("soct33", 75, 135),
+];
+
+/// The program finds what the script found; other versions of Mesa differ by a few per cent.
+#[test]
+fn textbooks_cost_what_was_measured_apart() {
+    let report = committed(rdna2());
+    for (id, encode, decode) in TEXTBOOKS {
+        for (operation, expected) in [(Operation::Encode, encode), (Operation::Decode, decode)] {
+            let row = report.row(id, operation, Source::Textbook).unwrap();
+            let found = row.inverse_throughput.unwrap();
+            let allowed = if report.device.driver.ends_with("22.3.6") { 0 } else { expected / 10 };
+            assert!(found.abs_diff(expected) <= allowed, "{id} {operation}: {found}, not {expected}");
+        }
+    }
+}

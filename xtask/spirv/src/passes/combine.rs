@@ -1,0 +1,243 @@
+//! One instruction for several.
+//!
+//! rust-gpu makes a branch of `a && b`, of which a select of booleans is left, and there is no Rust for a signed field of
+//! a word but two shifts. Compilers of GPUs know neither as what it is.
+
+use anyhow::{Result, anyhow};
+use rspirv::dr::{Function, Instruction, Module, Operand};
+use rspirv::spirv::{Op, Word};
+use std::collections::HashMap;
+
+/// Replaces selects of a boolean or a constant by logical operations, and shifts to the left and back by extractions.
+pub fn instructions(module: &mut Module) -> Result<()> {
+    let header = module.header.as_ref().ok_or_else(|| anyhow!("the module has no header"))?;
+    let mut globals = Globals { bound: header.bound, known: std::mem::take(&mut module.types_global_values) };
+    for function in &mut module.functions {
+        let defined = definitions(function);
+        for block in &mut function.blocks {
+            let mut combined = Vec::with_capacity(block.instructions.len());
+            for instruction in block.instructions.drain(..) {
+                let known = logical(&instruction, &mut globals);
+                let other = known.or_else(|| field(&instruction, &defined, &mut globals));
+                combined.extend(other.unwrap_or_else(|| vec![instruction]));
+            }
+            block.instructions = combined;
+        }
+    }
+    module.types_global_values = globals.known;
+    if let Some(header) = &mut module.header {
+        header.bound = globals.bound;
+    }
+    Ok(())
+}
+
+/// The instructions of a function by their results.
+fn definitions(function: &Function) -> HashMap<Word, Instruction> {
+    let instructions = function.blocks.iter().flat_map(|block| &block.instructions);
+    instructions.filter_map(|instruction| Some((instruction.result_id?, instruction.clone()))).collect()
+}
+
+/// The module's types and constants, and the next free id.
+struct Globals {
+    known: Vec<Instruction>,
+    bound: Word,
+}
+
+impl Globals {
+    fn fresh(&mut self) -> Word {
+        self.bound += 1;
+        self.bound - 1
+    }
+
+    fn find(&self, id: Word) -> Option<&Instruction> {
+        self.known.iter().find(|global| global.result_id == Some(id))
+    }
+
+    fn is(&self, id: Word, opcode: Op) -> bool {
+        self.find(id).is_some_and(|global| global.class.opcode == opcode)
+    }
+
+    /// The value of a constant of 32 bits.
+    fn value(&self, id: Word) -> Option<u32> {
+        let constant = self.find(id).filter(|global| global.class.opcode == Op::Constant)?;
+        match constant.operands.as_slice() {
+            [Operand::LiteralBit32(value)] => Some(*value),
+            _ => None,
+        }
+    }
+
+    /// The constant of this type and value.
+    fn constant(&mut self, of_type: Word, value: u32) -> Word {
+        let (result_type, operands) = (Some(of_type), vec![Operand::LiteralBit32(value)]);
+        let equals = |global: &&Instruction| {
+            global.class.opcode == Op::Constant
+                && global.result_type == result_type
+                && global.operands == operands
+        };
+        if let Some(id) = self.known.iter().find(equals).and_then(|global| global.result_id) {
+            return id;
+        }
+        let id = self.fresh();
+        self.known.push(Instruction::new(Op::Constant, result_type, Some(id), operands));
+        id
+    }
+}
+
+/// `c && x` of `c ? x : false`, `c || x` of `c ? true : x`, and so on with `!c`.
+fn logical(select: &Instruction, globals: &mut Globals) -> Option<Vec<Instruction>> {
+    let of_type = select.result_type.filter(|of_type| globals.is(*of_type, Op::TypeBool))?;
+    if select.class.opcode != Op::Select {
+        return None;
+    }
+    let [condition, yes, no] = operands(select)?;
+    let (opcode, is_negated, other) = if globals.is(no, Op::ConstantFalse) {
+        (Op::LogicalAnd, false, yes)
+    } else if globals.is(yes, Op::ConstantTrue) {
+        (Op::LogicalOr, false, no)
+    } else if globals.is(yes, Op::ConstantFalse) {
+        (Op::LogicalAnd, true, no)
+    } else if globals.is(no, Op::ConstantTrue) {
+        (Op::LogicalOr, true, yes)
+    } else {
+        return None;
+    };
+    let mut combined = Vec::new();
+    let condition = if is_negated {
+        let negated = globals.fresh();
+        combined.push(instruction(Op::LogicalNot, of_type, negated, &[condition]));
+        negated
+    } else {
+        condition
+    };
+    combined.push(instruction(opcode, of_type, select.result_id?, &[condition, other]));
+    Some(combined)
+}
+
+/// The signed field of a word, for `(word << a) as i32 >> b`, or `((word >> c) << a) as i32 >> b` with `c` up to `a`.
+fn field(
+    shift: &Instruction,
+    defined: &HashMap<Word, Instruction>,
+    globals: &mut Globals,
+) -> Option<Vec<Instruction>> {
+    if shift.class.opcode != Op::ShiftRightArithmetic {
+        return None;
+    }
+    let by_opcode = |id: Word, opcode: Op| defined.get(&id).filter(|of| of.class.opcode == opcode);
+    let [moved, right] = operands(shift)?;
+    let [moved] = operands(by_opcode(moved, Op::Bitcast)?)?;
+    let moved = by_opcode(moved, Op::ShiftLeftLogical)?;
+    let [word, left] = operands(moved)?;
+    let (left, right) = (globals.value(left)?, globals.value(right)?);
+    let within = by_opcode(word, Op::ShiftRightLogical).and_then(|inner| {
+        let [word, by] = operands(inner)?;
+        Some((word, globals.value(by)?)).filter(|(_, by)| *by <= left)
+    });
+    let (word, by) = within.unwrap_or((word, 0));
+    if right < left || right > 31 {
+        return None;
+    }
+    let (of_type, of_word) = (shift.result_type?, moved.result_type?);
+    let first = globals.constant(of_word, by + right - left);
+    let bits = globals.constant(of_word, 32 - right);
+    let signed = globals.fresh();
+    Some(vec![
+        instruction(Op::Bitcast, of_type, signed, &[word]),
+        instruction(Op::BitFieldSExtract, of_type, shift.result_id?, &[signed, first, bits]),
+    ])
+}
+
+fn operands<const N: usize>(instruction: &Instruction) -> Option<[Word; N]> {
+    let ids: Vec<Word> = instruction.operands.iter().filter_map(Operand::id_ref_any).collect();
+    ids.try_into().ok()
+}
+
+fn instruction(opcode: Op, of_type: Word, result: Word, operands: &[Word]) -> Instruction {
+    let operands = operands.iter().map(|id| Operand::IdRef(*id)).collect();
+    Instruction::new(opcode, Some(of_type), Some(result), operands)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::snippet::{assert_valid, instructions, module};
+    use super::*;
+
+    /// The instructions that are left of these: opcode and operands.
+    fn combined(lines: &str) -> (Module, Vec<(Op, Vec<Word>)>) {
+        let mut module = module(lines);
+        super::instructions(&mut module).unwrap();
+        assert_valid(&module);
+        let ids =
+            |instruction: &Instruction| instruction.operands.iter().filter_map(Operand::id_ref_any).collect();
+        let all = super::super::snippet::instructions(&module);
+        let left = all.iter().map(|instruction| (instruction.class.opcode, ids(instruction))).collect();
+        (module, left)
+    }
+
+    #[test]
+    fn selects_of_booleans_become_logical_operations() {
+        for (yes, no, opcode, is_negated) in [
+            ("%11", "%false", Op::LogicalAnd, false),
+            ("%true", "%11", Op::LogicalOr, false),
+            ("%false", "%11", Op::LogicalAnd, true),
+            ("%11", "%true", Op::LogicalOr, true),
+        ] {
+            let lines = format!(
+                "%10 = OpFOrdLessThan %bool %7 %f0
+                %11 = OpFOrdLessThan %bool %7 %f1
+                %12 = OpSelect %bool %10 {yes} {no}
+                %13 = OpSelect %float %12 %7 %f0
+                OpStore %6 %13"
+            );
+            let (module, left) = combined(&lines);
+            let (result, condition) = if is_negated {
+                assert_eq!(left[2], (Op::LogicalNot, vec![10]));
+                (3, super::super::snippet::instructions(&module)[2].result_id.unwrap())
+            } else {
+                (2, 10)
+            };
+            assert_eq!(left[result], (opcode, vec![condition, 11]), "{yes} {no}");
+            assert_eq!(instructions(&module)[result].result_id, Some(12));
+        }
+        let (_, left) = combined(
+            "%10 = OpFOrdLessThan %bool %7 %f0
+            %12 = OpSelect %float %10 %7 %f0
+            OpStore %6 %12",
+        );
+        assert_eq!(left[1].0, Op::Select);
+    }
+
+    /// Field and offset, for each way to write it.
+    #[test]
+    fn shifts_to_the_left_and_back_become_a_field() {
+        let shifts = |inner: &str, left: &str, right: &str| {
+            format!(
+                "%10 = OpBitcast %uint %7
+                %11 = OpShiftRightLogical %uint %10 {inner}
+                %12 = OpShiftLeftLogical %uint %11 {left}
+                %13 = OpBitcast %int %12
+                %14 = OpShiftRightArithmetic %int %13 {right}
+                %15 = OpConvertSToF %float %14
+                OpStore %6 %15"
+            )
+        };
+        for (inner, left, right, expected) in [
+            ("%u4", "%u20", "%u22", Some((10, 6, 10))),
+            ("%u20", "%u20", "%u22", Some((10, 22, 10))),
+            // What the inner shift puts in at the top is part of the field.
+            ("%u22", "%u20", "%u22", Some((11, 2, 10))),
+            ("%u4", "%u22", "%u20", None),
+        ] {
+            let (module, left_over) = combined(&shifts(inner, left, right));
+            let Some((word, first, bits)) = expected else {
+                assert_eq!(left_over[4].0, Op::ShiftRightArithmetic);
+                continue;
+            };
+            assert_eq!(left_over[4], (Op::Bitcast, vec![word]), "{inner} {left} {right}");
+            let (opcode, operands) = &left_over[5];
+            assert_eq!(*opcode, Op::BitFieldSExtract);
+            let globals = Globals { bound: 0, known: module.types_global_values };
+            let values = operands[1..].iter().map(|id| globals.value(*id).unwrap());
+            assert_eq!(values.collect::<Vec<_>>(), [first, bits], "{inner} {left} {right}");
+        }
+    }
+}
