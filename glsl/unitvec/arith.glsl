@@ -496,9 +496,8 @@ vec2 unitvec_from_diagonal(float d) {
     return halves;
 }
 
-// 4/pi atan(r), r in [0, 1]. Both ends are exact.
-float unitvec_atan_octant(float r) {
-    r = r < UNITVEC_NEGLIGIBLE ? 0.0 : r;
+// 4/pi atan(r), r 0 or in [2^-100, 1]. Both ends are exact.
+float unitvec_atan_octant_of_normal(float r) {
     UNITVEC_PRECISE float u = r * r;
     UNITVEC_PRECISE float low =
         UNITVEC_ATAN_4 + u * (UNITVEC_ATAN_5 + u * (UNITVEC_ATAN_6 + u * (UNITVEC_ATAN_7 + u * UNITVEC_ATAN_8)));
@@ -506,6 +505,11 @@ float unitvec_atan_octant(float r) {
         UNITVEC_ATAN_0 + u * (UNITVEC_ATAN_1 + u * (UNITVEC_ATAN_2 + u * (UNITVEC_ATAN_3 + u * low)));
     UNITVEC_PRECISE float octants = r + r * ((1.0 - u) * polynomial);
     return octants;
+}
+
+// 4/pi atan(r), r in [0, 1]. Both ends are exact.
+float unitvec_atan_octant(float r) {
+    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.

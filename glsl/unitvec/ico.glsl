@@ -219,7 +219,8 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     uint index = code - first;
     UNITVEC_PRECISE float quotient = float(int(index >> 1u)) * per_length + 0.05;
     float line = floor(quotient);
-    uint rest = index - unitvec_whole_to_u32(line) * row_length;
+    UNITVEC_PRECISE float counted = line + UNITVEC_ICO_2_23;
+    uint rest = index - (floatBitsToUint(counted) & 0x7fffffu) * row_length;
     bool is_next = rest >= row_length;
     line = is_next ? line - 1.0 : line;
     float column = float(int(is_next ? rest + row_length : rest));

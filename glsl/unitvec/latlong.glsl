@@ -112,11 +112,10 @@ uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_
     bool back = unitvec_is_negative(v.y);
     UNITVEC_PRECISE float against = count - j;
     float along = left != back ? against : j;
-    uint front_quarter = left ? 1u : 0u;
-    uint back_quarter = left ? 2u : 3u;
-    uint quarter = back ? back_quarter : front_quarter;
-    uint carried = along < count ? quarter : (quarter + 1u) & 3u;
-    float from_start = along < count ? along : 0.0;
+    uint quarter = (back ? 2u : 0u) + (left != back ? 1u : 0u);
+    bool carries = along >= count;
+    uint carried = (quarter + (carries ? 1u : 0u)) & 3u;
+    float from_start = carries ? 0.0 : along;
 
     uint place = unitvec_whole_to_u32(start) + unitvec_whole_to_u32(from_start) + (carried << index_bits);
     uint below = usable && unitvec_is_negative(v.z) ? 4u << index_bits : 0u;
@@ -127,19 +126,17 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     uint index = code & unitvec_mask(index_bits);
     vec2 parts = unitvec_latlong_in_parts(index, index_bits);
 
-    // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
     float nearest = floor(unitvec_latlong_inverse(rings, float(int(index))));
     UNITVEC_PRECISE vec3 h = nearest - vec3(1.5, 0.5, -0.5);
-    float previous = unitvec_latlong_border(rings, h.x);
     float border = unitvec_latlong_border(rings, h.y);
-    float next = unitvec_latlong_border(rings, h.z);
     UNITVEC_PRECISE float from_index = border - parts.x;
     UNITVEC_PRECISE float to_next = parts.y + 1.0;
     bool before = from_index >= to_next;
+    float other = unitvec_latlong_border(rings, before ? h.x : h.z);
     UNITVEC_PRECISE float ring_before = nearest - 1.0;
     float ring = before ? ring_before : nearest;
-    float start = floor(before ? previous : border);
-    UNITVEC_PRECISE float count = floor(before ? border : next) - start;
+    float start = floor(min(border, other));
+    UNITVEC_PRECISE float count = floor(max(border, other)) - start;
     // Exact: start is near.
     UNITVEC_PRECISE float from_high = parts.x - start;
     UNITVEC_PRECISE float from_both = from_high + parts.y;

@@ -221,7 +221,12 @@ pub fn atan_octant_ratio(y: f32, x: f32) -> f32 {
 /// Error: at most 5.3e-8 and 1.1e-7 relative (1.3 ULP). Monotonic.
 #[inline(always)]
 pub fn atan_octant(r: f32) -> f32 {
-    let r = if r < NEGLIGIBLE { 0.0 } else { r };
+    atan_octant_of_normal(if r < NEGLIGIBLE { 0.0 } else { r })
+}
+
+/// [`atan_octant`] for r of 0, or from 2^-100 to 1.
+#[inline(always)]
+pub(crate) fn atan_octant_of_normal(r: f32) -> f32 {
     let u = r * r;
     let low = ATAN_4 + u * (ATAN_5 + u * (ATAN_6 + u * (ATAN_7 + u * ATAN_8)));
     let polynomial = ATAN_0 + u * (ATAN_1 + u * (ATAN_2 + u * (ATAN_3 + u * low)));

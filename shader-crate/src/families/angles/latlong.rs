@@ -59,7 +59,7 @@
 
 use super::{around_z, half_turn, quarter, scaled};
 use crate::arith::{
-    floor, from_diagonal, horizontal_length, is_negative, mask, min, signed_integer, sqrt, whole_to_u32,
+    floor, from_diagonal, horizontal_length, is_negative, mask, max, min, signed_integer, sqrt, whole_to_u32,
     with_sign,
 };
 use crate::codec::Codec;
@@ -226,11 +226,10 @@ pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
     let (left, back) = (is_negative(v.x), is_negative(v.y));
     let along = if left != back { count - j } else { j };
-    let front_quarter = if left { 1 } else { 0 };
-    let back_quarter = if left { 2 } else { 3 };
-    let quarter = if back { back_quarter } else { front_quarter };
-    let carried = if along < count { quarter } else { (quarter + 1) & 3 };
-    let from_start = if along < count { along } else { 0.0 };
+    let quarter = if back { 2 } else { 0 } + (left != back) as u32;
+    let carries = along >= count;
+    let carried = (quarter + carries as u32) & 3;
+    let from_start = if carries { 0.0 } else { along };
 
     let place = index_of(start, index_bits) + whole_to_u32(from_start) + (carried << index_bits);
     let below = if usable & is_negative(v.z) { 4 << index_bits } else { 0 };
@@ -244,14 +243,13 @@ pub fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let index = code & mask(index_bits);
     let (high, low) = in_parts(index, index_bits);
 
-    // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
     let nearest = floor(rings.inverse(whole_to_f32(index)));
     let border = rings.border(nearest - 0.5);
-    let (previous, next) = (rings.border(nearest - 1.5), rings.border(nearest + 0.5));
     let before = border - high >= low + 1.0;
+    let other = rings.border(if before { nearest - 1.5 } else { nearest + 0.5 });
     let ring = if before { nearest - 1.0 } else { nearest };
-    let start = floor(if before { previous } else { border });
-    let count = floor(if before { border } else { next }) - start;
+    let start = floor(min(border, other));
+    let count = floor(max(border, other)) - start;
     // Exact: start is near.
     let from_high = high - start;
     let along = if index_bits <= 24 { from_high } else { from_high + low };

@@ -341,7 +341,7 @@ pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
     // than the exact one: so `line` is it or the next, and then the remainder wraps.
     let index = code.wrapping_sub(first);
     let line = floor((index >> 1) as i32 as f32 * per_length + 0.05);
-    let rest = index.wrapping_sub(whole_to_u32(line).wrapping_mul(length));
+    let rest = index.wrapping_sub(counted(line + TWO_23).wrapping_mul(length));
     let is_next = rest >= length;
     let line = if is_next { line - 1.0 } else { line };
     let column = (if is_next { rest.wrapping_add(length) } else { rest }) as i32 as f32;
