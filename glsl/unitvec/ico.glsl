@@ -187,6 +187,8 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     bool has_y = is_other ? of_y : of_x;
     float across = has_x ? i.x : (has_y ? i.y : i.z);
     bool is_second = apex_side && depth > 0.5;
+    // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their line
+    // 6 n + 18 are left.
     float octant_rows = straddled_side ? UNITVEC_ICO_2_23 + (7.0 * n + 15.0) : UNITVEC_ICO_2_23 + (6.0 * n + 17.0);
     float first_row = is_octant ? octant_rows : UNITVEC_ICO_2_23;
     first_row = of_x ? UNITVEC_ICO_2_23 + 4.0 * n : first_row;

@@ -57,11 +57,11 @@
 //!
 //! Signs bring a direction to the positive octant. There three linear forms tell its face and are its flat coordinates
 //! on the octant's face; those on one of the three other faces follow by reflection. A cubic inverts the warp, good to
-//! 1e-4 of an edge (0.002 at 16 bits). One step of Newton's method from the nearest whole numbers leaves less than
-//! 0.002 steps at 16 bits and 0.0001 at the others. Of the triangle's three corners the nearest is chosen, by the
-//! distances between neighbours around there, which are polynomials ([`Squares`]). At 16 bits, where these change from
-//! point to point, the chosen corner can be farther off than the nearest by 0.4 % of the maximum. (Rounding the three
-//! coordinates instead would give cells that reach 7 % beyond the bound.)
+//! 1e-4 of an edge (0.002 at 16 bits). One step of Newton's method from there leaves less than 0.002 steps at 16 bits and
+//! 0.0001 at the others; at 32 bits the rounding of the numbers adds 0.001. Of the triangle's three corners the nearest
+//! is chosen, by the distances between neighbours around there, which are polynomials ([`Squares`]). At 16 bits, where
+//! these change from point to point, the chosen corner can be farther off than the nearest by 0.4 % of the maximum.
+//! (Rounding the three coordinates instead would give cells that reach 7 % beyond the bound.)
 //!
 //! Newton's step is made of differences of products of the weights `w(i)` and the direction's coordinates, where those
 //! are rounded, all relative to themselves: at 32 bits that is less than 0.01 steps.
@@ -199,11 +199,9 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let t_squared = t * t;
     let squares = sum(t_squared);
     let b_1 = INVERSE_0 * n + (INVERSE_1 * n) * squares;
-    let b_0 =
-        (INVERSE_3 * n - squares * (b_1 + INVERSE_4 * n)) - (INVERSE_5 * n) * ((t.x * t.y) * t.z);
+    let b_0 = (INVERSE_3 * n - squares * (b_1 + INVERSE_4 * n)) - (INVERSE_5 * n) * ((t.x * t.y) * t.z);
     let b_2 = INVERSE_2 * n;
-    let start = lattice
-        .point(t.x * (b_0 + t.x * (b_1 + b_2 * t.x)), t.z * (b_0 + t.z * (b_1 + b_2 * t.z)));
+    let start = lattice.point(t.x * (b_0 + t.x * (b_1 + b_2 * t.x)), t.z * (b_0 + t.z * (b_1 + b_2 * t.z)));
 
     // Newton's method for i and the factor of t, where the i keep their sum: that factor eliminated, the steps are made
     // of the products `t x w`, which are 0 at the solution.
@@ -242,10 +240,7 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let is_z = from_z < if is_x { from_x } else { from_corner };
     let is_next_x = (is_x & !is_z) != is_upper;
     let is_next_z = is_z != is_upper;
-    lattice.point(
-        whole_x + if is_next_x { 1.0 } else { 0.0 },
-        whole_z + if is_next_z { 1.0 } else { 0.0 },
-    )
+    lattice.point(whole_x + if is_next_x { 1.0 } else { 0.0 }, whole_z + if is_next_z { 1.0 } else { 0.0 })
 }
 
 /// The code of the lattice point that is nearest to the direction of `v`.
@@ -284,36 +279,54 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
     let x_less = x < z;
     let of_z = !is_octant & (x <= y) & x_less;
     let of_x = !is_octant & (z < y) & !x_less;
-    let of_y = !of_z & !of_x;
-
-    // The sides of the coordinate planes that the straddled one, the base and the apex are on.
-    let (x_side, y_side, z_side) = (is_negative(v.x), is_negative(v.y), is_negative(v.z));
-    let straddled_side = (of_y & y_side) | (of_z & z_side) | (of_x & x_side);
-    let base_side = (of_y & z_side) | (of_z & x_side) | (of_x & y_side);
-    let apex_side = (of_y & x_side) | (of_z & y_side) | (of_x & z_side);
-
-    let depth = select(of_z, i.y, select(of_x, i.x, i.z));
-    let is_other = straddled_side & !is_octant;
-    let has_x = (is_other & of_z) | (!is_other & of_y);
-    let has_y = (is_other & of_y) | (!is_other & of_x);
-    let across = select(has_x, i.x, select(has_y, i.y, i.z));
-    let is_second = apex_side & (depth > 0.5);
+    let (depth, across, sides) = on_face(i, v, is_octant, of_z, of_x);
+    let is_second = sides.apex & (depth > 0.5);
 
     // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their
     // line 6 n + 18 are left.
-    let octant_rows = select(straddled_side, TWO_23 + (7.0 * n + 15.0), TWO_23 + (6.0 * n + 17.0));
+    let octant_rows = select(sides.straddled, TWO_23 + (7.0 * n + 15.0), TWO_23 + (6.0 * n + 17.0));
     let first_row = select(is_octant, octant_rows, TWO_23);
     let first_row = select(of_x, TWO_23 + 4.0 * n, first_row);
     let first_row = select(of_z, TWO_23 + 2.0 * n, first_row);
     let rows_before = select(is_octant, 2.0 * (n - 2.0), n);
     let from_end = select(is_octant, n - 1.0, n) - depth;
-    let line = (first_row + select(base_side, rows_before, 0.0)) + select(is_second, from_end, depth);
+    let line = (first_row + select(sides.base, rows_before, 0.0)) + select(is_second, from_end, depth);
     let first_column = select(is_octant, TWO_23 + 17.0, select(is_second, TWO_23 + 1.0, TWO_23));
     let column = (across + select(is_second, depth, 0.0)) + first_column;
     let row_length = if is_octant { lattice.n - 1 } else { lattice.n + 2 };
     let code = counted(line).wrapping_mul(row_length).wrapping_add(counted(column));
     // +Z is in the middle of the first row.
     if usable { code } else { lattice.n / 2 }
+}
+
+/// The sides of the coordinate planes that what a face straddles, its base and its apex are on: true where negative.
+struct Sides {
+    straddled: bool,
+    base: bool,
+    apex: bool,
+}
+
+/// Of a point's numbers that of the apex, and that of the base's end from which rows run; and where `v` is.
+///
+/// On a GPU masks are free and selects are what costs; on a CPU both cost the same, and there are fewer selects.
+#[inline(always)]
+fn on_face(i: Vec3, v: Vec3, is_octant: bool, of_z: bool, of_x: bool) -> (f32, f32, Sides) {
+    if !cfg!(target_arch = "spirv") {
+        let (i, v) = (turn(i, of_z, of_x), turn(v, of_x, of_z));
+        let sides = Sides { apex: is_negative(v.x), straddled: is_negative(v.y), base: is_negative(v.z) };
+        return (i.z, select(sides.straddled & !is_octant, i.y, i.x), sides);
+    }
+    let of_y = !of_z & !of_x;
+    let (x_side, y_side, z_side) = (is_negative(v.x), is_negative(v.y), is_negative(v.z));
+    let straddled = (of_y & y_side) | (of_z & z_side) | (of_x & x_side);
+    let base = (of_y & z_side) | (of_z & x_side) | (of_x & y_side);
+    let apex = (of_y & x_side) | (of_z & y_side) | (of_x & z_side);
+
+    let is_other = straddled & !is_octant;
+    let has_x = (is_other & of_z) | (!is_other & of_y);
+    let has_y = (is_other & of_y) | (!is_other & of_x);
+    let depth = select(of_z, i.y, select(of_x, i.x, i.z));
+    (depth, select(has_x, i.x, select(has_y, i.y, i.z)), Sides { straddled, base, apex })
 }
 
 #[inline(always)]
