@@ -76,6 +76,9 @@ float unitvec_with_sign(float magnitude, float y) {
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 
+// Sums of it and numbers of 0 to 2^23 are whole; their low 23 bits are the number.
+const float UNITVEC_2_23 = 8388608.0;
+
 // The integer part of a number from 0 to 2^31. By way of int, for which more processors have an instruction.
 uint unitvec_whole_to_u32(float whole) {
     return uint(int(whole));
@@ -183,23 +186,26 @@ float unitvec_snorm_max(uint bits) {
     return float(unitvec_mask(bits - 1u));
 }
 
-// Eq. 1, for up to 23 bits. Ties go up. NaN gives 0 where the device compares as IEEE 754 says.
+// By comparing integers: see unitvec_is_within.
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+
+// Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
+uint unitvec_unorm_code(float r, uint bits) {
+    UNITVEC_PRECISE float sum = min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits) + UNITVEC_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+
+// The same for any r: NaN gives 0.
 uint unitvec_unorm_encode(float r, uint bits) {
-    float positive = r > 0.0 ? r : 0.0;
-    float clamped = positive < 1.0 ? positive : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_unorm_max(bits) + 0.5;
-    return unitvec_whole_to_u32(position);
+    return unitvec_is_nan(r) ? 0u : unitvec_unorm_code(r, bits);
 }
 
 // Eq. 2. Bits above `bits` are ignored.
 float unitvec_unorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = float(code & unitvec_mask(bits)) / unitvec_unorm_max(bits);
     return r;
-}
-
-// By comparing integers: see unitvec_is_within.
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
@@ -227,9 +233,7 @@ float unitvec_snorm_integer(uint code, uint bits) {
 
 // The integers of a code of two snorms of `bits` bits: x in the low bits, y in the next.
 vec2 unitvec_snorm_integers(uint code, uint bits) {
-    uint left = 32u - bits;
-    vec2 integers = vec2(int(code << left) >> int(left), int(code << (left - bits)) >> int(left));
-    return max(integers, -unitvec_snorm_max(bits));
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 
 // Both clamped to [-1, 1]; 0 where one is NaN.

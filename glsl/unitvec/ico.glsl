@@ -38,9 +38,6 @@ const float UNITVEC_ICO_INVERSE_3 = 1.0586945;
 const float UNITVEC_ICO_INVERSE_4 = 0.1760835;
 const float UNITVEC_ICO_INVERSE_5 = 0.352167;
 
-// Whole numbers from 0 on that this is added to are the low 23 bits of the sum.
-const float UNITVEC_ICO_2_23 = 8388608.0;
-
 // Steps along an edge, n, N of the weights i (N - i), and factors of the squares of the distances between neighbours.
 struct UnitvecIcoLattice {
     uint n;
@@ -189,15 +186,15 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     bool is_second = apex_side && depth > 0.5;
     // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their line
     // 6 n + 18 are left.
-    float octant_rows = straddled_side ? UNITVEC_ICO_2_23 + (7.0 * n + 15.0) : UNITVEC_ICO_2_23 + (6.0 * n + 17.0);
-    float first_row = is_octant ? octant_rows : UNITVEC_ICO_2_23;
-    first_row = of_x ? UNITVEC_ICO_2_23 + 4.0 * n : first_row;
-    first_row = of_z ? UNITVEC_ICO_2_23 + 2.0 * n : first_row;
+    float octant_rows = straddled_side ? UNITVEC_2_23 + (7.0 * n + 15.0) : UNITVEC_2_23 + (6.0 * n + 17.0);
+    float first_row = is_octant ? octant_rows : UNITVEC_2_23;
+    first_row = of_x ? UNITVEC_2_23 + 4.0 * n : first_row;
+    first_row = of_z ? UNITVEC_2_23 + 2.0 * n : first_row;
     float rows_before = is_octant ? 2.0 * (n - 2.0) : n;
     UNITVEC_PRECISE float from_end = (is_octant ? n - 1.0 : n) - depth;
     UNITVEC_PRECISE float line = (first_row + (base_side ? rows_before : 0.0)) + (is_second ? from_end : depth);
-    float first_column = is_second ? UNITVEC_ICO_2_23 + 1.0 : UNITVEC_ICO_2_23;
-    first_column = is_octant ? UNITVEC_ICO_2_23 + 17.0 : first_column;
+    float first_column = is_second ? UNITVEC_2_23 + 1.0 : UNITVEC_2_23;
+    first_column = is_octant ? UNITVEC_2_23 + 17.0 : first_column;
     UNITVEC_PRECISE float column = (across + (is_second ? depth : 0.0)) + first_column;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
     uint code = (floatBitsToUint(line) & 0x7fffffu) * row_length + (floatBitsToUint(column) & 0x7fffffu);
@@ -221,7 +218,7 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     uint index = code - first;
     UNITVEC_PRECISE float quotient = float(int(index >> 1u)) * per_length + 0.05;
     float line = floor(quotient);
-    UNITVEC_PRECISE float counted = line + UNITVEC_ICO_2_23;
+    UNITVEC_PRECISE float counted = line + UNITVEC_2_23;
     uint rest = index - (floatBitsToUint(counted) & 0x7fffffu) * row_length;
     bool is_next = rest >= row_length;
     line = is_next ? line - 1.0 : line;

@@ -13,6 +13,7 @@ use unitvec_tests::repository;
 pub const SOURCES: [&str; 2] = ["textbook", "unitvec"];
 
 /// The columns of figures.
+#[cfg(feature = "glsl")]
 pub const FIGURES: [&str; 6] =
     ["same_codes", "mean_deg", "max_deg", "tangent_mean_deg", "tangent_max_deg", "nan_per_million"];
 

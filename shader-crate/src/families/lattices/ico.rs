@@ -71,7 +71,9 @@
 //! * Good for: the least error that the bits can have, to a few per cent, without a table. Weaknesses: the cost, most
 //!   of all to encode. Neighbouring rows are unrelated, so that codes must not be interpolated.
 
-use crate::arith::{floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32, with_sign};
+use crate::arith::{
+    TWO_23, floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32, with_sign,
+};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
@@ -87,9 +89,6 @@ const ADDED_BY_REFLECTION: f32 = 0.763_932;
 
 /// The sign of a float's bits.
 const SIGN: u32 = 1 << 31;
-
-/// Whole numbers from 0 on that this is added to are the low 23 bits of the sum.
-const TWO_23: f32 = 8_388_608.0;
 
 /// Of the cubic that the inverse of the warp starts from: fitted to N = n / 0.215 so that its greatest error is least.
 const INVERSE_0: f32 = 0.214316;
