@@ -2,7 +2,7 @@
 
 use glam::Vec3;
 use std::f64::consts::FRAC_PI_2;
-use unitvec::eaoct as module;
+use unitvec::arith as module;
 use unitvec::{Codec, EaOct16, EaOct22, EaOct24, EaOct32};
 use unitvec_oracle::{EaOct, Oracle, Summary, angle_deg, eaoct, largest, oct};
 use unitvec_tests::checks::{assert_attains, assert_bounded, assert_nearest, assert_rounds};

@@ -17,28 +17,31 @@
 precision highp float;
 precision highp int;
 
-// The snorm integers of the direction of v: phi / pi and z. m is the snorm's largest.
+// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
 vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
-    v = unitvec_angles_scaled(v);
-    UNITVEC_PRECISE float height = v.z * (1.0 / sqrt(unitvec_dot(v, v))) * m;
-    UNITVEC_PRECISE float angle = unitvec_atan2_half_turns(v.y, v.x) * m;
-    float z = unitvec_round_symmetric(height);
+    float norm = unitvec_l1_norm(v);
+    vec3 p = unitvec_angles_scaled(v, norm);
+    UNITVEC_PRECISE float magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
+    float height = unitvec_with_sign(magnitude, v.z);
+    UNITVEC_PRECISE float steps = (unitvec_is_usable(norm) ? height : 1.0) * m;
     // An inexact reciprocal could take z beyond m.
-    vec2 pole = vec2(0.0, unitvec_negate_if(unitvec_is_negative(z), m));
-    return abs(z) < m ? vec2(unitvec_round_symmetric(angle), z) : pole;
+    float z = max(min(steps, m), -m);
+    UNITVEC_PRECISE float phi = unitvec_angles_azimuth(v, p) * (0.5 * m);
+    return vec2(abs(z) > m - 0.5 ? 0.0 : phi, z);
 }
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float step_size = 1.0 / m;
     UNITVEC_PRECISE float radius = sqrt((m - e.y) * (m + e.y)) * step_size;
-    UNITVEC_PRECISE vec2 values = e * step_size;
-    return unitvec_angles_around_z(radius, values.y, values.x);
+    UNITVEC_PRECISE float z = e.y * step_size;
+    UNITVEC_PRECISE float quarters = e.x * (2.0 * step_size);
+    return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);
 }
 
 uint unitvec_cylindrical_encode(vec3 v, uint bits) {
     vec2 e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));
-    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+    return unitvec_nearest_code(e.x, bits / 2u) | (unitvec_nearest_code(e.y, bits / 2u) << (bits / 2u));
 }
 
 vec3 unitvec_cylindrical_decode(uint code, uint bits) {

@@ -22,16 +22,6 @@
 precision highp float;
 precision highp int;
 
-// 2/pi atan(q) = q (UNITVEC_TURN_0 + q^2 (UNITVEC_TURN_1 + ...)), q in [0, 1]: minimax.
-const float UNITVEC_TURN_0 = 0.6366193;
-const float UNITVEC_TURN_1 = -0.21218449;
-const float UNITVEC_TURN_2 = 0.12698378;
-const float UNITVEC_TURN_3 = -0.088545084;
-const float UNITVEC_TURN_4 = 0.061384138;
-const float UNITVEC_TURN_5 = -0.035594895;
-const float UNITVEC_TURN_6 = 0.013918393;
-const float UNITVEC_TURN_7 = -0.002581218;
-
 // 2^-26, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
 const float UNITVEC_EAOCT_LEAST = 1.4901161193847656e-8;
 
@@ -42,56 +32,41 @@ struct UnitvecEaoctPolar {
     bool swapped;
 };
 
-// 2/pi atan(q), q in [0, 1].
-float unitvec_eaoct_turn(float q) {
-    UNITVEC_PRECISE float u = q * q;
-    UNITVEC_PRECISE float w = u * u;
-    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
-    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
-    UNITVEC_PRECISE float turn = q * (even + u * odd);
-    return turn;
-}
-
-// The larger of x times scale and UNITVEC_EAOCT_LEAST; of NaN, either.
-float unitvec_eaoct_raised(float x, float scale) {
-    UNITVEC_PRECISE float scaled = x * scale;
-    return scaled > UNITVEC_EAOCT_LEAST ? scaled : UNITVEC_EAOCT_LEAST;
-}
-
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
 // Without a usable direction, anything.
 UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
-    float scale = unitvec_scale_to_one(norm);
-    bool swapped = abs(v.y) > abs(v.x);
-    float shorter = swapped ? abs(v.x) : abs(v.y);
-    float longer = swapped ? abs(v.y) : abs(v.x);
-    float b = unitvec_eaoct_raised(shorter, scale);
-    float a = unitvec_eaoct_raised(longer, scale);
-    UNITVEC_PRECISE float z = abs(v.z) * scale;
+    UNITVEC_PRECISE vec3 p = abs(v) * unitvec_scale_to_one(norm);
+    float x = max(p.x, UNITVEC_EAOCT_LEAST);
+    float y = max(p.y, UNITVEC_EAOCT_LEAST);
+    float a = max(x, y);
+    float b = min(x, y);
 
     UNITVEC_PRECISE float horizontal = a * a + b * b;
-    UNITVEC_PRECISE float len = sqrt(horizontal + z * z);
-    UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + z)));
+    UNITVEC_PRECISE float len = sqrt(horizontal + p.z * p.z);
+    UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + p.z)));
     UNITVEC_PRECISE float q = b / a;
-    return UnitvecEaoctPolar(radius, unitvec_eaoct_turn(q), swapped);
+    return UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
 }
 
-// Moves a lattice point of that half octant to where the direction of v is, or to +Z's where norm, the L1 norm, is not
-// that of a usable direction.
-vec2 unitvec_eaoct_unfolded(vec3 v, float norm, bool swapped, float ring, float place, float m) {
+// Moves a lattice point of that half octant to where the direction of v is. With m the largest coordinate, (x, y) is folded
+// out to (m - y, m - x), which is as far away along both axes.
+vec2 unitvec_eaoct_unfolded(vec3 v, bool swapped, float ring, float place, float m) {
     UNITVEC_PRECISE float other = ring - place;
-    vec2 p = unitvec_oct_fold(v.z, swapped ? vec2(place, other) : vec2(other, place), m);
-    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? p : vec2(0.0, 0.0));
+    float x = swapped ? place : other;
+    float y = swapped ? other : place;
+    UNITVEC_PRECISE float rest = m - ring;
+    float folded = unitvec_is_negative(v.z) ? rest : 0.0;
+    UNITVEC_PRECISE vec2 e = vec2(x, y) + folded;
+    return vec2(unitvec_with_sign(e.x, v.x), unitvec_with_sign(e.y, v.y));
 }
 
-// Lattice point of the direction of v: on the nearest ring the nearest point.
-vec2 unitvec_eaoct_lattice(vec3 v, float m) {
-    float norm = unitvec_l1_norm(v);
+// Lattice point of the direction of v: on the nearest ring the nearest point. Without a usable direction, anything.
+vec2 unitvec_eaoct_lattice(vec3 v, float norm, float m) {
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     UNITVEC_PRECISE float steps = p.radius * m + 0.5;
     float ring = floor(steps);
     UNITVEC_PRECISE float along = p.turn * ring + 0.5;
-    return unitvec_eaoct_unfolded(v, norm, p.swapped, ring, floor(along), m);
+    return unitvec_eaoct_unfolded(v, p.swapped, ring, floor(along), m);
 }
 
 // The nearest point on a ring that is at most a step from p: the ring, the point's number, and a measure of the
@@ -103,7 +78,7 @@ vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     UNITVEC_PRECISE float along = p.turn * ring;
     UNITVEC_PRECISE float place = floor(along + 0.5);
     UNITVEC_PRECISE float across = ring - steps;
-    UNITVEC_PRECISE float q = (along - place) / (ring > 1.0 ? ring : 1.0);
+    UNITVEC_PRECISE float q = (along - place) / max(ring, 1.0);
 
     UNITVEC_PRECISE float c_squared = 2.0 - p.radius * p.radius;
     UNITVEC_PRECISE float change = across * (p.radius * (1.0 / m));
@@ -114,31 +89,26 @@ vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
 }
 
 // Lattice point of the direction of v that is nearest in angle: the nearest one of the ring below or above.
-vec2 unitvec_eaoct_lattice_precise(vec3 v, float m) {
-    float norm = unitvec_l1_norm(v);
+vec2 unitvec_eaoct_lattice_precise(vec3 v, float norm, float m) {
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     UNITVEC_PRECISE float below = floor(p.radius * m);
     UNITVEC_PRECISE float above = below + 1.0;
     vec3 inner = unitvec_eaoct_candidate(p, below, m);
     vec3 outer = unitvec_eaoct_candidate(p, above, m);
     vec3 nearest = outer.z < inner.z ? outer : inner;
-    return unitvec_eaoct_unfolded(v, norm, p.swapped, nearest.x, nearest.y, m);
+    return unitvec_eaoct_unfolded(v, p.swapped, nearest.x, nearest.y, m);
 }
 
 // Direction of a lattice point, unit length to within 2 ULP.
 vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     vec2 a = abs(e);
-    UNITVEC_PRECISE float sum = a.x + a.y;
-    bool below = sum > m;
-    UNITVEC_PRECISE float folded_ring = 2.0 * m - sum;
-    float ring = below ? folded_ring : sum;
+    UNITVEC_PRECISE float above = m - (a.x + a.y);
+    UNITVEC_PRECISE float ring = m - abs(above);
+    UNITVEC_PRECISE float folded_place = m - max(a.x, a.y);
+    float place = min(min(a.x, a.y), folded_place);
     bool swapped = a.y > a.x;
-    float shorter = swapped ? a.x : a.y;
-    float longer = swapped ? a.y : a.x;
-    UNITVEC_PRECISE float folded_place = m - longer;
-    float place = below ? folded_place : shorter;
 
-    UNITVEC_PRECISE float turn = place / (ring >= UNITVEC_MIN_POSITIVE ? ring : 1.0);
+    UNITVEC_PRECISE float turn = place / max(ring, UNITVEC_MIN_POSITIVE);
     UNITVEC_PRECISE float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
@@ -150,7 +120,7 @@ vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     float x = swapped ? off_axis : near_axis;
     float y = swapped ? near_axis : off_axis;
     return vec3(
-        unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y), unitvec_negate_if(below, z));
+        unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y), unitvec_with_sign(z, above));
 }
 
 // The projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds: a mean error 8 % and a
@@ -159,7 +129,8 @@ vec2 float32x3_to_eaoct(vec3 v) {
     float norm = unitvec_l1_norm(v);
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     UNITVEC_PRECISE float place = p.radius * p.turn;
-    return unitvec_eaoct_unfolded(v, norm, p.swapped, p.radius, place, 1.0);
+    vec2 e = unitvec_eaoct_unfolded(v, p.swapped, p.radius, place, 1.0);
+    return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 
 // The direction of a pair of snorm values on [-1, 1].
@@ -168,11 +139,15 @@ vec3 eaoct_to_float32x3(vec2 e) {
 }
 
 uint unitvec_eaoct_encode(vec3 v, uint bits) {
-    return unitvec_oct_pack(unitvec_eaoct_lattice(v, unitvec_snorm_max(bits / 2u)), bits);
+    float norm = unitvec_l1_norm(v);
+    uint code = unitvec_oct_pack(unitvec_eaoct_lattice(v, norm, unitvec_snorm_max(bits / 2u)), bits);
+    return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
 }
 
 uint unitvec_eaoct_encode_precise(vec3 v, uint bits) {
-    return unitvec_oct_pack(unitvec_eaoct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits);
+    float norm = unitvec_l1_norm(v);
+    uint code = unitvec_oct_pack(unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits / 2u)), bits);
+    return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
 }
 
 vec3 unitvec_eaoct_decode(uint code, uint bits) {

@@ -77,7 +77,7 @@ uint unitvec_fib_turn(uint i) {
 
 // The same for i below 2^17.
 uint unitvec_fib_turn_of_step(uint i) {
-    return i * UNITVEC_FIB_GOLDEN_HIGH + ((i * (UNITVEC_FIB_GOLDEN_LOW >> 17u)) >> 15u);
+    return i * UNITVEC_FIB_GOLDEN_HIGH + (((i & 0x1ffffu) * (UNITVEC_FIB_GOLDEN_LOW >> 17u)) >> 15u);
 }
 
 float unitvec_fib_signed_turn(uint turn) {
@@ -93,21 +93,20 @@ uint unitvec_fib_split(float x, out float rest) {
     return uint(whole);
 }
 
-// Azimuth of (x, y) in turns, a fraction of 32 bits: 0 beside the z axis.
-uint unitvec_fib_azimuth(float x, float y) {
-    UNITVEC_PRECISE float norm = abs(x) + abs(y);
-    bool usable = norm >= UNITVEC_NEGLIGIBLE;
-    x = usable ? x : 1.0;
-    y = usable ? y : 0.0;
-    bool steep = abs(y) > abs(x);
-    float shorter = steep ? abs(x) : abs(y);
-    float longer = steep ? abs(y) : abs(x);
-    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter, longer) * unitvec_exp2(29);
-    float rest;
-    uint octant = unitvec_fib_split(part, rest);
-    uint quarter = steep ? 0x40000000u - octant : octant;
-    uint half_turn = unitvec_is_negative(x) ? 0x80000000u - quarter : quarter;
-    return unitvec_is_negative(y) ? 0u - half_turn : half_turn;
+// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+const float UNITVEC_FIB_LEAST_X = 9.094947017729282e-13;
+const float UNITVEC_FIB_LEAST_Y = 4.336808689942018e-19;
+
+// Azimuth of v in turns, a fraction of 32 bits: anything beside the z axis. `scaled` is v at an L1 norm of 1 to 2.
+uint unitvec_fib_azimuth(vec3 v, vec3 scaled) {
+    float x = max(abs(scaled.x), UNITVEC_FIB_LEAST_X);
+    float y = max(abs(scaled.y), UNITVEC_FIB_LEAST_Y);
+    UNITVEC_PRECISE float quotient = min(x, y) / max(x, y);
+    UNITVEC_PRECISE float part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
+    uint octant = uint(int(part));
+    uint quarter = y > x ? 0x40000000u - octant : octant;
+    uint half_turn = unitvec_is_negative(v.x) ? 0x80000000u - quarter : quarter;
+    return unitvec_is_negative(v.y) ? 0u - half_turn : half_turn;
 }
 
 // Golden ratio, 1.618..., to the power k, below 32.
@@ -182,10 +181,10 @@ UnitvecFibCandidate unitvec_fib_cheaper(UnitvecFibCandidate a, UnitvecFibCandida
 
 // Number of the point of 2^bits that is nearest to the direction of v.
 uint unitvec_fib_nearest(vec3 v, uint bits) {
-    v = unitvec_or_z(v);
-    vec3 scaled = unitvec_scaled_to_one(v, unitvec_l1_norm(v));
-    bool is_mirrored = unitvec_is_negative(scaled.z);
-    uint azimuth = unitvec_fib_azimuth(scaled.x, scaled.y);
+    float norm = unitvec_l1_norm(v);
+    UNITVEC_PRECISE vec3 scaled = v * unitvec_scale_to_one(norm);
+    bool is_mirrored = unitvec_is_negative(v.z);
+    uint azimuth = unitvec_fib_azimuth(v, scaled);
     uint turn_to = is_mirrored ? unitvec_fib_turn(unitvec_fib_last(bits)) - azimuth : azimuth;
     UnitvecFibPlace place = unitvec_fib_place(scaled, bits);
     UnitvecFibBasis basis = unitvec_fib_basis(place.radius_squared, bits);
@@ -210,7 +209,9 @@ uint unitvec_fib_nearest(vec3 v, uint bits) {
     UnitvecFibCandidate up = unitvec_fib_candidate(place, i_next, off_next, bits);
     UnitvecFibCandidate far = unitvec_fib_candidate(place, i_next + step_size, off_next - turn_step, bits);
     UnitvecFibCandidate best = unitvec_fib_cheaper(unitvec_fib_cheaper(unitvec_fib_cheaper(near, right), up), far);
-    return (is_mirrored ? ~best.i : best.i) & unitvec_fib_last(bits);
+    uint code = (is_mirrored ? ~best.i : best.i) & unitvec_fib_last(bits);
+    // The point nearest to +Z is the first.
+    return unitvec_is_usable(norm) ? code : 0u;
 }
 
 // Point i of 2^bits, of unit length to within 2 ULP. Higher bits of i are ignored.

@@ -62,9 +62,6 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
     return nearer;
 }
 
-// 2^23: the low bits of its sum with a number that is not negative are that, to the nearest whole number.
-const float UNITVEC_FRAME_2_23 = 8388608.0;
-
 // Code of the angle of `tangent` about the decoded normal n. A tangent must have more of its L1 norm left in the plane
 // than the part `parallel`, along both axes together.
 uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float parallel) {
@@ -85,7 +82,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     UNITVEC_PRECISE float w = uintBitsToFloat(floatBitsToUint(difference) ^ odd) / sum;
 
     float half_places = float(1u << (angle_bits - 3u));
-    UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_FRAME_2_23;
+    UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
     uint quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
     uint code = (quarters + floatBitsToUint(place)) & unitvec_mask(angle_bits);

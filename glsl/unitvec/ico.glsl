@@ -96,11 +96,12 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     UNITVEC_PRECISE vec3 t_squared = t * t;
     float squares = unitvec_ico_sum(t_squared);
     // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
-    UNITVEC_PRECISE float b_1 = UNITVEC_ICO_INVERSE_0 + UNITVEC_ICO_INVERSE_1 * squares;
-    UNITVEC_PRECISE float b_0 =
-        (UNITVEC_ICO_INVERSE_3 - squares * (b_1 + UNITVEC_ICO_INVERSE_4)) - UNITVEC_ICO_INVERSE_5 * ((t.x * t.y) * t.z);
-    UNITVEC_PRECISE float start_x = floor((t.x * (b_0 + t.x * (b_1 + UNITVEC_ICO_INVERSE_2 * t.x))) * n + 0.5);
-    UNITVEC_PRECISE float start_z = floor((t.z * (b_0 + t.z * (b_1 + UNITVEC_ICO_INVERSE_2 * t.z))) * n + 0.5);
+    UNITVEC_PRECISE float b_1 = UNITVEC_ICO_INVERSE_0 * n + (UNITVEC_ICO_INVERSE_1 * n) * squares;
+    UNITVEC_PRECISE float b_0 = (UNITVEC_ICO_INVERSE_3 * n - squares * (b_1 + UNITVEC_ICO_INVERSE_4 * n))
+        - (UNITVEC_ICO_INVERSE_5 * n) * ((t.x * t.y) * t.z);
+    UNITVEC_PRECISE float b_2 = UNITVEC_ICO_INVERSE_2 * n;
+    UNITVEC_PRECISE float start_x = t.x * (b_0 + t.x * (b_1 + b_2 * t.x));
+    UNITVEC_PRECISE float start_z = t.z * (b_0 + t.z * (b_1 + b_2 * t.z));
     vec3 start = unitvec_ico_point(lattice, start_x, start_z);
 
     // Newton's method for i and the factor of t, where the i keep their sum.
@@ -109,14 +110,14 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     UNITVEC_PRECISE vec3 d = rest - start;
     UNITVEC_PRECISE vec3 turned = d * vec3(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
     UNITVEC_PRECISE float factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
-    UNITVEC_PRECISE float off_x = (turned.z - turned.y) * factor;
-    UNITVEC_PRECISE float off_z = (turned.y - turned.x) * factor;
+    UNITVEC_PRECISE float x = start.x + (turned.z - turned.y) * factor;
+    UNITVEC_PRECISE float z = start.z + (turned.y - turned.x) * factor;
 
     // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
-    float whole_x = floor(off_x);
-    float whole_z = floor(off_z);
-    UNITVEC_PRECISE float lower_x = off_x - whole_x;
-    UNITVEC_PRECISE float lower_z = off_z - whole_z;
+    float whole_x = floor(x);
+    float whole_z = floor(z);
+    UNITVEC_PRECISE float lower_x = x - whole_x;
+    UNITVEC_PRECISE float lower_z = z - whole_z;
     UNITVEC_PRECISE float upper_x = 1.0 - lower_x;
     UNITVEC_PRECISE float upper_z = 1.0 - lower_z;
     UNITVEC_PRECISE float lower_y = upper_x - lower_z;
@@ -137,14 +138,9 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     bool is_z = from_z < (is_x ? from_x : from_corner);
     bool is_next_x = (is_x && !is_z) != is_upper;
     bool is_next_z = is_z != is_upper;
-    UNITVEC_PRECISE float x = (start.x + whole_x) + (is_next_x ? 1.0 : 0.0);
-    UNITVEC_PRECISE float z = (start.z + whole_z) + (is_next_z ? 1.0 : 0.0);
-    return unitvec_ico_point(lattice, x, z);
-}
-
-// x, which is not negative, with the sign of y.
-float unitvec_ico_signed(float x, float y) {
-    return uintBitsToFloat(floatBitsToUint(x) | (floatBitsToUint(y) & 0x80000000u));
+    UNITVEC_PRECISE float nearest_x = whole_x + (is_next_x ? 1.0 : 0.0);
+    UNITVEC_PRECISE float nearest_z = whole_z + (is_next_z ? 1.0 : 0.0);
+    return unitvec_ico_point(lattice, nearest_x, nearest_z);
 }
 
 uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
@@ -153,48 +149,57 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
     vec3 a = abs(v);
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
-    UNITVEC_PRECISE vec3 flat_part = vec3(
-        UNITVEC_ICO_GOLDEN_LESS_1 * (a.y + a.z) + (a.z - a.x),
-        UNITVEC_ICO_GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
-        UNITVEC_ICO_GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y));
+    UNITVEC_PRECISE float norm_part = UNITVEC_ICO_GOLDEN_LESS_1 * norm;
+    UNITVEC_PRECISE vec3 flat_part = (norm_part + a.zyx) - UNITVEC_ICO_GOLDEN * a.xzy;
     // By reflection: the vertices across a side have the sum of the side's two, divided by p.
     float beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
     UNITVEC_PRECISE float shared_part = UNITVEC_ICO_GOLDEN_LESS_1 * beyond;
-    UNITVEC_PRECISE float sum = UNITVEC_ICO_TWICE_GOLDEN_LESS_1 * norm - UNITVEC_ICO_ADDED_BY_REFLECTION * beyond;
+    UNITVEC_PRECISE float sum = 2.0 * norm_part - UNITVEC_ICO_ADDED_BY_REFLECTION * beyond;
     UNITVEC_PRECISE vec3 on_side = flat_part + shared_part;
     vec3 i = unitvec_ico_nearest(max(on_side, -flat_part), sum, lattice);
 
     // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
     // they are equal, it is the one whose base ends there.
-    float x = unitvec_ico_signed(i.x, flat_part.x);
-    float y = unitvec_ico_signed(i.y, flat_part.y);
-    float z = unitvec_ico_signed(i.z, flat_part.z);
-    bool of_z = x < 0.5 && x <= y && x < z;
-    bool of_x = z < 0.5 && z <= x && z < y;
-    bool is_octant = !of_z && !of_x && y > 0.5 && usable;
-    i = unitvec_ico_turn(i, of_z, of_x);
-    vec3 sides = unitvec_ico_turn(v, of_x, of_z);
+    float x = unitvec_with_sign(i.x, flat_part.x);
+    float y = unitvec_with_sign(i.y, flat_part.y);
+    float z = unitvec_with_sign(i.z, flat_part.z);
+    bool is_octant = min(min(x, y), z) > 0.5;
+    bool x_less = x < z;
+    bool of_z = !is_octant && x <= y && x_less;
+    bool of_x = !is_octant && z < y && !x_less;
+    bool of_y = !of_z && !of_x;
+
+    // The sides of the coordinate planes that the straddled one, the base and the apex are on.
+    bool x_side = unitvec_is_negative(v.x);
+    bool y_side = unitvec_is_negative(v.y);
+    bool z_side = unitvec_is_negative(v.z);
+    bool straddled_side = (of_y && y_side) || (of_z && z_side) || (of_x && x_side);
+    bool base_side = (of_y && z_side) || (of_z && x_side) || (of_x && y_side);
+    bool apex_side = (of_y && x_side) || (of_z && y_side) || (of_x && z_side);
 
     // All of these are whole.
-    bool straddled_side = unitvec_is_negative(sides.y);
-    bool base_side = unitvec_is_negative(sides.z);
-    bool is_second = unitvec_is_negative(sides.x) && i.z > 0.5;
-    float least = is_octant ? 1.0 : 0.0;
-    float most = is_octant ? n - 3.0 : n;
-    UNITVEC_PRECISE float depth = i.z - least;
-    UNITVEC_PRECISE float across = (!is_octant && straddled_side ? i.y : i.x) - least;
-    UNITVEC_PRECISE float second_row = most - depth;
-    UNITVEC_PRECISE float second_column = (across + depth) + 1.0;
-    float plane_rows = of_z ? 2.0 * n : (of_x ? 4.0 * n : (is_octant && straddled_side ? n - 2.0 : 0.0));
-    float side_rows = is_octant ? 2.0 * (n - 2.0) : n;
-    UNITVEC_PRECISE float line = (plane_rows + (base_side ? side_rows : 0.0)) + (is_second ? second_row : depth);
-    float column = is_second ? second_column : across;
-    // +Z is in the middle of the first row.
-    line = usable ? line : 0.0;
-    column = usable ? column : 0.5 * n;
-    uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
+    float depth = of_z ? i.y : (of_x ? i.x : i.z);
+    bool is_other = straddled_side && !is_octant;
+    bool has_x = is_other ? of_z : of_y;
+    bool has_y = is_other ? of_y : of_x;
+    float across = has_x ? i.x : (has_y ? i.y : i.z);
+    bool is_second = apex_side && depth > 0.5;
+    // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their line
+    // 6 n + 18 are left.
+    float octant_rows = straddled_side ? UNITVEC_2_23 + (7.0 * n + 15.0) : UNITVEC_2_23 + (6.0 * n + 17.0);
+    float first_row = is_octant ? octant_rows : UNITVEC_2_23;
+    first_row = of_x ? UNITVEC_2_23 + 4.0 * n : first_row;
+    first_row = of_z ? UNITVEC_2_23 + 2.0 * n : first_row;
+    float rows_before = is_octant ? 2.0 * (n - 2.0) : n;
+    UNITVEC_PRECISE float from_end = (is_octant ? n - 1.0 : n) - depth;
+    UNITVEC_PRECISE float line = (first_row + (base_side ? rows_before : 0.0)) + (is_second ? from_end : depth);
+    float first_column = is_second ? UNITVEC_2_23 + 1.0 : UNITVEC_2_23;
+    first_column = is_octant ? UNITVEC_2_23 + 17.0 : first_column;
+    UNITVEC_PRECISE float column = (across + (is_second ? depth : 0.0)) + first_column;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    return first + unitvec_whole_to_u32(line) * row_length + unitvec_whole_to_u32(column);
+    uint code = (floatBitsToUint(line) & 0x7fffffu) * row_length + (floatBitsToUint(column) & 0x7fffffu);
+    // +Z is in the middle of the first row.
+    return usable ? code : lattice.n / 2u;
 }
 
 // Unit length to within 2 ULP.
@@ -213,7 +218,8 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     uint index = code - first;
     UNITVEC_PRECISE float quotient = float(int(index >> 1u)) * per_length + 0.05;
     float line = floor(quotient);
-    uint rest = index - unitvec_whole_to_u32(line) * row_length;
+    UNITVEC_PRECISE float counted = line + UNITVEC_2_23;
+    uint rest = index - (floatBitsToUint(counted) & 0x7fffffu) * row_length;
     bool is_next = rest >= row_length;
     line = is_next ? line - 1.0 : line;
     float column = float(int(is_next ? rest + row_length : rest));

@@ -21,22 +21,30 @@ precision highp float;
 precision highp int;
 
 uint unitvec_latlong_grid_encode(vec3 v, uint half_bits) {
-    v = unitvec_angles_scaled(v);
+    float norm = unitvec_l1_norm(v);
+    vec3 p = unitvec_angles_scaled(v, norm);
     float rings = float(1u << half_bits);
-    UNITVEC_PRECISE float colatitude = unitvec_atan2_half_turns(unitvec_horizontal_length(v), v.z) * rings;
-    UNITVEC_PRECISE float azimuth = unitvec_atan2_half_turns(v.y, v.x) * (0.5 * rings);
-    float ring = floor(colatitude);
-    float last = rings - 1.0;
-    return unitvec_signed_code(floor(azimuth), half_bits) | (unitvec_whole_to_u32(min(ring, last)) << half_bits);
+    UNITVEC_PRECISE float colatitude =
+        unitvec_angles_half_turn(unitvec_horizontal_length(p), p.z, unitvec_is_negative(v.z)) * (0.5 * rings);
+    UNITVEC_PRECISE float azimuth = unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x)) * (0.25 * rings);
+    // Patches at y < 0 are those at y > 0, mirrored: the number of one is the other's complement.
+    uint patch_number = unitvec_whole_to_u32(floor(azimuth));
+    patch_number = unitvec_is_negative(v.y) ? ~patch_number : patch_number;
+    uint ring = unitvec_whole_to_u32(floor(min(colatitude, rings - 1.0)));
+    uint code = (patch_number & unitvec_mask(half_bits)) | (ring << half_bits);
+    return unitvec_is_usable(norm) ? code : 0u;
 }
 
 vec3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
     float step_size = 1.0 / float(1u << half_bits);
-    float ring = float((code >> half_bits) & unitvec_mask(half_bits));
-    UNITVEC_PRECISE float colatitude = (ring + 0.5) * step_size;
-    UNITVEC_PRECISE float azimuth = (unitvec_signed_integer(code, half_bits) + 0.5) * (2.0 * step_size);
-    vec2 meridian = unitvec_sin_cos_half_turns(colatitude);
-    return unitvec_angles_around_z(meridian.y, meridian.x, azimuth);
+    float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
+    UNITVEC_PRECISE float above = 1.0 - (ring + 0.5) * (2.0 * step_size);
+    UNITVEC_PRECISE float diagonal = 0.5 - abs(above);
+    vec2 meridian = unitvec_from_diagonal(diagonal);
+    UNITVEC_PRECISE float z = meridian.x - meridian.y;
+    UNITVEC_PRECISE float radius = meridian.x + meridian.y;
+    UNITVEC_PRECISE float quarters = (unitvec_signed_integer(code, half_bits) + 0.5) * (4.0 * step_size);
+    return unitvec_angles_around_z(radius, unitvec_with_sign(z, above), quarters);
 }
 
 // Rings 0 (the pole) to n (the equator): S, which gives their first patch, and its inverse, lowest power first.
@@ -87,15 +95,16 @@ float unitvec_latlong_negate_by(uint sign_bit, float x) {
 }
 
 uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_bits) {
-    v = unitvec_angles_scaled(v);
-    float colatitude = unitvec_atan2_half_turns(unitvec_horizontal_length(v), abs(v.z));
-    UNITVEC_PRECISE float ring = colatitude * (2.0 * rings.n) + 0.5;
+    float norm = unitvec_l1_norm(v);
+    bool usable = unitvec_is_usable(norm);
+    vec3 p = unitvec_angles_scaled(v, norm);
+    float colatitude = unitvec_angles_quarter(unitvec_horizontal_length(p), p.z);
+    UNITVEC_PRECISE float ring = (usable ? colatitude : 0.0) * rings.n + 0.5;
     float i = floor(ring);
     UNITVEC_PRECISE vec2 h = vec2(i - 0.5, i + 0.5);
     float start = floor(unitvec_latlong_border(rings, h.x));
     UNITVEC_PRECISE float count = floor(unitvec_latlong_border(rings, h.y)) - start;
-    float angle = unitvec_atan2_half_turns(abs(v.y), abs(v.x));
-    UNITVEC_PRECISE float position = angle * (2.0 * count) + 0.5;
+    UNITVEC_PRECISE float position = unitvec_angles_quarter(p.y, p.x) * count + 0.5;
     float j = floor(position);
 
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
@@ -103,14 +112,13 @@ uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_
     bool back = unitvec_is_negative(v.y);
     UNITVEC_PRECISE float against = count - j;
     float along = left != back ? against : j;
-    uint front_quarter = left ? 1u : 0u;
-    uint back_quarter = left ? 2u : 3u;
-    uint quarter = back ? back_quarter : front_quarter;
-    uint carried = along < count ? quarter : (quarter + 1u) & 3u;
-    float from_start = along < count ? along : 0.0;
+    uint quarter = (back ? 2u : 0u) + (left != back ? 1u : 0u);
+    bool carries = along >= count;
+    uint carried = (quarter + (carries ? 1u : 0u)) & 3u;
+    float from_start = carries ? 0.0 : along;
 
     uint place = unitvec_whole_to_u32(start) + unitvec_whole_to_u32(from_start) + (carried << index_bits);
-    uint below = unitvec_is_negative(v.z) ? 4u << index_bits : 0u;
+    uint below = usable && unitvec_is_negative(v.z) ? 4u << index_bits : 0u;
     return below | (i > 0.0 ? place : 0u);
 }
 
@@ -118,19 +126,17 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     uint index = code & unitvec_mask(index_bits);
     vec2 parts = unitvec_latlong_in_parts(index, index_bits);
 
-    // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
     float nearest = floor(unitvec_latlong_inverse(rings, float(int(index))));
     UNITVEC_PRECISE vec3 h = nearest - vec3(1.5, 0.5, -0.5);
-    float previous = unitvec_latlong_border(rings, h.x);
     float border = unitvec_latlong_border(rings, h.y);
-    float next = unitvec_latlong_border(rings, h.z);
     UNITVEC_PRECISE float from_index = border - parts.x;
     UNITVEC_PRECISE float to_next = parts.y + 1.0;
     bool before = from_index >= to_next;
+    float other = unitvec_latlong_border(rings, before ? h.x : h.z);
     UNITVEC_PRECISE float ring_before = nearest - 1.0;
     float ring = before ? ring_before : nearest;
-    float start = floor(before ? previous : border);
-    UNITVEC_PRECISE float count = floor(before ? border : next) - start;
+    float start = floor(min(border, other));
+    UNITVEC_PRECISE float count = floor(max(border, other)) - start;
     // Exact: start is near.
     UNITVEC_PRECISE float from_high = parts.x - start;
     UNITVEC_PRECISE float from_both = from_high + parts.y;

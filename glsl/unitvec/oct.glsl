@@ -197,9 +197,6 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
     return unitvec_is_nan(unitvec_l1_norm(u)) ? vec2(0.0) : clamp(s, -1.0, 1.0);
 }
 
-// 2^23: of its sum with a whole number below it the low 23 bits are that number.
-const float UNITVEC_OCT_2_23 = 8388608.0;
-
 // 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
 const float UNITVEC_OCT_BIAS = 8390655.0;
 
@@ -216,7 +213,7 @@ uint unitvec_oct_pack_unorm8x3(vec2 e) {
 // The pattern 4095 of a component, which encoding never writes, counts as 4094.
 vec2 unitvec_oct_unpack_unorm8x3(uint code) {
     uint both = ((code & 255u) << 16u) | (code & 0xff00u) | ((code >> 16u) & 255u);
-    uvec2 sum = uvec2(both >> 12u, both & 0xfffu) | floatBitsToUint(UNITVEC_OCT_2_23);
+    uvec2 sum = uvec2(both >> 12u, both & 0xfffu) | floatBitsToUint(UNITVEC_2_23);
     UNITVEC_PRECISE vec2 e = uintBitsToFloat(sum) - UNITVEC_OCT_BIAS;
     return min(e, 2047.0);
 }

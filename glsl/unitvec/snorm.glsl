@@ -18,9 +18,9 @@ precision highp float;
 precision highp int;
 
 uint unitvec_snorm3_encode(vec3 v, uint xy_bits, uint z_bits) {
-    v = unitvec_or_z(v);
-    uint code = unitvec_snorm_encode(v.x, xy_bits) | (unitvec_snorm_encode(v.y, xy_bits) << xy_bits)
-        | (unitvec_snorm_encode(v.z, z_bits) << (2u * xy_bits));
+    uint code = unitvec_snorm_code(v.x, xy_bits) | (unitvec_snorm_code(v.y, xy_bits) << xy_bits)
+        | (unitvec_snorm_code(v.z, z_bits) << (2u * xy_bits));
+    code = unitvec_is_usable(unitvec_l1_norm(v)) ? code : 0u;
     return code == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
 }
 
@@ -34,10 +34,10 @@ vec3 unitvec_snorm3_decode(uint code, uint xy_bits, uint z_bits) {
 }
 
 uvec2 snorm16x3_encode(vec3 v) {
-    v = unitvec_or_z(v);
-    uint low = unitvec_snorm_encode(v.x, 16u) | (unitvec_snorm_encode(v.y, 16u) << 16u);
-    uint z = unitvec_snorm_encode(v.z, 16u);
-    return uvec2(low, (low | z) == 0u ? unitvec_mask(15u) : z);
+    uint low = unitvec_snorm_code(v.x, 16u) | (unitvec_snorm_code(v.y, 16u) << 16u);
+    uvec2 code = uvec2(low, unitvec_snorm_code(v.z, 16u));
+    code = unitvec_is_usable(unitvec_l1_norm(v)) ? code : uvec2(0u);
+    return uvec2(code.x, (code.x | code.y) == 0u ? unitvec_mask(15u) : code.y);
 }
 
 vec3 snorm16x3_decode(uvec2 code) {

@@ -18,27 +18,33 @@
 precision highp float;
 precision highp int;
 
-// The integers of the direction of v: m is the largest of theta, half_turn the one of phi = pi.
+// The integers of the direction of v, before rounding: m is the largest of theta, half_turn the one of phi = pi.
 vec2 unitvec_spherical_lattice(vec3 v, float m, float half_turn) {
-    v = unitvec_angles_scaled(v);
-    UNITVEC_PRECISE float latitude = unitvec_atan2_half_turns(v.z, unitvec_horizontal_length(v)) * (-2.0 * m);
-    UNITVEC_PRECISE float azimuth = unitvec_atan2_half_turns(v.y, v.x) * half_turn;
-    float i = unitvec_round_symmetric(latitude);
-    return vec2(i, abs(i) < m ? unitvec_round_symmetric(azimuth) : 0.0);
+    float norm = unitvec_l1_norm(v);
+    vec3 p = unitvec_angles_scaled(v, norm);
+    float latitude = unitvec_with_sign(unitvec_angles_quarter(p.z, unitvec_horizontal_length(p)), v.z);
+    UNITVEC_PRECISE float i = (unitvec_is_usable(norm) ? latitude : 1.0) * -m;
+    UNITVEC_PRECISE float j = unitvec_angles_azimuth(v, p) * (0.5 * half_turn);
+    // Half a step from a pole, i rounds to the even integer, which is not the pole's.
+    return vec2(i, abs(i) > m - 0.5 ? 0.0 : j);
 }
 
 // Direction of a pair of integers, unit length to within 2 ULP.
 vec3 unitvec_spherical_from_lattice(vec2 e, float m, float half_turn) {
-    // The product of m is 1/2 exactly.
-    UNITVEC_PRECISE vec2 angles = vec2(e.x * (-0.5 / m), e.y * (1.0 / half_turn));
-    vec2 meridian = unitvec_sin_cos_half_turns(angles.x);
-    return unitvec_angles_around_z(meridian.x, meridian.y, angles.y);
+    // The product of m is 1 exactly.
+    UNITVEC_PRECISE float latitude = abs(e.x) * (1.0 / m);
+    UNITVEC_PRECISE float diagonal = latitude - 0.5;
+    vec2 meridian = unitvec_from_diagonal(diagonal);
+    UNITVEC_PRECISE float radius = meridian.x - meridian.y;
+    UNITVEC_PRECISE float z = meridian.x + meridian.y;
+    UNITVEC_PRECISE float quarters = e.y * (2.0 / half_turn);
+    return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), latitude < 1.0 ? quarters : 0.0);
 }
 
 uint unitvec_spherical_encode(vec3 v, uint bits) {
     float m = unitvec_snorm_max(bits / 2u);
     vec2 e = unitvec_spherical_lattice(v, m, m + 1.0);
-    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+    return unitvec_nearest_code(e.x, bits / 2u) | (unitvec_nearest_code(e.y, bits / 2u) << (bits / 2u));
 }
 
 vec3 unitvec_spherical_decode(uint code, uint bits) {

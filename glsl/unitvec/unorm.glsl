@@ -16,9 +16,12 @@
 precision highp float;
 precision highp int;
 
+// The code of +Z: 0 becomes 128.
+const uint UNITVEC_UNORM8X3_Z = 0xff8080u;
+
 uint unitvec_unorm8x3_encode_component(float r) {
     UNITVEC_PRECISE float biased = r * 0.5 + 0.5;
-    return unitvec_unorm_encode(biased, 8u);
+    return unitvec_unorm_code(biased, 8u);
 }
 
 float unitvec_unorm8x3_decode_component(uint code) {
@@ -27,9 +30,9 @@ float unitvec_unorm8x3_decode_component(uint code) {
 }
 
 uint unorm8x3_encode(vec3 v) {
-    v = unitvec_or_z(v);
-    return unitvec_unorm8x3_encode_component(v.x) | (unitvec_unorm8x3_encode_component(v.y) << 8u)
+    uint code = unitvec_unorm8x3_encode_component(v.x) | (unitvec_unorm8x3_encode_component(v.y) << 8u)
         | (unitvec_unorm8x3_encode_component(v.z) << 16u);
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? code : UNITVEC_UNORM8X3_Z;
 }
 
 vec3 unorm8x3_decode(uint code) {

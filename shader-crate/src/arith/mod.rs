@@ -22,12 +22,12 @@ pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer, si
 pub(crate) use round::{ONE_AND_A_HALF_2_23, TWO_23, integer_part, nearest_whole, small_floor, whole_to_i32};
 pub use round::{round_symmetric, whole_to_u32};
 pub use scale::{ENORMOUS, NEGLIGIBLE, is_within};
-pub(crate) use scale::{exp2, scale_to_one, scaled_to_one, without_denormals};
+pub(crate) use scale::{exp2, scale_to_one, scaled_to_one};
 pub(crate) use sign::SIGN_BIT;
 pub use sign::{is_negative, negate_if, negate_positive, with_sign};
 pub use snorm::{
-    snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max, unorm_decode, unorm_encode,
-    unorm_max,
+    snorm_code, snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max, unorm_code,
+    unorm_decode, unorm_encode, unorm_max,
 };
 pub use trig::*;
 pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};

@@ -1,9 +1,9 @@
 //! Normalised fixed point: unorm of 1 to 23 bits, snorm of 2 to 22.
 //!
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
-//! leave the rounding of ties open; here the ties of unorm go up, and those of snorm to the even integer.
+//! leave the rounding of ties open; here ties go to the even integer.
 
-use super::{integer_part, mask, max, nearest_code, signed_integer, signed_integer_at, with_sign};
+use super::{SIGN_BIT, TWO_23, mask, max, min, nearest_code, signed_integer, signed_integer_at};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -21,9 +21,15 @@ pub const fn snorm_max(bits: u32) -> f32 {
 /// The unorm code of `r`: `round(clamp(r, 0, 1) (2^bits - 1))` (eq. 1). `bits` is 1 to 23. NaN gives 0.
 #[inline(always)]
 pub fn unorm_encode(r: f32, bits: u32) -> u32 {
-    let positive = if r > 0.0 { r } else { 0.0 };
-    let clamped = if positive < 1.0 { positive } else { 1.0 };
-    integer_part(clamped * unorm_max(bits) + 0.5) as u32
+    if is_nan(r) { 0 } else { unorm_code(r, bits) }
+}
+
+/// As [`unorm_encode`], for `r` that is not NaN, which gives any code.
+///
+/// The sum with 2^23 rounds and converts, as in [`nearest_code`].
+#[inline(always)]
+pub fn unorm_code(r: f32, bits: u32) -> u32 {
+    (min(max(r, 0.0), 1.0) * unorm_max(bits) + TWO_23).to_bits() & mask(bits)
 }
 
 /// The number that a unorm code stands for: `i / (2^bits - 1)` (eq. 2), 0 to 1. Bits above `bits` (1 to 23) are
@@ -37,9 +43,19 @@ pub fn unorm_decode(code: u32, bits: u32) -> f32 {
 /// pattern of `-2^(bits-1)` is never written. NaN gives 0.
 #[inline(always)]
 pub fn snorm_encode(r: f32, bits: u32) -> u32 {
-    let magnitude = if r.abs() > 0.0 { r.abs() } else { 0.0 };
-    let clamped = if magnitude < 1.0 { magnitude } else { 1.0 };
-    nearest_code(with_sign(clamped * snorm_max(bits), r), bits)
+    if is_nan(r) { 0 } else { snorm_code(r, bits) }
+}
+
+/// By comparing integers, since a GPU need not compare NaN as IEEE 754 says.
+#[inline(always)]
+fn is_nan(x: f32) -> bool {
+    x.to_bits() & !SIGN_BIT > f32::INFINITY.to_bits()
+}
+
+/// As [`snorm_encode`], for `r` that is not NaN, which gives any code.
+#[inline(always)]
+pub fn snorm_code(r: f32, bits: u32) -> u32 {
+    nearest_code(min(max(r, -1.0), 1.0) * snorm_max(bits), bits)
 }
 
 /// The number that an snorm code stands for: `clamp(i / (2^(bits-1) - 1), -1, 1)`. Bits above `bits` (2 to 24) are

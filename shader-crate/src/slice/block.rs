@@ -9,7 +9,7 @@
 use super::Vector;
 use super::machine::{as_chunks, as_chunks_mut};
 use super::stored::{Stored, with_size};
-use crate::arith::snorm_encode;
+use crate::arith::snorm_code;
 use crate::codec::{Code, Codec};
 use glam::Vec3;
 
@@ -188,7 +188,7 @@ pub struct Snorms;
 impl Target<[i16; 4]> for Snorms {
     #[inline(always)]
     fn vector(v: Vec3) -> [i16; 4] {
-        [snorm_encode(v.x, 16) as i16, snorm_encode(v.y, 16) as i16, snorm_encode(v.z, 16) as i16, 0]
+        [snorm_code(v.x, 16) as i16, snorm_code(v.y, 16) as i16, snorm_code(v.z, 16) as i16, 0]
     }
 }
 

@@ -22,22 +22,24 @@
 //!   arc tangent, decoding one sine and cosine. Weakness: the poles, where a step of z turns the direction by its
 //!   square root. Eight more bits divide the error there by 4, elsewhere by 16.
 
-use super::{around_z, scaled};
-use crate::arith::{
-    atan2_half_turns, dot, is_negative, negate_if, round_symmetric, signed_code, snorm_integer, snorm_max,
-    sqrt,
-};
+use super::{around_z, azimuth, scaled};
+use crate::arith::{dot, max, min, nearest_code, snorm_integer, snorm_max, sqrt, with_sign};
 use crate::codec::Codec;
+use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
-/// The snorm integers of phi / pi and z of the direction of `v`. `m` is the snorm's largest integer.
+/// The snorm integers of phi / pi and z that are nearest to the direction of `v`, before rounding. `m` is the snorm's
+/// largest integer.
 #[inline(always)]
 pub fn lattice(v: Vec3, m: f32) -> Vec2 {
-    let v = scaled(v);
-    let z = round_symmetric(v.z * (1.0 / sqrt(dot(v, v))) * m);
-    let phi = round_symmetric(atan2_half_turns(v.y, v.x) * m);
-    // A GPU's inexact reciprocal could take z beyond m.
-    if z.abs() < m { Vec2::new(phi, z) } else { Vec2::new(0.0, negate_if(is_negative(z), m)) }
+    let norm = l1_norm(v);
+    let p = scaled(v, norm);
+    let height = with_sign(p.z * (1.0 / sqrt(dot(p, p))), v.z);
+    let height = if is_usable(norm) { height } else { 1.0 };
+    // An inexact reciprocal could take z beyond m.
+    let z = max(min(height * m, m), -m);
+    let phi = azimuth(v, p) * (0.5 * m);
+    Vec2::new(if z.abs() > m - 0.5 { 0.0 } else { phi }, z)
 }
 
 /// The direction of a pair of snorm integers: unit length to within 2 ULP. `m^2 - z^2` has both factors exact, and
@@ -46,7 +48,7 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let step = 1.0 / m;
     let radius = sqrt((m - e.y) * (m + e.y)) * step;
-    around_z(radius, e.y * step, e.x * step)
+    around_z(radius, e.y * step, if radius > 0.0 { e.x * (2.0 * step) } else { 0.0 })
 }
 
 /// Cylindrical coordinates in `BITS` bits (16, 24 or 32).
@@ -68,7 +70,7 @@ impl<const BITS: u32> Codec for Cylindrical<BITS> {
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let e = lattice(v, snorm_max(BITS / 2));
-        signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+        nearest_code(e.x, BITS / 2) | (nearest_code(e.y, BITS / 2) << (BITS / 2))
     }
 
     #[inline(always)]

@@ -57,32 +57,39 @@
 //! * Good for: little error without a table. Weaknesses: the cost. Patches next to each other in neighbouring rings are
 //!   unrelated, so that codes must not be interpolated.
 
-use super::{around_z, scaled};
+use super::{around_z, half_turn, quarter, scaled};
 use crate::arith::{
-    atan2_half_turns, floor, from_diagonal, horizontal_length, is_negative, mask, signed_code,
-    signed_integer, sin_cos_half_turns, sqrt, whole_to_u32,
+    floor, from_diagonal, horizontal_length, is_negative, mask, max, min, signed_integer, sqrt, whole_to_u32,
+    with_sign,
 };
 use crate::codec::Codec;
+use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
 /// The row and column of [`LatLong`]: the code of the direction of `v`. `half` is half the code's bits.
+///
+/// Patches at y < 0 are those at y > 0, mirrored: the number of one is the other's complement.
 #[inline(always)]
 pub fn grid_encode(v: Vec3, half: u32) -> u32 {
-    let v = scaled(v);
+    let norm = l1_norm(v);
+    let p = scaled(v, norm);
     let rings = (1 << half) as f32;
-    let ring = floor(atan2_half_turns(horizontal_length(v), v.z) * rings);
-    let last = rings - 1.0;
-    let patch = floor(atan2_half_turns(v.y, v.x) * (0.5 * rings));
-    signed_code(patch, half) | (whole_to_u32(if ring < last { ring } else { last }) << half)
+    let colatitude = half_turn(horizontal_length(p), p.z, is_negative(v.z)) * (0.5 * rings);
+    let patch = whole_to_u32(floor(half_turn(p.y, p.x, is_negative(v.x)) * (0.25 * rings)));
+    let patch = if is_negative(v.y) { !patch } else { patch };
+    let code = (patch & mask(half)) | (whole_to_u32(floor(min(colatitude, rings - 1.0))) << half);
+    if is_usable(norm) { code } else { 0 }
 }
 
 /// The middle of the patch of a code of [`LatLong`]. Patches from -X to +X count as -`2^(half-1)` to -1.
 #[inline(always)]
 pub fn grid_decode(code: u32, half: u32) -> Vec3 {
     let step = 1.0 / (1 << half) as f32;
-    let ring = ((code >> half) & mask(half)) as f32;
-    let meridian = sin_cos_half_turns((ring + 0.5) * step);
-    around_z(meridian.y, meridian.x, (signed_integer(code, half) + 0.5) * (2.0 * step))
+    let ring = ((code >> half) & mask(half)) as i32 as f32;
+    let above = 1.0 - (ring + 0.5) * (2.0 * step);
+    let meridian = from_diagonal(0.5 - above.abs());
+    let z = with_sign(meridian.x - meridian.y, above);
+    around_z(meridian.x + meridian.y, z, (signed_integer(code, half) + 0.5) * (4.0 * step))
 }
 
 /// The rings of a width of [`LatLongD`].
@@ -207,25 +214,25 @@ fn negate_by(sign: u32, x: f32) -> f32 {
 /// The code of [`LatLongD`] of the direction of `v`, whose index has `index_bits` bits.
 #[inline(always)]
 pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
-    let v = scaled(v);
-    let colatitude = atan2_half_turns(horizontal_length(v), v.z.abs());
-    let i = floor(colatitude * (2.0 * rings.n) + 0.5);
+    let norm = l1_norm(v);
+    let usable = is_usable(norm);
+    let p = scaled(v, norm);
+    let colatitude = quarter(horizontal_length(p), p.z);
+    let i = floor(if usable { colatitude } else { 0.0 } * rings.n + 0.5);
     let start = floor(rings.border(i - 0.5));
     let count = floor(rings.border(i + 0.5)) - start;
-    let angle = atan2_half_turns(v.y.abs(), v.x.abs());
-    let j = floor(angle * (2.0 * count) + 0.5);
+    let j = floor(quarter(p.y, p.x) * count + 0.5);
 
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
     let (left, back) = (is_negative(v.x), is_negative(v.y));
     let along = if left != back { count - j } else { j };
-    let front_quarter = if left { 1 } else { 0 };
-    let back_quarter = if left { 2 } else { 3 };
-    let quarter = if back { back_quarter } else { front_quarter };
-    let carried = if along < count { quarter } else { (quarter + 1) & 3 };
-    let from_start = if along < count { along } else { 0.0 };
+    let quarter = if back { 2 } else { 0 } + (left != back) as u32;
+    let carries = along >= count;
+    let carried = (quarter + carries as u32) & 3;
+    let from_start = if carries { 0.0 } else { along };
 
     let place = index_of(start, index_bits) + whole_to_u32(from_start) + (carried << index_bits);
-    let below = if is_negative(v.z) { 4 << index_bits } else { 0 };
+    let below = if usable & is_negative(v.z) { 4 << index_bits } else { 0 };
     below | if i > 0.0 { place } else { 0 }
 }
 
@@ -236,14 +243,13 @@ pub fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let index = code & mask(index_bits);
     let (high, low) = in_parts(index, index_bits);
 
-    // All borders that the choice may ask for are computed before it: processors overlap what does not wait for it.
     let nearest = floor(rings.inverse(whole_to_f32(index)));
     let border = rings.border(nearest - 0.5);
-    let (previous, next) = (rings.border(nearest - 1.5), rings.border(nearest + 0.5));
     let before = border - high >= low + 1.0;
+    let other = rings.border(if before { nearest - 1.5 } else { nearest + 0.5 });
     let ring = if before { nearest - 1.0 } else { nearest };
-    let start = floor(if before { previous } else { border });
-    let count = floor(if before { border } else { next }) - start;
+    let start = floor(min(border, other));
+    let count = floor(max(border, other)) - start;
     // Exact: start is near.
     let from_high = high - start;
     let along = if index_bits <= 24 { from_high } else { from_high + low };

@@ -5,21 +5,55 @@ pub mod latlong;
 pub mod spherical;
 pub mod spherical_wide;
 
-use crate::arith::{sin_cos_half_turns, without_denormals};
-use crate::direction::or_z;
+use crate::arith::{
+    atan_quarter, exp2, from_diagonal, is_negative, max, min, negate_positive, scale_to_one, with_sign,
+};
 use glam::Vec3;
 
-/// `v` at an L1 norm of 1, by which its squares neither overflow nor vanish, or +Z where it has no usable direction.
+/// The least that x counts as, beside an L1 norm of 1 to 2: 2^-40, far below half a step of any angle. So nothing is
+/// divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
+const LEAST_X: f32 = exp2(-40);
+
+/// The least that y counts as: 2^-61, which no scaled denormal reaches. So much less than [`LEAST_X`] that the azimuth of
+/// +Z is 0.
+const LEAST_Y: f32 = exp2(-61);
+
+/// The magnitudes of the components of `v`, of an L1 norm of `norm`, scaled by a power of two to an L1 norm of 1 to 2,
+/// by which their squares neither overflow nor vanish. Without a usable direction, anything.
 #[inline(always)]
-fn scaled(v: Vec3) -> Vec3 {
-    let (v, norm) = or_z(v);
-    without_denormals(v) * (1.0 / norm)
+fn scaled(v: Vec3, norm: f32) -> Vec3 {
+    let p = v.abs() * scale_to_one(norm);
+    Vec3::new(max(p.x, LEAST_X), max(p.y, LEAST_Y), p.z)
 }
 
-/// The unit vector of a cylinder's radius and height at the angle `phi`, in half turns, about +Z. A radius of 0
-/// gives zeros, not -0.
+/// The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
+///
+/// Error: at most 1.7e-7, most of it [`atan_quarter`]'s.
 #[inline(always)]
-fn around_z(radius: f32, z: f32, phi: f32) -> Vec3 {
-    let turned = sin_cos_half_turns(if radius > 0.0 { phi } else { 0.0 });
-    Vec3::new(radius * turned.x, radius * turned.y, z)
+fn quarter(y: f32, x: f32) -> f32 {
+    let part = atan_quarter(min(x, y) / max(x, y));
+    if y > x { 1.0 - part } else { part }
+}
+
+/// The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
+#[inline(always)]
+fn half_turn(y: f32, x: f32, left: bool) -> f32 {
+    let angle = quarter(y, x);
+    if left { 2.0 - angle } else { angle }
+}
+
+/// The azimuth of `v`, in quarter turns, -2 to 2. `p` is what [`scaled`] makes of it.
+#[inline(always)]
+fn azimuth(v: Vec3, p: Vec3) -> f32 {
+    with_sign(half_turn(p.y, p.x, is_negative(v.x)), v.y)
+}
+
+/// The unit vector of a cylinder's radius and height at the angle of `quarters` quarter turns, -2 to 2, about +Z. Zeros
+/// are +0.
+#[inline(always)]
+fn around_z(radius: f32, z: f32, quarters: f32) -> Vec3 {
+    let ahead = 1.0 - quarters.abs();
+    let e = from_diagonal(0.5 - ahead.abs());
+    let (x, y) = ((e.x - e.y) * radius, (e.x + e.y) * radius);
+    Vec3::new(with_sign(x, ahead), negate_positive(quarters < 0.0, y), z)
 }

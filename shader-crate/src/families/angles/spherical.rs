@@ -29,32 +29,38 @@
 //!   crowd at the poles, cells at the equator are twice as wide as they are high, and two arc tangents to encode and
 //!   two sines with their cosines to decode cost several times what [`oct`](crate::oct) does.
 
-use super::{around_z, scaled};
+use super::{around_z, azimuth, quarter, scaled};
 use crate::arith::{
-    atan2_half_turns, horizontal_length, round_symmetric, signed_code, signed_integer, sin_cos_half_turns,
-    snorm_integer, snorm_max,
+    from_diagonal, horizontal_length, nearest_code, negate_if, signed_integer, snorm_integer, snorm_max,
+    with_sign,
 };
 use crate::codec::Codec;
+use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
-/// The integers i and j of the direction of `v`. `m` is the largest i, `half_turn` the j of pi.
+/// The i and j that are nearest to the direction of `v`, before rounding. `m` is the largest i, `half_turn` the j of pi.
 ///
 /// i is taken from the latitude, by which directions mirrored at the equator get mirrored codes.
 #[inline(always)]
 pub fn lattice(v: Vec3, m: f32, half_turn: f32) -> Vec2 {
-    let v = scaled(v);
-    let latitude = atan2_half_turns(v.z, horizontal_length(v));
-    let i = round_symmetric(latitude * (-2.0 * m));
-    let j = round_symmetric(atan2_half_turns(v.y, v.x) * half_turn);
-    Vec2::new(i, if i.abs() < m { j } else { 0.0 })
+    let norm = l1_norm(v);
+    let p = scaled(v, norm);
+    let latitude = with_sign(quarter(p.z, horizontal_length(p)), v.z);
+    let i = if is_usable(norm) { latitude } else { 1.0 } * -m;
+    let j = azimuth(v, p) * (0.5 * half_turn);
+    // Half a step from a pole, i rounds to the even integer, which is not the pole's.
+    Vec2::new(i, if i.abs() > m - 0.5 { 0.0 } else { j })
 }
 
-/// The direction of the integers i and j, as [`lattice`] has them: unit length to within 2 ULP.
+/// The direction of the integers i and j: unit length to within 2 ULP.
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32, half_turn: f32) -> Vec3 {
-    // The product of m is 1/2 exactly.
-    let meridian = sin_cos_half_turns(e.x * (-0.5 / m));
-    around_z(meridian.x, meridian.y, e.y * (1.0 / half_turn))
+    // The product of m is 1 exactly.
+    let latitude = e.x.abs() * (1.0 / m);
+    let meridian = from_diagonal(latitude - 0.5);
+    let z = negate_if(e.x > 0.0, meridian.x + meridian.y);
+    let quarters = if latitude < 1.0 { e.y * (2.0 / half_turn) } else { 0.0 };
+    around_z(meridian.x - meridian.y, z, quarters)
 }
 
 /// The j of half a turn: 2^(b-1).
@@ -76,7 +82,7 @@ impl<const BITS: u32> Codec for Spherical<BITS> {
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let e = lattice(v, snorm_max(BITS / 2), half_turn(BITS));
-        signed_code(e.x, BITS / 2) | (signed_code(e.y, BITS / 2) << (BITS / 2))
+        nearest_code(e.x, BITS / 2) | (nearest_code(e.y, BITS / 2) << (BITS / 2))
     }
 
     #[inline(always)]

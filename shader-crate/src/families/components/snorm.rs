@@ -22,9 +22,9 @@
 //! * The six axes round-trip exactly. The pattern of three zeros has no direction: `decode` takes it as +Z, and
 //!   `encode` writes +Z where all components round to 0.
 
-use crate::arith::{mask, snorm_decode, snorm_encode};
+use crate::arith::{mask, snorm_code, snorm_decode};
 use crate::codec::Codec;
-use crate::direction::or_z;
+use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
 /// The bits of x and of y, and where z begins, in a code of `bits` bits.
@@ -56,10 +56,10 @@ impl<const BITS: u32> Codec for Snorm3<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
         let w = width(BITS);
-        let (x, y) = (snorm_encode(v.x, w), snorm_encode(v.y, w));
-        let code = x | (y << w) | (snorm_encode(v.z, BITS - 2 * w) << (2 * w));
+        let (x, y) = (snorm_code(v.x, w), snorm_code(v.y, w));
+        let code = x | (y << w) | (snorm_code(v.z, BITS - 2 * w) << (2 * w));
+        let code = if is_usable(l1_norm(v)) { code } else { 0 };
         if code == 0 { z_code(BITS) } else { code }
     }
 
@@ -89,9 +89,9 @@ impl Codec for Snorm16x3 {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> [u32; 2] {
-        let (v, _) = or_z(v);
-        let low = snorm_encode(v.x, 16) | (snorm_encode(v.y, 16) << 16);
-        let z = snorm_encode(v.z, 16);
+        let low = snorm_code(v.x, 16) | (snorm_code(v.y, 16) << 16);
+        let z = snorm_code(v.z, 16);
+        let [low, z] = if is_usable(l1_norm(v)) { [low, z] } else { [0, 0] };
         [low, if (low | z) == 0 { mask(15) } else { z }]
     }
 

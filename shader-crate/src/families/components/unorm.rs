@@ -16,16 +16,19 @@
 //!   bits and has a fraction of the error.
 //! * It cannot hold 0, which becomes 1/255: no axis round-trips exactly, each is off by `sqrt(2)/255` radians.
 
-use crate::arith::{mask, unorm_encode};
+use crate::arith::{mask, unorm_code};
 use crate::codec::Codec;
-use crate::direction::or_z;
+use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
-/// The byte of a component: ties go up.
+/// The byte of a component.
 #[inline(always)]
 fn encode_component(r: f32) -> u32 {
-    unorm_encode(r * 0.5 + 0.5, 8)
+    unorm_code(r * 0.5 + 0.5, 8)
 }
+
+/// The code of +Z. 0 becomes 128, the even one of the two next to it.
+const Z_CODE: u32 = 0xff_8080;
 
 /// The component of the low byte of `code`: one rounding, and the same magnitude for `i` and `255 - i`.
 #[inline(always)]
@@ -47,8 +50,8 @@ impl Codec for Unorm8x3 {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
-        encode_component(v.x) | (encode_component(v.y) << 8) | (encode_component(v.z) << 16)
+        let code = encode_component(v.x) | (encode_component(v.y) << 8) | (encode_component(v.z) << 16);
+        if is_usable(l1_norm(v)) { code } else { Z_CODE }
     }
 
     #[inline(always)]

@@ -39,11 +39,11 @@
 //! itself elsewhere. Encoding and decoding are off by at most 2e-7 radians each.
 
 use crate::arith::{
-    NEGLIGIBLE, atan_octant_ratio, cos_eighth, exp2, integer_part, is_negative, negate_if, scaled_to_one,
-    sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
+    atan_octant_of_normal, cos_eighth, exp2, integer_part, is_negative, mask, max, min, negate_if,
+    scale_to_one, sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
 };
 use crate::codec::Codec;
-use crate::direction::or_z;
+use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
 /// The upper 32 of the 64 bits of g, `(sqrt(5) - 1) / 2`.
@@ -88,8 +88,15 @@ pub const fn turn(i: u32) -> u32 {
 /// The same for `i` below 2^17, in which one product holds all that counts.
 #[inline(always)]
 const fn turn_of_step(i: u32) -> u32 {
-    i.wrapping_mul(GOLDEN_HIGH).wrapping_add((i * (GOLDEN_LOW >> 17)) >> 15)
+    i.wrapping_mul(GOLDEN_HIGH).wrapping_add(((i & mask(17)) * (GOLDEN_LOW >> 17)) >> 15)
 }
+
+/// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-40, far below a step, and so much less for y that the
+/// azimuth of +Z is 0. So nothing is divided by 0, and no denormal counts, since some devices flush them: scaled, they are
+/// all less.
+const LEAST_X: f32 = exp2(-40);
+/// See [`LEAST_X`].
+const LEAST_Y: f32 = exp2(-61);
 
 /// A fraction of a turn in 32 bits as a float, in [-1/2, 1/2\].
 #[inline(always)]
@@ -104,21 +111,18 @@ fn split(x: f32) -> (u32, f32) {
     (whole as u32, x - whole as f32)
 }
 
-/// The azimuth of (x, y) in turns, a fraction of 32 bits: 0 beside the z axis, where it does not matter.
+/// The azimuth of `v` in turns, a fraction of 32 bits: anything beside the z axis, where it does not matter. `scaled` is v at
+/// an L1 norm of 1 to 2.
 ///
 /// Octants are put together as integers, since a float between 1/4 and 1/2 has no bits for the precision of the arc
 /// tangent.
 #[inline(always)]
-fn azimuth(x: f32, y: f32) -> u32 {
-    let usable = x.abs() + y.abs() >= NEGLIGIBLE;
-    let (x, y) = if usable { (x, y) } else { (1.0, 0.0) };
-    let (ax, ay) = (x.abs(), y.abs());
-    let steep = ay > ax;
-    let (shorter, longer) = if steep { (ax, ay) } else { (ay, ax) };
-    let (octant, _) = split(atan_octant_ratio(shorter, longer) * exp2(29));
-    let quarter = if steep { (1 << 30) - octant } else { octant };
-    let half = if is_negative(x) { (1 << 31) - quarter } else { quarter };
-    if is_negative(y) { 0u32.wrapping_sub(half) } else { half }
+fn azimuth(v: Vec3, scaled: Vec3) -> u32 {
+    let (x, y) = (max(scaled.x.abs(), LEAST_X), max(scaled.y.abs(), LEAST_Y));
+    let (octant, _) = split(atan_octant_of_normal(min(x, y) / max(x, y)) * exp2(29));
+    let quarter = if y > x { (1 << 30) - octant } else { octant };
+    let half = if is_negative(v.x) { (1 << 31) - quarter } else { quarter };
+    if is_negative(v.y) { 0u32.wrapping_sub(half) } else { half }
 }
 
 /// `(1 / g)^k`, for k below 32.
@@ -259,12 +263,12 @@ impl Candidate {
 /// first, which makes the one pole do for both.
 #[inline(always)]
 pub fn nearest(v: Vec3, bits: u32) -> u32 {
-    let (v, norm) = or_z(v);
-    let v = scaled_to_one(v, norm);
+    let norm = l1_norm(v);
+    let scaled = v * scale_to_one(norm);
     let is_mirrored = is_negative(v.z);
-    let azimuth = azimuth(v.x, v.y);
+    let azimuth = azimuth(v, scaled);
     let turn_to = if is_mirrored { turn(last(bits)).wrapping_sub(azimuth) } else { azimuth };
-    let place = Place::new(v, bits);
+    let place = Place::new(scaled, bits);
     let basis = Basis::new(place.radius_squared, bits);
 
     // The coordinates of `place` in the basis, whose determinant is 1 or -1.
@@ -285,7 +289,9 @@ pub fn nearest(v: Vec3, bits: u32) -> u32 {
     let up = Candidate::new(place, i_next, off_next, bits);
     let far = Candidate::new(place, i_next.wrapping_add(step), off_next.wrapping_sub(turn_step), bits);
     let best = near.or_cheaper(right).or_cheaper(up).or_cheaper(far);
-    (if is_mirrored { !best.i } else { best.i }) & last(bits)
+    let code = (if is_mirrored { !best.i } else { best.i }) & last(bits);
+    // The point nearest to +Z is the first.
+    if is_usable(norm) { code } else { 0 }
 }
 
 /// Point `i` of `2^bits`, of unit length to within 2 ULP. Higher bits of `i` are ignored.

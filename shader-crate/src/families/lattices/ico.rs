@@ -57,11 +57,11 @@
 //!
 //! Signs bring a direction to the positive octant. There three linear forms tell its face and are its flat coordinates
 //! on the octant's face; those on one of the three other faces follow by reflection. A cubic inverts the warp, good to
-//! 1e-4 of an edge (0.002 at 16 bits). One step of Newton's method from the nearest whole numbers leaves less than
-//! 0.002 steps at 16 bits and 0.0001 at the others. Of the triangle's three corners the nearest is chosen, by the
-//! distances between neighbours around there, which are polynomials ([`Squares`]). At 16 bits, where these change from
-//! point to point, the chosen corner can be farther off than the nearest by 0.4 % of the maximum. (Rounding the three
-//! coordinates instead would give cells that reach 7 % beyond the bound.)
+//! 1e-4 of an edge (0.002 at 16 bits). One step of Newton's method from there leaves less than 0.002 steps at 16 bits and
+//! 0.0001 at the others; at 32 bits the rounding of the numbers adds 0.001. Of the triangle's three corners the nearest
+//! is chosen, by the distances between neighbours around there, which are polynomials ([`Squares`]). At 16 bits, where
+//! these change from point to point, the chosen corner can be farther off than the nearest by 0.4 % of the maximum.
+//! (Rounding the three coordinates instead would give cells that reach 7 % beyond the bound.)
 //!
 //! Newton's step is made of differences of products of the weights `w(i)` and the direction's coordinates, where those
 //! are rounded, all relative to themselves: at 32 bits that is less than 0.01 steps.
@@ -71,7 +71,9 @@
 //! * Good for: the least error that the bits can have, to a few per cent, without a table. Weaknesses: the cost, most
 //!   of all to encode. Neighbouring rows are unrelated, so that codes must not be interpolated.
 
-use crate::arith::{floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32};
+use crate::arith::{
+    TWO_23, floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32, with_sign,
+};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
@@ -81,9 +83,6 @@ const GOLDEN: f32 = 1.618_034;
 
 /// The reciprocal of the golden ratio.
 const GOLDEN_LESS_1: f32 = 0.618_034;
-
-/// Twice the reciprocal of the golden ratio: the sum of the coordinates of (1, 0, 0).
-const TWICE_GOLDEN_LESS_1: f32 = 1.236_068;
 
 /// What reflection adds to the sum of the coordinates, of a coordinate of -1.
 const ADDED_BY_REFLECTION: f32 = 0.763_932;
@@ -198,12 +197,10 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let t = p * (1.0 / p_sum);
     let t_squared = t * t;
     let squares = sum(t_squared);
-    let b_1 = INVERSE_0 + INVERSE_1 * squares;
-    let b_0 = (INVERSE_3 - squares * (b_1 + INVERSE_4)) - INVERSE_5 * ((t.x * t.y) * t.z);
-    let start = lattice.point(
-        floor((t.x * (b_0 + t.x * (b_1 + INVERSE_2 * t.x))) * n + 0.5),
-        floor((t.z * (b_0 + t.z * (b_1 + INVERSE_2 * t.z))) * n + 0.5),
-    );
+    let b_1 = INVERSE_0 * n + (INVERSE_1 * n) * squares;
+    let b_0 = (INVERSE_3 * n - squares * (b_1 + INVERSE_4 * n)) - (INVERSE_5 * n) * ((t.x * t.y) * t.z);
+    let b_2 = INVERSE_2 * n;
+    let start = lattice.point(t.x * (b_0 + t.x * (b_1 + b_2 * t.x)), t.z * (b_0 + t.z * (b_1 + b_2 * t.z)));
 
     // Newton's method for i and the factor of t, where the i keep their sum: that factor eliminated, the steps are made
     // of the products `t x w`, which are 0 at the solution.
@@ -212,11 +209,11 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let d = rest - start;
     let turned = d * Vec3::new(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
     let factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
-    let (off_x, off_z) = ((turned.z - turned.y) * factor, (turned.y - turned.x) * factor);
+    let (x, z) = (start.x + (turned.z - turned.y) * factor, start.z + (turned.y - turned.x) * factor);
 
     // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
-    let (whole_x, whole_z) = (floor(off_x), floor(off_z));
-    let (lower_x, lower_z) = (off_x - whole_x, off_z - whole_z);
+    let (whole_x, whole_z) = (floor(x), floor(z));
+    let (lower_x, lower_z) = (x - whole_x, z - whole_z);
     let (upper_x, upper_z) = (1.0 - lower_x, 1.0 - lower_z);
     let lower_y = upper_x - lower_z;
     let is_upper = lower_y < 0.0;
@@ -242,16 +239,7 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let is_z = from_z < if is_x { from_x } else { from_corner };
     let is_next_x = (is_x & !is_z) != is_upper;
     let is_next_z = is_z != is_upper;
-    lattice.point(
-        (start.x + whole_x) + if is_next_x { 1.0 } else { 0.0 },
-        (start.z + whole_z) + if is_next_z { 1.0 } else { 0.0 },
-    )
-}
-
-/// `x`, which is not negative, with the sign of `y`, which is no denormal.
-#[inline(always)]
-fn signed(x: f32, y: f32) -> f32 {
-    f32::from_bits(x.to_bits() | (y.to_bits() & SIGN))
+    lattice.point(whole_x + if is_next_x { 1.0 } else { 0.0 }, whole_z + if is_next_z { 1.0 } else { 0.0 })
 }
 
 /// The code of the lattice point that is nearest to the direction of `v`.
@@ -265,16 +253,17 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
     let n = lattice.n as f32;
     let a = v.abs();
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
+    let norm_part = GOLDEN_LESS_1 * norm;
     let flat = Vec3::new(
-        GOLDEN_LESS_1 * (a.y + a.z) + (a.z - a.x),
-        GOLDEN_LESS_1 * (a.x + a.y) + (a.y - a.z),
-        GOLDEN_LESS_1 * (a.z + a.x) + (a.x - a.y),
+        (norm_part + a.z) - GOLDEN * a.x,
+        (norm_part + a.y) - GOLDEN * a.z,
+        (norm_part + a.x) - GOLDEN * a.y,
     );
     // At most one is negative, and then that side is reflected at: the vertices across it have the sum of the side's two,
     // divided by p.
     let beyond = min(min(flat.z, min(flat.x, flat.y)), 0.0);
     let shared = GOLDEN_LESS_1 * beyond;
-    let p_sum = TWICE_GOLDEN_LESS_1 * norm - ADDED_BY_REFLECTION * beyond;
+    let p_sum = 2.0 * norm_part - ADDED_BY_REFLECTION * beyond;
     let p = Vec3::new(
         max(flat.x + shared, -flat.x),
         max(flat.y + shared, -flat.y),
@@ -284,34 +273,70 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
 
     // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
     // they are equal, it is the one whose base ends there.
-    let (x, y, z) = (signed(i.x, flat.x), signed(i.y, flat.y), signed(i.z, flat.z));
-    let of_z = (x < 0.5) & (x <= y) & (x < z);
-    let of_x = (z < 0.5) & (z <= x) & (z < y);
-    let is_octant = !of_z & !of_x & (y > 0.5) & usable;
-    let i = turn(i, of_z, of_x);
-    let sides = turn(v, of_x, of_z);
+    let (x, y, z) = (with_sign(i.x, flat.x), with_sign(i.y, flat.y), with_sign(i.z, flat.z));
+    let is_octant = min(min(x, y), z) > 0.5;
+    let x_less = x < z;
+    let of_z = !is_octant & (x <= y) & x_less;
+    let of_x = !is_octant & (z < y) & !x_less;
+    let (depth, across, sides) = on_face(i, v, is_octant, of_z, of_x);
+    let is_second = sides.apex & (depth > 0.5);
 
-    let (straddled_side, base_side) = (is_negative(sides.y), is_negative(sides.z));
-    let is_second = is_negative(sides.x) & (i.z > 0.5);
-    let (first_number, last_row) = if is_octant { (1.0, n - 3.0) } else { (0.0, n) };
-    let depth = i.z - first_number;
-    let across = if !is_octant & straddled_side { i.y } else { i.x } - first_number;
-    let (row, column) = if is_second { (last_row - depth, (across + depth) + 1.0) } else { (depth, across) };
-    let plane_rows = if of_z {
-        2.0 * n
-    } else if of_x {
-        4.0 * n
-    } else if is_octant & straddled_side {
-        n - 2.0
-    } else {
-        0.0
-    };
-    let side_rows = if is_octant { 2.0 * (n - 2.0) } else { n };
-    let line = (plane_rows + if base_side { side_rows } else { 0.0 }) + row;
+    // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their
+    // line 6 n + 18 are left.
+    let octant_rows = select(sides.straddled, TWO_23 + (7.0 * n + 15.0), TWO_23 + (6.0 * n + 17.0));
+    let first_row = select(is_octant, octant_rows, TWO_23);
+    let first_row = select(of_x, TWO_23 + 4.0 * n, first_row);
+    let first_row = select(of_z, TWO_23 + 2.0 * n, first_row);
+    let rows_before = select(is_octant, 2.0 * (n - 2.0), n);
+    let from_end = select(is_octant, n - 1.0, n) - depth;
+    let line = (first_row + select(sides.base, rows_before, 0.0)) + select(is_second, from_end, depth);
+    let first_column = select(is_octant, TWO_23 + 17.0, select(is_second, TWO_23 + 1.0, TWO_23));
+    let column = (across + select(is_second, depth, 0.0)) + first_column;
+    let row_length = if is_octant { lattice.n - 1 } else { lattice.n + 2 };
+    let code = counted(line).wrapping_mul(row_length).wrapping_add(counted(column));
     // +Z is in the middle of the first row.
-    let (line, column) = if usable { (line, column) } else { (0.0, 0.5 * n) };
-    let (first, length) = if is_octant { (lattice.octants(), lattice.n - 1) } else { (0, lattice.n + 2) };
-    first.wrapping_add(whole_to_u32(line).wrapping_mul(length)).wrapping_add(whole_to_u32(column))
+    if usable { code } else { lattice.n / 2 }
+}
+
+/// The sides of the coordinate planes that what a face straddles, its base and its apex are on: true where negative.
+struct Sides {
+    straddled: bool,
+    base: bool,
+    apex: bool,
+}
+
+/// Of a point's numbers that of the apex, and that of the base's end from which rows run; and where `v` is.
+///
+/// On a GPU masks are free and selects are what costs; on a CPU both cost the same, and there are fewer selects.
+#[inline(always)]
+fn on_face(i: Vec3, v: Vec3, is_octant: bool, of_z: bool, of_x: bool) -> (f32, f32, Sides) {
+    if !cfg!(target_arch = "spirv") {
+        let (i, v) = (turn(i, of_z, of_x), turn(v, of_x, of_z));
+        let sides = Sides { apex: is_negative(v.x), straddled: is_negative(v.y), base: is_negative(v.z) };
+        return (i.z, select(sides.straddled & !is_octant, i.y, i.x), sides);
+    }
+    let of_y = !of_z & !of_x;
+    let (x_side, y_side, z_side) = (is_negative(v.x), is_negative(v.y), is_negative(v.z));
+    let straddled = (of_y & y_side) | (of_z & z_side) | (of_x & x_side);
+    let base = (of_y & z_side) | (of_z & x_side) | (of_x & y_side);
+    let apex = (of_y & x_side) | (of_z & y_side) | (of_x & z_side);
+
+    let is_other = straddled & !is_octant;
+    let has_x = (is_other & of_z) | (!is_other & of_y);
+    let has_y = (is_other & of_y) | (!is_other & of_x);
+    let depth = select(of_z, i.y, select(of_x, i.x, i.z));
+    (depth, select(has_x, i.x, select(has_y, i.y, i.z)), Sides { straddled, base, apex })
+}
+
+#[inline(always)]
+fn select(condition: bool, x: f32, otherwise: f32) -> f32 {
+    if condition { x } else { otherwise }
+}
+
+/// The whole number whose sum with [`TWO_23`] is `sum`.
+#[inline(always)]
+fn counted(sum: f32) -> u32 {
+    sum.to_bits() & mask(23)
 }
 
 /// The direction of the lattice point of a code: unit length to within 2 ULP. Past the last code, that of the last.
@@ -328,7 +353,7 @@ pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
     // than the exact one: so `line` is it or the next, and then the remainder wraps.
     let index = code.wrapping_sub(first);
     let line = floor((index >> 1) as i32 as f32 * per_length + 0.05);
-    let rest = index.wrapping_sub(whole_to_u32(line).wrapping_mul(length));
+    let rest = index.wrapping_sub(counted(line + TWO_23).wrapping_mul(length));
     let is_next = rest >= length;
     let line = if is_next { line - 1.0 } else { line };
     let column = (if is_next { rest.wrapping_add(length) } else { rest }) as i32 as f32;

@@ -50,33 +50,14 @@
 //! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`. At 32 bits the position is
 //! good to 2^-6 of a step, and mostly to 2^-9.
 
-use super::{fold, pack, unpack};
+use super::{pack, unpack};
 use crate::arith::{
-    cos_eighth, exp2, floor, is_negative, negate_if, negate_positive, scale_to_one, sin_eighth, snorm_max,
-    sqrt,
+    atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one, sin_eighth,
+    snorm_max, sqrt, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
-
-/// `2/pi atan(q) = q (TURN_0 + u (TURN_1 + ... + u TURN_7))` with `u = q^2`, for q in \[0, 1\]: absolute error 5.1e-8,
-/// 1.1e-7 with rounding. That is 2^-9 of a step at 32 bits, and 2^-8: less than
-/// [`atan_octant`](crate::arith::atan_octant) gives, at two thirds of the cost.
-pub const TURN_0: f32 = 0.6366193;
-/// See [`TURN_0`].
-pub const TURN_1: f32 = -0.21218449;
-/// See [`TURN_0`].
-pub const TURN_2: f32 = 0.12698378;
-/// See [`TURN_0`].
-pub const TURN_3: f32 = -0.088545084;
-/// See [`TURN_0`].
-pub const TURN_4: f32 = 0.061384138;
-/// See [`TURN_0`].
-pub const TURN_5: f32 = -0.035594895;
-/// See [`TURN_0`].
-pub const TURN_6: f32 = 0.013918393;
-/// See [`TURN_0`].
-pub const TURN_7: f32 = -0.002581218;
 
 /// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-26, which moves a direction by less than 2^-10 of a
 /// step. So nothing is divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
@@ -101,13 +82,6 @@ struct Candidate {
     cost: f32,
 }
 
-/// The larger of `x` times `scale` and [`LEAST`]; of NaN, either.
-#[inline(always)]
-fn raised(x: f32, scale: f32) -> f32 {
-    let scaled = x * scale;
-    if scaled > LEAST { scaled } else { LEAST }
-}
-
 /// `r` and `phi` of the direction of `v`, of an L1 norm of `norm`. Without a usable direction, anything.
 ///
 /// Scaled by a power of two, exactly, to an L1 norm of 1 to 2, squares neither overflow nor vanish where they count. With
@@ -115,64 +89,50 @@ fn raised(x: f32, scale: f32) -> f32 {
 /// but takes five products more, which all wait for each other: a fifth more time on lavapipe.
 #[inline(always)]
 fn polar(v: Vec3, norm: f32) -> Polar {
-    let scale = scale_to_one(norm);
-    let (x, y) = (v.x.abs(), v.y.abs());
-    let swapped = y > x;
-    let (shorter, longer) = if swapped { (x, y) } else { (y, x) };
-    let (b, a, z) = (raised(shorter, scale), raised(longer, scale), v.z.abs() * scale);
+    let p = v.abs() * scale_to_one(norm);
+    let (x, y) = (max(p.x, LEAST), max(p.y, LEAST));
+    let (a, b) = (max(x, y), min(x, y));
 
     let horizontal = a * a + b * b;
-    let length = sqrt(horizontal + z * z);
-    let radius = sqrt(horizontal / (length * (length + z)));
-    Polar { radius, turn: turn(b / a), swapped }
+    let length = sqrt(horizontal + p.z * p.z);
+    let radius = sqrt(horizontal / (length * (length + p.z)));
+    Polar { radius, turn: atan_quarter(b / a), swapped: y > x }
 }
 
-/// `2/pi atan(q)` for q of 0 to 1, and perhaps an ULP: 0 to 1/2. Two sums side by side, since each term of one waits for
-/// the term before.
+/// Moves a lattice point of [`polar`]'s half octant to where the direction of `v` is. With m the largest coordinate, (x, y)
+/// is folded out to (m - y, m - x), which is as far away along both axes.
 #[inline(always)]
-fn turn(q: f32) -> f32 {
-    let u = q * q;
-    let w = u * u;
-    let even = TURN_0 + w * (TURN_2 + w * (TURN_4 + w * TURN_6));
-    let odd = TURN_1 + w * (TURN_3 + w * (TURN_5 + w * TURN_7));
-    q * (even + u * odd)
-}
-
-/// Moves a lattice point of [`polar`]'s half octant to where the direction of `v` is, or to +Z's where `norm`, the L1
-/// norm, is not that of a usable direction. To select here takes fewer operations than in `v`.
-#[inline(always)]
-fn unfolded(v: Vec3, norm: f32, swapped: bool, ring: f32, place: f32, m: f32) -> Vec2 {
+fn unfolded(v: Vec3, swapped: bool, ring: f32, place: f32, m: f32) -> Vec2 {
     let (x, y) = if swapped { (place, ring - place) } else { (ring - place, place) };
-    let (x, y) = fold(v.z, x, y, m);
-    let (x, y) = if is_usable(norm) { (x, y) } else { (0.0, 0.0) };
-    Vec2::new(negate_if(is_negative(v.x), x), negate_if(is_negative(v.y), y))
+    let folded = if is_negative(v.z) { m - ring } else { 0.0 };
+    Vec2::new(with_sign(x + folded, v.x), with_sign(y + folded, v.y))
 }
 
-/// The lattice point of the direction of `v`: on the nearest ring the nearest point.
+/// The lattice point of the direction of `v`, of an L1 norm of `norm`: on the nearest ring the nearest point. Without a
+/// usable direction, anything.
 #[inline(always)]
-pub fn lattice(v: Vec3, m: f32) -> Vec2 {
-    let norm = l1_norm(v);
+pub fn lattice(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let p = polar(v, norm);
     let ring = floor(p.radius * m + 0.5);
     let place = floor(p.turn * ring + 0.5);
-    unfolded(v, norm, p.swapped, ring, place, m)
+    unfolded(v, p.swapped, ring, place, m)
 }
 
-/// The lattice point of the direction of `v` that is nearest in angle: the nearest one of the ring below or above.
+/// The lattice point of the direction of `v`, of an L1 norm of `norm`, that is nearest in angle: the nearest one of the
+/// ring below or above. Without a usable direction, anything.
 ///
 /// The chord between points at r and phi and at R and `phi - q` has the square `(r C - R c)^2 + 4 r R c C sin^2(pi q /
 /// 4)`, with `C^2 = 2 - R^2`. With `d = R - r` and `k = r / c^2`, `C` is `c (1 - k d)` and the first summand
 /// `4 d^2 / c^2 (1 + k d)`, both but for a part of `d^2`: at most 6e-5 at 16 bits. Times `c^4 m^2 / 4` and with radii in
 /// steps of `1/m` that is a sum without cancellation, and without divisions but those in q.
 #[inline(always)]
-pub fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
-    let norm = l1_norm(v);
+pub fn lattice_precise(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let p = polar(v, norm);
     let below = floor(p.radius * m);
     let inner = candidate(p, below, m);
     let outer = candidate(p, below + 1.0, m);
     let nearest = if outer.cost < inner.cost { outer } else { inner };
-    unfolded(v, norm, p.swapped, nearest.ring, nearest.place, m)
+    unfolded(v, p.swapped, nearest.ring, nearest.place, m)
 }
 
 /// The nearest point on a ring that is at most a step from `p`.
@@ -187,7 +147,7 @@ fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
     let along = p.turn * ring;
     let place = floor(along + 0.5);
     let across = ring - steps;
-    let q = (along - place) / if ring > 1.0 { ring } else { 1.0 };
+    let q = (along - place) / max(ring, 1.0);
 
     let c_squared = 2.0 - p.radius * p.radius;
     let change = across * (p.radius * (1.0 / m));
@@ -204,21 +164,19 @@ fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let (x, y) = (e.x.abs(), e.y.abs());
-    let sum = x + y;
-    let below = sum > m;
-    let ring = if below { 2.0 * m - sum } else { sum };
+    let above = m - (x + y);
+    let ring = m - above.abs();
     let swapped = y > x;
-    let (shorter, longer) = if swapped { (x, y) } else { (y, x) };
-    let place = if below { m - longer } else { shorter };
+    let place = min(min(x, y), m - max(x, y));
 
-    let turn = place / if ring > 0.0 { ring } else { 1.0 };
+    let turn = place / max(ring, f32::MIN_POSITIVE);
     let (sine, cosine) = (sin_eighth(0.5 * turn), cos_eighth(0.5 * turn));
     let radius = ring * (1.0 / m);
     let z = (1.0 - radius) * (1.0 + radius);
     let horizontal = radius * sqrt(1.0 + z);
     let (near, far) = (horizontal * cosine, horizontal * sine);
     let (x, y) = if swapped { (far, near) } else { (near, far) };
-    Vec3::new(negate_positive(e.x < 0.0, x), negate_positive(e.y < 0.0, y), negate_if(below, z))
+    Vec3::new(negate_positive(e.x < 0.0, x), negate_positive(e.y < 0.0, y), with_sign(z, above))
 }
 
 /// `radians_times_m` at this width in degrees, and what rounding in f32 adds: at most `8 2^-24` in r, which is
@@ -241,7 +199,9 @@ impl<const BITS: u32> Codec for EaOct<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        pack::<BITS>(lattice(v, snorm_max(BITS / 2)))
+        let norm = l1_norm(v);
+        let code = pack::<BITS>(lattice(v, norm, snorm_max(BITS / 2)));
+        if is_usable(norm) { code } else { pack::<BITS>(Vec2::ZERO) }
     }
 
     #[inline(always)]
@@ -264,7 +224,9 @@ impl<const BITS: u32> Codec for EaOctPrecise<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        pack::<BITS>(lattice_precise(v, snorm_max(BITS / 2)))
+        let norm = l1_norm(v);
+        let code = pack::<BITS>(lattice_precise(v, norm, snorm_max(BITS / 2)));
+        if is_usable(norm) { code } else { pack::<BITS>(Vec2::ZERO) }
     }
 
     #[inline(always)]
