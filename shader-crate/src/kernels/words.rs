@@ -52,11 +52,12 @@ macro_rules! words {
                     unsafe { [$(*buffer.index_unchecked(first + $n)),*] }
                 } else if $len % 4 == 0 {
                     // Each of the four has whole words. Those of the last one stand in for what lacks.
+                    let last = count - 1;
                     // SAFETY: the buffer holds the words of the group's first `count`, at least one.
                     unsafe {
                         [$({
                             let of = 4 * $n / $len;
-                            let held = if of < count { of } else { count - 1 };
+                            let held = if of < last { of } else { last };
                             *buffer.index_unchecked(first + $len / 4 * held + ($n - $len / 4 * of))
                         }),*]
                     }
