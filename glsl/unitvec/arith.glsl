@@ -719,7 +719,8 @@ float unitvec_angles_half_turn(float y, float x, bool left) {
 
 // The azimuth of v, in quarter turns, -2 to 2. p is what unitvec_angles_scaled makes of it.
 float unitvec_angles_azimuth(vec3 v, vec3 p) {
-    return unitvec_with_sign(unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x)), v.y);
+    float angle = unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x));
+    return unitvec_negate_if(unitvec_is_negative(v.y), angle);
 }
 
 // Unit vector of a cylinder's radius and height at the angle of so many quarter turns, -2 to 2, about +Z.

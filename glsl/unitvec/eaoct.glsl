@@ -102,8 +102,10 @@ vec2 unitvec_eaoct_lattice_precise(vec3 v, float norm, float m) {
 // Direction of a lattice point, unit length to within 2 ULP.
 vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     vec2 a = abs(e);
-    UNITVEC_PRECISE float above = m - (a.x + a.y);
-    UNITVEC_PRECISE float ring = m - abs(above);
+    UNITVEC_PRECISE float sum = a.x + a.y;
+    UNITVEC_PRECISE float above = m - sum;
+    UNITVEC_PRECISE float folded_ring = 2.0 * m - sum;
+    float ring = min(sum, folded_ring);
     UNITVEC_PRECISE float folded_place = m - max(a.x, a.y);
     float place = min(min(a.x, a.y), folded_place);
     bool swapped = a.y > a.x;

@@ -41,6 +41,16 @@ const DIAGONAL_COS: [f32; 4] =
 const DIAGONAL_SIN: [f32; 3] = [arith::DIAGONAL_SIN_0, arith::DIAGONAL_SIN_1, arith::DIAGONAL_SIN_2];
 const ASIN: [f32; 6] =
     [arith::ASIN_0, arith::ASIN_1, arith::ASIN_2, arith::ASIN_3, arith::ASIN_4, arith::ASIN_5];
+const TURN: [f32; 8] = [
+    arith::TURN_0,
+    arith::TURN_1,
+    arith::TURN_2,
+    arith::TURN_3,
+    arith::TURN_4,
+    arith::TURN_5,
+    arith::TURN_6,
+    arith::TURN_7,
+];
 
 /// `r / f(r)` of `u = r^2`: by this the fits with least relative error are weighted.
 fn over_sin(u: f64) -> f64 {
@@ -134,6 +144,7 @@ fn glsl_constants_are_the_crates() {
         ("ATAN", &ATAN),
         ("TAN", &TAN),
         ("ASIN", &ASIN),
+        ("TURN", &TURN),
         ("DIAGONAL_COS", &DIAGONAL_COS),
         ("DIAGONAL_SIN", &DIAGONAL_SIN),
     ];
@@ -153,6 +164,8 @@ fn glsl_constants_are_the_crates() {
         ("MAX_NORM", unitvec::direction::MAX_NORM),
         ("MIN_POSITIVE", f32::MIN_POSITIVE),
         ("ONE_AND_A_HALF_2_23", 1.5 * 8_388_608.0),
+        ("ANGLES_LEAST_X", 2f32.powi(-40)),
+        ("ANGLES_LEAST_Y", 2f32.powi(-61)),
     ];
     constants.extend(others.map(|(name, value)| (name.to_owned(), value)));
 

@@ -6,7 +6,8 @@ pub mod spherical;
 pub mod spherical_wide;
 
 use crate::arith::{
-    atan_quarter, exp2, from_diagonal, is_negative, max, min, negate_positive, scale_to_one, with_sign,
+    atan_quarter, exp2, from_diagonal, is_negative, max, min, negate_if, negate_positive, scale_to_one,
+    with_sign,
 };
 use glam::Vec3;
 
@@ -45,7 +46,7 @@ fn half_turn(y: f32, x: f32, left: bool) -> f32 {
 /// The azimuth of `v`, in quarter turns, -2 to 2. `p` is what [`scaled`] makes of it.
 #[inline(always)]
 fn azimuth(v: Vec3, p: Vec3) -> f32 {
-    with_sign(half_turn(p.y, p.x, is_negative(v.x)), v.y)
+    negate_if(is_negative(v.y), half_turn(p.y, p.x, is_negative(v.x)))
 }
 
 /// The unit vector of a cylinder's radius and height at the angle of `quarters` quarter turns, -2 to 2, about +Z. Zeros

@@ -164,8 +164,9 @@ fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let (x, y) = (e.x.abs(), e.y.abs());
-    let above = m - (x + y);
-    let ring = m - above.abs();
+    let sum = x + y;
+    let above = m - sum;
+    let ring = min(sum, 2.0 * m - sum);
     let swapped = y > x;
     let place = min(min(x, y), m - max(x, y));
 
