@@ -1,24 +1,31 @@
 //! One instruction for several.
 //!
 //! rust-gpu makes a branch of `a && b`, of which a select of booleans is left, and there is no Rust for a signed field of
-//! a word but two shifts. Compilers of GPUs know neither as what it is.
+//! a word but two shifts, nor for a minimum of integers but `if`, since its `min` needs a capability. Compilers of GPUs
+//! do not always know these as what they are.
 
 use anyhow::{Result, anyhow};
 use rspirv::dr::{Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 use std::collections::HashMap;
 
-/// Replaces selects of a boolean or a constant by logical operations, and shifts to the left and back by extractions.
+/// Replaces selects of a boolean or a constant by logical operations, those of the lesser number by minima, and shifts to
+/// the left and back by extractions.
 pub fn instructions(module: &mut Module) -> Result<()> {
     let header = module.header.as_ref().ok_or_else(|| anyhow!("the module has no header"))?;
-    let mut globals = Globals { bound: header.bound, known: std::mem::take(&mut module.types_global_values) };
+    let is_glsl =
+        |import: &&Instruction| import.operands == [Operand::LiteralString("GLSL.std.450".to_owned())];
+    let extended = module.ext_inst_imports.iter().find(is_glsl).and_then(|import| import.result_id);
+    let known = std::mem::take(&mut module.types_global_values);
+    let mut globals = Globals { bound: header.bound, known, extended };
     for function in &mut module.functions {
         let defined = definitions(function);
         for block in &mut function.blocks {
             let mut combined = Vec::with_capacity(block.instructions.len());
             for instruction in block.instructions.drain(..) {
-                let known = logical(&instruction, &mut globals);
-                let other = known.or_else(|| field(&instruction, &defined, &mut globals));
+                let other = logical(&instruction, &mut globals)
+                    .or_else(|| minimum(&instruction, &defined, &globals))
+                    .or_else(|| field(&instruction, &defined, &mut globals));
                 combined.extend(other.unwrap_or_else(|| vec![instruction]));
             }
             block.instructions = combined;
@@ -37,9 +44,10 @@ fn definitions(function: &Function) -> HashMap<Word, Instruction> {
     instructions.filter_map(|instruction| Some((instruction.result_id?, instruction.clone()))).collect()
 }
 
-/// The module's types and constants, and the next free id.
+/// The module's types and constants, the import of GLSL.std.450, and the next free id.
 struct Globals {
     known: Vec<Instruction>,
+    extended: Option<Word>,
     bound: Word,
 }
 
@@ -111,6 +119,29 @@ fn logical(select: &Instruction, globals: &mut Globals) -> Option<Vec<Instructio
     };
     combined.push(instruction(opcode, of_type, select.result_id?, &[condition, other]));
     Some(combined)
+}
+
+/// `UMin` of GLSL.std.450.
+const UMIN: u32 = 38;
+
+/// `min(a, b)` of `a < b ? a : b`, not negative.
+fn minimum(
+    select: &Instruction,
+    defined: &HashMap<Word, Instruction>,
+    globals: &Globals,
+) -> Option<Vec<Instruction>> {
+    let [condition, yes, no] = operands(select).filter(|_| select.class.opcode == Op::Select)?;
+    let condition = defined.get(&condition).filter(|of| of.class.opcode == Op::ULessThan)?;
+    if operands(condition)? != [yes, no] {
+        return None;
+    }
+    let of_both = vec![
+        Operand::IdRef(globals.extended?),
+        Operand::LiteralExtInstInteger(UMIN),
+        Operand::IdRef(yes),
+        Operand::IdRef(no),
+    ];
+    Some(vec![Instruction::new(Op::ExtInst, select.result_type, select.result_id, of_both)])
 }
 
 /// The signed field of a word, for `(word << a) as i32 >> b`, or `((word >> c) << a) as i32 >> b` with `c` up to `a`.
@@ -206,6 +237,20 @@ mod tests {
         assert_eq!(left[1].0, Op::Select);
     }
 
+    #[test]
+    fn selects_of_the_lesser_become_minima() {
+        for (yes, no, expected) in [("%10", "%u4", Op::ExtInst), ("%u4", "%10", Op::Select)] {
+            let (_, left) = combined(&format!(
+                "%10 = OpBitcast %uint %7
+                %11 = OpULessThan %bool %10 %u4
+                %12 = OpSelect %uint %11 {yes} {no}
+                %13 = OpBitcast %float %12
+                OpStore %6 %13"
+            ));
+            assert_eq!(left[2].0, expected, "{yes} {no}");
+        }
+    }
+
     /// Field and offset, for each way to write it.
     #[test]
     fn shifts_to_the_left_and_back_become_a_field() {
@@ -235,7 +280,7 @@ mod tests {
             assert_eq!(left_over[4], (Op::Bitcast, vec![word]), "{inner} {left} {right}");
             let (opcode, operands) = &left_over[5];
             assert_eq!(*opcode, Op::BitFieldSExtract);
-            let globals = Globals { bound: 0, known: module.types_global_values };
+            let globals = Globals { bound: 0, extended: None, known: module.types_global_values };
             let values = operands[1..].iter().map(|id| globals.value(*id).unwrap());
             assert_eq!(values.collect::<Vec<_>>(), [first, bits], "{inner} {left} {right}");
         }
