@@ -59,8 +59,8 @@
 
 use super::{around_z, half_turn, quarter, scaled};
 use crate::arith::{
-    floor, from_diagonal, horizontal_length, is_negative, mask, max, min, signed_integer, sqrt, whole_to_u32,
-    with_sign,
+    floor, from_diagonal, horizontal_length, integer_part, is_negative, mask, max, min, signed_integer, sqrt,
+    whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -185,9 +185,12 @@ fn whole_to_f32(integer: u32) -> f32 {
     integer as i32 as f32
 }
 
-/// A whole number below `2^bits` as an integer.
+/// A whole number below `2^bits` as an integer. On a CPU that wants sums of less than 2^24: see [`whole_to_u32`].
 #[inline(always)]
 fn index_of(whole: f32, bits: u32) -> u32 {
+    if cfg!(target_arch = "spirv") {
+        return integer_part(whole) as u32;
+    }
     if bits <= 23 {
         return whole_to_u32(whole);
     }
