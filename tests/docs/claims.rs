@@ -52,24 +52,20 @@ fn limits_of_a_dispatch() {
 /// docs/costs.md, "Which to take".
 #[test]
 fn what_to_take() {
-    // `oct32` is among the cheapest of unit vectors: only codes with a sign or a hemisphere decode for less.
+    // `oct32` is among the cheapest of unit vectors: only `hemioct` costs less.
     for codec in CATALOGUE.iter().filter(|codec| codec.is_unit && codec.bits <= 32) {
         let [encode, decode] = costs_of(codec.id);
-        assert!(
-            encode > 0.95 && (decode > 0.95 || ["hemioct", "soct", "cube"].contains(&codec.family)),
-            "{}",
-            codec.id
-        );
+        let least = if codec.family == "hemioct" { 0.85 } else { 1.0 };
+        assert!(encode >= least && decode >= least, "{}", codec.id);
     }
     for bits in [16, 24, 32] {
         let id = |family: &str| family.replace('N', &bits.to_string());
-        // The precise encoder: about twice the time, a third off the maximum, the decoder the same.
+        // The precise encoder: two and a half to four times the cost, a third off the maximum, the decoder the same.
         let [fast, precise] = [id("octN"), id("octNp")].map(|id| (costs_of(&id), errors(&id)));
-        assert!((1.5..=2.7).contains(&(precise.0[0] / fast.0[0])) && (precise.0[1] - fast.0[1]).abs() < 0.2);
+        assert!((2.45..=4.0).contains(&(precise.0[0] / fast.0[0])) && precise.0[1] == fast.0[1]);
         assert!((0.63..0.7).contains(&(precise.1.max / fast.1.max)));
-        // `hemioct` is finer than `oct`, dearer to encode and cheaper to decode.
-        let hemioct = costs_of(&id("hemioctN"));
-        assert!(is_finer(&id("hemioctN"), &id("octNp")) && hemioct[0] > fast.0[0] && hemioct[1] < fast.0[1]);
+        // `hemioct` is finer than `oct…p` and costs less than `oct`.
+        assert!(is_finer(&id("hemioctN"), &id("octNp")) && is_cheaper(&id("hemioctN"), &id("octN")));
         // `ico` has the least maximum of all; `fib` has a lower mean than `oct…p`, and is dearer to encode than `ico`.
         for other in CATALOGUE.iter().filter(|codec| codec.bits == bits && codec.domain == Domain::Sphere) {
             assert!(other.id == id("icoN") || errors(other.id).max > errors(&id("icoN")).max, "{}", other.id);
@@ -80,12 +76,14 @@ fn what_to_take() {
         // `latlong…d` is between `oct…p` and `ico…`, and cheaper than the latter to encode.
         assert!(is_finer(&id("latlongNd"), &id("octNp")) && is_finer(&id("icoN"), &id("latlongNd")));
         assert!(costs_of(&id("latlongNd"))[0] < costs_of(&id("icoN"))[0]);
-        // What is coarser and dearer than `oct…p`, and `cube…`, which is coarser and cheaper to encode.
-        for other in ["sphericalN", "stereoN", "eqareaN", "eqdistN", "warpedcubeN", "sppN", "cubeN"] {
-            assert!(is_finer(&id("octNp"), &id(other)), "{other}");
-            let [cheap, dear] = if other == "cubeN" { [other, "octNp"] } else { ["octNp", other] };
-            assert!(is_cheaper(&id(cheap), &id(dear)), "{other}");
+        // What is coarser than `oct…p` and dearer to decode; to encode too, but for two of 16 bits.
+        for other in ["sphericalN", "stereoN", "eqareaN", "eqdistN", "warpedcubeN", "sppN"] {
+            let ([encode, decode], [precise, oct]) = (costs_of(&id(other)), costs_of(&id("octNp")));
+            assert!(is_finer(&id("octNp"), &id(other)) && (2.0..=4.2).contains(&(decode / oct)), "{other}");
+            assert_eq!(encode < precise, bits == 16 && ["stereoN", "eqareaN"].contains(&other), "{other}");
         }
+        let ([encode, decode], [precise, oct]) = (costs_of(&id("cubeN")), costs_of(&id("octNp")));
+        assert!(is_finer(&id("octNp"), &id("cubeN")) && decode > oct && (encode < precise) == (bits <= 24));
     }
     assert!(is_finer("oct24p", "snorm8x3p"));
 }
