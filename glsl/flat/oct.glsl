@@ -74,6 +74,8 @@ const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
 
 // sign: signs that do not depend on how a device treats denormals and -0.
 
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
+
 // True where x is below zero by at least the least normal number. A comparison with zero would depend on whether the
 // device flushes denormals.
 bool unitvec_is_negative(float x) {
@@ -89,10 +91,18 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 
+// `magnitude`, of at least 0, with the sign bit of y.
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+
+// Sums of it and numbers of 0 to 2^23 are whole; their low 23 bits are the number.
+const float UNITVEC_2_23 = 8388608.0;
 
 // The integer part of a number from 0 to 2^31. By way of int, for which more processors have an instruction.
 uint unitvec_whole_to_u32(float whole) {
@@ -163,9 +173,30 @@ uint unitvec_signed_code(float whole, uint bits) {
     return uint(int(whole)) & unitvec_mask(bits);
 }
 
+// Two's complement, in `bits` bits (at most 22), of the whole number nearest to x, the even one of two: one addition rounds
+// and converts. Magnitudes up to 2^21; for others, and NaN, any code.
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+
+// The integer of the `bits` bits of a code from bit `first` on, in two's complement.
+int unitvec_signed_field(uint code, uint first, uint bits) {
+#if __VERSION__ >= 400 || (defined(GL_ES) && __VERSION__ >= 310)
+    return bitfieldExtract(int(code), int(first), int(bits));
+#else
+    return int(code << (32u - bits - first)) >> int(32u - bits);
+#endif
+}
+
 // Integer of the low `bits` bits (2 to 25) of a code, in two's complement.
 float unitvec_signed_integer(uint code, uint bits) {
-    return float(int(code << (32u - bits)) >> int(32u - bits));
+    return float(unitvec_signed_field(code, 0u, bits));
+}
+
+// The nearest whole numbers to those of e as one code: x in the low `bits` bits (at most 16), y in the next.
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
 }
 
 // snorm: normalised fixed point.
@@ -180,12 +211,20 @@ float unitvec_snorm_max(uint bits) {
     return float(unitvec_mask(bits - 1u));
 }
 
-// Eq. 1, for up to 23 bits. Ties go up. NaN gives 0 where the device compares as IEEE 754 says.
+// By comparing integers: see unitvec_is_within.
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+
+// Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
+uint unitvec_unorm_code(float r, uint bits) {
+    UNITVEC_PRECISE float sum = min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits) + UNITVEC_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+
+// The same for any r: NaN gives 0.
 uint unitvec_unorm_encode(float r, uint bits) {
-    float positive = r > 0.0 ? r : 0.0;
-    float clamped = positive < 1.0 ? positive : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_unorm_max(bits) + 0.5;
-    return unitvec_whole_to_u32(position);
+    return unitvec_is_nan(r) ? 0u : unitvec_unorm_code(r, bits);
 }
 
 // Eq. 2. Bits above `bits` are ignored.
@@ -194,22 +233,32 @@ float unitvec_unorm_decode(uint code, uint bits) {
     return r;
 }
 
-// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go away from zero.
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
+// code. Ties go to the even integer.
+uint unitvec_snorm_code(float r, uint bits) {
+    UNITVEC_PRECISE float position = min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits);
+    return unitvec_nearest_code(position, bits);
+}
+
+// The same for any r: NaN gives 0.
 uint unitvec_snorm_encode(float r, uint bits) {
-    float magnitude = abs(r) > 0.0 ? abs(r) : 0.0;
-    float clamped = magnitude < 1.0 ? magnitude : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_snorm_max(bits) + 0.5;
-    return unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(r), floor(position)), bits);
+    return unitvec_is_nan(r) ? 0u : unitvec_snorm_code(r, bits);
 }
 
-// Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
+// Integer of the snorm in the `bits` bits of a code from bit `first` on, as a float, with -2^(bits-1) taken as
+// -(2^(bits-1) - 1).
+float unitvec_snorm_field(uint code, uint first, uint bits) {
+    return max(float(unitvec_signed_field(code, first, bits)), -unitvec_snorm_max(bits));
+}
+
+// That of the low `bits` bits.
 float unitvec_snorm_integer(uint code, uint bits) {
-    return max(unitvec_signed_integer(code, bits), -unitvec_snorm_max(bits));
+    return unitvec_snorm_field(code, 0u, bits);
 }
 
-// By comparing integers: see unitvec_is_within.
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+// The integers of a code of two snorms of `bits` bits: x in the low bits, y in the next.
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 
 // Both clamped to [-1, 1]; 0 where one is NaN.
@@ -235,7 +284,7 @@ uint unitvec_half_encode_magnitude(float x) {
     uint exponent = bits >> 23u;
 
     // From 2^-14 on: 13 bits less of the significand, 112 less of the exponent; a carry is right in both.
-    uint normal = (bits - 0x38000000u + 0xfffu + ((bits >> 13u) & 1u)) >> 13u;
+    uint normal = (bits - (0x38000000u - 0xfffu) + ((bits >> 13u) & 1u)) >> 13u;
 
     // From 2^-25 to 2^-14: whole multiples of 2^-24. Below, `shift` stands in for one that is larger.
     uint shift = exponent >= 102u ? (126u - exponent) & 31u : 25u;
@@ -421,6 +470,15 @@ const float UNITVEC_ASIN_3 = 0.014499074;
 const float UNITVEC_ASIN_4 = 0.0075942916;
 const float UNITVEC_ASIN_5 = 0.013571346;
 
+const float UNITVEC_TURN_0 = 0.6366193;
+const float UNITVEC_TURN_1 = -0.21218449;
+const float UNITVEC_TURN_2 = 0.12698378;
+const float UNITVEC_TURN_3 = -0.088545084;
+const float UNITVEC_TURN_4 = 0.061384138;
+const float UNITVEC_TURN_5 = -0.035594895;
+const float UNITVEC_TURN_6 = 0.013918393;
+const float UNITVEC_TURN_7 = -0.002581218;
+
 const float UNITVEC_DIAGONAL_COS_0 = 0.7853982;
 const float UNITVEC_DIAGONAL_COS_1 = 0.16854808;
 const float UNITVEC_DIAGONAL_COS_2 = 0.014111487;
@@ -486,9 +544,8 @@ vec2 unitvec_from_diagonal(float d) {
     return halves;
 }
 
-// 4/pi atan(r), r in [0, 1]. Both ends are exact.
-float unitvec_atan_octant(float r) {
-    r = r < UNITVEC_NEGLIGIBLE ? 0.0 : r;
+// 4/pi atan(r), r 0 or in [2^-100, 1]. Both ends are exact.
+float unitvec_atan_octant_of_normal(float r) {
     UNITVEC_PRECISE float u = r * r;
     UNITVEC_PRECISE float low =
         UNITVEC_ATAN_4 + u * (UNITVEC_ATAN_5 + u * (UNITVEC_ATAN_6 + u * (UNITVEC_ATAN_7 + u * UNITVEC_ATAN_8)));
@@ -498,11 +555,26 @@ float unitvec_atan_octant(float r) {
     return octants;
 }
 
+// 4/pi atan(r), r in [0, 1]. Both ends are exact.
+float unitvec_atan_octant(float r) {
+    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
+}
+
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 float unitvec_atan_octant_ratio(float y, float x) {
     UNITVEC_PRECISE float divided = y / x;
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
+}
+
+// 2/pi atan(q), q in [0, 1], for the codecs of up to 32 bits.
+float unitvec_atan_quarter(float q) {
+    UNITVEC_PRECISE float u = q * q;
+    UNITVEC_PRECISE float w = u * u;
+    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
+    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
+    UNITVEC_PRECISE float turn = q * (even + u * odd);
+    return turn;
 }
 
 // tan(pi t / 4), t in [0, 1]. Both ends are exact.
@@ -645,18 +717,45 @@ vec3 unitvec_upper_or_z(vec3 v) {
 
 // angles: what the codecs of longitude and latitude or height share; the Rust crate has it in their folder.
 
-// v at an L1 norm of 1, denormal components as 0, or +Z where it has no usable direction.
-vec3 unitvec_angles_scaled(vec3 v) {
-    v = unitvec_or_z(v);
-    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * (1.0 / unitvec_l1_norm(v));
-    return scaled;
+// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+const float UNITVEC_ANGLES_LEAST_X = 9.094947017729282e-13;
+const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
+
+// The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Without a usable direction, anything.
+vec3 unitvec_angles_scaled(vec3 v, float norm) {
+    UNITVEC_PRECISE vec3 p = abs(v) * unitvec_scale_to_one(norm);
+    return vec3(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
 }
 
-// Unit vector of a cylinder's radius and height at the angle phi, in half turns, about +Z.
-vec3 unitvec_angles_around_z(float radius, float z, float phi) {
-    vec2 turned = unitvec_sin_cos_half_turns(radius > 0.0 ? phi : 0.0);
-    UNITVEC_PRECISE vec2 horizontal = radius * turned;
-    return vec3(horizontal, z);
+// The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
+float unitvec_angles_quarter(float y, float x) {
+    UNITVEC_PRECISE float q = min(x, y) / max(x, y);
+    float part = unitvec_atan_quarter(q);
+    UNITVEC_PRECISE float rest = 1.0 - part;
+    return y > x ? rest : part;
+}
+
+// The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
+float unitvec_angles_half_turn(float y, float x, bool left) {
+    float angle = unitvec_angles_quarter(y, x);
+    UNITVEC_PRECISE float rest = 2.0 - angle;
+    return left ? rest : angle;
+}
+
+// The azimuth of v, in quarter turns, -2 to 2. p is what unitvec_angles_scaled makes of it.
+float unitvec_angles_azimuth(vec3 v, vec3 p) {
+    float angle = unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x));
+    return unitvec_negate_if(unitvec_is_negative(v.y), angle);
+}
+
+// Unit vector of a cylinder's radius and height at the angle of so many quarter turns, -2 to 2, about +Z.
+vec3 unitvec_angles_around_z(float radius, float z, float quarters) {
+    UNITVEC_PRECISE float ahead = 1.0 - abs(quarters);
+    UNITVEC_PRECISE float diagonal = 0.5 - abs(ahead);
+    vec2 e = unitvec_from_diagonal(diagonal);
+    UNITVEC_PRECISE float x = (e.x - e.y) * radius;
+    UNITVEC_PRECISE float y = (e.x + e.y) * radius;
+    return vec3(unitvec_with_sign(x, ahead), unitvec_negate_positive(quarters < 0.0, y), z);
 }
 
 #endif
@@ -673,15 +772,15 @@ vec2 unitvec_oct_fold(float z, vec2 p, float m) {
 
 // Gives p, from the positive octant, the signs of v.
 vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
-    return vec2(unitvec_negate_if(unitvec_is_negative(v.x), p.x), unitvec_negate_if(unitvec_is_negative(v.y), p.y));
+    return vec2(unitvec_with_sign(p.x, v.x), unitvec_with_sign(p.y, v.y));
 }
 
-// Lattice point of the direction of v: the nearest one in the square (listing 1, then snorm rounding).
-vec2 unitvec_oct_lattice(vec3 v, float m) {
-    v = unitvec_or_z(v);
-    UNITVEC_PRECISE vec2 p = abs(v.xy) * (m / unitvec_l1_norm(v));
-    UNITVEC_PRECISE vec2 rounded = floor(unitvec_oct_fold(v.z, p, m) + 0.5);
-    return unitvec_oct_mirror(v, rounded);
+// Where v, of this L1 norm, lies on the square [-m, m]^2 (listing 1). Below the equator x is folded to m - |y| s, with s =
+// m / norm, which is (|x| + |z|) s.
+vec2 unitvec_oct_position(vec3 v, float norm, float m) {
+    float below = max(-v.z, 0.0);
+    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * (m / norm);
+    return unitvec_oct_mirror(v, p);
 }
 
 // q of where the ray of p meets the plane x + y + z = m.
@@ -697,8 +796,7 @@ vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
 vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE float minus_z = at.x + at.y;
     UNITVEC_PRECISE float z_squared = minus_z * minus_z;
-    UNITVEC_PRECISE float over = abs(ab.x + ab.y) - cross_term;
-    over = over > 0.0 ? over : 0.0;
+    UNITVEC_PRECISE float over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     UNITVEC_PRECISE float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     UNITVEC_PRECISE float half_s = z_squared + (0.5 + cross_term);
     UNITVEC_PRECISE float u = n * ((1.5 / m) / half_s);
@@ -772,34 +870,35 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
 }
 
-// Lattice point of the direction of v that is nearest in angle. Without a usable direction, all is computed and then
-// dropped: to select here takes fewer operations than in v.
-vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
-    float norm = unitvec_l1_norm(v);
+// Lattice point that is nearest in angle to the direction of v, of this L1 norm.
+vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
-    // 2^-26 of the norm: denormals, which some devices flush, are less, and so break no ties.
-    p = max(p, m * 1.490116119384765625e-8);
     // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
     vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
-    vec2 e = unitvec_oct_fold(v.z, corner, m);
-    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
+    return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));
+}
+
+// The same for any v, (0, 0) where it has no direction.
+vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_precise_point(v, norm, m);
+    return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 
 // Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.
 vec3 unitvec_oct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float z = m - abs(e.x) - abs(e.y);
-    float below = z < 0.0 ? -z : 0.0;
-    UNITVEC_PRECISE float x = e.x + unitvec_negate_if(e.x >= 0.0, below);
-    UNITVEC_PRECISE float y = e.y + unitvec_negate_if(e.y >= 0.0, below);
+    float below = max(-z, 0.0);
+    UNITVEC_PRECISE float x = e.x - unitvec_with_sign(below, e.x);
+    UNITVEC_PRECISE float y = e.y - unitvec_with_sign(below, e.y);
     return unitvec_normalize(vec3(x, y, z));
 }
 
 // Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.
 vec2 float32x3_to_oct(vec3 v) {
     float norm = unitvec_l1_norm(v);
-    UNITVEC_PRECISE vec2 p = abs(v.xy) * (1.0 / norm);
-    vec2 e = unitvec_oct_fold(v.z, p, 1.0);
-    return unitvec_oct_mirror(v, unitvec_is_usable(norm) ? e : vec2(0.0));
+    vec2 e = unitvec_oct_position(v, norm, 1.0);
+    return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 
 // Listing 2: the direction of a pair of snorm values on [-1, 1].
@@ -833,39 +932,52 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
     return unitvec_is_nan(unitvec_l1_norm(u)) ? vec2(0.0) : clamp(s, -1.0, 1.0);
 }
 
-// Code of a lattice point with m = 2047: the bytes of listing 5, the first in the low bits.
+// 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
+const float UNITVEC_OCT_BIAS = 8390655.0;
+
+// The code of +Z, both components 2047.
+const uint UNITVEC_OCT24_Z = 0xfff77fu;
+
+// Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
 uint unitvec_oct_pack_unorm8x3(vec2 e) {
-    UNITVEC_PRECISE vec2 biased = e + 2047.0;
-    uint u = unitvec_signed_code(biased.x, 12u);
-    uint v = unitvec_signed_code(biased.y, 12u);
-    return (u >> 4u) | ((u & 15u) << 12u) | (v & 0xf00u) | ((v & 255u) << 16u);
+    UNITVEC_PRECISE vec2 sum = e + UNITVEC_OCT_BIAS;
+    uint both = (floatBitsToUint(sum.x) << 12u) + floatBitsToUint(sum.y);
+    return ((both >> 16u) & 255u) | (both & 0xff00u) | ((both & 255u) << 16u);
 }
 
 // The pattern 4095 of a component, which encoding never writes, counts as 4094.
 vec2 unitvec_oct_unpack_unorm8x3(uint code) {
-    float u = float(((code & 255u) << 4u) | ((code >> 12u) & 15u));
-    float v = float((code & 0xf00u) | ((code >> 16u) & 255u));
-    UNITVEC_PRECISE vec2 e = vec2(u, v) - 2047.0;
+    uint both = ((code & 255u) << 16u) | (code & 0xff00u) | ((code >> 16u) & 255u);
+    uvec2 sum = uvec2(both >> 12u, both & 0xfffu) | floatBitsToUint(UNITVEC_2_23);
+    UNITVEC_PRECISE vec2 e = uintBitsToFloat(sum) - UNITVEC_OCT_BIAS;
     return min(e, 2047.0);
 }
 
-// Code of a lattice point, `bits` bits in all.
+// Code of the lattice point nearest to e, of two of them the one whose components are even (odd for 24 bits), `bits` bits
+// in all.
 uint unitvec_oct_pack(vec2 e, uint bits) {
-    if (bits == 24u) return unitvec_oct_pack_unorm8x3(e);
-    return unitvec_signed_code(e.x, bits / 2u) | (unitvec_signed_code(e.y, bits / 2u) << (bits / 2u));
+    return bits == 24u ? unitvec_oct_pack_unorm8x3(e) : unitvec_nearest_pair(e, bits / 2u);
 }
 
 vec2 unitvec_oct_unpack(uint code, uint bits) {
-    if (bits == 24u) return unitvec_oct_unpack_unorm8x3(code);
-    return vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_snorm_integer(code >> (bits / 2u), bits / 2u));
+    return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
+}
+
+// `code`, or that of +Z where this L1 norm gives no direction: to select here takes the fewest operations.
+uint unitvec_oct_usable_code(float norm, uint code, uint bits) {
+    return unitvec_is_usable(norm) ? code : (bits == 24u ? UNITVEC_OCT24_Z : 0u);
 }
 
 uint unitvec_oct_encode(vec3 v, uint bits) {
-    return unitvec_oct_pack(unitvec_oct_lattice(v, unitvec_snorm_max(bits / 2u)), bits);
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_position(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
 uint unitvec_oct_encode_precise(vec3 v, uint bits) {
-    return unitvec_oct_pack(unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits);
+    float norm = unitvec_l1_norm(v);
+    vec2 e = unitvec_oct_precise_point(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
 vec3 unitvec_oct_decode(uint code, uint bits) {

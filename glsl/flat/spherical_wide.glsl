@@ -65,6 +65,8 @@ const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
 
 // sign: signs that do not depend on how a device treats denormals and -0.
 
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
+
 // True where x is below zero by at least the least normal number. A comparison with zero would depend on whether the
 // device flushes denormals.
 bool unitvec_is_negative(float x) {
@@ -80,10 +82,18 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 
+// `magnitude`, of at least 0, with the sign bit of y.
+float unitvec_with_sign(float magnitude, float y) {
+    return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+
+// Sums of it and numbers of 0 to 2^23 are whole; their low 23 bits are the number.
+const float UNITVEC_2_23 = 8388608.0;
 
 // The integer part of a number from 0 to 2^31. By way of int, for which more processors have an instruction.
 uint unitvec_whole_to_u32(float whole) {
@@ -154,9 +164,30 @@ uint unitvec_signed_code(float whole, uint bits) {
     return uint(int(whole)) & unitvec_mask(bits);
 }
 
+// Two's complement, in `bits` bits (at most 22), of the whole number nearest to x, the even one of two: one addition rounds
+// and converts. Magnitudes up to 2^21; for others, and NaN, any code.
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+
+// The integer of the `bits` bits of a code from bit `first` on, in two's complement.
+int unitvec_signed_field(uint code, uint first, uint bits) {
+#if __VERSION__ >= 400 || (defined(GL_ES) && __VERSION__ >= 310)
+    return bitfieldExtract(int(code), int(first), int(bits));
+#else
+    return int(code << (32u - bits - first)) >> int(32u - bits);
+#endif
+}
+
 // Integer of the low `bits` bits (2 to 25) of a code, in two's complement.
 float unitvec_signed_integer(uint code, uint bits) {
-    return float(int(code << (32u - bits)) >> int(32u - bits));
+    return float(unitvec_signed_field(code, 0u, bits));
+}
+
+// The nearest whole numbers to those of e as one code: x in the low `bits` bits (at most 16), y in the next.
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
 }
 
 // snorm: normalised fixed point.
@@ -171,12 +202,20 @@ float unitvec_snorm_max(uint bits) {
     return float(unitvec_mask(bits - 1u));
 }
 
-// Eq. 1, for up to 23 bits. Ties go up. NaN gives 0 where the device compares as IEEE 754 says.
+// By comparing integers: see unitvec_is_within.
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+
+// Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
+uint unitvec_unorm_code(float r, uint bits) {
+    UNITVEC_PRECISE float sum = min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits) + UNITVEC_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+
+// The same for any r: NaN gives 0.
 uint unitvec_unorm_encode(float r, uint bits) {
-    float positive = r > 0.0 ? r : 0.0;
-    float clamped = positive < 1.0 ? positive : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_unorm_max(bits) + 0.5;
-    return unitvec_whole_to_u32(position);
+    return unitvec_is_nan(r) ? 0u : unitvec_unorm_code(r, bits);
 }
 
 // Eq. 2. Bits above `bits` are ignored.
@@ -185,22 +224,32 @@ float unitvec_unorm_decode(uint code, uint bits) {
     return r;
 }
 
-// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits. Ties go away from zero.
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
+// code. Ties go to the even integer.
+uint unitvec_snorm_code(float r, uint bits) {
+    UNITVEC_PRECISE float position = min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits);
+    return unitvec_nearest_code(position, bits);
+}
+
+// The same for any r: NaN gives 0.
 uint unitvec_snorm_encode(float r, uint bits) {
-    float magnitude = abs(r) > 0.0 ? abs(r) : 0.0;
-    float clamped = magnitude < 1.0 ? magnitude : 1.0;
-    UNITVEC_PRECISE float position = clamped * unitvec_snorm_max(bits) + 0.5;
-    return unitvec_signed_code(unitvec_negate_if(unitvec_is_negative(r), floor(position)), bits);
+    return unitvec_is_nan(r) ? 0u : unitvec_snorm_code(r, bits);
 }
 
-// Integer of an snorm code as a float, with -2^(bits-1) taken as -(2^(bits-1) - 1). Bits above `bits` are ignored.
+// Integer of the snorm in the `bits` bits of a code from bit `first` on, as a float, with -2^(bits-1) taken as
+// -(2^(bits-1) - 1).
+float unitvec_snorm_field(uint code, uint first, uint bits) {
+    return max(float(unitvec_signed_field(code, first, bits)), -unitvec_snorm_max(bits));
+}
+
+// That of the low `bits` bits.
 float unitvec_snorm_integer(uint code, uint bits) {
-    return max(unitvec_signed_integer(code, bits), -unitvec_snorm_max(bits));
+    return unitvec_snorm_field(code, 0u, bits);
 }
 
-// By comparing integers: see unitvec_is_within.
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+// The integers of a code of two snorms of `bits` bits: x in the low bits, y in the next.
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 
 // Both clamped to [-1, 1]; 0 where one is NaN.
@@ -226,7 +275,7 @@ uint unitvec_half_encode_magnitude(float x) {
     uint exponent = bits >> 23u;
 
     // From 2^-14 on: 13 bits less of the significand, 112 less of the exponent; a carry is right in both.
-    uint normal = (bits - 0x38000000u + 0xfffu + ((bits >> 13u) & 1u)) >> 13u;
+    uint normal = (bits - (0x38000000u - 0xfffu) + ((bits >> 13u) & 1u)) >> 13u;
 
     // From 2^-25 to 2^-14: whole multiples of 2^-24. Below, `shift` stands in for one that is larger.
     uint shift = exponent >= 102u ? (126u - exponent) & 31u : 25u;
@@ -412,6 +461,15 @@ const float UNITVEC_ASIN_3 = 0.014499074;
 const float UNITVEC_ASIN_4 = 0.0075942916;
 const float UNITVEC_ASIN_5 = 0.013571346;
 
+const float UNITVEC_TURN_0 = 0.6366193;
+const float UNITVEC_TURN_1 = -0.21218449;
+const float UNITVEC_TURN_2 = 0.12698378;
+const float UNITVEC_TURN_3 = -0.088545084;
+const float UNITVEC_TURN_4 = 0.061384138;
+const float UNITVEC_TURN_5 = -0.035594895;
+const float UNITVEC_TURN_6 = 0.013918393;
+const float UNITVEC_TURN_7 = -0.002581218;
+
 const float UNITVEC_DIAGONAL_COS_0 = 0.7853982;
 const float UNITVEC_DIAGONAL_COS_1 = 0.16854808;
 const float UNITVEC_DIAGONAL_COS_2 = 0.014111487;
@@ -477,9 +535,8 @@ vec2 unitvec_from_diagonal(float d) {
     return halves;
 }
 
-// 4/pi atan(r), r in [0, 1]. Both ends are exact.
-float unitvec_atan_octant(float r) {
-    r = r < UNITVEC_NEGLIGIBLE ? 0.0 : r;
+// 4/pi atan(r), r 0 or in [2^-100, 1]. Both ends are exact.
+float unitvec_atan_octant_of_normal(float r) {
     UNITVEC_PRECISE float u = r * r;
     UNITVEC_PRECISE float low =
         UNITVEC_ATAN_4 + u * (UNITVEC_ATAN_5 + u * (UNITVEC_ATAN_6 + u * (UNITVEC_ATAN_7 + u * UNITVEC_ATAN_8)));
@@ -489,11 +546,26 @@ float unitvec_atan_octant(float r) {
     return octants;
 }
 
+// 4/pi atan(r), r in [0, 1]. Both ends are exact.
+float unitvec_atan_octant(float r) {
+    return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
+}
+
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 float unitvec_atan_octant_ratio(float y, float x) {
     UNITVEC_PRECISE float divided = y / x;
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
+}
+
+// 2/pi atan(q), q in [0, 1], for the codecs of up to 32 bits.
+float unitvec_atan_quarter(float q) {
+    UNITVEC_PRECISE float u = q * q;
+    UNITVEC_PRECISE float w = u * u;
+    UNITVEC_PRECISE float even = UNITVEC_TURN_0 + w * (UNITVEC_TURN_2 + w * (UNITVEC_TURN_4 + w * UNITVEC_TURN_6));
+    UNITVEC_PRECISE float odd = UNITVEC_TURN_1 + w * (UNITVEC_TURN_3 + w * (UNITVEC_TURN_5 + w * UNITVEC_TURN_7));
+    UNITVEC_PRECISE float turn = q * (even + u * odd);
+    return turn;
 }
 
 // tan(pi t / 4), t in [0, 1]. Both ends are exact.
@@ -636,18 +708,45 @@ vec3 unitvec_upper_or_z(vec3 v) {
 
 // angles: what the codecs of longitude and latitude or height share; the Rust crate has it in their folder.
 
-// v at an L1 norm of 1, denormal components as 0, or +Z where it has no usable direction.
-vec3 unitvec_angles_scaled(vec3 v) {
-    v = unitvec_or_z(v);
-    UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * (1.0 / unitvec_l1_norm(v));
-    return scaled;
+// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+const float UNITVEC_ANGLES_LEAST_X = 9.094947017729282e-13;
+const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
+
+// The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Without a usable direction, anything.
+vec3 unitvec_angles_scaled(vec3 v, float norm) {
+    UNITVEC_PRECISE vec3 p = abs(v) * unitvec_scale_to_one(norm);
+    return vec3(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
 }
 
-// Unit vector of a cylinder's radius and height at the angle phi, in half turns, about +Z.
-vec3 unitvec_angles_around_z(float radius, float z, float phi) {
-    vec2 turned = unitvec_sin_cos_half_turns(radius > 0.0 ? phi : 0.0);
-    UNITVEC_PRECISE vec2 horizontal = radius * turned;
-    return vec3(horizontal, z);
+// The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
+float unitvec_angles_quarter(float y, float x) {
+    UNITVEC_PRECISE float q = min(x, y) / max(x, y);
+    float part = unitvec_atan_quarter(q);
+    UNITVEC_PRECISE float rest = 1.0 - part;
+    return y > x ? rest : part;
+}
+
+// The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
+float unitvec_angles_half_turn(float y, float x, bool left) {
+    float angle = unitvec_angles_quarter(y, x);
+    UNITVEC_PRECISE float rest = 2.0 - angle;
+    return left ? rest : angle;
+}
+
+// The azimuth of v, in quarter turns, -2 to 2. p is what unitvec_angles_scaled makes of it.
+float unitvec_angles_azimuth(vec3 v, vec3 p) {
+    float angle = unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x));
+    return unitvec_negate_if(unitvec_is_negative(v.y), angle);
+}
+
+// Unit vector of a cylinder's radius and height at the angle of so many quarter turns, -2 to 2, about +Z.
+vec3 unitvec_angles_around_z(float radius, float z, float quarters) {
+    UNITVEC_PRECISE float ahead = 1.0 - abs(quarters);
+    UNITVEC_PRECISE float diagonal = 0.5 - abs(ahead);
+    vec2 e = unitvec_from_diagonal(diagonal);
+    UNITVEC_PRECISE float x = (e.x - e.y) * radius;
+    UNITVEC_PRECISE float y = (e.x + e.y) * radius;
+    return vec3(unitvec_with_sign(x, ahead), unitvec_negate_positive(quarters < 0.0, y), z);
 }
 
 #endif
