@@ -132,3 +132,17 @@ fn every_layout_is_told() {
         assert!(names.iter().chain(&plain).any(|name| layouts.contains(name)), "{id}");
     }
 }
+
+/// The tests that `cargo xtask` runs by name exist: of a name that none has, `cargo test` runs nothing and passes.
+#[test]
+fn xtask_runs_tests_that_exist() {
+    let text = read(&repository().join("xtask/src/main.rs"));
+    let quoted = text.split('"').skip(1).step_by(2);
+    let names: Vec<&str> = quoted.filter(|text| text.contains("::") && !text.ends_with("::")).collect();
+    assert!(names.len() >= 3, "{names:?}");
+    for name in names {
+        let (module, function) = name.rsplit_once("::").unwrap();
+        let file = repository().join(format!("tests/{}.rs", module.replace("::", "/")));
+        assert!(read(&file).contains(&format!("fn {function}()")), "{name}");
+    }
+}

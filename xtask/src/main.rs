@@ -122,7 +122,7 @@ fn costs(arguments: &[String]) -> Result<(), String> {
     };
     setup::run()?;
     let mut renew = cargo(&["test", "--package", "unitvec-tests", "--test", "unitvec"]);
-    renew.args(WITH_GLSL).args(["--", "--ignored", "--exact", "--nocapture", "isa::renew"]);
+    renew.args(WITH_GLSL).args(["--", "--ignored", "--exact", "--nocapture", "isa::compiled::renew"]);
     renew.envs(driver.map(|file| ("UNITVEC_NEWER_RADV_ICD", file)));
     let renewed = run(&mut renew);
     // The docs hold what could be renewed.
