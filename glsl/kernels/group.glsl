@@ -60,7 +60,8 @@ void store(uint w[WRITTEN], uint group, uint count) {
     }
 }
 
-// How many of a group's four there are in both buffers, of those that the host asks for: none, where there is nothing to do.
+// How many vectors there are from a group on, four or more for a whole group, in both buffers and of those that the host
+// asks for: none, where there is nothing to do.
 uint here(uint group) {
     uint first = group * 4u;
     if (whole_groups != 0u) return first < asked() ? 4u : 0u;

@@ -97,7 +97,7 @@ impl Costs {
         if let Some(generation) = isa::find_generation(name) {
             return Self::compiled(&generation.path(), &generation.shipped()?);
         }
-        if name != "lavapipe" {
+        if !name.eq_ignore_ascii_case("lavapipe") {
             return Err(Error::Usage(unknown(name)));
         }
         Self::parse(Path::new("host/data/costs_lavapipe.json"), include_bytes!("../data/costs_lavapipe.json"))
@@ -147,8 +147,9 @@ impl Costs {
 fn unknown(name: &str) -> String {
     let known = GENERATIONS.map(|generation| format!("{} ({})", generation.name, generation.gpu));
     format!(
-        "no costs of a GPU `{name}` ship with the program; --gpu takes {} or lavapipe; for others, `unitvec bench --isa --gpu \
-         {name} --json FILE` writes a report that --costs takes",
+        "no costs of a GPU `{name}` ship with the program; --gpu takes {} or lavapipe; --costs takes a report of another AMD \
+         GPU, by `unitvec bench --isa --gpu {name} --json FILE`, or of a GPU that is here, by `unitvec bench --isa --device \
+         NAME --json FILE`",
         known.join(", ")
     )
 }

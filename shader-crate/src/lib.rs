@@ -52,9 +52,9 @@
 //! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | 8.4 / 3.6 |
 //! <!-- end -->
 //!
-//! Cost is arithmetic on lavapipe (Vulkan on the CPU), as a multiple of `oct32`'s. Types named `…Precise…` write the format of the fast ones:
-//! their encoder takes longer and finds the nearest code. `docs/codecs.md` of the repository lists all codecs,
-//! `docs/costs.md` says more about when to take which.
+//! Cost is what the compiler of an RDNA 2 GPU makes of it (inverse throughput), as a multiple of `oct32`'s. Types named
+//! `…Precise…` write the format of the fast ones: their encoder takes longer and finds the nearest code. `docs/codecs.md` of
+//! the repository lists all codecs, `docs/costs.md` says more about when to take which.
 //!
 //! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`]. Whole slices
 //! and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate `unitvec-catalogue`.

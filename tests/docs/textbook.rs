@@ -116,7 +116,9 @@ fn faults(textbook: &Textbook, source: &str) -> String {
     let mut faults: Vec<(&str, Vec<&str>)> = Vec::new();
     for (column, heading) in INPUTS.iter().take(INPUTS.len() - 1) {
         let outcome = cell(textbook.id, source, column);
-        if ["+Z", "right", "outside"].contains(&outcome) {
+        // +Z is right for what has no direction.
+        let is_short = !["minus_z", "long", "signed_zeros"].contains(column);
+        if ["right", "outside"].contains(&outcome) || (outcome == "+Z" && is_short) {
             continue;
         }
         match faults.iter_mut().find(|(other, _)| *other == outcome) {

@@ -214,14 +214,13 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
             codes_covered(report.all_codes_up_to, report.random_directions),
         );
     }
-    let wrong = report.rounding.iter().find(|(_, rounding)| **rounding != Rounding::Nearest);
-    if let Some((kind, rounding)) = wrong {
-        let how = if *rounding == Rounding::Down { "down" } else { "in a way of its own" };
-        return format!(
-            "\nconform: FAIL: sums are not rounded to nearest on this device ({kind}: {how}), which encoders need: codes \
-             are up to a step off\n"
-        );
+    if report.rounding.values().any(|rounding| *rounding == Rounding::Down) {
+        return "\nconform: FAIL: this device rounds sums down, and encoders need them rounded to nearest: codes are up to a \
+                step off\n"
+            .to_owned();
     }
     let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id).collect();
-    format!("\nconform: FAIL: not all agree for {}\n", failed.join(", "))
+    let failed = if failed.is_empty() { "none of the codecs" } else { &failed.join(", ") };
+    let rounding = if is_nearest(&report.rounding) { "" } else { "; sums are not rounded to nearest" };
+    format!("\nconform: FAIL: differences in {failed}{rounding}\n")
 }

@@ -21,12 +21,12 @@ pub enum Error {
     /// No folder has its file.
     #[error(
         "Mesa's driver RADV, whose compiler --gpu asks, is not installed: there is no radeon_icd*.json in {}; install it \
-         (Debian: apt-get install mesa-vulkan-drivers) or name its file with --driver",
+         (Debian: apt-get install mesa-vulkan-drivers) or name its file with --driver or UNITVEC_RADV_ICD",
         FOLDERS.join(", ")
     )]
     NotInstalled,
     /// The file that was named is not there.
-    #[error("cannot read the driver file {}: {source}; --driver takes the path of a radeon_icd*.json", .path.display())]
+    #[error("cannot read the driver file {}: {source}; --driver and UNITVEC_RADV_ICD take the path of a radeon_icd*.json", .path.display())]
     NoSuchDriver {
         /// Its path.
         path: PathBuf,
@@ -35,7 +35,7 @@ pub enum Error {
     },
     /// The driver does not know the GPU.
     #[error(
-        "the driver {} does not know the GPU `{gpu}`; the least versions that were tried are: {}; name the file of a newer one with --driver or UNITVEC_RADV_ICD",
+        "the driver {} does not know the GPU `{gpu}`; these versions of Mesa know these: {}; name the file of a newer one with --driver or UNITVEC_RADV_ICD",
         .driver.display(), known()
     )]
     UnknownGpu {
@@ -59,8 +59,8 @@ pub enum Error {
 
 /// Which Mesa knows which GPUs.
 fn known() -> String {
-    let known = GENERATIONS
-        .map(|generation| format!("{} ({}) takes Mesa {}", generation.gpu, generation.name, generation.mesa));
+    let known =
+        GENERATIONS.map(|generation| format!("{} ({}) {}", generation.gpu, generation.name, generation.mesa));
     known.join(", ")
 }
 

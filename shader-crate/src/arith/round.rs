@@ -1,6 +1,6 @@
 //! Rounding to whole numbers, and whole numbers as integers.
 
-use super::{floor, is_negative, mask, negate_if};
+use super::{floor, mask};
 
 /// The integer part of `x`, for `x` between -2^31 and 2^31.
 ///
@@ -64,10 +64,4 @@ pub(crate) fn small_floor(x: f32) -> f32 {
         let near = nearest_whole(x);
         if near > x { near - 1.0 } else { near }
     }
-}
-
-/// The nearest whole number, ties away from zero.
-#[inline(always)]
-pub fn round_symmetric(x: f32) -> f32 {
-    negate_if(is_negative(x), floor(x.abs() + 0.5))
 }

@@ -21,7 +21,7 @@ pub fn negate_positive(negative: bool, x: f32) -> f32 {
     negate_if(negative && x > 0.0, x)
 }
 
-/// `magnitude`, of at least 0, with the sign bit of `y`: bits, so that denormals and -0 count alike everywhere.
+/// `magnitude`, of at least 0 and not -0, with the sign bit of `y`: bits, so that denormals and -0 count alike everywhere.
 #[inline(always)]
 pub fn with_sign(magnitude: f32, y: f32) -> f32 {
     f32::from_bits(magnitude.to_bits() | (y.to_bits() & SIGN_BIT))

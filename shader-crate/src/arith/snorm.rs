@@ -82,13 +82,13 @@ pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
 mod tests {
     use super::*;
 
-    /// Equations 1 and 2 and the snorm pair in float64, with Rust's own rounding (ties away from zero).
+    /// Equations 1 and 2 and the snorm pair in float64, with Rust's own rounding, ties to even.
     fn unorm64(r: f64, bits: u32) -> u32 {
-        (r.clamp(0.0, 1.0) * (2f64.powi(bits as i32) - 1.0)).round() as u32
+        (r.clamp(0.0, 1.0) * (2f64.powi(bits as i32) - 1.0)).round_ties_even() as u32
     }
 
     fn snorm64(r: f64, bits: u32) -> i32 {
-        (r.clamp(-1.0, 1.0) * (2f64.powi(bits as i32 - 1) - 1.0)).round() as i32
+        (r.clamp(-1.0, 1.0) * (2f64.powi(bits as i32 - 1) - 1.0)).round_ties_even() as i32
     }
 
     #[test]
@@ -125,6 +125,14 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// Widths whose largest integers are 3 and 127: halves of them are exact.
+    #[test]
+    fn ties_go_to_the_even_integer() {
+        assert_eq!([0.5, 0.0, 1.0].map(|r| unorm_encode(r, 8)), [128, 0, 255]);
+        assert_eq!([0.5, -0.5].map(|r| snorm_encode(r, 8)), [64, 0xc0]);
+        assert_eq!([0.5, -0.5].map(|r| snorm_encode(r, 3)), [2, 6]);
     }
 
     #[test]

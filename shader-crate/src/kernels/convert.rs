@@ -6,8 +6,8 @@
 //! An invocation takes four consecutive vectors, which is what makes any code width end on whole words; the last takes what
 //! is left. Workgroups have 64 invocations.
 //!
-//! Specialization constant 0 is for callers whose buffers hold whole groups, all that the push constant says: not 0, it
-//! leaves out the lengths and the last group, which are a third of a cheap codec's instructions.
+//! Specialization constant 0 is for callers whose buffers hold whole groups, all that the push constant says. Any value but
+//! 0 leaves out the lengths and the last group, which are a third of a cheap codec's instructions.
 //!
 //! Binding 2 is a table, where the kernel reads one: that of [`best_fit`](crate::best_fit) for `snorm8x3p_encode` and
 //! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose
@@ -40,8 +40,8 @@ struct Group {
 }
 
 impl Group {
-    /// How many of the four there are in buffers of these numbers of words, of those that the host asks for: none, where
-    /// the invocation has nothing to do.
+    /// How many vectors there are from this group on, four or more for a whole group, in buffers of these numbers of words
+    /// and of those that the host asks for: none, where the invocation has nothing to do.
     #[inline(always)]
     fn here<E: Element, W: Codes>(self, words: usize, code_words: usize) -> usize {
         let (first, count) = (self.index * GROUP, self.count);
@@ -65,7 +65,7 @@ fn encode<E: Element, W: Codes, C: Code>(
 ) {
     let here = group.here::<E, W>(input.len(), output.len());
     if here > 0 {
-        // SAFETY: both buffers hold `here`, not 0, of the group's four.
+        // SAFETY: both buffers hold `here` vectors, not 0, from this group on, or with `whole_groups` four, as the caller promised.
         #[allow(unsafe_code)]
         let words = unsafe { E::Four::load(input, group.index, here) };
         let [a, b, c, d] = E::unpack(words);

@@ -69,7 +69,9 @@
 //! * The six axes round-trip exactly. A direction mirrored at a coordinate plane decodes to the mirrored vector,
 //!   exactly, if it does not lie in the plane; with the axes cyclically exchanged, within rounding.
 //! * Good for: the least error that the bits can have, to a few per cent, without a table. Weaknesses: the cost, most
-//!   of all to encode. Neighbouring rows are unrelated, so that codes must not be interpolated.
+//!   of all to encode. Of an encoder's 175 vector instructions on RDNA 2, Newton's step takes some 37, the choice of the
+//!   corner 26 and the distances between neighbours 16. A polynomial in the step's place would have to be good to 3e-4 of
+//!   a lattice step at 24 bits; the best that we found leaves 0.008. Neighbouring rows are unrelated, so that codes must not be interpolated.
 
 use crate::arith::{
     TWO_23, floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32, with_sign,
