@@ -163,6 +163,7 @@ fn glsl_constants_are_the_crates() {
         ("MIN_NORM", unitvec::direction::MIN_NORM),
         ("MAX_NORM", unitvec::direction::MAX_NORM),
         ("MIN_POSITIVE", f32::MIN_POSITIVE),
+        ("2_23", 8_388_608.0),
         ("ONE_AND_A_HALF_2_23", 1.5 * 8_388_608.0),
         ("ANGLES_LEAST_X", 2f32.powi(-40)),
         ("ANGLES_LEAST_Y", 2f32.powi(-61)),

@@ -93,8 +93,10 @@ fn legend(device: &DeviceInfo) -> String {
     format!(
         "compiler: driver {} for {}; nothing was run\n\
          T: inverse throughput, cycles of a compute unit's busiest part for 64 invocations of four vectors; / oct32: T as a \
-         multiple of that of oct32's kernel from GLSL; vector / v: vector instructions a vector; registers: vector \
-         registers; / glsl: instructions as a multiple of those of the kernel from GLSL; -: not told by the driver, or not to be worked out\n\n",
+         multiple of that of oct32's kernel from GLSL\n\
+         vector / v: vector instructions a vector; registers: vector \
+         registers; / glsl: instructions as a multiple of those of the kernel from GLSL\n\
+         -: not told by the driver, or not to be worked out\n\n",
         device.driver, device.name,
     )
 }
