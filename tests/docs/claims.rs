@@ -101,12 +101,12 @@ fn slices_on_a_cpu() {
     let [first, _, last] = slices::ns("decode", "oct32");
     // 16M are limited by memory.
     assert!(last > 1.2 * first && slices::ns("decode", "memcpy12")[2] > 0.8 * last);
-    // What precise encoders take; a table is about as fast as `oct16`, and much faster than `latlong16d`.
-    for (fast, precise, times) in [("oct32", "oct32p", 1.7..2.3), ("oct16", "oct16p", 2.2..2.8)] {
+    // What precise encoders take; a table is nearly as fast as `oct16`, and much faster than `latlong16d`.
+    for (fast, precise, times) in [("oct32", "oct32p", 1.8..3.2), ("oct16", "oct16p", 2.8..4.4)] {
         assert!(times.contains(&(slices::ns("encode", precise)[1] / slices::ns("encode", fast)[1])));
     }
     let table = slices::ns("decode", "latlong16d-table")[1];
-    assert!((table / slices::ns("decode", "oct16")[1] - 1.0).abs() < 0.2);
+    assert!((0.8..1.5).contains(&(table / slices::ns("decode", "oct16")[1])));
     assert!(slices::ns("decode", "latlong16d")[1] > 3.0 * table);
     // meshopt's and normal_pack's encoders profit from short slices.
     for name in ["meshopt8", "meshopt16", "normal_pack"] {
