@@ -132,12 +132,6 @@ vec2 unitvec_nearest_whole(vec2 x) {
     return whole;
 }
 
-// The nearest whole number, ties away from zero.
-float unitvec_round_symmetric(float x) {
-    UNITVEC_PRECISE float position = abs(x) + 0.5;
-    return unitvec_negate_if(unitvec_is_negative(x), floor(position));
-}
-
 // scale: powers of two, and vectors scaled by them.
 
 // 2^-100: angles and parts of a vector of about unit length that are less count as 0.
@@ -930,7 +924,7 @@ vec2 float32x3_to_octn_precise(vec3 v, int n) {
     return e;
 }
 
-// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
+// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target. Ties go up.
 vec3 snorm12x2_to_unorm8x3(vec2 f) {
     UNITVEC_PRECISE vec2 u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
     float high = floor(u.x / 16.0);

@@ -109,12 +109,6 @@ vec2 unitvec_nearest_whole(vec2 x) {
     return whole;
 }
 
-// The nearest whole number, ties away from zero.
-float unitvec_round_symmetric(float x) {
-    UNITVEC_PRECISE float position = abs(x) + 0.5;
-    return unitvec_negate_if(unitvec_is_negative(x), floor(position));
-}
-
 // scale: powers of two, and vectors scaled by them.
 
 // 2^-100: angles and parts of a vector of about unit length that are less count as 0.
@@ -760,8 +754,7 @@ precision highp int;
 // The golden ratio and its reciprocal.
 const float UNITVEC_ICO_GOLDEN = 1.618034;
 const float UNITVEC_ICO_GOLDEN_LESS_1 = 0.618034;
-// The sum of the flat coordinates of (1, 0, 0), and what reflection adds to the sum, of a coordinate of -1.
-const float UNITVEC_ICO_TWICE_GOLDEN_LESS_1 = 1.236068;
+// What reflection adds to the sum of the flat coordinates, for a coordinate of -1.
 const float UNITVEC_ICO_ADDED_BY_REFLECTION = 0.763932;
 
 // Of the cubic that the inverse of the warp starts from.

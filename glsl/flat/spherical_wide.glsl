@@ -106,12 +106,6 @@ vec2 unitvec_nearest_whole(vec2 x) {
     return whole;
 }
 
-// The nearest whole number, ties away from zero.
-float unitvec_round_symmetric(float x) {
-    UNITVEC_PRECISE float position = abs(x) + 0.5;
-    return unitvec_negate_if(unitvec_is_negative(x), floor(position));
-}
-
 // scale: powers of two, and vectors scaled by them.
 
 // 2^-100: angles and parts of a vector of about unit length that are less count as 0.
