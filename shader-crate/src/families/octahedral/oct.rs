@@ -39,7 +39,7 @@
 //! * Good for: almost anything. Weakness: codes jump at the folds, so that they cannot be filtered across `z = 0`.
 
 use super::{fold, unpack, usable_code};
-use crate::arith::{TWO_23, floor, max, min, normalize, snorm_max, with_sign};
+use crate::arith::{TWO_23, exp2, floor, max, min, normalize, snorm_max, with_sign};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
@@ -61,9 +61,17 @@ pub fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
 #[inline(always)]
 fn precise_point(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let p = v.abs() * (m / norm);
+    let p = if m < WIDE { p } else { at_least(p, m * LEAST_PART) };
     let nearest = if m < FEW { searched_corner(p, m) } else { nearest_corner(p, m) };
     let (x, y) = fold(v.z, nearest.x, nearest.y, m);
     Vec2::new(with_sign(x, v.x), with_sign(y, v.y))
+}
+
+/// Components as `least` where they are less: what [`projected`] takes from denormals, which some devices flush, would break
+/// ties.
+#[inline(always)]
+fn at_least(p: Vec3, least: f32) -> Vec3 {
+    Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least))
 }
 
 /// The lattice point that is nearest in angle to the direction of `v`; (0, 0), which is +Z, where it has none.
@@ -169,6 +177,9 @@ fn searched_corner(p: Vec3, m: f32) -> Vec2 {
 
 /// Squares of fewer steps than this (up to 12 bits) are so coarse that [`weighed`] no longer finds the nearest corner.
 const FEW: f32 = 63.0;
+
+/// 2^-26, that of the largest denormal in the shortest usable vector.
+const LEAST_PART: f32 = exp2(-26);
 
 /// Squares of fewer steps than this (14 to 18 bits) take [`weighed`], others (20 to 24 bits) [`approached`].
 const SMALL: f32 = 256.0;
