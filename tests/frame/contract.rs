@@ -23,6 +23,9 @@ for_both! {
     /// Components that are -0 or a denormal count as +0, in tangents of any length.
     negative_zeros_and_denormals_count_as_zero
 
+    /// The same in normals, which lie between two lattice points.
+    denormals_break_no_ties_of_normals
+
     /// Frames along the axes come back exactly, all 48 of them. That of +Z, +X and +1 is code 0.
     keeps_the_axes
 
@@ -117,6 +120,22 @@ mod check {
                     check(Vec3::new(a, tiny, b), Vec3::new(a, 0.0, b));
                     check(Vec3::new(a, b, tiny), Vec3::new(a, b, 0.0));
                     check(Vec3::new(tiny, tiny, b), Vec3::new(0.0, 0.0, b));
+                }
+            }
+        }
+    }
+
+    pub fn denormals_break_no_ties_of_normals<F: Checked>() {
+        let m = ((1u32 << (F::FORMAT.normal_bits / 2 - 1)) - 1) as f32;
+        let code = |normal| number::<F>(Frame { normal, tangent: Vec3::Y, handedness: 1.0 });
+        for k in (0..m as u32).step_by(m as usize / 1000 + 1) {
+            let (a, b) = ((k as f32 + 0.5) / m, (m - k as f32 - 0.5) / m);
+            for tiny in [-0.0, -1e-40, 1e-40, f32::from_bits(1), -f32::MIN_POSITIVE.next_down()] {
+                for scale in [1.0, 10.0 / 3.0, 2.0 * MIN_NORM] {
+                    let of = |t: f32| [Vec3::new(a, b, t), Vec3::new(a, t, b), Vec3::new(t, a, b)];
+                    for (with, without) in of(tiny / scale).into_iter().zip(of(0.0)) {
+                        assert_eq!(code(with * scale), code(without * scale), "{with:?} {scale}");
+                    }
                 }
             }
         }
