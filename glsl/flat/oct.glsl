@@ -867,6 +867,9 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
+    // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
+    // break ties.
+    if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
     // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
     vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
     return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));

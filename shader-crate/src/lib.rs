@@ -49,7 +49,7 @@
 //! | finer than 32 bits | [`OctPrecise48`] | 48 | 4.80e-6 / 1.15e-5 | 9.0 / 4.5 |
 //! |  | [`OctPrecise52`] | 52 | 1.08e-6 / 4.09e-6 | 24.0 / 4.5 |
 //! | a normal with its tangent | [`Frame32`] | 32 | normal 0.0391 / 0.0787, tangent 0.180 / 0.359 | 7.2 / 3.5 |
-//! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | 8.4 / 3.6 |
+//! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | 8.5 / 3.6 |
 //! <!-- end -->
 //!
 //! Cost is what the compiler of an RDNA 2 GPU makes of it (inverse throughput), as a multiple of `oct32`'s. Types named
