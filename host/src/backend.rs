@@ -1,6 +1,7 @@
 //! Three ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust or from GLSL.
 
 use crate::catalogue::{CodecInfo, Coding, Format, Operation, best_fit_table};
+use crate::imprecise::{self, Model};
 use crate::modules::Modules;
 use crate::vulkan::{Device, Kernel, Runner, Table};
 use crate::{Result, glsl, manifest, sampling};
@@ -119,6 +120,20 @@ impl KernelSource {
         self.load(runner, &format.function(operation), table, |compiler| compiler.kernel(format, operation))
     }
 
+    /// The same kernel, computing as a device of this model does.
+    fn imprecise_kernel(
+        &self,
+        runner: &Runner,
+        format: Format,
+        operation: Operation,
+        table: Option<&Table>,
+        (model, seed): (Model, u32),
+    ) -> Result<Kernel> {
+        let name = format.function(operation);
+        let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
+        Ok(runner.kernel(&imprecise::rewrite(&module, &name, model, seed)?, entry_point, table)?)
+    }
+
     /// The kernel that decodes two-byte codes by `table`, of the vectors of all codes.
     ///
     /// # Errors
@@ -135,9 +150,19 @@ impl KernelSource {
         table: Option<&Table>,
         compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
     ) -> Result<Kernel> {
+        let (module, entry_point) = self.module(name, compile)?;
+        Ok(runner.kernel(&module, entry_point, table)?)
+    }
+
+    /// The module of the kernel with this name, and its entry point.
+    fn module<'a>(
+        &self,
+        name: &'a str,
+        compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
+    ) -> Result<(Cow<'static, [u8]>, &'a str)> {
         Ok(match self {
-            Self::Rust(modules) => runner.kernel(&modules.load(name)?, name, table)?,
-            Self::Glsl(compiler) => runner.kernel(&compile(compiler)?, glsl::ENTRY_POINT, table)?,
+            Self::Rust(modules) => (modules.load(name)?, name),
+            Self::Glsl(compiler) => (Cow::Owned(compile(compiler)?), glsl::ENTRY_POINT),
         })
     }
 
@@ -150,12 +175,16 @@ impl KernelSource {
     }
 }
 
+/// What a kernel is for: a codec, an operation, and a model with its seed.
+type Key = (&'static str, Operation, Option<(Model, u32)>);
+
 /// Kernels on a Vulkan device.
 pub struct Gpu {
     runner: Runner,
     source: KernelSource,
-    kernels: HashMap<(&'static str, Operation), Kernel>,
+    kernels: HashMap<Key, Kernel>,
     best_fit_table: Option<Table>,
+    model: Option<(Model, u32)>,
 }
 
 impl Gpu {
@@ -165,7 +194,17 @@ impl Gpu {
     /// A failed Vulkan call.
     pub fn new(device: &Arc<Device>, source: KernelSource, fill_output: bool) -> Result<Self> {
         let runner = Runner::new(device, CHUNK, fill_output)?;
-        Ok(Self { runner, source, kernels: HashMap::new(), best_fit_table: None })
+        Ok(Self { runner, source, kernels: HashMap::new(), best_fit_table: None, model: None })
+    }
+
+    /// From here on, computes as a device of this model and seed does; as the device itself does, without one.
+    pub fn compute_as(&mut self, model: Option<(Model, u32)>) {
+        self.model = model;
+    }
+
+    /// Frees the kernels, which are made again when they are needed.
+    pub fn forget_kernels(&mut self) {
+        self.kernels.clear();
     }
 
     fn run(
@@ -179,11 +218,15 @@ impl Gpu {
         if count == 0 {
             return Ok(());
         }
-        let key = (format.id, operation);
+        let key = (format.id, operation, self.model);
         if !self.kernels.contains_key(&key) {
             let by_table = operation == Operation::Encode && format.encodes_by_table;
             let table = if by_table { Some(self.best_fit_table()?) } else { None };
-            let kernel = self.source.kernel(&self.runner, format, operation, table.as_ref())?;
+            let (source, runner, table) = (&self.source, &self.runner, table.as_ref());
+            let kernel = match self.model {
+                None => source.kernel(runner, format, operation, table)?,
+                Some(model) => source.imprecise_kernel(runner, format, operation, table, model)?,
+            };
             self.kernels.insert(key, kernel);
         }
         self.runner.run(&self.kernels[&key], count, input, output)?;

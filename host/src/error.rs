@@ -1,5 +1,5 @@
 use crate::isa::radv;
-use crate::{catalogue, glsl, input, mesh, modules, vulkan};
+use crate::{catalogue, glsl, imprecise, input, mesh, modules, vulkan};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -24,6 +24,9 @@ pub enum Error {
     /// See [`radv::Error`].
     #[error(transparent)]
     Radv(#[from] radv::Error),
+    /// See [`imprecise::Error`].
+    #[error(transparent)]
+    Imprecise(#[from] imprecise::Error),
     /// See [`mesh::MeshError`].
     #[error(transparent)]
     Mesh(#[from] mesh::MeshError),

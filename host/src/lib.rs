@@ -5,6 +5,7 @@
 //! * [`modules`] and [`glsl`]: where kernels come from; [`manifest`] describes the former.
 //! * [`backend`]: the three ways to run a codec, behind one trait.
 //! * [`conform`]: shows that they agree. [`sampling`] and [`measure`] make its inputs and errors.
+//! * [`imprecise`]: what the codecs do on devices that round as badly as Vulkan allows.
 //! * [`textbook`]: what people write today, to measure against.
 //! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`isa`]: what compilers make of the
 //!   kernels. [`choose`]: what to take.
@@ -20,6 +21,7 @@ pub mod choose;
 pub mod conform;
 mod error;
 pub mod glsl;
+pub mod imprecise;
 pub mod input;
 pub mod isa;
 pub mod loss;
@@ -32,6 +34,7 @@ pub mod sampling;
 pub mod stream;
 pub mod textbook;
 pub mod vulkan;
+mod workers;
 
 pub use error::{Error, Result};
 pub use unitvec_catalogue as catalogue;

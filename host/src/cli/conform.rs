@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind, Gpu, KernelSource};
 use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row};
+use unitvec_host::imprecise::Model;
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, glsl, mesh, output};
 
@@ -14,26 +15,53 @@ use unitvec_host::{Error, Result, glsl, mesh, output};
 pub struct Arguments {
     /// Codec to run, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID")]
-    codec: Vec<String>,
+    pub codec: Vec<String>,
     /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded; 2^18 if not
     /// given, 10^6 with --exhaustive.
     #[arg(long, value_name = "N", value_parser = counts())]
-    count: Option<u64>,
+    pub count: Option<u64>,
     /// Decode all codes of up to 24 bits instead of up to 16. Takes several times as long.
     #[arg(long)]
-    exhaustive: bool,
+    pub exhaustive: bool,
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
-    seed: u64,
+    pub seed: u64,
+    #[command(flatten)]
+    pub imprecise: Imprecise,
     /// Write the report as JSON as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    pub json: Option<PathBuf>,
     #[command(flatten)]
-    wide: Wide,
+    pub wide: Wide,
     #[command(flatten)]
-    vulkan: Vulkan,
+    pub vulkan: Vulkan,
     /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given.
     mesh: Vec<PathBuf>,
+}
+
+/// Devices that round as badly as Vulkan allows.
+#[derive(Args)]
+pub struct Imprecise {
+    /// Run on devices that round as badly as Vulkan allows: kernels rewritten so that quotients and square roots are off,
+    /// denormals are flushed, or sums are truncated. Differences are held against their bounds, and each code has to come back
+    /// from any two devices.
+    #[arg(long, conflicts_with = "mesh")]
+    pub imprecise: bool,
+    /// A kind of device; may be given again. All of them if not given.
+    #[arg(long, value_name = "MODEL", requires = "imprecise")]
+    pub model: Vec<Model>,
+    /// Number of seeds, from --seed on; each is a run of its own.
+    #[arg(long, value_name = "N", requires = "imprecise", default_value_t = 1, value_parser = counts())]
+    pub seeds: u64,
+    /// Write the table as CSV as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE", requires = "imprecise")]
+    pub csv: Option<PathBuf>,
+}
+
+impl Arguments {
+    pub fn all_codes_up_to(&self) -> u32 {
+        if self.exhaustive { 24 } else { 16 }
+    }
 }
 
 /// The mesh that ships with the program.
@@ -47,12 +75,15 @@ const EXHAUSTIVE_COUNT: u64 = 1_000_000;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let formats = chosen_formats(&arguments.codec)?;
+    if arguments.imprecise.imprecise {
+        return super::imprecise::run(arguments, formats);
+    }
     let default_count = if arguments.exhaustive { EXHAUSTIVE_COUNT } else { COUNT };
     let options = Options {
         count: arguments.count.unwrap_or(default_count) as usize,
         seed: arguments.seed,
         normals: normals(&arguments.mesh)?,
-        all_codes_up_to: if arguments.exhaustive { 24 } else { 16 },
+        all_codes_up_to: arguments.all_codes_up_to(),
     };
     let device = arguments.vulkan.device()?;
     let open = || {

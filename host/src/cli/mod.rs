@@ -8,6 +8,7 @@ mod conform;
 mod convert;
 mod devices;
 mod error;
+mod imprecise;
 mod isa;
 mod progress;
 mod summary;

@@ -3,17 +3,16 @@
 
 mod plan;
 mod rounding;
-mod workers;
 
 pub use plan::Plan;
 pub use rounding::Rounding;
-pub use workers::run;
 
 use crate::Result;
 use crate::backend::{Backend, BackendKind, Cpu};
 use crate::catalogue::{Element, Format, Operation};
 use crate::measure::ElementErrors;
 use crate::vulkan::DeviceInfo;
+use crate::workers;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -121,6 +120,20 @@ impl Row {
             }
         }
     }
+}
+
+/// Runs all plans, on several threads. `open` opens the backends of a thread; `progress` is told the work done since it was
+/// last called, and `each` the rows, in the plans' order.
+///
+/// # Errors
+/// The first error of a thread or of `each`. Mismatches are no error: they are in the rows.
+pub fn run(
+    plans: Vec<Plan<'_>>,
+    open: impl Fn() -> Result<Backends> + Sync,
+    progress: &mut dyn FnMut(u64),
+    each: &mut dyn FnMut(Row) -> Result<()>,
+) -> Result<()> {
+    workers::run(plans, open, Plan::run, progress, each)
 }
 
 /// Runs one codec on the CPU and on each backend, and counts what differs.

@@ -1,6 +1,5 @@
 //! Codecs on several threads, so that one codec's kernels are compiled and run while another's results are compared.
 
-use super::{Backends, Plan, Row};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError, mpsc};
@@ -10,7 +9,7 @@ use std::{iter, thread, vec};
 const MAX_THREADS: usize = 4;
 
 /// What a thread tells.
-enum Message {
+enum Message<Row> {
     /// So much work more is done.
     Done(u64),
     /// The plan of this index is done.
@@ -20,16 +19,17 @@ enum Message {
 }
 
 /// Plans that no thread has begun, by index.
-type Queue<'a> = Mutex<iter::Enumerate<vec::IntoIter<Plan<'a>>>>;
+type Queue<Plan> = Mutex<iter::Enumerate<vec::IntoIter<Plan>>>;
 
-/// Runs all plans. `open` opens the backends of a thread; `progress` is told the work done since it was last called, and
-/// `each` the rows, in the plans' order.
+/// Runs all plans. `open` opens the backends of a thread, which `work` runs a plan with; `progress` is told the work done
+/// since it was last called, and `each` the rows, in the plans' order.
 ///
 /// # Errors
-/// The first error of a thread or of `each`. Mismatches are no error: they are in the rows.
-pub fn run(
-    plans: Vec<Plan<'_>>,
+/// The first error of a thread or of `each`.
+pub(crate) fn run<Plan: Send, Backends, Row: Send>(
+    plans: Vec<Plan>,
     open: impl Fn() -> Result<Backends> + Sync,
+    work: impl Fn(Plan, &mut Backends, &mut dyn FnMut(u64)) -> Result<Row> + Sync,
     progress: &mut dyn FnMut(u64),
     each: &mut dyn FnMut(Row) -> Result<()>,
 ) -> Result<()> {
@@ -40,7 +40,7 @@ pub fn run(
     thread::scope(|scope| {
         for _ in 0..threads {
             let sender = sender.clone();
-            scope.spawn(|| work_off(&queue, &open, sender));
+            scope.spawn(|| work_off(&queue, &open, &work, sender));
         }
         drop(sender);
         let result = collect(receiver, progress, each);
@@ -50,12 +50,17 @@ pub fn run(
     })
 }
 
-fn next<'a>(queue: &Queue<'a>) -> Option<(usize, Plan<'a>)> {
+fn next<Plan>(queue: &Queue<Plan>) -> Option<(usize, Plan)> {
     queue.lock().unwrap_or_else(PoisonError::into_inner).next()
 }
 
 /// What a thread does: one plan after the other, whichever is next.
-fn work_off(queue: &Queue<'_>, open: &impl Fn() -> Result<Backends>, sender: mpsc::Sender<Message>) {
+fn work_off<Plan, Backends, Row>(
+    queue: &Queue<Plan>,
+    open: &impl Fn() -> Result<Backends>,
+    work: &impl Fn(Plan, &mut Backends, &mut dyn FnMut(u64)) -> Result<Row>,
+    sender: mpsc::Sender<Message<Row>>,
+) {
     // Sending fails where an error has ended the run and the receiver is gone: then nobody wants to know.
     let mut backends = match open() {
         Ok(backends) => backends,
@@ -66,14 +71,14 @@ fn work_off(queue: &Queue<'_>, open: &impl Fn() -> Result<Backends>, sender: mps
     };
     while let Some((index, plan)) = next(queue) {
         let mut progress = |done| drop(sender.send(Message::Done(done)));
-        let row = plan.run(&mut backends, &mut progress);
+        let row = work(plan, &mut backends, &mut progress);
         let _ = sender.send(Message::Row(index, row.map(Box::new)));
     }
 }
 
 /// Hands rows on in their order, until the threads have ended or one has met an error.
-fn collect(
-    receiver: mpsc::Receiver<Message>,
+fn collect<Row>(
+    receiver: mpsc::Receiver<Message<Row>>,
     progress: &mut dyn FnMut(u64),
     each: &mut dyn FnMut(Row) -> Result<()>,
 ) -> Result<()> {

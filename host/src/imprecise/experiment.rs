@@ -1,0 +1,222 @@
+//! What one codec does on devices of each model.
+
+use super::{Model, Options, Outcome, Row, error_bounds, merged};
+use crate::Result;
+use crate::backend::{Backend, BackendKind, CHUNK, Cpu, Gpu};
+use crate::catalogue::{Element, Format};
+use crate::sampling;
+use std::collections::BTreeMap;
+use unitvec::angle_deg;
+
+/// Kernels on a device, by their source.
+pub type Gpus = BTreeMap<BackendKind, Gpu>;
+
+/// Runs one codec with all seeds.
+///
+/// # Errors
+/// What the devices meet.
+pub fn run(format: Format, options: &Options, gpus: &mut Gpus, progress: &mut dyn FnMut(u64)) -> Result<Row> {
+    let mut rows = BTreeMap::new();
+    let sources = gpus.len() as u64;
+    for (kind, gpu) in gpus {
+        let mut row = Row {
+            id: format.id.to_owned(),
+            elements: 0,
+            codes: 0,
+            models: options.models.iter().map(|model| (*model, Outcome::default())).collect(),
+            unstable: BTreeMap::new(),
+        };
+        for seed in &options.seeds {
+            let mut run = Run { format, options, seed: *seed, gpu, row: &mut row };
+            run.special_elements()?;
+            let random = sampling::random_elements(format.element, format.domain, *seed);
+            let floats = format.element.floats();
+            sampling::in_chunks(random, options.count * floats, CHUNK * floats, |elements| {
+                run.random_elements(elements)
+            })?;
+            let count = options.codes(format) as usize;
+            let codes: Box<dyn Iterator<Item = u64>> = if format.bits <= options.all_codes_up_to {
+                Box::new(0..)
+            } else {
+                Box::new(sampling::random_codes(*seed))
+            };
+            sampling::in_chunks(codes, count, CHUNK, |codes| run.codes(codes))?;
+            progress(options.work(format) / options.seeds.len() as u64 / sources);
+        }
+        gpu.forget_kernels();
+        rows.insert(*kind, row);
+    }
+    // There is a row for each source, and one source at least.
+    Ok(merged(rows).unwrap_or_else(|| unreachable!("no source of kernels")))
+}
+
+/// One codec, seed and source of kernels.
+struct Run<'a> {
+    format: Format,
+    options: &'a Options,
+    seed: u64,
+    gpu: &'a mut Gpu,
+    row: &'a mut Row,
+}
+
+impl Run<'_> {
+    fn random_elements(&mut self, elements: &[f32]) -> Result<()> {
+        self.row.elements += (elements.len() / self.format.element.floats()) as u64;
+        let codes = self.encode_on_all(elements, |differ, error| Outcome {
+            codes_differ: differ,
+            error,
+            ..Outcome::default()
+        })?;
+        self.decode_on_all(&codes, false)
+    }
+
+    fn special_elements(&mut self) -> Result<()> {
+        let special = sampling::special_elements(self.format.element);
+        let outcome = |differ, _| Outcome { special_differ: differ, ..Outcome::default() };
+        self.encode_on_all(special, outcome).map(drop)
+    }
+
+    fn codes(&mut self, codes: &[u64]) -> Result<()> {
+        let bytes = self.format.bytes;
+        let codes: Vec<u8> =
+            codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(bytes)).collect();
+        // Where these are all codes, other seeds had the same.
+        let is_first = self.options.seeds.first() == Some(&self.seed);
+        self.decode_on_all(&codes, !is_first && self.format.bits <= self.options.all_codes_up_to)
+    }
+
+    /// Encodes elements on each device, and notes the number of codes that differ from the CPU's, which it returns, and
+    /// the largest error of these, as a part of the bound.
+    fn encode_on_all(&mut self, elements: &[f32], outcome: impl Fn(u64, f64) -> Outcome) -> Result<Vec<u8>> {
+        let format = self.format;
+        let mut expected = vec![0; elements.len() / format.element.floats() * format.bytes];
+        Cpu.encode(format, elements, &mut expected)?;
+        let mut codes = expected.clone();
+        let bounds = error_bounds(format);
+        for model in &self.options.models {
+            self.encode(Some(*model), elements, &mut codes)?;
+            let (differ, decoded) = self.decoded_where_different(elements, &codes, &expected)?;
+            let errors = angles(format.element, differ.as_slice(), &decoded);
+            let parts = errors.flat_map(|angles| [angles[0] / bounds[0], angles[1] / bounds[1]]);
+            let worst = parts.fold(0.0, f64::max);
+            let count = differ.len() / format.element.floats();
+            self.row.models.entry(*model).or_default().add(outcome(count as u64, worst));
+        }
+        Ok(expected)
+    }
+
+    /// The elements whose codes differ from those expected, and what these codes are decoded to.
+    fn decoded_where_different(
+        &self,
+        elements: &[f32],
+        codes: &[u8],
+        expected: &[u8],
+    ) -> Result<(Vec<f32>, Vec<f32>)> {
+        let format = self.format;
+        let pairs = codes.chunks_exact(format.bytes).zip(expected.chunks_exact(format.bytes));
+        let all = elements.chunks_exact(format.element.floats()).zip(pairs);
+        let (mut differ, mut different) = (Vec::new(), Vec::new());
+        for (element, (code, _)) in all.filter(|(_, (code, expected))| code != expected) {
+            differ.extend_from_slice(element);
+            different.extend_from_slice(code);
+        }
+        let mut decoded = vec![0.0; differ.len()];
+        Cpu.decode(format, &different, &mut decoded)?;
+        Ok((differ, decoded))
+    }
+
+    /// Decodes codes on each device, and encodes on each what each decoded. Of codes that another seed had, only what
+    /// depends on the seed.
+    fn decode_on_all(&mut self, codes: &[u8], are_repeated: bool) -> Result<()> {
+        let format = self.format;
+        self.row.codes += (codes.len() / format.bytes) as u64;
+        let mut expected = vec![0.0; codes.len() / format.bytes * format.element.floats()];
+        Cpu.decode(format, codes, &mut expected)?;
+        let mut devices = vec![(None, expected.clone())];
+        for model in &self.options.models {
+            let mut decoded = vec![0.0; expected.len()];
+            self.decode(Some(*model), codes, &mut decoded)?;
+            let differences = decoded.iter().zip(&expected);
+            let differences = differences.map(|(a, b)| (f64::from(*a) - f64::from(*b)).abs());
+            let angles = angles(format.element, &decoded, &expected);
+            self.row.models.entry(*model).or_default().add(Outcome {
+                component_ulp: differences.fold(0.0, f64::max) * f64::from(1 << 24),
+                angle_deg: angles.flatten().fold(0.0, f64::max),
+                ..Outcome::default()
+            });
+            if model.rounds_to_nearest() {
+                devices.push((Some(*model), decoded));
+            }
+        }
+        self.stability(&devices, &expected, codes.len(), are_repeated)
+    }
+
+    /// Encodes on each device what each device decoded, and notes the codes that do not come back as `expected`. Codes that
+    /// do not come back from the CPU alone do not count.
+    fn stability(
+        &mut self,
+        devices: &[(Option<Model>, Vec<f32>)],
+        expected: &[f32],
+        bytes: usize,
+        are_repeated: bool,
+    ) -> Result<()> {
+        let floats = self.format.element.floats();
+        let mut codes = vec![0; bytes];
+        let mut again = vec![0.0; expected.len()];
+        let mut comes_back = vec![true; expected.len() / floats];
+        for (encoder, _) in devices {
+            for (decoder, decoded) in devices {
+                let is_exact = encoder.is_none() && decoder.is_none();
+                if are_repeated && !is_exact && ![encoder, decoder].contains(&&Some(Model::Bits)) {
+                    continue;
+                }
+                self.encode(*encoder, decoded, &mut codes)?;
+                Cpu.decode(self.format, &codes, &mut again)?;
+                let pairs = again.chunks_exact(floats).zip(expected.chunks_exact(floats));
+                let equal = pairs.map(|(again, expected)| !bits_differ(again, expected));
+                if is_exact {
+                    comes_back = equal.collect();
+                    continue;
+                }
+                let lost =
+                    equal.zip(&comes_back).filter(|(equal, comes_back)| **comes_back && !equal).count();
+                if lost > 0 {
+                    let pair = format!("{} to {}", name(*decoder), name(*encoder));
+                    *self.row.unstable.entry(pair).or_default() += lost as u64;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// On a device of this model; on the CPU without one.
+    fn encode(&mut self, model: Option<Model>, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        let Some(model) = model else { return Cpu.encode(self.format, elements, codes) };
+        self.gpu.compute_as(Some((model, self.seed as u32)));
+        self.gpu.encode(self.format, elements, codes)
+    }
+
+    fn decode(&mut self, model: Option<Model>, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+        let Some(model) = model else { return Cpu.decode(self.format, codes, elements) };
+        self.gpu.compute_as(Some((model, self.seed as u32)));
+        self.gpu.decode(self.format, codes, elements)
+    }
+}
+
+fn name(model: Option<Model>) -> String {
+    model.map_or_else(|| "exact".to_owned(), |model| model.to_string())
+}
+
+fn bits_differ(a: &[f32], b: &[f32]) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.to_bits() != b.to_bits())
+}
+
+/// The angles between elements, degrees: of vectors, and 0; of normals, and of tangents.
+fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = [f64; 2]> + 'a {
+    let vector = |of: &[f32], at: usize| [of[at], of[at + 1], of[at + 2]];
+    let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
+    pairs.map(move |(a, b)| {
+        let angle = |at| if bits_differ(a, b) { angle_deg(vector(a, at), vector(b, at)) } else { 0.0 };
+        [angle(0), if element == Element::Frame { angle(3) } else { 0.0 }]
+    })
+}

@@ -1,0 +1,64 @@
+//! What a device may do where Vulkan does not say which of several results is right.
+
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// How a device computes. All that a model does not name is as on the CPU.
+///
+/// Source: Vulkan specification, appendix "Vulkan Environment for SPIR-V", "Precision of Individual Operations" and
+/// "Denormalized values".
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Model {
+    /// All quotients and square roots are too large, by as much as the specification allows.
+    Up,
+    /// All are too small, by as much.
+    Down,
+    /// Quotients are too large and square roots too small, by as much: so is the inverse of a length too large.
+    UpDown,
+    /// Quotients are too small and square roots too large, by as much.
+    DownUp,
+    /// Quotients and square roots are off by a number of ULP that the bits of the operands and the seed choose, either way
+    /// and at most by as much.
+    Bits,
+    /// Denormals are flushed to zero, of their sign, before and after every operation.
+    Flush,
+    /// Sums, products and conversions to float are rounded toward zero, which the specification allows as well.
+    Truncate,
+}
+
+impl Model {
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Up, Self::Down, Self::UpDown, Self::DownUp, Self::Bits, Self::Flush, Self::Truncate];
+
+    /// True where sums are rounded to nearest, which encoders rely on: `unitvec conform` refuses a device that does not.
+    pub fn rounds_to_nearest(self) -> bool {
+        self != Self::Truncate
+    }
+
+    /// True for those that round quotients and square roots as the CPU does.
+    pub fn divides_exactly(self) -> bool {
+        !matches!(self, Self::Up | Self::Down | Self::UpDown | Self::DownUp | Self::Bits)
+    }
+}
+
+impl fmt::Display for Model {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        // No value is skipped.
+        f.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
+    }
+}
+
+/// ULP by which [`Model::Up`] moves a quotient that is rounded to nearest: it may be off by 2.5 ULP, and half a ULP is
+/// spent already.
+pub const QUOTIENT_ULP: u32 = 2;
+
+/// The same for square roots whose significand is 1 or more. A square root may be off as `1 / inversesqrt(x)` is: by 2 ULP
+/// of the inverse and 2.5 ULP of the quotient. The inverse of a root with the significand s has the significand 2 / s, so
+/// that 2 ULP of the inverse change the root by s^2 ULP, which is 1 at least. Half a ULP is spent already.
+pub const ROOT_ULP: u32 = 3;
+
+/// Significands s from which a square root may be off by one ULP more: s^2 reaches 2, and 3.
+pub const ROOT_STEPS: [f32; 2] = [std::f32::consts::SQRT_2, 1.732_050_9];
