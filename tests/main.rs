@@ -22,6 +22,8 @@ mod frame;
 mod glsl;
 mod hemioct;
 mod ico;
+#[cfg(feature = "glsl")]
+mod imprecise;
 mod isa;
 mod latlong;
 mod list;

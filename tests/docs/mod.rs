@@ -7,6 +7,7 @@ pub mod accuracy;
 mod claims;
 pub mod costs;
 mod flat;
+mod imprecise;
 mod prose;
 mod slices;
 mod tables;

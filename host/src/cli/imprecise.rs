@@ -2,13 +2,14 @@ use super::conform::Arguments;
 use super::table::{Layout, left, right, wrapped};
 use super::{print, progress, status_after_validation, to_csv, to_json};
 use serde::Serialize;
+use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_host::backend::{BackendKind, Gpu, KernelSource};
 use unitvec_host::catalogue::{Format, find_format};
 use unitvec_host::conform::Rounding;
-use unitvec_host::imprecise::{self, Bounds, Gpus, Model, Options, Row};
+use unitvec_host::imprecise::{self, Bounds, Gpus, Model, Options, Row, Summary};
 use unitvec_host::vulkan::{Device, DeviceInfo};
 use unitvec_host::{Result, glsl, output};
 
@@ -48,9 +49,9 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
         bar.set_message(row.id.clone());
         let bounds = Bounds::of(find_format(&row.id)?);
         let objections = row.objections(&bounds);
-        let line = Line::new(&row, &bounds);
+        let line = Summary::new(&row, &bounds);
         if !to_stdout {
-            bar.suspend(|| print(&line.text(&table, &objections, columns)))?;
+            bar.suspend(|| print(&text(&line, &table, &objections, columns)))?;
         }
         if !objections.is_empty() {
             failed.push(row.id.clone());
@@ -113,61 +114,15 @@ fn truncation_is_seen(options: &Options, mut gpus: Gpus) -> Result<bool> {
     Ok(true)
 }
 
-/// What the table tells of a codec: the worst of all models that round sums to nearest, and the codes that differ on
-/// devices that truncate.
-#[derive(Serialize)]
-struct Line {
-    id: String,
-    elements: u64,
-    codes_differ: u64,
-    codes_differ_at_most: Option<u64>,
-    codes_differ_truncated: u64,
-    codes: u64,
-    component_ulp: f64,
-    component_ulp_at_most: f64,
-    angle_deg: f64,
-    angle_deg_at_most: f64,
-    codes_lost: u64,
-    is_stable: bool,
-}
-
-impl Line {
-    fn new(row: &Row, bounds: &Bounds) -> Self {
-        let worst = |value: fn(&imprecise::Outcome) -> f64| {
-            let nearest = row.models.iter().filter(|(model, _)| model.rounds_to_nearest());
-            nearest.map(|(_, outcome)| value(outcome)).fold(0.0, f64::max)
-        };
-        let (component_ulp_at_most, angle_deg_at_most) = bounds.decoded();
-        Self {
-            id: row.id.clone(),
-            elements: row.elements,
-            codes_differ: worst(|outcome| outcome.codes_differ as f64) as u64,
-            codes_differ_at_most: bounds.codes_differ(row.elements),
-            codes_differ_truncated: row
-                .models
-                .get(&Model::Truncate)
-                .map_or(0, |outcome| outcome.codes_differ),
-            codes: row.codes,
-            component_ulp: worst(|outcome| outcome.component_ulp),
-            component_ulp_at_most,
-            angle_deg: worst(|outcome| outcome.angle_deg),
-            angle_deg_at_most,
-            codes_lost: row.unstable.values().copied().max().unwrap_or(0),
-            is_stable: bounds.is_stable,
-        }
-    }
-
-    fn text(&self, table: &Layout, objections: &[String], columns: Option<usize>) -> String {
-        let most = self.codes_differ_at_most.map_or_else(|| "-".to_owned(), |most| most.to_string());
-        let (ulp, ulp_most) =
-            (format!("{:.0}", self.component_ulp), format!("{:.0}", self.component_ulp_at_most));
-        let [angle, angle_most] =
-            [self.angle_deg, self.angle_deg_at_most].map(|angle| format!("{angle:.1e}"));
-        let cells: [&dyn std::fmt::Display; 8] =
-            [&self.id, &self.codes_differ, &most, &ulp, &ulp_most, &angle, &angle_most, &self.codes_lost];
-        let objections = objections.iter().map(|text| wrapped(&format!("    {text}\n"), "        ", columns));
-        table.line(&cells) + &objections.collect::<String>()
-    }
+/// A codec's line of the table, and what speaks against it.
+fn text(line: &Summary, table: &Layout, objections: &[String], columns: Option<usize>) -> String {
+    let most = line.codes_differ_at_most.map_or_else(|| "-".to_owned(), |most| most.to_string());
+    let [ulp, ulp_most] = [line.component_ulp, line.component_ulp_at_most].map(|ulp| format!("{ulp:.0}"));
+    let [angle, angle_most] = [line.angle_deg, line.angle_deg_at_most].map(|angle| format!("{angle:.1e}"));
+    let cells: [&dyn Display; 8] =
+        [&line.id, &line.codes_differ, &most, &ulp, &ulp_most, &angle, &angle_most, &line.codes_lost];
+    let objections = objections.iter().map(|text| wrapped(&format!("    {text}\n"), "        ", columns));
+    table.line(&cells) + &objections.collect::<String>()
 }
 
 fn table(columns: Option<usize>) -> Layout {

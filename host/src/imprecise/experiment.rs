@@ -181,7 +181,7 @@ impl Run<'_> {
                 let lost =
                     equal.zip(&comes_back).filter(|(equal, comes_back)| **comes_back && !equal).count();
                 if lost > 0 {
-                    let pair = format!("{} to {}", name(*decoder), name(*encoder));
+                    let pair = format!("from {} to {}", name(*decoder), name(*encoder));
                     *self.row.unstable.entry(pair).or_default() += lost as u64;
                 }
             }

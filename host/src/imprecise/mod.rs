@@ -5,11 +5,13 @@ mod bounds;
 mod experiment;
 mod model;
 mod rewrite;
+mod summary;
 
 pub use bounds::Bounds;
 pub use experiment::Gpus;
 pub use model::Model;
 pub use rewrite::{Error, rewrite};
+pub use summary::Summary;
 
 use crate::backend::BackendKind;
 use crate::catalogue::{Format, find, find_frame};
@@ -105,8 +107,13 @@ impl Row {
                 .into_iter()
                 .map(move |text| format!("{model}: {text}"))
         });
-        let unstable = self.unstable.iter().filter(|_| bounds.is_stable);
-        let unstable = unstable.map(|(pair, count)| format!("{pair}: {count} codes do not come back"));
+        let worst = self.unstable.iter().max_by_key(|(_, count)| **count).filter(|_| bounds.is_stable);
+        let unstable = worst.map(|(pair, count)| {
+            format!(
+                "{count} codes do not come back {pair}; nor do codes from {} more pairs",
+                self.unstable.len() - 1
+            )
+        });
         outcomes.chain(unstable).collect()
     }
 }

@@ -157,10 +157,7 @@ fn meaning(instruction: &Instruction) -> Meaning {
 }
 
 fn extended(instruction: &Instruction) -> Meaning {
-    let Some(Operand::LiteralExtInstInteger(number)) = instruction.operands.get(1) else {
-        return Meaning::NotModelled;
-    };
-    match GLOp::from_u32(*number) {
+    match extended_operation(instruction) {
         Some(GLOp::Sqrt) => Meaning::Arithmetic(Function::SquareRoot),
         Some(
             GLOp::FAbs
@@ -190,6 +187,21 @@ fn extended(instruction: &Instruction) -> Meaning {
     }
 }
 
+/// The operation of an instruction of GLSL.std.450, the one extended set that kernels import.
+fn extended_operation(instruction: &Instruction) -> Option<GLOp> {
+    match instruction.operands.get(1) {
+        Some(Operand::LiteralExtInstInteger(number)) => GLOp::from_u32(*number),
+        _ => None,
+    }
+}
+
+fn name(instruction: &Instruction) -> String {
+    match extended_operation(instruction) {
+        Some(operation) => format!("{operation:?}"),
+        None => format!("{:?}", instruction.class.opcode),
+    }
+}
+
 struct Rewriter {
     globals: Globals,
     types: Types,
@@ -211,7 +223,7 @@ impl Rewriter {
                     let function = function.is_changed_by(self.model).then_some(function);
                     self.operation(instruction, function, &mut rewritten);
                 }
-                Meaning::NotModelled => return Err(format!("{:?}", instruction.class.opcode)),
+                Meaning::NotModelled => return Err(name(&instruction)),
             }
         }
         block.instructions = rewritten;

@@ -1,0 +1,58 @@
+//! What codecs do on devices that round as badly as Vulkan allows: docs/data/imprecise.csv, which
+//! `unitvec conform --imprecise --seeds 8 --csv docs/data/imprecise.csv` writes.
+
+use std::fmt::Write;
+use unitvec_host::catalogue::{find_format, formats};
+use unitvec_host::imprecise::{Bounds, Summary};
+use unitvec_tests::repository;
+
+/// Random elements of a codec: eight seeds.
+const ELEMENTS: u64 = 8 << 16;
+
+fn recorded() -> Vec<Summary> {
+    let mut reader = csv::Reader::from_path(repository().join("docs/data/imprecise.csv")).unwrap();
+    reader.deserialize().collect::<Result<_, _>>().unwrap()
+}
+
+/// The table of docs/agreement.md.
+pub fn table() -> String {
+    let mut text = String::from(
+        "| codec | codes that differ | at most | components, 2^-24 | at most | angle, degrees | at most | codes lost |\n\
+         |---|---|---|---|---|---|---|---|\n",
+    );
+    for row in recorded() {
+        let most = row.codes_differ_at_most.map_or_else(|| "none".to_owned(), |most| most.to_string());
+        let [angle, angle_most] = [row.angle_deg, row.angle_deg_at_most].map(|angle| match angle {
+            0.0 => "0".to_owned(),
+            angle => format!("{angle:.1e}"),
+        });
+        let lost =
+            if row.is_stable { String::from("0") } else { format!("{} of {}", row.codes_lost, row.codes) };
+        let Summary { id, codes_differ, component_ulp, component_ulp_at_most, .. } = row;
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "| `{id}` | {codes_differ} | {most} | {component_ulp:.0} | {component_ulp_at_most:.0} | {angle} | {angle_most} | \
+             {lost} |"
+        );
+    }
+    text
+}
+
+/// All codecs, of eight seeds; every count below the bound that is derived today; no code lost where none may be.
+#[test]
+fn the_record_is_of_all_codecs_and_within_the_bounds() {
+    let recorded = recorded();
+    let ids: Vec<&str> = recorded.iter().map(|row| row.id.as_str()).collect();
+    assert_eq!(ids, formats().map(|format| format.id).collect::<Vec<_>>());
+    for row in &recorded {
+        let bounds = Bounds::of(find_format(&row.id).unwrap());
+        assert_eq!(row.elements, ELEMENTS, "{}", row.id);
+        assert_eq!(row.codes_differ_at_most, bounds.codes_differ(row.elements), "{}", row.id);
+        assert!(row.codes_differ_at_most.is_none_or(|most| row.codes_differ <= most), "{row:?}");
+        let (component, angle) = bounds.decoded();
+        assert!(row.component_ulp <= component && row.angle_deg <= angle, "{row:?}");
+        assert_eq!(row.is_stable, bounds.is_stable, "{}", row.id);
+        assert!(!row.is_stable || row.codes_lost == 0, "{row:?}");
+    }
+}

@@ -1,0 +1,281 @@
+//! Devices that round as badly as Vulkan allows: rewritten kernels do what their model says, held against float64, and the
+//! codecs keep within their bounds on them.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use unitvec_host::backend::{BackendKind, Gpu, KernelSource};
+use unitvec_host::catalogue::find_format;
+use unitvec_host::glsl::Compiler;
+use unitvec_host::imprecise::{self, Bounds, Error, Gpus, Model, Options, Row, rewrite};
+use unitvec_host::modules::Modules;
+use unitvec_host::vulkan::{Device, Runner};
+use unitvec_tests::directions::Rng;
+use unitvec_tests::{assert_no_validation_messages, lavapipe};
+
+/// Of `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c` as float, taken
+/// as signed and as unsigned. Quotients and product are those of vectors.
+const ARITHMETIC: &str = "#version 450
+layout(local_size_x = 64) in;
+layout(std430, set = 0, binding = 0) readonly buffer Input { uint words[]; } source;
+layout(std430, set = 0, binding = 1) writeonly buffer Output { float values[]; } results;
+layout(push_constant) uniform Constants { uint count; };
+
+void main() {
+    for (uint k = 0u; k < 4u; ++k) {
+        uint i = 4u * gl_GlobalInvocationID.x + k;
+        if (i >= count) return;
+        float a = uintBitsToFloat(source.words[3u * i]);
+        float b = uintBitsToFloat(source.words[3u * i + 1u]);
+        uint c = source.words[3u * i + 2u];
+        precise vec2 quotients = vec2(a, b) / vec2(b, a);
+        precise vec2 products = vec2(a, b) * b;
+        precise float root = sqrt(a);
+        precise float difference = a - b;
+        results.values[7u * i] = quotients.x;
+        results.values[7u * i + 1u] = quotients.y;
+        results.values[7u * i + 2u] = root;
+        results.values[7u * i + 3u] = difference;
+        results.values[7u * i + 4u] = products.x;
+        results.values[7u * i + 5u] = float(int(c));
+        results.values[7u * i + 6u] = float(c);
+    }
+}
+";
+
+/// What an operation of [`ARITHMETIC`] gave, and the exact result.
+struct Computed {
+    found: f32,
+    exact: f64,
+}
+
+impl Computed {
+    /// The error in ULP: the distance between the floats on either side of the exact result.
+    fn ulp(&self) -> f64 {
+        (f64::from(self.found) - self.exact) / 2f64.powi(self.exact.abs().log2().floor() as i32 - 23)
+    }
+
+    /// The exact result, rounded toward zero.
+    fn truncated(&self) -> f32 {
+        let near = self.exact as f32;
+        if f64::from(near.abs()) > self.exact.abs() { f32::from_bits(near.to_bits() - 1) } else { near }
+    }
+
+    /// True where the found result is a power of two, at which a result that is moved up stops.
+    fn is_power_of_two(&self) -> bool {
+        self.found.to_bits() & 0x7f_ffff == 0
+    }
+}
+
+/// Inputs from 2^-20 to 2^20, so that float64 holds sums and products exactly.
+fn inputs() -> Vec<[u32; 3]> {
+    let mut random = Rng::new(14);
+    let mut input = || {
+        let [a, b, c] = [(); 3].map(|()| random.bits() as u32);
+        let float = |word: u32| (word & 0x807f_ffff) | ((107 + (word >> 23) % 41) << 23);
+        [float(a) & 0x7fff_ffff, float(b), c >> (c % 32)]
+    };
+    (0..20_000).map(|_| input()).collect()
+}
+
+/// What a device of this model makes of inputs, seven results each.
+fn computed(device: &Arc<Device>, model: Model, seed: u32, inputs: &[[u32; 3]]) -> Vec<[f32; 7]> {
+    let spirv = Compiler::new().unwrap().compile("arithmetic.comp", ARITHMETIC, &[]).unwrap();
+    let rewritten = rewrite(&spirv, "arithmetic", model, seed).unwrap();
+    let mut runner = Runner::new(device, inputs.len(), true).unwrap();
+    let kernel = runner.kernel(&rewritten, "main", None).unwrap();
+    let mut results = vec![[0.0; 7]; inputs.len()];
+    let bytes = bytemuck::cast_slice_mut(results.as_flattened_mut());
+    runner.run(&kernel, inputs.len(), bytemuck::cast_slice(inputs.as_flattened()), bytes).unwrap();
+    results
+}
+
+/// Results beside the exact ones: two quotients, the root, the difference, the product, two integers.
+fn beside_exact(input: [u32; 3], results: [f32; 7]) -> [Computed; 7] {
+    let [a, b] = [input[0], input[1]].map(|bits| f64::from(f32::from_bits(bits)));
+    let exact = [a / b, b / a, a.sqrt(), a - b, a * b, f64::from(input[2] as i32), f64::from(input[2])];
+    let mut pairs = results.into_iter().zip(exact);
+    std::array::from_fn(|_| {
+        let (found, exact) = pairs.next().unwrap();
+        Computed { found, exact }
+    })
+}
+
+/// Quotients are off by 1.5 to 2.5 ULP to the model's side, and roots by as much as `1 / inversesqrt` may be; the rest is
+/// rounded to nearest.
+#[test]
+fn quotients_and_roots_are_off_by_what_vulkan_allows() {
+    let device = lavapipe();
+    let inputs = inputs();
+    for (model, [quotients, roots]) in [
+        (Model::Up, [1.0, 1.0]),
+        (Model::Down, [-1.0, -1.0]),
+        (Model::UpDown, [1.0, -1.0]),
+        (Model::DownUp, [-1.0, 1.0]),
+    ] {
+        for (input, results) in inputs.iter().zip(computed(&device, model, 0, &inputs)) {
+            let [first, second, root, rest @ ..] = beside_exact(*input, results);
+            for quotient in [first, second] {
+                let ulp = quotients * quotient.ulp();
+                let least = if quotient.is_power_of_two() { 0.0 } else { 1.5 };
+                // Below a power of two a ULP is half of what it is above.
+                let least = if quotients < 0.0 && least > 0.0 { 0.5 } else { least };
+                assert!(least <= ulp && ulp <= 2.5, "{model} {input:x?}: {ulp}");
+            }
+            let significand = root.exact / 2f64.powi(root.exact.log2().floor() as i32);
+            let ulp = roots * root.ulp();
+            assert!(ulp <= significand * significand + 2.5, "{model} {input:x?}: {ulp}");
+            assert!(ulp >= 1.0 || root.is_power_of_two(), "{model} {input:x?}: {ulp}");
+            assert!(
+                rest.iter().all(|computed| computed.found == computed.exact as f32),
+                "{model} {input:x?}"
+            );
+        }
+    }
+    assert_no_validation_messages(device);
+}
+
+/// Every distance from -2 to 2 ULP is chosen equally often, by the operands and the seed.
+#[test]
+fn the_bits_choose_where_quotients_go() {
+    let device = lavapipe();
+    let inputs = inputs();
+    let [one, other] = [1, 2].map(|seed| computed(&device, Model::Bits, seed, &inputs));
+    let mut counts = BTreeMap::new();
+    for (input, results) in inputs.iter().zip(&one) {
+        let [quotient, ..] = beside_exact(*input, *results);
+        assert!(quotient.ulp().abs() <= 2.5, "{input:x?}");
+        let steps = quotient.found.to_bits().wrapping_sub((quotient.exact as f32).to_bits()) as i32;
+        *counts.entry(steps).or_insert(0) += 1;
+    }
+    let (keys, values): (Vec<i32>, Vec<i32>) = counts.into_iter().unzip();
+    assert_eq!(keys, [-2, -1, 0, 1, 2]);
+    // Six standard deviations of one in five.
+    let (mean, deviation) = (inputs.len() as f64 / 5.0, (inputs.len() as f64 * 0.16).sqrt());
+    assert!(values.iter().all(|count| (f64::from(*count) - mean).abs() < 6.0 * deviation), "{values:?}");
+    let same = one.iter().zip(&other).filter(|(one, other)| one[0] == other[0]).count();
+    assert!((same as f64 - mean).abs() < 6.0 * deviation, "{same}");
+}
+
+#[test]
+fn truncated_results_are_the_exact_ones_rounded_toward_zero() {
+    let device = lavapipe();
+    let inputs = inputs();
+    let mut moved = [0; 7];
+    for (input, results) in inputs.iter().zip(computed(&device, Model::Truncate, 0, &inputs)) {
+        let all = beside_exact(*input, results);
+        for (index, computed) in all.iter().enumerate() {
+            let expected = if index < 3 { computed.exact as f32 } else { computed.truncated() };
+            assert_eq!(computed.found, expected, "{input:x?}, result {index}");
+            moved[index] += usize::from(computed.found != computed.exact as f32);
+        }
+    }
+    assert!(moved[..3] == [0; 3] && moved[3..].iter().all(|count| *count > 1000), "{moved:?}");
+}
+
+/// Denormals count as zero, of their sign, and come out as zero; the rest is as on the CPU.
+#[test]
+fn denormals_are_flushed_before_and_after_operations() {
+    let device = lavapipe();
+    let (small, least) = (f32::from_bits(0x40_0000), f32::MIN_POSITIVE);
+    let cases = [
+        ([small, 2.0], [0.0, f32::INFINITY, 0.0, -2.0, 0.0]),
+        ([2.0, -small], [f32::NEG_INFINITY, -0.0, 2f32.sqrt(), 2.0, -0.0]),
+        ([least, 3.0], [0.0, 3.0 / least, least.sqrt(), -3.0, 3.0 * least]),
+        ([1.5 * least, least], [1.5, least / (1.5 * least), (1.5 * least).sqrt(), 0.0, 0.0]),
+        ([3.0, 4.0], [0.75, 4.0 / 3.0, 3f32.sqrt(), -1.0, 12.0]),
+    ];
+    let inputs: Vec<[u32; 3]> = cases.iter().map(|([a, b], _)| [a.to_bits(), b.to_bits(), 5]).collect();
+    for ((input, expected), results) in cases.iter().zip(computed(&device, Model::Flush, 0, &inputs)) {
+        let bits = |of: &[f32]| of.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+        assert_eq!(bits(&results[..5]), bits(expected), "{input:?}: {results:?}");
+    }
+}
+
+/// An operation whose error no model knows is not passed over.
+#[test]
+fn unknown_operations_are_refused() {
+    let other = ARITHMETIC.replace("sqrt(a)", "sin(a)");
+    let spirv = Compiler::new().unwrap().compile("arithmetic.comp", &other, &[]).unwrap();
+    let error = rewrite(&spirv, "arithmetic", Model::Up, 0).unwrap_err();
+    assert!(matches!(&error, Error::NotModelled { operation, .. } if operation.contains("Sin")), "{error}");
+    let error = rewrite(&spirv[..50], "arithmetic", Model::Up, 0).unwrap_err();
+    assert!(matches!(error, Error::NotSpirv { .. }), "{error}");
+}
+
+/// One codec of each kind of arithmetic, and those that are chosen by default; `unitvec conform --imprecise` takes all.
+const CODECS: [&str; 14] = [
+    "oct16",
+    "oct16p",
+    "oct32p",
+    "hemioct16",
+    "eaoct16p",
+    "ico16",
+    "frame32",
+    "oct48p",
+    "spherical16",
+    "fib16",
+    "stereo16",
+    "cube16",
+    "pp16",
+    "snorm8x3",
+];
+
+#[test]
+fn codecs_keep_within_their_bounds_on_every_device() {
+    let device = lavapipe();
+    let formats = CODECS.map(|id| find_format(id).unwrap()).to_vec();
+    let options = Options { count: 4096, seeds: vec![3], models: Model::ALL.to_vec(), all_codes_up_to: 16 };
+    let open = || {
+        let gpu = |source| Gpu::new(&device, source, true).unwrap();
+        Ok(Gpus::from([
+            (BackendKind::Rust, gpu(KernelSource::Rust(Modules::open(None).unwrap()))),
+            (BackendKind::Glsl, gpu(KernelSource::Glsl(Compiler::new().unwrap()))),
+        ]))
+    };
+    let (mut work, mut rows) = (0, Vec::new());
+    imprecise::run(formats.clone(), &options, open, &mut |done| work += done, &mut |row| {
+        rows.push(row);
+        Ok(())
+    })
+    .unwrap();
+    assert_eq!(rows.iter().map(|row| row.id.as_str()).collect::<Vec<_>>(), CODECS);
+    assert_eq!(work, formats.iter().map(|format| options.work(*format)).sum::<u64>());
+    for (row, format) in rows.iter().zip(&formats) {
+        assert_eq!(row.objections(&Bounds::of(*format)), [""; 0], "{}", row.id);
+        assert_eq!(row.models.len(), Model::ALL.len());
+        assert!(row.codes > row.elements, "{row:?}");
+    }
+    // The models do something: quotients show in what is decoded, truncated sums in codes.
+    let oct: &Row = &rows[0];
+    assert!(oct.models[&Model::Up].component_ulp > 0.0 && oct.models[&Model::Flush].component_ulp == 0.0);
+    assert!(oct.models[&Model::Truncate].codes_differ > oct.elements / 2, "{oct:?}");
+    assert_no_validation_messages(device);
+}
+
+/// What is above a bound is an objection that names the model and the number.
+#[test]
+fn what_exceeds_a_bound_is_told() {
+    let bounds = Bounds::of(find_format("oct16").unwrap());
+    let most = bounds.codes_differ(65_536).unwrap();
+    let outcome = |codes_differ| imprecise::Outcome { codes_differ, ..Default::default() };
+    let row = |model, outcome| Row {
+        id: "oct16".into(),
+        elements: 65_536,
+        codes: 65_536,
+        models: BTreeMap::from([(model, outcome)]),
+        unstable: BTreeMap::new(),
+    };
+    let objections = |model, outcome| row(model, outcome).objections(&bounds);
+    assert_eq!(objections(Model::Up, outcome(most)), [""; 0]);
+    assert_eq!(
+        objections(Model::Up, outcome(most + 1)),
+        [format!("up: {} codes differ, more than {most}", most + 1)]
+    );
+    assert_eq!(objections(Model::Flush, outcome(1)), ["flush: 1 codes differ, more than 0"]);
+    assert_eq!(objections(Model::Truncate, outcome(65_536)), [""; 0]);
+    let far = imprecise::Outcome { angle_deg: 1e-5, ..Default::default() };
+    assert_eq!(objections(Model::Bits, far).len(), 1);
+    let lost =
+        Row { unstable: BTreeMap::from([("from up to exact".into(), 3)]), ..row(Model::Up, outcome(0)) };
+    assert_eq!(lost.objections(&bounds).len(), 1);
+}
