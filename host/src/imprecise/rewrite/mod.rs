@@ -43,8 +43,12 @@ pub enum Error {
 /// # Errors
 /// [`Error`].
 pub fn rewrite(spirv: &[u8], kernel: &str, model: Model, seed: u32) -> Result<Vec<u8>, Error> {
-    let mut module = rspirv::dr::load_bytes(spirv)
-        .map_err(|error| Error::NotSpirv { module: kernel.to_owned(), reason: format!("{error:?}") })?;
+    let not_spirv = |reason: String| Error::NotSpirv { module: kernel.to_owned(), reason };
+    // The parser panics where an instruction is longer than what is left.
+    if !has_whole_instructions(spirv) {
+        return Err(not_spirv("it is cut short".to_owned()));
+    }
+    let mut module = rspirv::dr::load_bytes(spirv).map_err(|error| not_spirv(format!("{error:?}")))?;
     let mut functions = std::mem::take(&mut module.functions);
     let types = Types::of(&module);
     let mut rewriter = Rewriter { globals: Globals::new(module), types, model, seed, calls: HashSet::new() };
@@ -65,6 +69,20 @@ pub fn rewrite(spirv: &[u8], kernel: &str, model: Model, seed: u32) -> Result<Ve
     });
     let module = globals.with_functions(functions);
     Ok(module.assemble().iter().flat_map(|word| word.to_le_bytes()).collect())
+}
+
+/// True where the instructions end where the module does.
+fn has_whole_instructions(spirv: &[u8]) -> bool {
+    const HEADER: usize = 20;
+    let Some(mut rest) = spirv.get(HEADER..) else { return false };
+    while let Some(&[_, _, low, high]) = rest.first_chunk() {
+        let length = 4 * usize::from(u16::from_le_bytes([low, high]));
+        match rest.get(length..) {
+            Some(next) if length > 0 => rest = next,
+            _ => return false,
+        }
+    }
+    rest.is_empty()
 }
 
 /// The types of a module that have floats of 32 bits, and the types of values.
