@@ -75,6 +75,14 @@ pub fn random_codes(seed: u64) -> impl Iterator<Item = u64> {
     std::iter::repeat_with(move || random.random())
 }
 
+/// 64-bit codes whose fields are at the ends of their range, whatever their layout: every run of ones among zeros, and
+/// every run of zeros among ones.
+pub fn special_codes() -> Vec<u64> {
+    let runs =
+        (0..64).flat_map(|first| (1..=64 - first).map(move |length| (u64::MAX >> (64 - length)) << first));
+    runs.flat_map(|run| [run, !run]).collect()
+}
+
 /// Calls `each` with chunks of at most `size` of the first `count` items.
 ///
 /// # Errors
@@ -200,4 +208,39 @@ pub fn halfway_vectors(m: u32, seed: u64) -> impl Iterator<Item = [f32; 3]> {
         let point = [x, y, m as f32 - x - y];
         point.map(|c| if random.random() { -c } else { c })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each component takes every value that devices are known to treat in their own way, of both signs.
+    #[test]
+    fn special_vectors_hold_denormals_and_the_ends_of_the_range() {
+        let largest_denormal = f32::from_bits(f32::MIN_POSITIVE.to_bits() - 1);
+        let ends = [0.0, f32::from_bits(1), largest_denormal, f32::MIN_POSITIVE, f32::MAX, f32::INFINITY];
+        let vectors = special_vectors();
+        for place in 0..3 {
+            for end in ends.into_iter().flat_map(|end| [end, -end]) {
+                assert!(vectors.iter().any(|v| v[place].to_bits() == end.to_bits()), "{end:e} in {place}");
+            }
+            assert!(vectors.iter().any(|v| v[place].is_nan()));
+        }
+    }
+
+    /// Two fields of 16 bits, as `oct32` has them, and three of 8: each at its least and its largest, while the others are
+    /// at either end.
+    #[test]
+    fn special_codes_hold_the_ends_of_all_fields() {
+        let codes = special_codes();
+        let has = |code: u64, bits: u32| codes.iter().any(|other| other & (u64::MAX >> (64 - bits)) == code);
+        for code in [0, 0xffff_ffff, 0x8000_0000, 0x7fff_0000, 0x7fff, 0x8000, 0x7fff_ffff, 0x8000_7fff] {
+            assert!(has(code, 32), "{code:x}");
+        }
+        for code in
+            [0x80, 0x7f, 0x8000, 0x7f00, 0x80_0000, 0x7f_0000, 0xff_ff7f, 0xff_7fff, 0x7f_ffff, 0x80_ffff]
+        {
+            assert!(has(code, 24), "{code:x}");
+        }
+    }
 }

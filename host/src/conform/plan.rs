@@ -39,7 +39,7 @@ impl<'a> Step<'a> {
 }
 
 impl<'a> Plan<'a> {
-    /// Random elements, special ones, and codes; for vectors also the normals of meshes and ties.
+    /// Random elements, special ones, and codes, special ones too; for vectors also the normals of meshes and ties.
     pub fn new(format: Format, options: &'a Options) -> Self {
         let Options { count, seed, normals, all_codes_up_to } = options;
         let random = sampling::random_elements(format.element, format.domain, *seed);
@@ -54,6 +54,8 @@ impl<'a> Plan<'a> {
             steps.push(Step::elements(HALFWAY, ties));
         }
 
+        let runs = sampling::special_codes();
+        steps.push(Step::codes(runs.len(), runs.into_iter()));
         steps.push(if format.bits <= *all_codes_up_to {
             Step::codes(1 << format.bits, 0..)
         } else {
