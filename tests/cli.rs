@@ -435,6 +435,25 @@ fn conform_reports_in_words_and_json() {
     assert_eq!(rows[0]["bits"], 16);
 }
 
+/// `--summary` tells in one line what the JSON tells codec by codec.
+#[test]
+fn conform_sums_up_in_one_line() {
+    let folder = tempfile::tempdir().unwrap();
+    let [json, summary] = ["report.json", "summary.tsv"].map(|name| folder.path().join(name));
+    let arguments = ["conform", "--codec", "oct12", "--codec", "frame32", "--count", "10"];
+    let output = run([&arguments[..], &["--json", path(&json), "--summary", path(&summary)]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let device = ["name", "driver", "api_version"].map(|field| report["device"][field].as_str().unwrap());
+    let rows = report["rows"].as_array().unwrap();
+    let total = |field| rows.iter().map(|row| row[field].as_u64().unwrap()).sum::<u64>().to_string();
+    let (vectors, codes) = (total("vectors"), total("codes"));
+    let text = std::fs::read_to_string(&summary).unwrap();
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split('\t').collect()).collect();
+    assert_eq!(lines[0], ["device", "driver", "vulkan", "codecs", "vectors", "codes", "mismatches"]);
+    assert_eq!(lines[1..], [[&device[..], &["2", &vectors, &codes, "0"]].concat()]);
+}
+
 /// The report goes to a pipe whole: no table around it.
 fn report(arguments: &[&str]) -> Value {
     let output = run([&["conform", "--json", "-"], arguments].concat());

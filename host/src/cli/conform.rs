@@ -1,12 +1,14 @@
 use super::table::{Layout, Wide, left, right, wrapped};
-use super::{Vulkan, chosen_formats, counts, print, progress, status_after_validation, to_json};
+use super::{
+    Vulkan, chosen_formats, counts, print, progress, status_after_validation, to_json, to_separated,
+};
 use clap::Args;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind, Gpu, KernelSource};
-use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row};
+use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row, Summary};
 use unitvec_host::imprecise::Model;
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, glsl, mesh, output};
@@ -31,6 +33,10 @@ pub struct Arguments {
     /// Write the report as JSON as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
+    /// Write the outcome in one line as well, tab-separated, below the names of its fields: device, driver, vulkan, codecs,
+    /// vectors, codes, mismatches.
+    #[arg(long, value_name = "FILE", conflicts_with = "imprecise")]
+    summary: Option<PathBuf>,
     #[command(flatten)]
     pub wide: Wide,
     #[command(flatten)]
@@ -142,6 +148,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&report).as_bytes())?;
     }
+    if let Some(path) = &arguments.summary {
+        output::write_file(path, &to_separated(path, &[report.summary()], b'\t')?)?;
+    }
     if !to_stdout {
         print(&wrapped(&verdict(&report, messages.len()), "", columns))?;
     }
@@ -230,8 +239,7 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
     if validation_messages > 0 {
         return format!("\nconform: FAIL: {validation_messages} messages of the validation layer\n");
     }
-    let (vectors, codes) =
-        report.rows.iter().fold((0, 0), |(vectors, codes), row| (vectors + row.vectors, codes + row.codes));
+    let Summary { codecs, vectors, codes, .. } = report.summary();
     let compared = if report.glsl_compared {
         "cpu, rust and glsl"
     } else {
@@ -239,9 +247,8 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
     };
     if report.agreed {
         return format!(
-            "\nconform: PASS: {compared} agree to the bit: {} codecs, {vectors} vectors encoded, {codes} codes decoded \
-             ({})\n",
-            report.rows.len(),
+            "\nconform: PASS: {compared} agree to the bit: {codecs} codecs, {vectors} vectors encoded, {codes} codes \
+             decoded ({})\n",
             codes_covered(report.all_codes_up_to, report.random_directions),
         );
     }

@@ -226,8 +226,13 @@ fn reports_to_stdout(json: Option<&Path>, csv: Option<&Path>) -> Result<bool> {
 
 /// Rows as CSV, for `path`.
 fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
+    to_separated(path, rows, b',')
+}
+
+/// Rows below the names of their fields, for `path`.
+fn to_separated<T: serde::Serialize>(path: &Path, rows: &[T], separator: u8) -> Result<Vec<u8>> {
     let failed = |error: String| Error::Write { path: path.to_owned(), source: io::Error::other(error) };
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut writer = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
     for row in rows {
         writer.serialize(row).map_err(|error| failed(error.to_string()))?;
     }

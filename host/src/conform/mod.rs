@@ -79,6 +79,41 @@ pub struct Row {
     pub examples: Vec<String>,
 }
 
+/// The outcome for all codecs in one line.
+#[derive(Debug, Serialize)]
+pub struct Summary<'a> {
+    /// Device that ran the kernels.
+    pub device: &'a str,
+    /// Its driver.
+    pub driver: &'a str,
+    /// Vulkan version that it implements.
+    pub vulkan: &'a str,
+    /// Codecs.
+    pub codecs: usize,
+    /// Vectors and frames encoded by each backend.
+    pub vectors: u64,
+    /// Codes decoded by each backend.
+    pub codes: u64,
+    /// Codes and vectors of all backends that differ from the CPU's.
+    pub mismatches: u64,
+}
+
+impl Report {
+    /// This report in one line.
+    pub fn summary(&self) -> Summary<'_> {
+        let total = |of: fn(&Row) -> u64| self.rows.iter().map(of).sum();
+        Summary {
+            device: &self.device.name,
+            driver: &self.device.driver,
+            vulkan: &self.device.api_version,
+            codecs: self.rows.len(),
+            vectors: total(|row| row.vectors),
+            codes: total(|row| row.codes),
+            mismatches: total(Row::mismatches),
+        }
+    }
+}
+
 /// Mismatches with the CPU, of each backend that was compared.
 pub type Mismatches = BTreeMap<BackendKind, u64>;
 
@@ -86,9 +121,14 @@ impl Row {
     /// Mismatches that are told in words.
     const EXAMPLES: usize = 3;
 
+    /// Codes and vectors of all backends that differ from the CPU's.
+    pub fn mismatches(&self) -> u64 {
+        self.encode_mismatches.values().chain(self.decode_mismatches.values()).sum()
+    }
+
     /// True where nothing differs.
     pub fn agrees(&self) -> bool {
-        self.encode_mismatches.values().chain(self.decode_mismatches.values()).all(|count| *count == 0)
+        self.mismatches() == 0
     }
 
     /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
@@ -233,4 +273,52 @@ fn shown_element(bytes: &[u8]) -> String {
     let floats: Vec<f32> = bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned).collect();
     let bits: Vec<String> = floats.iter().map(|float| format!("{:08x}", float.to_bits())).collect();
     format!("{floats:?} (bits {})", bits.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::vulkan::DeviceKind;
+
+    fn row(differing: [u64; 3]) -> Row {
+        let [of_rust, of_glsl, decoded] = differing;
+        Row {
+            id: "oct16",
+            bits: 16,
+            vectors: 10,
+            codes: 100,
+            mean_deg: 0.0,
+            max_deg: 0.0,
+            tangent_mean_deg: None,
+            tangent_max_deg: None,
+            encode_mismatches: [(BackendKind::Rust, of_rust), (BackendKind::Glsl, of_glsl)].into(),
+            decode_mismatches: [(BackendKind::Rust, decoded)].into(),
+            examples: Vec::new(),
+        }
+    }
+
+    /// The mismatches of all codecs and backends, encoding and decoding, are in the one line.
+    #[test]
+    fn a_summary_adds_all_rows() {
+        let device = DeviceInfo {
+            index: 0,
+            name: "name".to_owned(),
+            kind: DeviceKind::Software,
+            driver: "driver".to_owned(),
+            api_version: "1.3.0".to_owned(),
+        };
+        let report = Report {
+            device,
+            random_directions: 1,
+            all_codes_up_to: 16,
+            glsl_compared: true,
+            rounding: BTreeMap::new(),
+            agreed: false,
+            rows: vec![row([1, 2, 4]), row([8, 0, 0]), row([0; 3])],
+        };
+        let Summary { device, driver, vulkan, codecs, vectors, codes, mismatches } = report.summary();
+        assert_eq!((device, driver, vulkan), ("name", "driver", "1.3.0"));
+        assert_eq!((codecs, vectors, codes, mismatches), (3, 30, 300, 15));
+        assert_eq!(report.rows.iter().map(Row::agrees).collect::<Vec<_>>(), [false, false, true]);
+    }
 }

@@ -252,11 +252,13 @@ fn describe(instance: &Instance, index: usize, device: vk::PhysicalDevice) -> De
         name.map_or_else(|_| String::new(), |s| s.to_string_lossy().into_owned())
     };
     let version = properties.api_version;
+    let (driver_name, driver_info) = (driver.driver_name_as_c_str(), driver.driver_info_as_c_str());
     DeviceInfo {
         index,
         name: text(properties.device_name_as_c_str()),
         kind: kind(properties.device_type),
-        driver: format!("{} {}", text(driver.driver_name_as_c_str()), text(driver.driver_info_as_c_str())),
+        // SwiftShader's info is empty.
+        driver: format!("{} {}", text(driver_name), text(driver_info)).trim().to_owned(),
         api_version: format!(
             "{}.{}.{}",
             vk::api_version_major(version),
