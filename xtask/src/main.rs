@@ -2,6 +2,7 @@
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
+mod drivers;
 mod packages;
 mod setup;
 
@@ -16,6 +17,9 @@ usage: cargo xtask <command>
   conform [arguments of `unitvec conform`]   install what is missing, then show that CPU, SPIR-V from Rust and SPIR-V
                                              from GLSL agree to the bit (on lavapipe unless --device says otherwise);
                                              --exhaustive takes all codes of up to 24 bits
+  conform --drivers [--fetch] [--record]     the same on every Vulkan driver of this machine, each by itself, then a table
+       [arguments of `unitvec conform`]      of them; --fetch adds drivers out of Debian's packages, without installing
+                                             any; --record keeps the table for the docs
   test [--exhaustive] [arguments of          install what is missing, then run all tests; --exhaustive adds those of all
        `cargo test`]                         2^32 codes of the 32-bit codecs, minutes a codec
   setup                                      install what is missing, and nothing else
@@ -70,6 +74,7 @@ fn main() -> ExitCode {
 const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
 
 fn conform(arguments: &[String]) -> Result<(), String> {
+    let of_drivers = drivers::Options::of(arguments)?;
     let pending = setup::begin()?;
     println!("xtask: building; the first build takes minutes");
     let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
@@ -77,7 +82,11 @@ fn conform(arguments: &[String]) -> Result<(), String> {
     pending.finish().and(built)?;
     // xtask and unitvec are in the same target folder.
     let here = env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
-    let mut command = Command::new(here.with_file_name("unitvec"));
+    let unitvec = here.with_file_name("unitvec");
+    if let Some(options) = of_drivers {
+        return drivers::run(&options, &unitvec, &repository());
+    }
+    let mut command = Command::new(unitvec);
     command.args(["conform", "--validate"]);
     let chosen = env::var_os("UNITVEC_DEVICE").is_some()
         || arguments.iter().any(|argument| argument.starts_with("--device"));

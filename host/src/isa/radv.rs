@@ -7,13 +7,8 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Where Vulkan's loader looks for drivers.
-const FOLDERS: [&str; 4] = [
-    "/etc/vulkan/icd.d",
-    "/usr/local/etc/vulkan/icd.d",
-    "/usr/local/share/vulkan/icd.d",
-    "/usr/share/vulkan/icd.d",
-];
+/// Where Vulkan's loader looks for drivers; `cargo xtask conform --drivers` looks there too.
+const FOLDERS: &str = include_str!("../../data/icd_folders.txt");
 
 /// RADV that cannot be had.
 #[derive(Debug, thiserror::Error)]
@@ -22,7 +17,7 @@ pub enum Error {
     #[error(
         "Mesa's driver RADV, whose compiler --gpu asks, is not installed: there is no radeon_icd*.json in {}; install it \
          (Debian: apt-get install mesa-vulkan-drivers) or name its file with --driver or UNITVEC_RADV_ICD",
-        FOLDERS.join(", ")
+        FOLDERS.trim_end().replace('\n', ", ")
     )]
     NotInstalled,
     /// The file that was named is not there.
@@ -81,7 +76,10 @@ impl Radv {
                 let found = path.canonicalize();
                 found.map_err(|source| Error::NoSuchDriver { path: path.to_owned(), source })?
             }
-            None => installed(&FOLDERS.map(PathBuf::from)).ok_or(Error::NotInstalled)?,
+            None => {
+                let folders: Vec<PathBuf> = FOLDERS.lines().map(PathBuf::from).collect();
+                installed(&folders).ok_or(Error::NotInstalled)?
+            }
         };
         Ok(Self { gpu: super::code_name(gpu), driver })
     }

@@ -1,0 +1,314 @@
+//! Drivers out of Debian's packages, unpacked into a folder: nothing is installed, and nobody need be root.
+
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::Duration;
+use std::{env, fs, io, thread};
+
+/// A driver that Debian has packages of.
+pub struct Packaged {
+    name: &'static str,
+    package: &'static str,
+    /// Where in the package it lies.
+    library: &'static str,
+    /// Archives and suites with all that is fetched. The last has the driver.
+    suites: &'static [(&'static str, &'static str)],
+    /// Whether it is of a newer release than the other drivers. Then all that it needs is fetched too, down to the C library.
+    is_newer: bool,
+}
+
+/// What `--fetch` fetches.
+pub const PACKAGED: [Packaged; 3] = [
+    Packaged {
+        name: "lavapipe",
+        package: "mesa-vulkan-drivers",
+        library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
+        suites: &[("debian", "bookworm-backports")],
+        is_newer: false,
+    },
+    Packaged {
+        name: "SwiftShader",
+        package: "chromium-common",
+        library: "usr/lib/chromium/libvk_swiftshader.so",
+        suites: &[("debian-security", "bookworm-security")],
+        is_newer: false,
+    },
+    Packaged {
+        name: "lavapipe",
+        package: "mesa-vulkan-drivers",
+        library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
+        suites: &[("debian", "trixie"), ("debian", "trixie-backports")],
+        is_newer: true,
+    },
+];
+
+/// The release that the drivers that are not newer need the libraries of.
+const RELEASE: &str = "bookworm";
+const SERVER: &str = "http://deb.debian.org";
+const KEYRING: &str = "/usr/share/keyrings/debian-archive-keyring.gpg";
+const TRIES: u64 = 3;
+
+/// Why a driver is not there.
+#[derive(Debug)]
+pub enum Missing {
+    /// It cannot be had on this machine.
+    NotHere(String),
+    /// It should have been had.
+    Failed(String),
+}
+
+impl Packaged {
+    /// The driver and its suite.
+    pub fn title(&self) -> String {
+        format!("{} of {}", self.name, self.suite().1)
+    }
+
+    /// Whether the machine may be unable to run it.
+    pub fn is_newer(&self) -> bool {
+        self.is_newer
+    }
+
+    /// The driver's file for Vulkan's loader, which is there once all of the driver is.
+    pub fn icd(&self, cache: &Path) -> PathBuf {
+        self.folder(cache).join("icd.json")
+    }
+
+    /// What tells the driver's version: its package and the package's version.
+    pub fn version(&self, cache: &Path) -> Option<String> {
+        fs::read_to_string(self.folder(cache).join("version")).ok()
+    }
+
+    /// What starts a program with the libraries that were fetched with the driver.
+    pub fn launcher(&self, cache: &Path) -> Vec<OsString> {
+        if !self.is_newer {
+            return Vec::new();
+        }
+        let libraries = self.folder(cache).join("root/usr/lib/x86_64-linux-gnu");
+        vec![libraries.join("ld-linux-x86-64.so.2").into(), "--library-path".into(), libraries.into()]
+    }
+
+    /// Fetches what is not there yet.
+    pub fn fetch(&self, cache: &Path) -> Result<(), Missing> {
+        if self.icd(cache).is_file() {
+            return Ok(());
+        }
+        let system = fs::read_to_string("/etc/os-release").unwrap_or_default();
+        if let Some(reason) = self.refusal(&system, env::consts::ARCH) {
+            return Err(Missing::NotHere(reason));
+        }
+        println!("xtask: fetching {}", self.title());
+        let mut tries = 1;
+        loop {
+            let Err(reason) = self.try_fetch(&self.folder(cache)) else { return Ok(()) };
+            if tries == TRIES {
+                return Err(Missing::Failed(self.not_fetched(&reason)));
+            }
+            thread::sleep(Duration::from_secs(5 * tries));
+            tries += 1;
+        }
+    }
+
+    fn not_fetched(&self, reason: &str) -> String {
+        let (archive, suite) = self.suite();
+        format!(
+            "{} cannot be fetched from {SERVER}/{archive} {suite} ({TRIES} tries): {reason}; check the network and apt's \
+             settings of proxies, and run this again",
+            self.package
+        )
+    }
+
+    /// Why it cannot be fetched on a system of this /etc/os-release.
+    fn refusal(&self, os_release: &str, architecture: &str) -> Option<String> {
+        let value = |key| os_release.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix('='));
+        if architecture != "x86_64" || value("ID") != Some("debian") {
+            return Some("fetching needs Debian's apt-get on amd64".to_owned());
+        }
+        let release = value("VERSION_CODENAME").unwrap_or("unknown");
+        (!self.is_newer && release != RELEASE)
+            .then(|| format!("it needs the libraries of Debian {RELEASE}, and this is {release}"))
+    }
+
+    fn suite(&self) -> (&'static str, &'static str) {
+        self.suites[self.suites.len() - 1]
+    }
+
+    fn folder(&self, cache: &Path) -> PathBuf {
+        cache.join(self.title().replace(' ', "-"))
+    }
+
+    fn try_fetch(&self, folder: &Path) -> Result<(), String> {
+        let failed = |error: io::Error| format!("{}: {error}", folder.display());
+        if folder.exists() {
+            fs::remove_dir_all(folder).map_err(failed)?;
+        }
+        let apt = Apt::new(folder.join("apt"), &self.sources()).map_err(failed)?;
+        apt.get(&["update"])?;
+        if self.is_newer {
+            let only = ["install", "--yes", "--download-only", "--no-install-recommends"];
+            // The program loads Vulkan's loader, which the driver does not ask for.
+            let what = ["--target-release", self.suite().1, self.package, "libvulkan1"];
+            apt.get(&[&only[..], &what].concat())?;
+        } else {
+            apt.get(&["download", self.package])?;
+        }
+        let root = folder.join("root");
+        for package in apt.packages().map_err(failed)? {
+            run(Command::new("dpkg-deb").arg("--extract").arg(&package).arg(&root))?;
+            if let Some(version) = version_of(&package, self.package) {
+                fs::write(folder.join("version"), version).map_err(failed)?;
+            }
+        }
+        if !root.join(self.library).is_file() {
+            return Err(format!("the package has no {}", self.library));
+        }
+        fs::remove_dir_all(&apt.folder).map_err(failed)?;
+        fs::write(folder.join("icd.json"), self.manifest()).map_err(failed)
+    }
+
+    fn sources(&self) -> String {
+        let lines = self.suites.iter().map(|(archive, suite)| {
+            format!("deb [arch=amd64 signed-by={KEYRING}] {SERVER}/{archive} {suite} main\n")
+        });
+        lines.collect()
+    }
+
+    /// Vulkan's loader takes the path as one from the file's folder.
+    fn manifest(&self) -> String {
+        let icd = format!(r#"{{"library_path": "./root/{}", "api_version": "1.1.0"}}"#, self.library);
+        format!("{{\"file_format_version\": \"1.0.0\", \"ICD\": {icd}}}\n")
+    }
+}
+
+/// Name and version out of the name of a package's file, where it is the package sought.
+fn version_of(path: &Path, package: &str) -> Option<String> {
+    let name = path.file_name()?.to_str()?;
+    let (version, _) = name.strip_prefix(package)?.strip_prefix('_')?.split_once('_')?;
+    // A colon cannot stand in these names.
+    Some(format!("{package} {}", version.replace("%3a", ":")))
+}
+
+/// An apt-get with a folder of its own in the place of the system's.
+struct Apt {
+    folder: PathBuf,
+}
+
+impl Apt {
+    fn new(folder: PathBuf, sources: &str) -> io::Result<Self> {
+        let folders = [
+            "etc/apt/apt.conf.d",
+            "etc/apt/preferences.d",
+            "var/lib/apt/lists/partial",
+            "var/lib/dpkg",
+            "var/cache/apt/archives/partial",
+        ];
+        for name in folders {
+            fs::create_dir_all(folder.join(name))?;
+        }
+        fs::write(folder.join("etc/apt/sources.list"), sources)?;
+        fs::write(folder.join("var/lib/dpkg/status"), "")?;
+        fs::write(folder.join("settings"), settings(&folder))?;
+        Ok(Self { folder })
+    }
+
+    fn get(&self, arguments: &[&str]) -> Result<(), String> {
+        let mut command = Command::new("apt-get");
+        command.args(arguments).current_dir(self.archives());
+        run(command.env("APT_CONFIG", self.folder.join("settings")))
+    }
+
+    /// The packages that were fetched.
+    fn packages(&self) -> io::Result<Vec<PathBuf>> {
+        let entries = fs::read_dir(self.archives())?.collect::<io::Result<Vec<_>>>()?;
+        let is_package = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "deb");
+        Ok(entries.iter().map(fs::DirEntry::path).filter(is_package).collect())
+    }
+
+    fn archives(&self) -> PathBuf {
+        self.folder.join("var/cache/apt/archives")
+    }
+}
+
+/// The system's settings of proxies and the like, without its hooks, which clean the system's folders up. What is not
+/// signed is refused, whatever the system says.
+fn settings(folder: &Path) -> String {
+    let system = Command::new("apt-config").args(["dump", "Acquire"]).output();
+    let mut settings = system.map_or_else(|_| Vec::new(), |output| output.stdout);
+    settings.extend(format!("Dir \"{}\";\nAPT::Update::Error-Mode \"any\";\n", folder.display()).bytes());
+    for name in ["Insecure", "Weak", "DowngradeToInsecure"] {
+        settings.extend(format!("Acquire::Allow{name}Repositories \"false\";\n").bytes());
+    }
+    String::from_utf8_lossy(&settings).into_owned()
+}
+
+/// Runs a program of Debian's in silence; where it fails, its errors are told.
+fn run(command: &mut Command) -> Result<(), String> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let output = command
+        .env("LC_ALL", "C")
+        .stdin(Stdio::null())
+        .output()
+        .map_err(|error| format!("{program} cannot be started: {error}"))?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let said = String::from_utf8_lossy(&output.stderr);
+    let first = said.lines().find_map(|line| line.strip_prefix("E: "));
+    Err(first.map_or_else(|| format!("{program} ended with {}", output.status), str::to_owned))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOOKWORM: &str = "NAME=\"Debian GNU/Linux\"\nVERSION_CODENAME=bookworm\nID=debian\n";
+
+    #[test]
+    fn only_what_the_system_can_run_is_fetched() {
+        let trixie = BOOKWORM.replace("bookworm", "trixie");
+        let ubuntu = BOOKWORM.replace("ID=debian", "ID=ubuntu");
+        for driver in &PACKAGED {
+            assert_eq!(driver.refusal(BOOKWORM, "x86_64"), None, "{}", driver.title());
+            assert_eq!(driver.refusal(&trixie, "x86_64").is_none(), driver.is_newer, "{}", driver.title());
+            for refused in [driver.refusal(&ubuntu, "x86_64"), driver.refusal(BOOKWORM, "aarch64")] {
+                assert!(refused.unwrap().contains("Debian's apt-get on amd64"));
+            }
+            assert!(driver.refusal("", "x86_64").is_some());
+        }
+    }
+
+    /// Packages are checked against Debian's keys, whatever the system's apt allows.
+    #[test]
+    fn nothing_unsigned_is_fetched() {
+        for driver in &PACKAGED {
+            let sources = driver.sources();
+            assert!(
+                sources.lines().all(|line| line.contains("signed-by=/usr/share/keyrings/debian-archive"))
+            );
+            assert!(!sources.contains("trusted"));
+        }
+        let settings = settings(Path::new("/nowhere"));
+        for name in ["Insecure", "Weak", "DowngradeToInsecure"] {
+            let last = settings.lines().rfind(|line| line.contains(&format!("::Allow{name}Repositories")));
+            assert!(last.unwrap().ends_with("\"false\";"), "{last:?}");
+        }
+    }
+
+    #[test]
+    fn a_package_tells_its_version() {
+        let version = |name| version_of(&Path::new("/a_b").join(name), "mesa-vulkan-drivers");
+        let found = version("mesa-vulkan-drivers_1%3a25.0.7-2~bpo12+1_amd64.deb");
+        assert_eq!(found.unwrap(), "mesa-vulkan-drivers 1:25.0.7-2~bpo12+1");
+        assert_eq!(version("libllvm19_1.deb"), None);
+    }
+
+    #[test]
+    fn a_failed_fetch_names_the_address_and_the_remedy() {
+        let told = PACKAGED[1].not_fetched("no such host");
+        for part in
+            ["chromium-common", "http://deb.debian.org/debian-security", "no such host", "check the network"]
+        {
+            assert!(told.contains(part), "{told}");
+        }
+    }
+}

@@ -1,0 +1,297 @@
+//! `cargo xtask conform --drivers`: `unitvec conform` on every Vulkan driver of this machine, each by itself.
+
+mod debian;
+
+use debian::{Missing, PACKAGED, Packaged};
+use std::collections::HashSet;
+use std::ffi::{OsStr, OsString};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// Where Vulkan's loader looks for drivers' files.
+const FOLDERS: &str = include_str!("../../../host/data/icd_folders.txt");
+
+/// The files of drivers that browsers bring along.
+const OF_BROWSERS: [&str; 2] =
+    ["/usr/lib/chromium/vk_swiftshader_icd.json", "/opt/google/chrome/vk_swiftshader_icd.json"];
+
+/// Variables that name drivers' files to the loader.
+const VARIABLES: [&str; 3] = ["VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"];
+
+/// What the docs' table of drivers is made from.
+const RECORD: &str = "docs/data/drivers.tsv";
+
+/// What `--drivers` is asked to do.
+pub struct Options {
+    fetch: bool,
+    record: bool,
+    /// Arguments of `unitvec conform`.
+    others: Vec<String>,
+}
+
+impl Options {
+    /// `None` where the arguments have no `--drivers`.
+    pub fn of(arguments: &[String]) -> Result<Option<Self>, String> {
+        let has = |name: &str| arguments.iter().any(|argument| argument == name);
+        if !has("--drivers") {
+            return Ok(None);
+        }
+        let given = |names: &[&str]| {
+            let is_it = |argument: &&String| names.contains(&argument.split('=').next().unwrap_or_default());
+            arguments.iter().find(is_it)
+        };
+        if let Some(argument) = given(&["--device", "--json", "--summary"]) {
+            return Err(format!("--drivers runs one driver after the other, and takes no {argument}"));
+        }
+        if let Some(argument) = given(&["--codec"]).filter(|_| has("--record")) {
+            return Err(format!("--record keeps what all codecs do, and takes no {argument}"));
+        }
+        let own = ["--drivers", "--fetch", "--record"];
+        let others = arguments.iter().filter(|argument| !own.contains(&argument.as_str())).cloned().collect();
+        Ok(Some(Self { fetch: has("--fetch"), record: has("--record"), others }))
+    }
+}
+
+/// A driver that was looked for, and what became of it.
+struct Row {
+    /// Its file, or the package that it was fetched from.
+    origin: String,
+    outcome: Outcome,
+}
+
+#[derive(Debug, PartialEq)]
+enum Outcome {
+    /// The fields of `unitvec conform --summary`, and whether it passed.
+    Ran { fields: Vec<(String, String)>, passed: bool },
+    /// In a word, and why. Some drivers may be missing.
+    NotRun { word: &'static str, reason: String, is_failure: bool },
+}
+
+/// Whether a driver has to run.
+#[derive(Clone, Copy, PartialEq)]
+enum Duty {
+    /// It has, if it has a device.
+    OfDevice,
+    /// It has.
+    Always,
+    /// It has not.
+    Never,
+}
+
+/// A driver that is there.
+struct Driver {
+    origin: String,
+    icd: PathBuf,
+    /// What `unitvec` is started by.
+    launcher: Vec<OsString>,
+    duty: Duty,
+}
+
+/// Runs `unitvec conform` on all drivers, and ends in a table of them.
+pub fn run(options: &Options, unitvec: &Path, repository: &Path) -> Result<(), String> {
+    // Beside the folder of cargo's profile.
+    let cache = unitvec.ancestors().nth(2).unwrap_or(repository).join("drivers");
+    fs::create_dir_all(&cache).map_err(|error| format!("{}: {error}", cache.display()))?;
+    // Drivers are fetched before any runs: a network that fails is known at once.
+    let packaged: Vec<_> =
+        PACKAGED.iter().map(|driver| from_package(driver, &cache, options.fetch)).collect();
+    let drivers = installed().into_iter().map(Ok).chain(packaged);
+    let rows: Vec<Row> = drivers
+        .map(|driver| match driver {
+            Err(row) => row,
+            Ok(driver) => {
+                Row { outcome: driver.run(unitvec, &options.others, &cache), origin: driver.origin }
+            }
+        })
+        .collect();
+    print!("\n{}\n", table(&rows));
+    if options.record {
+        let path = repository.join(RECORD);
+        fs::write(&path, record(&rows)).map_err(|error| format!("{}: {error}", path.display()))?;
+    }
+    verdict(&rows)
+}
+
+fn from_package(driver: &Packaged, cache: &Path, fetch: bool) -> Result<Driver, Row> {
+    let duty = if driver.is_newer() { Duty::Never } else { Duty::Always };
+    let missing = |reason, is_failure| Row {
+        origin: driver.title(),
+        outcome: Outcome::NotRun { word: "not run", reason, is_failure },
+    };
+    if fetch {
+        driver.fetch(cache).map_err(|error| match error {
+            Missing::NotHere(reason) => missing(reason, false),
+            Missing::Failed(reason) => missing(reason, duty == Duty::Always),
+        })?;
+    }
+    let icd = driver.icd(cache);
+    if !icd.is_file() {
+        return Err(missing("not fetched: --fetch does".to_owned(), false));
+    }
+    let origin = driver.version(cache).unwrap_or_else(|| driver.title());
+    Ok(Driver { origin, icd, launcher: driver.launcher(cache), duty })
+}
+
+/// The drivers that Vulkan's loader would find, and those of browsers.
+fn installed() -> Vec<Driver> {
+    let home = std::env::var_os("HOME").map(|home| Path::new(&home).join(".local/share/vulkan/icd.d"));
+    let folders: Vec<PathBuf> = FOLDERS.lines().map(PathBuf::from).chain(home).collect();
+    let named: Vec<OsString> = VARIABLES.iter().filter_map(std::env::var_os).collect();
+    let mut files: Vec<PathBuf> = named.iter().flat_map(std::env::split_paths).collect();
+    files.extend(OF_BROWSERS.iter().map(PathBuf::from).filter(|path| path.is_file()));
+    let driver = |icd: PathBuf| {
+        let (origin, launcher) = (icd.display().to_string(), Vec::new());
+        Driver { origin, icd, launcher, duty: Duty::OfDevice }
+    };
+    found(&folders, files).into_iter().map(driver).collect()
+}
+
+/// The drivers' files of the folders, and those named besides, each once.
+fn found(folders: &[PathBuf], named: Vec<PathBuf>) -> Vec<PathBuf> {
+    let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    files.retain(|path| path.extension() == Some(OsStr::new("json")));
+    files.sort();
+    files.extend(named);
+    let mut known = HashSet::new();
+    files.retain(|path| known.insert(path.canonicalize().unwrap_or_else(|_| path.clone())));
+    files
+}
+
+impl Driver {
+    fn run(&self, unitvec: &Path, arguments: &[String], cache: &Path) -> Outcome {
+        println!("\nxtask: {}", self.origin);
+        if let Err(reason) = self.probe(unitvec) {
+            return Outcome::NotRun { word: "no device", reason, is_failure: self.duty == Duty::Always };
+        }
+        let summary = cache.join(format!("summary-{}.tsv", std::process::id()));
+        let mut conform = self.unitvec(unitvec);
+        conform.args(["conform", "--validate", "--summary"]).arg(&summary).args(arguments);
+        let ended = match conform.status() {
+            Ok(status) => status,
+            Err(error) => return self.did_not_run(format!("it cannot be started: {error}")),
+        };
+        let told = fs::read_to_string(&summary);
+        // Left there, it would speak for a later driver that ends without one.
+        if let Err(error) = told.as_ref().map_or(Ok(()), |_| fs::remove_file(&summary)) {
+            return self.did_not_run(format!("{} cannot be removed: {error}", summary.display()));
+        }
+        match told.ok().and_then(|text| fields(&text)) {
+            Some(fields) => Outcome::Ran { fields, passed: ended.success() },
+            None => self.did_not_run(format!("conform ended with {ended}")),
+        }
+    }
+
+    fn did_not_run(&self, reason: String) -> Outcome {
+        Outcome::NotRun { word: "not run", reason, is_failure: self.duty != Duty::Never }
+    }
+
+    /// Whether the driver has a device.
+    fn probe(&self, unitvec: &Path) -> Result<(), String> {
+        let mut devices = self.unitvec(unitvec);
+        devices.arg("devices").env("VK_LOADER_DEBUG", "error").stdin(Stdio::null());
+        let output = devices.output().map_err(|error| format!("it cannot be started: {error}"))?;
+        if output.status.success() { Ok(()) } else { Err(reason(&String::from_utf8_lossy(&output.stderr))) }
+    }
+
+    /// `unitvec` where this driver is the only one.
+    fn unitvec(&self, unitvec: &Path) -> Command {
+        let mut words = self.launcher.iter().map(OsString::as_os_str).chain([unitvec.as_os_str()]);
+        let mut command = Command::new(words.next().unwrap_or_default());
+        command.args(words);
+        for name in VARIABLES.iter().chain(&["UNITVEC_DEVICE"]) {
+            command.env_remove(name);
+        }
+        // Older loaders know the second name only.
+        command.env("VK_DRIVER_FILES", &self.icd).env("VK_ICD_FILENAMES", &self.icd);
+        command
+    }
+}
+
+/// Why there is no device: the first error of Vulkan's loader, without the name of its function, or else the program's.
+fn reason(said: &str) -> String {
+    let of_loader = said.lines().find_map(|line| Some(line.split_once("ERROR:")?.1));
+    let line = of_loader.or_else(|| said.lines().last()).unwrap_or_default();
+    let words: Vec<&str> = line.split_whitespace().skip_while(|word| word.ends_with(':')).collect();
+    words.join(" ")
+}
+
+/// The fields of `unitvec conform --summary`, with their names.
+fn fields(summary: &str) -> Option<Vec<(String, String)>> {
+    let (names, values) = summary.trim_end_matches('\n').split_once('\n')?;
+    let pairs = names.split('\t').zip(values.split('\t'));
+    Some(pairs.map(|(name, value)| (name.to_owned(), value.to_owned())).collect())
+}
+
+/// Figures of a driver that ran, by their names in `unitvec conform --summary`.
+const FIGURES: [&str; 4] = ["codecs", "vectors", "codes", "mismatches"];
+
+fn table(rows: &[Row]) -> String {
+    let line = |word: &str, figures: [&str; 4], last: &str| {
+        let figures = figures.map(|figure| format!("{figure:>11}")).concat();
+        format!("{word:<9}{figures}  {last}\n")
+    };
+    let mut text = line("", FIGURES, "driver; device; where from");
+    for Row { origin, outcome } in rows {
+        text += &match outcome {
+            Outcome::Ran { fields, passed } => {
+                let field = |name| value(fields, name);
+                let last = format!("{}; {}; {origin}", field("driver"), field("device"));
+                line(if *passed { "PASS" } else { "FAIL" }, FIGURES.map(field), &last)
+            }
+            Outcome::NotRun { word, reason, .. } => line(word, ["-"; 4], &format!("{origin}: {reason}")),
+        };
+    }
+    text
+}
+
+fn value<'a>(fields: &'a [(String, String)], name: &str) -> &'a str {
+    fields.iter().find(|(other, _)| other == name).map_or("?", |(_, value)| value)
+}
+
+/// Those that ran, below the names of the fields.
+fn record(rows: &[Row]) -> String {
+    let ran = rows.iter().filter_map(|Row { origin, outcome }| match outcome {
+        Outcome::Ran { fields, .. } => Some((origin, fields)),
+        Outcome::NotRun { .. } => None,
+    });
+    let mut text = String::new();
+    for (origin, fields) in ran {
+        let (names, values): (Vec<&str>, Vec<&str>) =
+            fields.iter().map(|(name, value)| (name.as_str(), value.as_str())).unzip();
+        if text.is_empty() {
+            text = format!("origin\t{}\n", names.join("\t"));
+        }
+        text += &format!("{origin}\t{}\n", values.join("\t"));
+    }
+    text
+}
+
+/// Fails where a driver differs, where one did not run that has to, and where none ran at all.
+fn verdict(rows: &[Row]) -> Result<(), String> {
+    let of = |is: fn(&Outcome) -> bool| -> Vec<&str> {
+        rows.iter().filter(|row| is(&row.outcome)).map(|row| row.origin.as_str()).collect()
+    };
+    let different = of(|outcome| matches!(outcome, Outcome::Ran { passed: false, .. }));
+    let missing = of(|outcome| matches!(outcome, Outcome::NotRun { is_failure: true, .. }));
+    let ran = of(|outcome| matches!(outcome, Outcome::Ran { .. })).len();
+    let mut faults = Vec::new();
+    if !different.is_empty() {
+        faults.push(format!("conform fails on {}", different.join(", ")));
+    }
+    if !missing.is_empty() {
+        faults.push(format!("not run: {}", missing.join(", ")));
+    }
+    if ran == 0 {
+        faults.push("no driver ran".to_owned());
+    }
+    if !faults.is_empty() {
+        return Err(faults.join("; "));
+    }
+    println!("xtask: {ran} drivers agree to the bit; {} not run", rows.len() - ran);
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests;
