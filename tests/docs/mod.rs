@@ -6,6 +6,7 @@
 pub mod accuracy;
 mod claims;
 pub mod costs;
+mod drivers;
 mod flat;
 mod imprecise;
 mod prose;
