@@ -26,6 +26,7 @@ const float UNITVEC_PARALLEL_KEPT = 0.9999995;
 
 // The plane that the components are stored in.
 struct UnitvecParallelPlane {
+    uvec2 bits;
     vec2 m;
     vec2 steps;
     float limit;
@@ -36,13 +37,20 @@ struct UnitvecParallelPlane {
 UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
     vec2 m = vec2(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    return UnitvecParallelPlane(m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
+    return UnitvecParallelPlane(uvec2(x_bits, y_bits), m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
 }
 
 UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    return UnitvecParallelPlane(m, steps, UNITVEC_PARALLEL_KEPT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+    return UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_KEPT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+}
+
+// e in units of the plane: on the disk the correctly rounded quotients on every device, so that all agree on what is inside.
+vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
+    UNITVEC_PRECISE vec2 divided = e / plane.steps;
+    vec2 on_disk = vec2(unitvec_snorm_part(e.x, plane.bits.x), unitvec_snorm_part(e.y, plane.bits.y));
+    return plane.sextant ? divided : on_disk;
 }
 
 // 1 on the border.
@@ -54,13 +62,12 @@ float unitvec_parallel_extent(UnitvecParallelPlane plane, vec2 p) {
 }
 
 bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, vec2 e) {
-    UNITVEC_PRECISE vec2 p = e / plane.steps;
-    return unitvec_parallel_extent(plane, p) > plane.limit;
+    return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
 }
 
 // e with the component along which the border is sooner reached lessened by `by` steps.
 vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
-    UNITVEC_PRECISE vec2 p = e / plane.steps;
+    vec2 p = unitvec_parallel_parts(plane, e);
     UNITVEC_PRECISE float x = p.x * plane.steps.y;
     UNITVEC_PRECISE float y = p.y * plane.steps.x;
     UNITVEC_PRECISE float weighed_x = (p.x >= p.y ? 2.0 : 0.5) * x;
@@ -84,12 +91,11 @@ vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
 vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
     vec2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
     vec2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
-    UNITVEC_PRECISE vec2 p = e / plane.steps;
+    vec2 p = unitvec_parallel_parts(plane, e);
     UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(unitvec_parallel_extent(plane, p));
     UNITVEC_PRECISE vec2 projected = e * onto_border;
     vec2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
-    UNITVEC_PRECISE vec2 point = chosen / plane.steps;
-    return point;
+    return unitvec_parallel_parts(plane, chosen);
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.

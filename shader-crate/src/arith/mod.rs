@@ -26,8 +26,8 @@ pub(crate) use scale::{exp2, scale_to_one, scaled_to_one};
 pub(crate) use sign::SIGN_BIT;
 pub use sign::{is_negative, negate_if, negate_positive, with_sign};
 pub use snorm::{
-    snorm_code, snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max, unorm_code,
-    unorm_decode, unorm_encode, unorm_max,
+    SnormDivision, snorm_code, snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max,
+    unorm_code, unorm_decode, unorm_encode, unorm_max,
 };
 pub use trig::*;
 pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};

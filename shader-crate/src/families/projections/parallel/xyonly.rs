@@ -1,10 +1,8 @@
 //! x and y alone, for the hemisphere z >= 0.
 
 use super::plane::{INSET, KEPT, Plane};
-use super::{field, from_plane, third, unit};
-use crate::arith::{
-    half_decode_magnitude, half_encode_magnitude, is_negative, negate_positive, snorm_integer, sqrt,
-};
+use super::{from_plane, pack, third, unit, unpack};
+use crate::arith::{half_decode_magnitude, half_encode_magnitude, is_negative, negate_positive, sqrt};
 use crate::codec::Codec;
 use crate::direction::upper_or_z;
 use glam::{Vec2, Vec3};
@@ -20,6 +18,10 @@ fn upper_unit(v: Vec3) -> Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct XyOnly<const BITS: u32>;
 
+impl<const BITS: u32> XyOnly<BITS> {
+    const PLANE: Plane = Plane::disk(BITS / 2, BITS / 2);
+}
+
 impl<const BITS: u32> Codec for XyOnly<BITS> {
     const BITS: u32 = BITS;
     /// For directions with z >= 0. `arccos(1 - 1/(sqrt(2) m))` and what `f32` rounds, in degrees.
@@ -33,16 +35,13 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let n = upper_unit(v);
-        let e = Plane::disk(BITS / 2, BITS / 2).round(Vec2::new(n.x.abs(), n.y.abs()));
-        let (x, y) = (field(is_negative(n.x), e.x, BITS / 2), field(is_negative(n.y), e.y, BITS / 2));
-        x | (y << (BITS / 2))
+        let e = Self::PLANE.round(Vec2::new(n.x.abs(), n.y.abs()));
+        pack(Self::PLANE, n, e, 0)[0]
     }
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        let x = snorm_integer(code, BITS / 2);
-        let y = snorm_integer(code >> (BITS / 2), BITS / 2);
-        from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
+        from_plane(Self::PLANE, unpack(Self::PLANE, [code, 0]).0, false)
     }
 }
 
