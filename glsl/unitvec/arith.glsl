@@ -71,6 +71,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
