@@ -21,8 +21,8 @@ precision highp float;
 precision highp int;
 
 const float UNITVEC_PARALLEL_INSET = 0.4375;
-// 1 - 2^-21.
-const float UNITVEC_PARALLEL_KEPT = 0.9999995;
+// 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
+const float UNITVEC_PARALLEL_SEXTANT_LIMIT = 0.9999995;
 
 // The plane that the components are stored in.
 struct UnitvecParallelPlane {
@@ -43,14 +43,15 @@ UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
 UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    return UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_KEPT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+    return UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
 }
 
-// e in units of the plane: on the disk the correctly rounded quotients on every device, so that all agree on what is inside.
+// e in units of the plane, without a division of floats, so that all devices agree on what is inside.
 vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
-    UNITVEC_PRECISE vec2 divided = e / plane.steps;
+    vec2 reciprocal = vec2(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
+    UNITVEC_PRECISE vec2 in_sextant = e * (reciprocal * 0.70710677);
     vec2 on_disk = vec2(unitvec_snorm_part(e.x, plane.bits.x), unitvec_snorm_part(e.y, plane.bits.y));
-    return plane.sextant ? divided : on_disk;
+    return plane.sextant ? in_sextant : on_disk;
 }
 
 // 1 on the border.
@@ -76,6 +77,13 @@ vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
     return along_x ? vec2(less.x, e.y) : vec2(e.x, less.y);
 }
 
+// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
+// above it.
+float unitvec_parallel_onto_border(float extent) {
+    UNITVEC_PRECISE float factor = 1.4999995 - 0.5 * extent;
+    return factor;
+}
+
 // Whole numbers of a point of the positive quadrant.
 vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
     UNITVEC_PRECISE vec2 position = p * plane.steps + 0.5;
@@ -91,9 +99,8 @@ vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
 vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
     vec2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
     vec2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
-    vec2 p = unitvec_parallel_parts(plane, e);
-    UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(unitvec_parallel_extent(plane, p));
-    UNITVEC_PRECISE vec2 projected = e * onto_border;
+    float extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
+    UNITVEC_PRECISE vec2 projected = e * unitvec_parallel_onto_border(extent);
     vec2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
     return unitvec_parallel_parts(plane, chosen);
 }
@@ -243,9 +250,9 @@ vec3 xyonly32f_decode(uint code) {
     vec2 p = unitvec_xyonly32f_halves(a, b);
     vec2 inner = unitvec_xyonly32f_halves_inset(a, b);
     vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
-    UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
-    UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(square);
-    UNITVEC_PRECISE vec2 projected = p * onto_border;
+    vec2 unit = min(p, 1.0);
+    UNITVEC_PRECISE float square = unit.x * unit.x + unit.y * unit.y;
+    UNITVEC_PRECISE vec2 projected = unit * unitvec_parallel_onto_border(square);
     vec2 below = vec2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     vec2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return vec3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x), unitvec_negate_positive((code >> 31u) != 0u, q.y),

@@ -31,8 +31,11 @@
 //! * Points outside: the corners of the square are no directions, but rounding gets points there that are off the disk
 //!   (for SPP: off the sextant) by part of a step. Those decode 7/16 of a step farther inwards along the component that
 //!   matters more. `encode` does not write the few that this leaves outside, but the point one step inwards. Points
-//!   farther out decode as the lattice point below their projection onto the border. So every code survives decoding
-//!   and encoding; normalised instead, points near the border would wander from code to code.
+//!   farther out decode as a lattice point inside, toward the middle: near the border for those near it, halfway to the
+//!   middle for the square's corners. So every code survives decoding and encoding; normalised instead, points near the
+//!   border would wander from code to code.
+//! * What is inside and where points outside go is told without dividing and without a square root, so that all devices
+//!   agree: what one decodes, any other encodes to a code of the same vector.
 //! * A vector that is of unit length to within 2^-21 is taken as it is: normalising would move its components by as
 //!   much as its own rounding did, which at 48 bits is a step.
 //! * Domain of XYOnly: z >= 0. A direction below the equator gets the code of its horizontal part, -Z that of +Z.

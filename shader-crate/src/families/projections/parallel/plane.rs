@@ -1,13 +1,20 @@
 //! The plane that the components are stored in, and what is done with points outside its border.
 
-use crate::arith::{SnormDivision, floor, max, min, snorm_max, sqrt};
+use crate::arith::{SnormDivision, floor, max, min, snorm_max};
 use glam::Vec2;
 
 /// How far inwards, in steps, points outside decode.
 pub(super) const INSET: f32 = 0.4375;
 
-/// What of the projection onto the border is kept, so that the lattice point below is inside: 1 - 2^-21.
-pub(super) const KEPT: f32 = 0.999_999_5;
+/// The extent of a sextant: 2^-21 less than 1, so that rounding does not turn the largest component into another.
+const SEXTANT_LIMIT: f32 = 0.999_999_5;
+
+/// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of `1 / sqrt(extent)` at 1, which nowhere is
+/// above it. A square root would differ from device to device.
+#[inline(always)]
+pub(super) fn onto_border(extent: f32) -> f32 {
+    1.499_999_5 - 0.5 * extent
+}
 
 /// The plane that the components are stored in. To be a constant: see [`SnormDivision::new`].
 #[derive(Clone, Copy)]
@@ -21,6 +28,8 @@ pub(super) struct Plane {
     steps: Vec2,
     by_x: SnormDivision,
     by_y: SnormDivision,
+    /// Of a sextant, the size of a step.
+    step: Vec2,
     /// Points are inside up to this [`extent`](Self::extent).
     limit: f32,
     /// How far inwards, in steps, points outside decode.
@@ -42,6 +51,7 @@ impl Plane {
             steps: m,
             by_x: SnormDivision::new(x_bits),
             by_y: SnormDivision::new(y_bits),
+            step: Vec2::ZERO,
             // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
             limit: if fine { 1.000_000_4 } else { 1.0 },
             inset: if fine { 0.0 } else { INSET },
@@ -49,9 +59,9 @@ impl Plane {
         }
     }
 
-    /// Of a sextant. Inside leaves 2^-21, so that rounding does not turn the largest component into another.
+    /// Of a sextant.
     pub(super) const fn sextant(u_bits: u32, v_bits: u32) -> Self {
-        use core::f32::consts::SQRT_2;
+        use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
         let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
         Self {
             x_bits: u_bits,
@@ -60,17 +70,17 @@ impl Plane {
             steps: Vec2::new(m.x * SQRT_2, m.y * SQRT_2),
             by_x: SnormDivision::new(u_bits),
             by_y: SnormDivision::new(v_bits),
-            limit: KEPT,
+            step: Vec2::new((1.0 / m.x) * FRAC_1_SQRT_2, (1.0 / m.y) * FRAC_1_SQRT_2),
+            limit: SEXTANT_LIMIT,
             inset: if u_bits > 22 { 0.0 } else { INSET },
             sextant: true,
         }
     }
 
-    /// `e` in units of the plane: on the disk the correctly rounded quotients on every device, so that all agree on what is
-    /// inside.
+    /// `e` in units of the plane, without a division, so that all devices agree on what is inside.
     #[inline(always)]
     fn parts(self, e: Vec2) -> Vec2 {
-        if self.sextant { e / self.steps } else { Vec2::new(self.by_x.of(e.x), self.by_y.of(e.y)) }
+        if self.sextant { e * self.step } else { Vec2::new(self.by_x.of(e.x), self.by_y.of(e.y)) }
     }
 
     /// 1 on the border, for a point of the positive quadrant.
@@ -110,7 +120,7 @@ impl Plane {
     #[inline(always)]
     pub(super) fn point(self, e: Vec2) -> Vec2 {
         let inset = if self.is_outside(e) { self.inwards(e, self.inset) } else { e };
-        let onto_border = KEPT / sqrt(self.extent(self.parts(e)));
+        let onto_border = onto_border(self.extent(self.parts(e)));
         let below = Vec2::new(floor(e.x * onto_border), floor(e.y * onto_border));
         self.parts(if self.is_outside(inset) { below } else { inset })
     }

@@ -1,8 +1,8 @@
 //! x and y alone, for the hemisphere z >= 0.
 
-use super::plane::{INSET, KEPT, Plane};
+use super::plane::{INSET, Plane, onto_border};
 use super::{from_plane, pack, third, unit, unpack};
-use crate::arith::{half_decode_magnitude, half_encode_magnitude, is_negative, negate_positive, sqrt};
+use crate::arith::{half_decode_magnitude, half_encode_magnitude, is_negative, min, negate_positive};
 use crate::codec::Codec;
 use crate::direction::upper_or_z;
 use glam::{Vec2, Vec3};
@@ -101,8 +101,9 @@ impl Codec for XyOnly32F {
         let (a, b) = (code & 0x7fff, (code >> 16) & 0x7fff);
         let p = halves(a, b);
         let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };
-        let onto_border = KEPT / sqrt(p.x * p.x + p.y * p.y);
-        let below = Vec2::new(half_below(p.x * onto_border), half_below(p.y * onto_border));
+        let unit = Vec2::new(min(p.x, 1.0), min(p.y, 1.0));
+        let onto_border = onto_border(unit.x * unit.x + unit.y * unit.y);
+        let below = Vec2::new(half_below(unit.x * onto_border), half_below(unit.y * onto_border));
         let q = if is_off_disk(inset) { below } else { inset };
         Vec3::new(
             negate_positive((code & 0x8000) != 0, q.x),
