@@ -142,14 +142,14 @@ vec3 eaoct_to_float32x3(vec2 e) {
 
 uint unitvec_eaoct_encode(vec3 v, uint bits) {
     float norm = unitvec_l1_norm(v);
-    uint code = unitvec_oct_pack(unitvec_eaoct_lattice(v, norm, unitvec_snorm_max(bits / 2u)), bits);
-    return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
+    vec2 e = unitvec_eaoct_lattice(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
 uint unitvec_eaoct_encode_precise(vec3 v, uint bits) {
     float norm = unitvec_l1_norm(v);
-    uint code = unitvec_oct_pack(unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits / 2u)), bits);
-    return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
+    vec2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits / 2u));
+    return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
 vec3 unitvec_eaoct_decode(uint code, uint bits) {

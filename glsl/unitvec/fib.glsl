@@ -93,14 +93,10 @@ uint unitvec_fib_split(float x, out float rest) {
     return uint(whole);
 }
 
-// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
-const float UNITVEC_FIB_LEAST_X = 9.094947017729282e-13;
-const float UNITVEC_FIB_LEAST_Y = 4.336808689942018e-19;
-
 // Azimuth of v in turns, a fraction of 32 bits: anything beside the z axis. `scaled` is v at an L1 norm of 1 to 2.
 uint unitvec_fib_azimuth(vec3 v, vec3 scaled) {
-    float x = max(abs(scaled.x), UNITVEC_FIB_LEAST_X);
-    float y = max(abs(scaled.y), UNITVEC_FIB_LEAST_Y);
+    float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
+    float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
     UNITVEC_PRECISE float quotient = min(x, y) / max(x, y);
     UNITVEC_PRECISE float part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
     uint octant = uint(int(part));

@@ -79,7 +79,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     UNITVEC_PRECISE float difference = abs(y) - abs(x);
-    UNITVEC_PRECISE float w = uintBitsToFloat(floatBitsToUint(difference) ^ odd) / sum;
+    UNITVEC_PRECISE float w = unitvec_flip_sign(difference, odd) / sum;
 
     float half_places = float(1u << (angle_bits - 3u));
     UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
@@ -96,10 +96,10 @@ vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
-    float w = uintBitsToFloat(floatBitsToUint(unitvec_frame_warp(v)) ^ odd);
+    float w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
     UNITVEC_PRECISE float x = 1.0 - w;
     UNITVEC_PRECISE float y = 1.0 + w;
-    return vec2(uintBitsToFloat(floatBitsToUint(x) ^ odd ^ below), uintBitsToFloat(floatBitsToUint(y) ^ below));
+    return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.

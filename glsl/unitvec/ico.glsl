@@ -241,12 +241,12 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
         vec3(UNITVEC_ICO_GOLDEN * w.z + to_x, w.x + y_of_y * w.y, UNITVEC_ICO_GOLDEN * (w.x + to_z) + w.z);
     uint block = unitvec_whole_to_u32(block_number);
     uint odd = block << 31u;
-    uint upper = (block << 30u) & 0x80000000u;
+    uint upper = (block << 30u) & UNITVEC_SIGN_BIT;
     v = unitvec_normalize(v);
     v = vec3(
         unitvec_negate_if(is_second, v.x),
-        uintBitsToFloat(floatBitsToUint(v.y) ^ (is_octant ? odd : 0u)),
-        uintBitsToFloat(floatBitsToUint(v.z) ^ (is_octant ? upper : odd)));
+        unitvec_flip_sign(v.y, is_octant ? odd : 0u),
+        unitvec_flip_sign(v.z, is_octant ? upper : odd));
     return unitvec_ico_turn(v, !is_octant && (block & 6u) == 2u, !is_octant && block >= 4u);
 }
 

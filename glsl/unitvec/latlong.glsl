@@ -89,11 +89,6 @@ vec2 unitvec_latlong_in_parts(uint index, uint bits) {
     return vec2(float(int(index - low)), float(int(low)));
 }
 
-// -x where the highest bit of sign_bit is set.
-float unitvec_latlong_negate_by(uint sign_bit, float x) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ (sign_bit & 0x80000000u));
-}
-
 uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_bits) {
     float norm = unitvec_l1_norm(v);
     bool usable = unitvec_is_usable(norm);
@@ -156,11 +151,11 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     bool odd = (quarter & (1u << index_bits)) != 0u;
     float a = odd ? equator.y : equator.x;
     float b = odd ? equator.x : equator.y;
-    a = unitvec_latlong_negate_by((quarter + (1u << index_bits)) << (30u - index_bits), a);
-    b = unitvec_latlong_negate_by(quarter << (30u - index_bits), b);
-    uint below = code << (29u - index_bits);
-    UNITVEC_PRECISE float z =
-        unitvec_latlong_negate_by(below, meridian.x) - unitvec_latlong_negate_by(below, meridian.y);
+    uint to_sign = 30u - index_bits;
+    a = unitvec_flip_sign(a, ((quarter + (1u << index_bits)) << to_sign) & UNITVEC_SIGN_BIT);
+    b = unitvec_flip_sign(b, (quarter << to_sign) & UNITVEC_SIGN_BIT);
+    uint below = (code << (29u - index_bits)) & UNITVEC_SIGN_BIT;
+    UNITVEC_PRECISE float z = unitvec_flip_sign(meridian.x, below) - unitvec_flip_sign(meridian.y, below);
     UNITVEC_PRECISE vec2 p = vec2(a - b, a + b) * radius;
     return vec3(p, z);
 }

@@ -203,9 +203,6 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
 // 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
 const float UNITVEC_OCT_BIAS = 8390655.0;
 
-// The code of +Z, both components 2047.
-const uint UNITVEC_OCT24_Z = 0xfff77fu;
-
 // Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
 uint unitvec_oct_pack_unorm8x3(vec2 e) {
     UNITVEC_PRECISE vec2 sum = e + UNITVEC_OCT_BIAS;
@@ -233,7 +230,7 @@ vec2 unitvec_oct_unpack(uint code, uint bits) {
 
 // `code`, or that of +Z where this L1 norm gives no direction: to select here takes the fewest operations.
 uint unitvec_oct_usable_code(float norm, uint code, uint bits) {
-    return unitvec_is_usable(norm) ? code : (bits == 24u ? UNITVEC_OCT24_Z : 0u);
+    return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
 }
 
 uint unitvec_oct_encode(vec3 v, uint bits) {

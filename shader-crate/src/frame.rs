@@ -42,7 +42,8 @@
 //!   interpolated.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, dot, mask, nearest_code, nearest_pair, normalize, snorm_integer, snorm_max, with_sign,
+    SIGN_BIT, TWO_23, dot, flip_sign, mask, nearest_code, nearest_pair, normalize, snorm_integer, snorm_max,
+    with_sign,
 };
 use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
@@ -218,7 +219,7 @@ fn angle_code<const ANGLE_BITS: u32>(n: Vec3, tangent: Vec3, parallel: f32) -> u
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
     let below = y.to_bits() & SIGN_BIT;
     let odd = (x.to_bits() & SIGN_BIT) ^ below;
-    let w = flip(y.abs() - x.abs(), odd) / sum;
+    let w = flip_sign(y.abs() - x.abs(), odd) / sum;
 
     let half_places = (1 << (ANGLE_BITS - 3)) as f32;
     let place = half_places * (unwarp::<ANGLE_BITS>(w) + 1.0) + TWO_23;
@@ -228,12 +229,6 @@ fn angle_code<const ANGLE_BITS: u32>(n: Vec3, tangent: Vec3, parallel: f32) -> u
     if usable { code } else { 0 }
 }
 
-/// `-x` where `sign` is the sign bit, `x` where it is 0.
-#[inline(always)]
-fn flip(x: f32, sign: u32) -> f32 {
-    f32::from_bits(x.to_bits() ^ sign)
-}
-
 /// The place of an angle's code in the plane of the basis: a point of the diamond `|x| + |y| = 2`.
 #[inline(always)]
 fn diamond_point<const ANGLE_BITS: u32>(code: u32) -> Vec2 {
@@ -241,8 +236,8 @@ fn diamond_point<const ANGLE_BITS: u32>(code: u32) -> Vec2 {
     let v = place * (1.0 / (1 << (ANGLE_BITS - 3)) as f32) - 1.0;
     let odd = (code << (33 - ANGLE_BITS)) & SIGN_BIT;
     let below = (code << (32 - ANGLE_BITS)) & SIGN_BIT;
-    let w = flip(warp(v), odd);
-    Vec2::new(flip(1.0 - w, odd ^ below), flip(1.0 + w, below))
+    let w = flip_sign(warp(v), odd);
+    Vec2::new(flip_sign(1.0 - w, odd ^ below), flip_sign(1.0 + w, below))
 }
 
 /// The tangent of an angle's code, about the decoded normal `n`: of unit length to within 2 ULP.

@@ -22,12 +22,12 @@ pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer, si
 pub use round::whole_to_u32;
 pub(crate) use round::{ONE_AND_A_HALF_2_23, TWO_23, integer_part, nearest_whole, small_floor, whole_to_i32};
 pub use scale::{ENORMOUS, NEGLIGIBLE, is_within};
-pub(crate) use scale::{exp2, scale_to_one, scaled_to_one};
-pub(crate) use sign::SIGN_BIT;
+pub(crate) use scale::{LEAST_X, LEAST_Y, exp2, scale_to_one, scaled_to_one};
+pub(crate) use sign::{SIGN_BIT, flip_sign};
 pub use sign::{is_negative, negate_if, negate_positive, with_sign};
 pub use snorm::{
-    snorm_code, snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max, unorm_code,
-    unorm_decode, unorm_encode, unorm_max,
+    SnormDivision, snorm_code, snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max,
+    unorm_code, unorm_decode, unorm_encode, unorm_max,
 };
 pub use trig::*;
 pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};

@@ -8,6 +8,14 @@ pub const NEGLIGIBLE: f32 = exp2(-100);
 /// 2^100: what is larger has no meaning as an angle or a part.
 pub const ENORMOUS: f32 = exp2(100);
 
+/// The least that x counts as for an azimuth, beside an L1 norm of 1 to 2: 2^-40, far below half a step of any angle. So nothing is
+/// divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
+pub(crate) const LEAST_X: f32 = exp2(-40);
+
+/// The least that y counts as there: 2^-61, which no scaled denormal reaches. So much less than [`LEAST_X`] that the azimuth of
+/// +Z is 0.
+pub(crate) const LEAST_Y: f32 = exp2(-61);
+
 /// 2 to the power `exponent`, -126 to 127.
 #[inline(always)]
 pub(crate) const fn exp2(exponent: i32) -> f32 {

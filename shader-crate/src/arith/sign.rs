@@ -27,6 +27,12 @@ pub fn with_sign(magnitude: f32, y: f32) -> f32 {
     f32::from_bits(magnitude.to_bits() | (y.to_bits() & SIGN_BIT))
 }
 
+/// `-x` where `sign` is [`SIGN_BIT`], `x` where it is 0: bits, so that 0 changes its sign too.
+#[inline(always)]
+pub(crate) fn flip_sign(x: f32, sign: u32) -> f32 {
+    f32::from_bits(x.to_bits() ^ sign)
+}
+
 /// The sign bit of an f32.
 pub(crate) const SIGN_BIT: u32 = 0x8000_0000;
 

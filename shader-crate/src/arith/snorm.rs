@@ -3,7 +3,7 @@
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
 //! leave the rounding of ties open; here ties go to the even integer.
 
-use super::{SIGN_BIT, TWO_23, mask, max, min, nearest_code, signed_integer, signed_integer_at};
+use super::{SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, signed_integer, signed_integer_at};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -71,6 +71,36 @@ pub fn snorm_integer(code: u32, bits: u32) -> f32 {
     max(signed_integer(code, bits), -snorm_max(bits))
 }
 
+/// Division of whole numbers by the largest integer of an snorm of 2 to 24 bits, rounded correctly on every device: GPUs need
+/// not divide exactly.
+///
+/// With `h = 2^(1 - bits)`, `1 / m` is `h + h / m`, or `h + h^2 + h^2 / m` where `x` leaves room for it: products of all but
+/// the last summand with `x` are exact, and the last is so small that its rounding does not show. Tests go through all
+/// whole `x`.
+#[derive(Clone, Copy, Debug)]
+pub struct SnormDivision {
+    high: f32,
+    low: f32,
+}
+
+impl SnormDivision {
+    /// By that of `bits` bits. To be a constant: a device would divide.
+    pub const fn new(bits: u32) -> Self {
+        let (h, reciprocal) = (exp2(1 - bits as i32), 1.0 / snorm_max(bits));
+        if bits <= 11 {
+            Self { high: h + h * h, low: h * h * reciprocal }
+        } else {
+            Self { high: h, low: h * reciprocal }
+        }
+    }
+
+    /// `x / snorm_max(bits)`, for `x` up to `snorm_max(bits)`.
+    #[inline(always)]
+    pub fn of(self, x: f32) -> f32 {
+        x * self.high + x * self.low
+    }
+}
+
 /// The integers of a code of two snorms of `bits` bits (2 to 16): x in the low bits, y in the next.
 #[inline(always)]
 pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
@@ -124,6 +154,20 @@ mod tests {
                     assert_eq!(snorm_encode(r, bits), expected, "snorm{bits} of {r}");
                 }
             }
+        }
+    }
+
+    /// Against the CPU's own division, which is correct: all whole numbers, and those 7/16 below, which the parallel
+    /// projections have. Of these one, or two near the middle, may be off where there is no room for `h^2`.
+    #[test]
+    fn division_is_correctly_rounded() {
+        for bits in 2..=24 {
+            let (m, division) = (snorm_max(bits), SnormDivision::new(bits));
+            let is_off = |x: &f32| division.of(*x) != x / m;
+            let whole = || (0..1 << (bits - 1)).map(|i| i as f32);
+            assert_eq!(whole().find(is_off), None, "{bits} bits");
+            let below = whole().skip(1).map(|x| x - 0.4375).filter(is_off).count();
+            assert!(bits > 22 || below <= if bits <= 11 { 0 } else { 3 }, "{bits} bits: {below}");
         }
     }
 

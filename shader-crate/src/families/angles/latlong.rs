@@ -59,8 +59,8 @@
 
 use super::{around_z, half_turn, quarter, scaled};
 use crate::arith::{
-    floor, from_diagonal, horizontal_length, integer_part, is_negative, mask, max, min, signed_integer, sqrt,
-    whole_to_u32, with_sign,
+    SIGN_BIT, flip_sign, floor, from_diagonal, horizontal_length, integer_part, is_negative, mask, max, min,
+    signed_integer, sqrt, whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -208,12 +208,6 @@ fn in_parts(index: u32, bits: u32) -> (f32, f32) {
     (whole_to_f32(index - low), whole_to_f32(low))
 }
 
-/// `-x` where the highest bit of `sign` is set, else `x`.
-#[inline(always)]
-fn negate_by(sign: u32, x: f32) -> f32 {
-    f32::from_bits(x.to_bits() ^ (sign & (1 << 31)))
-}
-
 /// The code of [`LatLongD`] of the direction of `v`, whose index has `index_bits` bits.
 #[inline(always)]
 pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
@@ -269,10 +263,11 @@ pub fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let quarter = if index > 0 { code } else { 0 };
     let odd = quarter & (1 << index_bits) != 0;
     let (a, b) = if odd { (equator.y, equator.x) } else { (equator.x, equator.y) };
-    let a = negate_by((quarter.wrapping_add(1 << index_bits)) << (30 - index_bits), a);
-    let b = negate_by(quarter << (30 - index_bits), b);
-    let below = code << (29 - index_bits);
-    let z = negate_by(below, meridian.x) - negate_by(below, meridian.y);
+    let to_sign = 30 - index_bits;
+    let a = flip_sign(a, (quarter.wrapping_add(1 << index_bits) << to_sign) & SIGN_BIT);
+    let b = flip_sign(b, (quarter << to_sign) & SIGN_BIT);
+    let below = (code << (29 - index_bits)) & SIGN_BIT;
+    let z = flip_sign(meridian.x, below) - flip_sign(meridian.y, below);
     Vec3::new((a - b) * radius, (a + b) * radius, z)
 }
 

@@ -6,18 +6,10 @@ pub mod spherical;
 pub mod spherical_wide;
 
 use crate::arith::{
-    atan_quarter, exp2, from_diagonal, is_negative, max, min, negate_if, negate_positive, scale_to_one,
-    with_sign,
+    LEAST_X, LEAST_Y, atan_quarter, from_diagonal, is_negative, max, min, negate_if, negate_positive,
+    scale_to_one, with_sign,
 };
 use glam::Vec3;
-
-/// The least that x counts as, beside an L1 norm of 1 to 2: 2^-40, far below half a step of any angle. So nothing is
-/// divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
-const LEAST_X: f32 = exp2(-40);
-
-/// The least that y counts as: 2^-61, which no scaled denormal reaches. So much less than [`LEAST_X`] that the azimuth of
-/// +Z is 0.
-const LEAST_Y: f32 = exp2(-61);
 
 /// The magnitudes of the components of `v`, of an L1 norm of `norm`, scaled by a power of two to an L1 norm of 1 to 2,
 /// by which their squares neither overflow nor vanish. Without a usable direction, anything.

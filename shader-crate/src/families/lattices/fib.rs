@@ -39,8 +39,8 @@
 //! itself elsewhere. Encoding and decoding are off by at most 2e-7 radians each.
 
 use crate::arith::{
-    atan_octant_of_normal, cos_eighth, exp2, integer_part, is_negative, mask, max, min, negate_if,
-    scale_to_one, sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
+    LEAST_X, LEAST_Y, atan_octant_of_normal, cos_eighth, exp2, integer_part, is_negative, mask, max, min,
+    negate_if, scale_to_one, sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -90,13 +90,6 @@ pub const fn turn(i: u32) -> u32 {
 const fn turn_of_step(i: u32) -> u32 {
     i.wrapping_mul(GOLDEN_HIGH).wrapping_add(((i & mask(17)) * (GOLDEN_LOW >> 17)) >> 15)
 }
-
-/// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-40, far below a step, and so much less for y that the
-/// azimuth of +Z is 0. So nothing is divided by 0, and no denormal counts, since some devices flush them: scaled, they are
-/// all less.
-const LEAST_X: f32 = exp2(-40);
-/// See [`LEAST_X`].
-const LEAST_Y: f32 = exp2(-61);
 
 /// A fraction of a turn in 32 bits as a float, in [-1/2, 1/2\].
 #[inline(always)]

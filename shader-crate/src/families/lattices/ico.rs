@@ -74,7 +74,8 @@
 //!   a lattice step at 24 bits; the best that we found leaves 0.008. Neighbouring rows are unrelated, so that codes must not be interpolated.
 
 use crate::arith::{
-    TWO_23, floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32, with_sign,
+    SIGN_BIT, TWO_23, flip_sign, floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32,
+    with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -88,9 +89,6 @@ const GOLDEN_LESS_1: f32 = 0.618_034;
 
 /// What reflection adds to the sum of the coordinates, of a coordinate of -1.
 const ADDED_BY_REFLECTION: f32 = 0.763_932;
-
-/// The sign of a float's bits.
-const SIGN: u32 = 1 << 31;
 
 /// Of the cubic that the inverse of the warp starts from: fitted to N = n / 0.215 so that its greatest error is least.
 const INVERSE_0: f32 = 0.214316;
@@ -374,13 +372,9 @@ pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
 
     // Of the components, y alone can be 0, where it keeps its sign.
     let block = whole_to_u32(block);
-    let (odd, upper) = (block << 31, (block << 30) & SIGN);
+    let (odd, upper) = (block << 31, (block << 30) & SIGN_BIT);
     let (y_sign, z_sign) = if is_octant { (odd, upper) } else { (0, odd) };
-    let v = Vec3::new(
-        negate_if(is_second, v.x),
-        f32::from_bits(v.y.to_bits() ^ y_sign),
-        f32::from_bits(v.z.to_bits() ^ z_sign),
-    );
+    let v = Vec3::new(negate_if(is_second, v.x), flip_sign(v.y, y_sign), flip_sign(v.z, z_sign));
     turn(v, !is_octant & (block & 6 == 2), !is_octant & (block >= 4))
 }
 

@@ -50,13 +50,13 @@
 //! No two-float arithmetic is needed: r has an error of at most `8 2^-24`, phi of `4 2^-24`. At 32 bits the position is
 //! good to 2^-6 of a step, and mostly to 2^-9.
 
-use super::{pack, unpack};
+use super::{unpack, usable_code};
 use crate::arith::{
     atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one, sin_eighth,
     snorm_max, sqrt, with_sign,
 };
 use crate::codec::Codec;
-use crate::direction::{is_usable, l1_norm};
+use crate::direction::l1_norm;
 use glam::{Vec2, Vec3};
 
 /// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-26, which moves a direction by less than 2^-10 of a
@@ -201,8 +201,7 @@ impl<const BITS: u32> Codec for EaOct<BITS> {
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let norm = l1_norm(v);
-        let code = pack::<BITS>(lattice(v, norm, snorm_max(BITS / 2)));
-        if is_usable(norm) { code } else { pack::<BITS>(Vec2::ZERO) }
+        usable_code::<BITS>(norm, lattice(v, norm, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]
@@ -226,8 +225,7 @@ impl<const BITS: u32> Codec for EaOctPrecise<BITS> {
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let norm = l1_norm(v);
-        let code = pack::<BITS>(lattice_precise(v, norm, snorm_max(BITS / 2)));
-        if is_usable(norm) { code } else { pack::<BITS>(Vec2::ZERO) }
+        usable_code::<BITS>(norm, lattice_precise(v, norm, snorm_max(BITS / 2)))
     }
 
     #[inline(always)]

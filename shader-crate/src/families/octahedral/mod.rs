@@ -29,15 +29,7 @@ fn pack<const BITS: u32>(e: Vec2) -> u32 {
 #[inline(always)]
 fn usable_code<const BITS: u32>(norm: f32, e: Vec2) -> u32 {
     let code = pack::<BITS>(e);
-    if is_usable(norm) { code } else { Z::<BITS>::CODE }
-}
-
-/// The code of +Z.
-struct Z<const BITS: u32>;
-
-impl<const BITS: u32> Z<BITS> {
-    /// (0, 0); in 24 bits both components are 2047.
-    const CODE: u32 = if BITS == 24 { 0xff_f77f } else { 0 };
+    if is_usable(norm) { code } else { pack::<BITS>(Vec2::ZERO) }
 }
 
 /// The lattice point of a code.

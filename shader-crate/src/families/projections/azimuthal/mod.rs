@@ -96,27 +96,51 @@ mod square;
 pub use disk::*;
 pub use square::*;
 
-use crate::arith::{floor, is_negative, negate_if, signed_code, signed_integer, snorm_integer, snorm_max};
+use crate::arith::{
+    SnormDivision, exp2, floor, is_negative, negate_if, signed_code, signed_integer, snorm_integer, snorm_max,
+};
 use crate::codec::Codec;
 use crate::direction::or_z;
 use core::marker::PhantomData;
 use glam::{Vec2, Vec3};
 
-/// The largest integers of u and v: v's is a power of two, see the module's layout.
-#[inline(always)]
-pub const fn largest(bits: u32) -> (f32, f32) {
-    (snorm_max(bits / 2), (1 << (bits / 2 - 2)) as f32)
+/// The lattice of a width.
+#[derive(Clone, Copy, Debug)]
+pub struct Lattice {
+    /// The largest integers of u and v: v's is a power of two, see the module's layout.
+    pub largest: Vec2,
+    by_u: SnormDivision,
+    v_step: f32,
+}
+
+impl Lattice {
+    /// That of `bits` bits. To be a constant: see [`SnormDivision::new`].
+    pub const fn new(bits: u32) -> Self {
+        let v_step = exp2(2 - bits as i32 / 2);
+        let largest = Vec2::new(snorm_max(bits / 2), (1 << (bits / 2 - 2)) as f32);
+        Self { largest, by_u: SnormDivision::new(bits / 2), v_step }
+    }
+
+    /// `e / largest`, correctly rounded on every device: so all agree on what is inside the disk.
+    #[inline(always)]
+    fn parts(self, e: Vec2) -> Vec2 {
+        Vec2::new(self.by_u.of(e.x), e.y * self.v_step)
+    }
 }
 
 /// `stretch` steps of v in degrees, and what the rounding of the position in f32 adds: at most 2^-21 per axis, of
 /// which four times the length of `k/2` and 1/2 are more than enough.
 const fn error_bound(stretch: f32, bits: u32) -> f32 {
-    (stretch * (1.0 / largest(bits).1 + 4.0 / 2_097_152.0)).to_degrees()
+    (stretch * (1.0 / Lattice::new(bits).largest.y + 4.0 / 2_097_152.0)).to_degrees()
 }
 
 /// Azimuthal code of `BITS` bits (16, 20, 22, 24 or 32): the projection `P`, laid on the square by `S`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Azimuthal<P: Projection, S: SquareMap, const BITS: u32>(PhantomData<(P, S)>);
+
+impl<P: Projection, S: SquareMap, const BITS: u32> Azimuthal<P, S, BITS> {
+    const LATTICE: Lattice = Lattice::new(BITS);
+}
 
 impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BITS> {
     const BITS: u32 = BITS;
@@ -126,11 +150,10 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BIT
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let (u_bits, v_bits) = (BITS / 2, BITS / 2 - 1);
-        let (u_max, v_max) = largest(BITS);
-        let m = Vec2::new(u_max, v_max);
+        let m = Self::LATTICE.largest;
         let (v, norm) = or_z(v);
         let s = S::to_square(P::to_disk(v.abs() * (1.0 / norm)));
-        let e = S::settle(Vec2::new(floor(s.x * m.x + 0.5), floor(s.y * m.y + 0.5)), m);
+        let e = S::settle(Vec2::new(floor(s.x * m.x + 0.5), floor(s.y * m.y + 0.5)), Self::LATTICE);
 
         let (left, back, below) = (is_negative(v.x), is_negative(v.y), is_negative(v.z));
         let flag = if e.y < m.y { below } else { !back };
@@ -143,13 +166,12 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BIT
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
         let (u_bits, v_bits) = (BITS / 2, BITS / 2 - 1);
-        let (u_max, v_max) = largest(BITS);
-        let m = Vec2::new(u_max, v_max);
+        let m = Self::LATTICE.largest;
         let u = snorm_integer(code, u_bits);
         let v = signed_integer(code >> u_bits, v_bits);
         let flag = (code >> (BITS - 1)) & 1 != 0;
 
-        let n = P::from_disk(S::to_disk(Vec2::new(u.abs(), v.abs()), m));
+        let n = P::from_disk(S::to_disk(Vec2::new(u.abs(), v.abs()), Self::LATTICE));
         let back = v < 0.0 && !(flag && v <= -m.y);
         Vec3::new(signed(u < 0.0, n.x), signed(back, n.y), signed(flag, n.z))
     }

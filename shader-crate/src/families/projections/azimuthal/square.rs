@@ -1,5 +1,6 @@
 //! The disk on the square.
 
+use super::Lattice;
 use super::disk::Disk;
 #[cfg(doc)]
 use super::disk::Projection;
@@ -23,11 +24,11 @@ pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static 
     /// The point on the square of a disk point.
     fn to_square(disk: Disk) -> Vec2;
 
-    /// The lattice point to write where `e` is the one that rounding gave. `m` has the largest integers.
-    fn settle(e: Vec2, m: Vec2) -> Vec2;
+    /// The lattice point to write where `e` is the one that rounding gave.
+    fn settle(e: Vec2, lattice: Lattice) -> Vec2;
 
     /// The disk point of a lattice point.
-    fn to_disk(e: Vec2, m: Vec2) -> Disk;
+    fn to_disk(e: Vec2, lattice: Lattice) -> Disk;
 }
 
 /// No map: the disk lies in the square, whose corners, a part of `1 - pi/4`, are spare.
@@ -59,19 +60,19 @@ impl SquareMap for Plain {
     }
 
     #[inline(always)]
-    fn settle(e: Vec2, m: Vec2) -> Vec2 {
-        let p = e / m;
-        let inward = if p.x / m.x > p.y / m.y { Vec2::X } else { Vec2::Y };
-        if is_remote(e, m) { e - inward } else { e }
+    fn settle(e: Vec2, lattice: Lattice) -> Vec2 {
+        let slope = lattice.parts(e) / lattice.largest;
+        let inward = if slope.x > slope.y { Vec2::X } else { Vec2::Y };
+        if is_remote(e, lattice) { e - inward } else { e }
     }
 
     #[inline(always)]
-    fn to_disk(e: Vec2, m: Vec2) -> Disk {
-        let p = e / m;
+    fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
+        let p = lattice.parts(e);
         let rim = 1.0 - (p.x * p.x + p.y * p.y);
-        let onto_rim = move_to_rim(p, m, -0.5 * rim);
+        let onto_rim = move_to_rim(p, lattice.largest, -0.5 * rim);
         let axis = if p.x > p.y { Vec2::X } else { Vec2::Y };
-        let on_rim = if is_remote(e, m) { axis } else { onto_rim };
+        let on_rim = if is_remote(e, lattice) { axis } else { onto_rim };
         let rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
         if rim > 0.0 {
             Disk { point: p, radius: 0.0, rim }
@@ -83,8 +84,8 @@ impl SquareMap for Plain {
 
 /// True for lattice points of whose cell the disk covers nothing, or next to nothing.
 #[inline(always)]
-fn is_remote(e: Vec2, m: Vec2) -> bool {
-    let corner = (e - REACH) / m;
+fn is_remote(e: Vec2, lattice: Lattice) -> bool {
+    let corner = lattice.parts(e - REACH);
     corner.x * corner.x + corner.y * corner.y > 1.0
 }
 
@@ -120,13 +121,13 @@ impl SquareMap for Concentric {
     }
 
     #[inline(always)]
-    fn settle(e: Vec2, _: Vec2) -> Vec2 {
+    fn settle(e: Vec2, _: Lattice) -> Vec2 {
         e
     }
 
     #[inline(always)]
-    fn to_disk(e: Vec2, m: Vec2) -> Disk {
-        let s = e / m;
+    fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
+        let s = lattice.parts(e);
         let steep = s.y > s.x;
         let (shorter, radius) = if steep { (s.x, s.y) } else { (s.y, s.x) };
         let quotient = shorter / radius;
@@ -163,13 +164,13 @@ impl SquareMap for Ellipse {
     }
 
     #[inline(always)]
-    fn settle(e: Vec2, _: Vec2) -> Vec2 {
+    fn settle(e: Vec2, _: Lattice) -> Vec2 {
         e
     }
 
     #[inline(always)]
-    fn to_disk(e: Vec2, m: Vec2) -> Disk {
-        let s = e / m;
+    fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
+        let s = lattice.parts(e);
         let point = Vec2::new(s.x * sqrt(1.0 - 0.5 * s.y * s.y), s.y * sqrt(1.0 - 0.5 * s.x * s.x));
         // (1 - s^2) (1 - t^2), with one rounding less near the middle.
         let factor = 1.0 - s.x * s.x;

@@ -31,8 +31,11 @@
 //! * Points outside: the corners of the square are no directions, but rounding gets points there that are off the disk
 //!   (for SPP: off the sextant) by part of a step. Those decode 7/16 of a step farther inwards along the component that
 //!   matters more. `encode` does not write the few that this leaves outside, but the point one step inwards. Points
-//!   farther out decode as the lattice point below their projection onto the border. So every code survives decoding
-//!   and encoding; normalised instead, points near the border would wander from code to code.
+//!   farther out decode as a lattice point inside, toward the middle: near the border for those near it, halfway to the
+//!   middle for the square's corners. So every code survives decoding and encoding; normalised instead, points near the
+//!   border would wander from code to code.
+//! * What is inside and where points outside go is told without dividing and without a square root, so that all devices
+//!   agree: what one decodes, any other encodes to a code of the same vector.
 //! * A vector that is of unit length to within 2^-21 is taken as it is: normalising would move its components by as
 //!   much as its own rounding did, which at 48 bits is a step.
 //! * Domain of XYOnly: z >= 0. A direction below the equator gets the code of its horizontal part, -Z that of +Z.
@@ -88,9 +91,10 @@ fn field(negative: bool, whole: f32, bits: u32) -> u32 {
     (if negative { 0u32.wrapping_sub(magnitude) } else { magnitude }) & mask(bits)
 }
 
-/// The words of two whole numbers with the signs of `p`, in `x_bits` and `y_bits` bits, and of the bits above them.
+/// The words of the whole numbers of a plane with the signs of `p`, and of the bits above them.
 #[inline(always)]
-fn pack(p: Vec3, e: Vec2, top: u32, x_bits: u32, y_bits: u32) -> [u32; 2] {
+fn pack(plane: Plane, p: Vec3, e: Vec2, top: u32) -> [u32; 2] {
+    let Plane { x_bits, y_bits, .. } = plane;
     let (x, y) = (field(is_negative(p.x), e.x, x_bits), field(is_negative(p.y), e.y, y_bits));
     let low = x | (y << x_bits);
     let components = x_bits + y_bits;
@@ -103,7 +107,8 @@ fn pack(p: Vec3, e: Vec2, top: u32, x_bits: u32, y_bits: u32) -> [u32; 2] {
 
 /// The inverse of [`pack`]: the integers, and the bits above them, of which only the lowest count.
 #[inline(always)]
-fn unpack(words: [u32; 2], x_bits: u32, y_bits: u32) -> (Vec2, u32) {
+fn unpack(plane: Plane, words: [u32; 2]) -> (Vec2, u32) {
+    let Plane { x_bits, y_bits, .. } = plane;
     let components = x_bits + y_bits;
     let (y, top) = if components < 32 {
         (words[0] >> x_bits, words[0] >> components)
@@ -126,39 +131,43 @@ fn from_plane(plane: Plane, e: Vec2, negative: bool) -> Vec3 {
 }
 
 #[inline(always)]
-fn pp_encode(v: Vec3, x_bits: u32, y_bits: u32) -> [u32; 2] {
+fn pp_encode(v: Vec3, plane: Plane) -> [u32; 2] {
     let (v, norm) = or_z(v);
     let n = unit(v, norm);
-    let e = Plane::disk(x_bits, y_bits).round(Vec2::new(n.x.abs(), n.y.abs()));
+    let e = plane.round(Vec2::new(n.x.abs(), n.y.abs()));
     // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
-    pack(n, e, if is_negative(v.z) { 1 } else { 0 }, x_bits, y_bits)
+    pack(plane, n, e, if is_negative(v.z) { 1 } else { 0 })
 }
 
 #[inline(always)]
-fn pp_decode(words: [u32; 2], x_bits: u32, y_bits: u32) -> Vec3 {
-    let (e, top) = unpack(words, x_bits, y_bits);
-    from_plane(Plane::disk(x_bits, y_bits), e, (top & 1) != 0)
+fn pp_decode(words: [u32; 2], plane: Plane) -> Vec3 {
+    let (e, top) = unpack(plane, words);
+    from_plane(plane, e, (top & 1) != 0)
 }
 
 #[inline(always)]
-fn spp_encode(v: Vec3, u_bits: u32, v_bits: u32) -> [u32; 2] {
+fn spp_encode(v: Vec3, plane: Plane) -> [u32; 2] {
     let (v, norm) = or_z(v);
     let face = face_of(v);
     let n = to_face(unit(v, norm), face);
-    let e = Plane::sextant(u_bits, v_bits).round(Vec2::new(n.x.abs(), n.y.abs()));
-    pack(n, e, face, u_bits, v_bits)
+    let e = plane.round(Vec2::new(n.x.abs(), n.y.abs()));
+    pack(plane, n, e, face)
 }
 
 #[inline(always)]
-fn spp_decode(words: [u32; 2], u_bits: u32, v_bits: u32) -> Vec3 {
-    let (e, top) = unpack(words, u_bits, v_bits);
-    let n = from_plane(Plane::sextant(u_bits, v_bits), e, (top & 1) != 0);
+fn spp_decode(words: [u32; 2], plane: Plane) -> Vec3 {
+    let (e, top) = unpack(plane, words);
+    let n = from_plane(plane, e, (top & 1) != 0);
     from_face(n, top & 7)
 }
 
 /// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Pp<const BITS: u32>;
+
+impl<const BITS: u32> Pp<BITS> {
+    const PLANE: Plane = Plane::disk(BITS / 2, BITS / 2 - 1);
+}
 
 impl<const BITS: u32> Codec for Pp<BITS> {
     const BITS: u32 = BITS;
@@ -172,18 +181,22 @@ impl<const BITS: u32> Codec for Pp<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        pp_encode(v, BITS / 2, BITS / 2 - 1)[0]
+        pp_encode(v, Self::PLANE)[0]
     }
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        pp_decode([code, 0], BITS / 2, BITS / 2 - 1)
+        pp_decode([code, 0], Self::PLANE)
     }
 }
 
 /// Parallel projection of 48 bits: x of 24, y of 23 and the sign of z.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Pp48;
+
+impl Pp48 {
+    const PLANE: Plane = Plane::disk(24, 23);
+}
 
 impl Codec for Pp48 {
     const BITS: u32 = 48;
@@ -193,18 +206,22 @@ impl Codec for Pp48 {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> [u32; 2] {
-        pp_encode(v, 24, 23)
+        pp_encode(v, Self::PLANE)
     }
 
     #[inline(always)]
     fn decode_vec3(code: [u32; 2]) -> Vec3 {
-        pp_decode(code, 24, 23)
+        pp_decode(code, Self::PLANE)
     }
 }
 
 /// Sextant parallel projection: the two smaller components and the sextant in `BITS` bits (16, 24 or 32).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spp<const BITS: u32>;
+
+impl<const BITS: u32> Spp<BITS> {
+    const PLANE: Plane = Plane::sextant(BITS / 2 - 1, BITS / 2 - 2);
+}
 
 impl<const BITS: u32> Codec for Spp<BITS> {
     const BITS: u32 = BITS;
@@ -218,18 +235,22 @@ impl<const BITS: u32> Codec for Spp<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
-        spp_encode(v, BITS / 2 - 1, BITS / 2 - 2)[0]
+        spp_encode(v, Self::PLANE)[0]
     }
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        spp_decode([code, 0], BITS / 2 - 1, BITS / 2 - 2)
+        spp_decode([code, 0], Self::PLANE)
     }
 }
 
 /// Sextant parallel projection of 48 bits: components of 23 and 22, the sextant of 3.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spp48;
+
+impl Spp48 {
+    const PLANE: Plane = Plane::sextant(23, 22);
+}
 
 impl Codec for Spp48 {
     const BITS: u32 = 48;
@@ -239,11 +260,11 @@ impl Codec for Spp48 {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> [u32; 2] {
-        spp_encode(v, 23, 22)
+        spp_encode(v, Self::PLANE)
     }
 
     #[inline(always)]
     fn decode_vec3(code: [u32; 2]) -> Vec3 {
-        spp_decode(code, 23, 22)
+        spp_decode(code, Self::PLANE)
     }
 }

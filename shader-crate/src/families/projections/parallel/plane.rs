@@ -1,21 +1,35 @@
 //! The plane that the components are stored in, and what is done with points outside its border.
 
-use crate::arith::{floor, max, min, snorm_max, sqrt};
+use crate::arith::{SnormDivision, floor, max, min, snorm_max};
 use glam::Vec2;
 
 /// How far inwards, in steps, points outside decode.
 pub(super) const INSET: f32 = 0.4375;
 
-/// What of the projection onto the border is kept, so that the lattice point below is inside: 1 - 2^-21.
-pub(super) const KEPT: f32 = 0.999_999_5;
+/// The extent of a sextant: 2^-21 less than 1, so that rounding does not turn the largest component into another.
+const SEXTANT_LIMIT: f32 = 0.999_999_5;
 
-/// The plane that the components are stored in.
+/// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of `1 / sqrt(extent)` at 1, which nowhere is
+/// above it. A square root would differ from device to device.
+#[inline(always)]
+pub(super) fn onto_border(extent: f32) -> f32 {
+    1.499_999_5 - 0.5 * extent
+}
+
+/// The plane that the components are stored in. To be a constant: see [`SnormDivision::new`].
 #[derive(Clone, Copy)]
 pub(super) struct Plane {
+    /// The widths of the two components.
+    pub(super) x_bits: u32,
+    pub(super) y_bits: u32,
     /// The largest whole numbers.
     m: Vec2,
     /// Steps in a unit.
     steps: Vec2,
+    by_x: SnormDivision,
+    by_y: SnormDivision,
+    /// Of a sextant, the size of a step.
+    step: Vec2,
     /// Points are inside up to this [`extent`](Self::extent).
     limit: f32,
     /// How far inwards, in steps, points outside decode.
@@ -27,13 +41,17 @@ pub(super) struct Plane {
 impl Plane {
     /// Of the disk. With 23 bits and more a component has no room for an inset, and needs none: points outside are so
     /// by less than the length's rounding.
-    #[inline(always)]
-    pub(super) fn disk(x_bits: u32, y_bits: u32) -> Self {
+    pub(super) const fn disk(x_bits: u32, y_bits: u32) -> Self {
         let m = Vec2::new(snorm_max(x_bits), snorm_max(y_bits));
         let fine = x_bits > 22;
         Self {
+            x_bits,
+            y_bits,
             m,
             steps: m,
+            by_x: SnormDivision::new(x_bits),
+            by_y: SnormDivision::new(y_bits),
+            step: Vec2::ZERO,
             // 1 + 3 2^-23: half a unit of the last place in length more than the coarser component is off.
             limit: if fine { 1.000_000_4 } else { 1.0 },
             inset: if fine { 0.0 } else { INSET },
@@ -41,17 +59,28 @@ impl Plane {
         }
     }
 
-    /// Of a sextant. Inside leaves 2^-21, so that rounding does not turn the largest component into another.
-    #[inline(always)]
-    pub(super) fn sextant(u_bits: u32, v_bits: u32) -> Self {
+    /// Of a sextant.
+    pub(super) const fn sextant(u_bits: u32, v_bits: u32) -> Self {
+        use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
         let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
         Self {
+            x_bits: u_bits,
+            y_bits: v_bits,
             m,
-            steps: m * core::f32::consts::SQRT_2,
-            limit: KEPT,
+            steps: Vec2::new(m.x * SQRT_2, m.y * SQRT_2),
+            by_x: SnormDivision::new(u_bits),
+            by_y: SnormDivision::new(v_bits),
+            step: Vec2::new((1.0 / m.x) * FRAC_1_SQRT_2, (1.0 / m.y) * FRAC_1_SQRT_2),
+            limit: SEXTANT_LIMIT,
             inset: if u_bits > 22 { 0.0 } else { INSET },
             sextant: true,
         }
+    }
+
+    /// `e` in units of the plane, without a division, so that all devices agree on what is inside.
+    #[inline(always)]
+    fn parts(self, e: Vec2) -> Vec2 {
+        if self.sextant { e * self.step } else { Vec2::new(self.by_x.of(e.x), self.by_y.of(e.y)) }
     }
 
     /// 1 on the border, for a point of the positive quadrant.
@@ -64,13 +93,13 @@ impl Plane {
 
     #[inline(always)]
     fn is_outside(self, e: Vec2) -> bool {
-        self.extent(e / self.steps) > self.limit
+        self.extent(self.parts(e)) > self.limit
     }
 
     /// `e` with the component along which the border is sooner reached lessened by `by` steps.
     #[inline(always)]
     fn inwards(self, e: Vec2, by: f32) -> Vec2 {
-        let p = e / self.steps;
+        let p = self.parts(e);
         let (x, y) = (p.x * self.steps.y, p.y * self.steps.x);
         let weighed_x = if p.x >= p.y { 2.0 } else { 0.5 } * x;
         let along_x = if self.sextant { weighed_x } else { x } >= y;
@@ -91,8 +120,8 @@ impl Plane {
     #[inline(always)]
     pub(super) fn point(self, e: Vec2) -> Vec2 {
         let inset = if self.is_outside(e) { self.inwards(e, self.inset) } else { e };
-        let onto_border = KEPT / sqrt(self.extent(e / self.steps));
+        let onto_border = onto_border(self.extent(self.parts(e)));
         let below = Vec2::new(floor(e.x * onto_border), floor(e.y * onto_border));
-        (if self.is_outside(inset) { below } else { inset }) / self.steps
+        self.parts(if self.is_outside(inset) { below } else { inset })
     }
 }

@@ -1,10 +1,8 @@
 //! x and y alone, for the hemisphere z >= 0.
 
-use super::plane::{INSET, KEPT, Plane};
-use super::{field, from_plane, third, unit};
-use crate::arith::{
-    half_decode_magnitude, half_encode_magnitude, is_negative, negate_positive, snorm_integer, sqrt,
-};
+use super::plane::{INSET, Plane, onto_border};
+use super::{from_plane, pack, third, unit, unpack};
+use crate::arith::{half_decode_magnitude, half_encode_magnitude, is_negative, min, negate_positive};
 use crate::codec::Codec;
 use crate::direction::upper_or_z;
 use glam::{Vec2, Vec3};
@@ -20,6 +18,10 @@ fn upper_unit(v: Vec3) -> Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct XyOnly<const BITS: u32>;
 
+impl<const BITS: u32> XyOnly<BITS> {
+    const PLANE: Plane = Plane::disk(BITS / 2, BITS / 2);
+}
+
 impl<const BITS: u32> Codec for XyOnly<BITS> {
     const BITS: u32 = BITS;
     /// For directions with z >= 0. `arccos(1 - 1/(sqrt(2) m))` and what `f32` rounds, in degrees.
@@ -33,16 +35,13 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> u32 {
         let n = upper_unit(v);
-        let e = Plane::disk(BITS / 2, BITS / 2).round(Vec2::new(n.x.abs(), n.y.abs()));
-        let (x, y) = (field(is_negative(n.x), e.x, BITS / 2), field(is_negative(n.y), e.y, BITS / 2));
-        x | (y << (BITS / 2))
+        let e = Self::PLANE.round(Vec2::new(n.x.abs(), n.y.abs()));
+        pack(Self::PLANE, n, e, 0)[0]
     }
 
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
-        let x = snorm_integer(code, BITS / 2);
-        let y = snorm_integer(code >> (BITS / 2), BITS / 2);
-        from_plane(Plane::disk(BITS / 2, BITS / 2), Vec2::new(x, y), false)
+        from_plane(Self::PLANE, unpack(Self::PLANE, [code, 0]).0, false)
     }
 }
 
@@ -102,8 +101,9 @@ impl Codec for XyOnly32F {
         let (a, b) = (code & 0x7fff, (code >> 16) & 0x7fff);
         let p = halves(a, b);
         let inset = if is_off_disk(p) { halves_inset(a, b) } else { p };
-        let onto_border = KEPT / sqrt(p.x * p.x + p.y * p.y);
-        let below = Vec2::new(half_below(p.x * onto_border), half_below(p.y * onto_border));
+        let unit = Vec2::new(min(p.x, 1.0), min(p.y, 1.0));
+        let onto_border = onto_border(unit.x * unit.x + unit.y * unit.y);
+        let below = Vec2::new(half_below(unit.x * onto_border), half_below(unit.y * onto_border));
         let q = if is_off_disk(inset) { below } else { inset };
         Vec3::new(
             negate_positive((code & 0x8000) != 0, q.x),
