@@ -54,6 +54,8 @@ pub struct CodecInfo {
     pub is_unit: bool,
     /// True where the directions of the domain's axes come back exactly.
     pub exact_axes: bool,
+    /// True where what any device decodes, any other encodes to a code of the same vector.
+    pub stable_across_devices: bool,
     /// Upper bound of the error over the domain, in degrees.
     pub max_error_deg: f32,
     /// The family: its module in [`unitvec`] and, with `.glsl`, the GLSL include file with its functions.
@@ -76,6 +78,7 @@ impl CodecInfo {
             domain: C::DOMAIN,
             is_unit: C::IS_UNIT,
             exact_axes: C::EXACT_AXES,
+            stable_across_devices: C::STABLE_ACROSS_DEVICES,
             max_error_deg: C::MAX_ERROR_DEG,
             family: C::FAMILY,
             encodes_by_table: false,

@@ -39,6 +39,10 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// True where the directions of the axes (those of the codec's domain) come back exactly.
     const EXACT_AXES: bool = true;
 
+    /// True where what any device decodes, any other encodes to a code of the same vector, to the bit, although Vulkan lets
+    /// devices divide and take square roots inexactly. The family's docs say why where it is false.
+    const STABLE_ACROSS_DEVICES: bool = true;
+
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
     type Code: Code;
 

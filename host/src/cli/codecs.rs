@@ -65,6 +65,7 @@ fn tables(columns: Option<usize>) -> String {
             right("max error (deg)", 15),
             left("unit", 5).apart().rank(3),
             left("axes", 5).rank(4),
+            left("stable", 6).rank(6),
             left("Vulkan format", 35).rank(1),
             left("GLSL", 19).rank(2),
         ],
@@ -97,6 +98,7 @@ fn tables(columns: Option<usize>) -> String {
             &format_args!("{:.7}", codec.max_error_deg),
             &yes(codec.is_unit),
             &yes(codec.exact_axes),
+            &yes(codec.stable_across_devices),
             &codec.vk_format.unwrap_or("-"),
             &codec.glsl_file(),
         ]);

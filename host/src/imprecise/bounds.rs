@@ -7,7 +7,7 @@
 //! in its argument, and by 1 more, since the same operations round other numbers.
 
 use super::{Model, Outcome, error_bounds};
-use crate::catalogue::{Format, find};
+use crate::catalogue::{Format, find, find_frame};
 use std::f64::consts::PI;
 
 /// 2^-23: a ULP of the numbers from 1 to 2.
@@ -80,7 +80,8 @@ impl Bounds {
             decoder,
             bits: format.bits,
             error_bound_deg: normal.min(tangent),
-            is_stable: family != "best_fit",
+            is_stable: find(format.id).is_ok_and(|codec| codec.stable_across_devices)
+                || find_frame(format.id).is_some(),
         }
     }
 

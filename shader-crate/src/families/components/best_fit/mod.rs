@@ -51,6 +51,8 @@
 //!   that of plain components, ten times the mean.
 //! * Cost: trying 64 lengths takes many times the operations of an octahedral encoder; by table it takes several times
 //!   as many, and one read. Decoding is next to free.
+//! * Not stable, on one device or across devices: a code's vector comes back within the codec's error. Many candidates lie
+//!   in nearly the same direction, and rounding decides which is nearest.
 //! * Axes and diagonals (components of 0 and one magnitude) round-trip exactly, but for length; the axes have length 1
 //!   with snorm8x3P and snorm16x3P. A mirrored or permuted vector gets the mirrored or permuted code.
 
@@ -121,6 +123,7 @@ pub struct SnormBest8;
 impl Codec for SnormBest8 {
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
+    const STABLE_ACROSS_DEVICES: bool = false;
     /// That of a length of 120. 127, which leaves 0.319 at most, need not be among a cell's lengths: found by trial of
     /// the cells, in directions 1/8 of a cell apart, that none leaves more. The rest is for those in between.
     const MAX_ERROR_DEG: f32 = error_bound(120.0, 1.0 / 16_384.0);
@@ -150,6 +153,7 @@ pub struct SnormNearest8;
 impl Codec for SnormNearest8 {
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
+    const STABLE_ACROSS_DEVICES: bool = false;
     /// 127 is a length that fits no worse than that, and is among those tried. Positions are off by 2^-17 at most.
     const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
     type Code = u32;
@@ -177,6 +181,7 @@ pub struct CrytekBfn24;
 impl Codec for CrytekBfn24 {
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
+    const STABLE_ACROSS_DEVICES: bool = false;
     /// No length is below 64. The largest error seen is half of that, 0.31.
     const MAX_ERROR_DEG: f32 = error_bound(64.0, 1.0 / 16_384.0);
     type Code = u32;
@@ -207,6 +212,7 @@ pub struct SnormBest16;
 impl Codec for SnormBest16 {
     const BITS: u32 = 48;
     const IS_UNIT: bool = false;
+    const STABLE_ACROSS_DEVICES: bool = false;
     /// 32767 is a length that fits no worse than that. Positions are off by 2^-9 at most along each axis, both in the
     /// choice and in what is chosen.
     const MAX_ERROR_DEG: f32 = error_bound(snorm_max(16), 1.0 / 128.0);

@@ -30,6 +30,10 @@
 //! * Weaknesses: without a map to the square a part of `1 - pi/4` of the codes is spare. [`Concentric`] creases at the
 //!   diagonals, where its maxima lie. Codes of the equator come in pairs, one for each hemisphere.
 //!
+//! Not stable across devices: 32 bits without a map. Lattice points beyond the rim are moved to within a 64th of half a step
+//! of themselves. That is 8 2^-24, and encoding on a device that divides as badly as Vulkan allows is off by up to twice as
+//! much. Such a code may come back as its neighbour on the rim.
+//!
 //! Why v is not an snorm: at 16 bits its steps would be 1/63, not 1/64, and the errors would be above the survey's,
 //! some means by more than a hundredth. As it is, all means agree with the published ones. A grid without zero
 //! (u of 255 steps, v of 127) would come as near, but would not have the axes. The maxima of the equal-area maps with
@@ -144,6 +148,7 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Azimuthal<P, S, BITS> {
 
 impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BITS> {
     const BITS: u32 = BITS;
+    const STABLE_ACROSS_DEVICES: bool = S::INDEX != Plain::INDEX || BITS < 32;
     const MAX_ERROR_DEG: f32 = error_bound(S::STRETCH[P::INDEX as usize], BITS);
     type Code = u32;
 
