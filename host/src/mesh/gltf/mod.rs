@@ -38,7 +38,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
             Some(accessor) => {
                 file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
                 all.add(&mesh, &primitive, Accessors::Normals(accessor.index()), |normals| {
-                    file.check_positions(&primitive)?;
+                    file.positions(&primitive, |_| ())?;
                     normals.reserve(accessor.count());
                     file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |normal| {
                         normals.push(normal)
@@ -48,7 +48,10 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
             None => {
                 let accessor = file.attribute(&primitive, &Semantic::Positions)?.index();
                 all.add(&mesh, &primitive, Accessors::Faces(accessor), |normals| {
-                    let mut sums = Sums::new(path, Positions::Single(file.positions(&primitive)?));
+                    let mut positions =
+                        Vec::with_capacity(file.attribute(&primitive, &Semantic::Positions)?.count());
+                    file.positions(&primitive, |position| positions.push(position))?;
+                    let mut sums = Sums::new(path, Positions::Single(positions));
                     for primitive in faces.get(&accessor).into_iter().flatten() {
                         sums.add_all(triangles(primitive.mode(), file.corners(primitive)?))?;
                     }
@@ -80,7 +83,7 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshErro
         file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
         file.check_counts(&primitive, [Semantic::Normals, Semantic::Tangents])?;
         all.add(&mesh, &primitive, Accessors::Frames(normals.index(), tangents.index()), |frames| {
-            file.check_positions(&primitive)?;
+            file.positions(&primitive, |_| ())?;
             frames.reserve(normals.count());
             let first = frames.len();
             file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
@@ -210,6 +213,9 @@ impl Geometry {
         /// Attributes in integers, which are read here.
         const QUANTIZATION: &str = "KHR_mesh_quantization";
         let Self { asset, accessors, buffers, buffer_views, mut meshes, mut extensions_required } = self;
+        // The validation has a line to say of each that it does not know.
+        extensions_required.sort_unstable();
+        extensions_required.dedup();
         extensions_required
             .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
         for primitive in meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
@@ -344,20 +350,14 @@ impl File<'_> {
         }
     }
 
-    fn positions(&self, primitive: &Primitive) -> Result<Vec<[f32; 3]>, MeshError> {
-        let mut positions = Vec::with_capacity(self.attribute(primitive, &Semantic::Positions)?.count());
-        self.check_positions(primitive)?;
-        self.vectors(primitive, &Semantic::Positions, Dimensions::Vec3, |position| positions.push(position))?;
-        Ok(positions)
-    }
-
-    /// Checks that all positions are finite.
-    fn check_positions(&self, primitive: &Primitive) -> Result<(), MeshError> {
+    /// Reads the positions, and checks that all are finite.
+    fn positions(&self, primitive: &Primitive, mut each: impl FnMut([f32; 3])) -> Result<(), MeshError> {
         let (mut vertex, mut checked) = (0, Ok(()));
-        self.vectors(primitive, &Semantic::Positions, Dimensions::Vec3, |position: [f32; 3]| {
+        self.vectors(primitive, &Semantic::Positions, Dimensions::Vec3, |position| {
             if checked.is_ok() {
                 checked = check_finite(self.path, vertex, Vec3::from(position).as_dvec3());
                 vertex += 1;
+                each(position);
             }
         })?;
         checked
