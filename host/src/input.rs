@@ -117,7 +117,7 @@ impl Read for Input {
     }
 }
 
-/// Reads all of what is small if it is what it should be: a manifest, a module, a report.
+/// Reads all of what is small if it is what it should be, such as a report of costs.
 ///
 /// # Errors
 /// Those of reading, and one if there are more than 64 MiB.

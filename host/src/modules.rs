@@ -4,12 +4,12 @@
 //! unless the caller trusts them; that its own manifest vouches for them says nothing of who wrote both.
 
 use crate::error::one_line;
-use crate::input::read_small;
+use crate::input::read_start;
 use crate::manifest::{self, Manifest, Module, Table};
 use std::borrow::Cow;
+use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
-use std::{fs, io};
 
 /// A folder of modules with its manifest.
 pub struct Modules {
@@ -166,12 +166,12 @@ impl Folder {
     }
 }
 
-/// Reads a file of a folder. Its name is the manifest's word, so it may be no device, no pipe, and nowhere else.
+/// Reads a file of a folder. Its name is the manifest's word, so it may be no device, no pipe, and nowhere else; nor are
+/// modules, manifests and tables of more than 64 MiB.
 fn read_inside(folder: &Path, file: &str) -> io::Result<Vec<u8>> {
-    let is_inside = Path::new(file).components().all(|part| matches!(part, Component::Normal(_)));
-    let path = folder.join(file);
-    if !is_inside || !path.metadata()?.is_file() {
-        return Err(io::Error::other("it is no file of this folder"));
+    const MOST: u64 = 1 << 26;
+    match Path::new(file).components().all(|part| matches!(part, Component::Normal(_))) {
+        true => read_start(&folder.join(file), MOST),
+        false => Err(io::Error::other("it is no file of this folder")),
     }
-    read_small(fs::File::open(path)?)
 }
