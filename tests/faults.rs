@@ -306,12 +306,57 @@ fn copy_of_the_modules() -> TempDir {
 
 /// Encoding with modules from this folder fails with these words.
 fn assert_modules_fail(modules: &TempDir, words: &[&str]) {
+    assert_fails_with_modules(modules, &[], words);
+}
+
+fn assert_fails_with_modules(modules: &TempDir, options: &[&str], words: &[&str]) {
     let folder = folder();
     let input = file(&folder, "in.bin", &[0; 12]);
-    let mut command = encode("oct16", &input, &folder.path().join("out"));
-    command.args(["--backend", "rust", "--spirv"]).arg(modules.path());
-    assert_fails(&mut command, 1, words);
+    assert_fails(&mut encode_with(modules, options, &input, &folder.path().join("out")), 1, words);
     assert_eq!(names(&folder), ["in.bin"]);
+}
+
+fn encode_with(modules: &TempDir, options: &[&str], input: &Path, output: &Path) -> Command {
+    let mut command = encode("oct16", input, output);
+    command.args(["--backend", "rust", "--spirv"]).arg(modules.path()).args(options);
+    command
+}
+
+/// A module of the user's runs where it is trusted, whatever the manifest says of its hash. That its own manifest has the
+/// hash is no reason to run it.
+#[test]
+fn a_module_of_the_users() {
+    let modules = copy_of_the_modules();
+    let mut bytes = std::fs::read(modules.path().join("kernels/oct16.spv")).unwrap();
+    // The generator's number, which means nothing: another module that does the same.
+    bytes[8] ^= 1;
+    std::fs::write(modules.path().join("kernels/oct16.spv"), &bytes).unwrap();
+    let folder = folder();
+    let (input, output) = (file(&folder, "in.bin", &[0; 12]), folder.path().join("out"));
+    for is_listed in [false, true] {
+        if is_listed {
+            replace_module(modules.path(), "kernels/oct16.spv", &bytes);
+        }
+        assert_modules_fail(&modules, &["kernels/oct16.spv", "not the program's", "--trust"]);
+        let trusted = encode_with(&modules, &["--trust"], &input, &output).output().unwrap();
+        assert!(trusted.status.success(), "{}", stderr(&trusted));
+        assert_eq!(std::fs::read(&output).unwrap(), [0; 2]);
+    }
+    let mut nothing_to_trust = encode("oct16", &input, &output);
+    let options = ["--backend", "rust", "--trust"];
+    assert_fails(nothing_to_trust.args(options), 2, &["--spirv", "name their folder"]);
+}
+
+/// Names in a manifest do not lead out of its folder.
+#[test]
+fn modules_elsewhere() {
+    let modules = copy_of_the_modules();
+    let manifest = modules.path().join("manifest.json");
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    for name in ["../oct16.spv", "/dev/zero", "kernels"] {
+        std::fs::write(&manifest, text.replace("kernels/oct16.spv", name)).unwrap();
+        assert_fails_with_modules(&modules, &["--trust"], &[name, "it is no file"]);
+    }
 }
 
 #[test]
@@ -322,7 +367,7 @@ fn a_corrupted_module() {
     let middle = bytes.len() / 2;
     bytes[middle] ^= 1;
     std::fs::write(&path, bytes).unwrap();
-    assert_modules_fail(&modules, &["kernels/oct16.spv", "corrupted", "cargo xtask spirv"]);
+    assert_modules_fail(&modules, &["kernels/oct16.spv", "SHA-256 differs", "cargo xtask spirv", "--trust"]);
 }
 
 #[test]
@@ -349,7 +394,7 @@ fn a_wrong_command_line() {
 fn options_that_do_not_go_together() {
     let folder = folder();
     let input = file(&folder, "in.bin", &[0; 12]);
-    for option in [&["--device", "0"][..], &["--validate"], &["--spirv", "."]] {
+    for option in [&["--device", "0"][..], &["--validate"], &["--spirv", "."], &["--trust"]] {
         let mut on_cpu = encode("oct16", &input, &folder.path().join("out"));
         assert_fails(on_cpu.args(option), 2, &["--backend rust"]);
     }
@@ -374,7 +419,7 @@ fn unknown_codecs_get_suggestions() {
     assert_fails(&mut command(["conform", "--codec", "zzz"]), 2, &["`unitvec codecs` lists them all"]);
 }
 
-/// A module with another entry point or cut short, though its hash is the manifest's, does not reach the driver. (That
+/// A module with another entry point or cut short does not reach the driver, though it is trusted. (That
 /// a cut at any word is found is shown beside the check, in the host.)
 #[test]
 fn a_module_of_something_else() {
@@ -386,7 +431,7 @@ fn a_module_of_something_else() {
             bytes.truncate(bytes.len() / 8 * 4);
         }
         replace_module(modules.path(), "kernels/oct16.spv", &bytes);
-        assert_modules_fail(&modules, &["oct16_encode", "is not a module"]);
+        assert_fails_with_modules(&modules, &["--trust"], &["oct16_encode", "is not a module"]);
     }
 }
 

@@ -18,6 +18,7 @@ mod exhaustive;
 mod faults;
 mod fib;
 mod frame;
+mod fuzz;
 #[cfg(feature = "glsl")]
 mod glsl;
 mod hemioct;
@@ -35,6 +36,7 @@ mod parallel;
 mod slices;
 mod soct;
 mod spherical;
+mod streams;
 mod suite;
 mod terminal;
 #[cfg(feature = "glsl")]

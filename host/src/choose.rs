@@ -4,6 +4,7 @@ use crate::accuracy::measure;
 use crate::backend::{BackendKind, Cpu};
 use crate::bench::REFERENCE;
 use crate::catalogue::{CATALOGUE, CodecInfo, Domain, Operation};
+use crate::error::one_line;
 use crate::isa::{self, GENERATIONS};
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
@@ -112,7 +113,7 @@ impl Costs {
             return Self::compiled(path, &report);
         }
         let report: Report = serde_json::from_slice(json)
-            .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: error.to_string() })?;
+            .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })?;
         let ratio = |row: ReportRow| Some((row.id, row.operation, row.alu_ratio_to_oct32?));
         let rows = report.rows.into_iter().filter(|row| row.backend == BackendKind::Rust);
         Ok(Self::new(report.device.name, rows.filter_map(ratio)))

@@ -33,8 +33,8 @@ pub enum Error {
     /// The options do not go together.
     #[error("{0}")]
     Usage(String),
-    /// The reader of the standard output has gone away: no fault, and nothing more to do.
-    #[error("the standard output was closed")]
+    /// The reader of the standard output, or of another pipe, has gone away: no fault, and nothing more to do.
+    #[error("the output was closed by its reader")]
     ReaderGone,
     /// A slice function was given the wrong sizes.
     #[error(transparent)]
@@ -113,15 +113,36 @@ pub enum Error {
     },
 }
 
+/// What a parser says, as one line: it may quote the input at length. The mark that it may end with is left out, since the
+/// message goes on.
+pub(crate) fn one_line(text: impl std::fmt::Display) -> String {
+    const MAX_CHARS: usize = 200;
+    let mut line = String::new();
+    let text = text.to_string();
+    let words = text.split(|c: char| c.is_whitespace() || c.is_control()).filter(|word| !word.is_empty());
+    for (at, char) in words.flat_map(|word| [" ", word]).flat_map(str::chars).skip(1).enumerate() {
+        if at == MAX_CHARS {
+            return line + "...";
+        }
+        line.push(char);
+    }
+    line.truncate(line.trim_end_matches([';', '.', ' ']).len());
+    line
+}
+
 impl Error {
     /// The error of writing to `path`, `-` being the standard output.
     pub fn writing(path: &Path, source: io::Error) -> Self {
-        let is_stdout = path == Path::new("-");
-        if is_stdout && source.kind() == io::ErrorKind::BrokenPipe {
+        if source.kind() == io::ErrorKind::BrokenPipe {
             return Self::ReaderGone;
         }
-        let path = if is_stdout { Path::new("the standard output") } else { path };
+        let path = if path == Path::new("-") { Path::new("the standard output") } else { path };
         Self::Write { path: path.to_owned(), source }
+    }
+
+    /// The error of an input that ends `left` bytes after so many whole elements of `size` bytes.
+    pub(crate) fn truncated(path: &Path, whole: u64, unit: &str, size: usize, left: usize) -> Self {
+        Self::Truncated { path: path.to_owned(), whole, unit: format!("{unit} of {size} bytes"), left }
     }
 
     /// True where the command line itself is at fault, which exits with status 2 instead of 1.

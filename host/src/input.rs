@@ -2,6 +2,7 @@
 
 use crate::catalogue::Element;
 use crate::mesh::{self, FileFormat, Frames, Mesh, MeshError, Part};
+use crate::stream::swap_if_big_endian;
 use crate::{Error, Result};
 use std::fs::File;
 use std::io::{self, Cursor, Read};
@@ -15,8 +16,11 @@ pub struct Input {
     path: PathBuf,
     reader: Box<dyn Read>,
     length: Option<u64>,
+    /// Bytes read of it.
+    read: u64,
     mesh: Option<FileFormat>,
     is_text: bool,
+    is_broken_text: bool,
 }
 
 impl Input {
@@ -30,8 +34,9 @@ impl Input {
         let mut head = Vec::new();
         reader.by_ref().take(FileFormat::HEAD as u64).read_to_end(&mut head).map_err(error)?;
         let (mesh, is_text) = (FileFormat::of(path, &head), is_text(&head));
+        let is_broken_text = mesh.is_some_and(|format| format.is_text(&head)) && head.contains(&0);
         let reader = Box::new(Cursor::new(head).chain(reader));
-        Ok(Self { path: path.to_owned(), reader, length, mesh, is_text })
+        Ok(Self { path: path.to_owned(), reader, length, read: 0, mesh, is_text, is_broken_text })
     }
 
     /// The format of the mesh that it holds, if it does.
@@ -65,20 +70,77 @@ impl Input {
     /// # Errors
     /// [`MeshError::UnknownFormat`] where it is none, and what `parse` meets.
     pub fn parse<T>(mut self, parse: fn(&Path, FileFormat, &[u8]) -> Result<T, MeshError>) -> Result<T> {
-        let path = self.path;
-        let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: path.clone() })?;
+        let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: self.path.clone() })?;
+        let bytes =
+            self.read_all(format).map_err(|source| Error::Read { path: self.path.clone(), source })?;
+        Ok(parse(&self.path, format, &bytes)?)
+    }
+
+    /// The whole of a mesh. What cannot be one is found before it fills the memory: 100 GB of zeros are quickly made.
+    fn read_all(&mut self, format: FileFormat) -> io::Result<Vec<u8>> {
+        /// A GLB has two chunks, whose lengths have 32 bits each.
+        const MOST_OF_GLTF: u64 = 1 << 34;
+        if self.is_broken_text {
+            return Err(io::Error::other("it has zeros where its format has text"));
+        }
+        if format == FileFormat::Gltf && self.length.is_some_and(|length| length > MOST_OF_GLTF) {
+            return Err(io::Error::other("it is longer than glTF can be"));
+        }
         let mut bytes = Vec::new();
-        match self.reader.read_to_end(&mut bytes) {
-            Ok(_) => Ok(parse(&path, format, &bytes)?),
-            Err(source) => Err(Error::Read { path, source }),
+        bytes.try_reserve_exact(self.length.and_then(|length| length.try_into().ok()).unwrap_or(0))?;
+        self.read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// The number of elements of so many bytes, if it is known.
+    ///
+    /// # Errors
+    /// [`Error::Truncated`] where the file's length tells that it ends within an element, so that nobody waits to learn it.
+    pub fn count(&self, bytes: usize, unit: &str) -> Result<Option<u64>> {
+        let Some(length) = self.length else { return Ok(None) };
+        let (whole, left) = (length / bytes as u64, (length % bytes as u64) as usize);
+        match left {
+            0 => Ok(Some(whole)),
+            _ => Err(Error::truncated(&self.path, whole, unit, bytes, left)),
         }
     }
 }
 
 impl Read for Input {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
-        self.reader.read(buffer)
+        let count = self.reader.read(buffer)?;
+        self.read += count as u64;
+        if count == 0 && !buffer.is_empty() && self.length.is_some_and(|length| self.read < length) {
+            return Err(io::Error::other("it became shorter while it was read"));
+        }
+        Ok(count)
     }
+}
+
+/// Reads all of what is small if it is what it should be, such as a report of costs.
+///
+/// # Errors
+/// Those of reading, and one if there are more than 64 MiB.
+pub fn read_small(from: impl Read) -> io::Result<Vec<u8>> {
+    const MOST: usize = 1 << 26;
+    let mut bytes = Vec::new();
+    from.take(MOST as u64 + 1).read_to_end(&mut bytes)?;
+    if bytes.len() > MOST {
+        return Err(io::Error::other(format!("it has more than {MOST} bytes")));
+    }
+    Ok(bytes)
+}
+
+/// Reads a file up to this length. A device or a pipe is none: it might never end, or never begin.
+pub(crate) fn read_start(file: &Path, length: u64) -> io::Result<Vec<u8>> {
+    let metadata = file.metadata()?;
+    if !metadata.is_file() {
+        return Err(io::Error::other("it is no file"));
+    }
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(usize::try_from(length.min(metadata.len())).unwrap_or(usize::MAX))?;
+    File::open(file)?.take(length).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// Vectors or frames to encode: those of a mesh, or raw ones.
@@ -104,14 +166,14 @@ impl Elements {
             input.check()?;
         }
         match (input.mesh.filter(|_| !raw), element) {
-            (None, _) => Ok(Self::raw(input, element)),
+            (None, _) => Self::raw(input, element),
             (Some(_), Element::Vector) => {
                 let Mesh { normals, parts } = input.parse(mesh::parse)?;
-                Ok(Self::of_mesh(&normals, parts))
+                Ok(Self::of_mesh(normals, parts))
             }
             (Some(_), Element::Frame) => {
                 let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
-                Ok(Self::of_mesh(&frames, parts))
+                Ok(Self::of_mesh(frames, parts))
             }
         }
     }
@@ -129,14 +191,30 @@ impl Elements {
         if raw { Ok(()) } else { input.check() }
     }
 
-    fn raw(input: Input, element: Element) -> Self {
-        let count = input.length.map(|length| length / element.bytes() as u64);
-        Self { floats: Box::new(input), count, parts: None }
+    fn raw(input: Input, element: Element) -> Result<Self> {
+        let count = input.count(element.bytes(), element.plural())?;
+        Ok(Self { floats: Box::new(input), count, parts: None })
     }
 
-    fn of_mesh<const N: usize>(elements: &[[f32; N]], parts: Vec<Part>) -> Self {
-        let floats = Box::new(Cursor::new(to_bytes(elements.as_flattened())));
-        Self { floats, count: Some(elements.len() as u64), parts: Some(parts) }
+    fn of_mesh<const N: usize>(elements: Vec<[f32; N]>, parts: Vec<Part>) -> Self {
+        let count = Some(elements.len() as u64);
+        Self { floats: Box::new(Cursor::new(Bytes::of(elements))), count, parts: Some(parts) }
+    }
+}
+
+/// The little-endian bytes of floats, in the place of the floats.
+struct Bytes<const N: usize>(Vec<[f32; N]>);
+
+impl<const N: usize> Bytes<N> {
+    fn of(mut elements: Vec<[f32; N]>) -> Self {
+        swap_if_big_endian(elements.as_flattened_mut());
+        Self(elements)
+    }
+}
+
+impl<const N: usize> AsRef<[u8]> for Bytes<N> {
+    fn as_ref(&self) -> &[u8] {
+        bytemuck::cast_slice(self.0.as_flattened())
     }
 }
 
@@ -171,6 +249,17 @@ fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A file that shrinks while it is read is no shorter file.
+    #[test]
+    fn a_file_that_shrinks() {
+        let file = tempfile::NamedTempFile::with_suffix(".f32").unwrap();
+        file.as_file().set_len(2 * FileFormat::HEAD as u64).unwrap();
+        let (mut input, mut read) = (Input::open(file.path()).unwrap(), Vec::new());
+        file.as_file().set_len(FileFormat::HEAD as u64 + 12).unwrap();
+        let error = input.read_to_end(&mut read).unwrap_err();
+        assert!(error.to_string().contains("shorter") && read.len() == FileFormat::HEAD + 12, "{error}");
+    }
 
     /// What was looked at is read again, and all after it.
     #[test]
@@ -212,7 +301,8 @@ mod tests {
             {
                 assert_eq!(matches!(found, Err(Error::TextInput { .. })), is_text, "{}", content.len());
             }
-            assert!(Elements::open(&path, Element::Vector, true).is_ok());
+            let raw = Elements::open(&path, Element::Vector, true).map(drop);
+            assert!(matches!(raw, Ok(()) | Err(Error::Truncated { .. })), "{raw:?}");
         }
     }
 

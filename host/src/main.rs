@@ -20,8 +20,15 @@ fn main() -> ExitCode {
         Err(unitvec_host::Error::ReaderGone) => ExitCode::SUCCESS,
         Err(error) => {
             // Where the standard error is closed, the exit status has to do.
-            let _ = writeln!(std::io::stderr(), "unitvec: {error}");
+            let _ = writeln!(std::io::stderr(), "unitvec: {}", printable(&error.to_string()));
             ExitCode::from(if error.is_usage() { 2 } else { 1 })
         }
     }
+}
+
+/// One line of what a terminal shows: names of files may have control characters, and those of others escape sequences.
+fn printable(text: &str) -> String {
+    let escaped =
+        |char: char| if char.is_control() { char.escape_default().to_string() } else { char.to_string() };
+    text.chars().map(escaped).collect()
 }

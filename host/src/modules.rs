@@ -1,13 +1,20 @@
 //! The SPIR-V modules that the kernels run from: those inside the program, or a folder of them.
+//!
+//! Drivers take SPIR-V for valid, and may crash on what is not. So a folder's modules have to be those inside the program,
+//! unless the caller trusts them; that its own manifest vouches for them says nothing of who wrote both.
 
-use crate::manifest::{self, Manifest, Module};
+use crate::error::one_line;
+use crate::input::read_start;
+use crate::manifest::{self, Manifest, Module, Table};
 use std::borrow::Cow;
-use std::path::{Path, PathBuf};
-use std::{fs, io};
+use std::io;
+use std::path::{Component, Path, PathBuf};
+use std::sync::OnceLock;
 
 /// A folder of modules with its manifest.
 pub struct Modules {
     folder: Folder,
+    is_trusted: bool,
     /// In a box, since [`KernelSource`](crate::backend::KernelSource) has modules beside a compiler that is small.
     manifest: Box<Manifest>,
 }
@@ -31,12 +38,13 @@ pub enum Error {
         /// What the parser says.
         reason: String,
     },
-    /// A file is not the one that the manifest describes.
+    /// A file is not the one that is inside the program.
     #[error(
-        "SPIR-V module file {} is corrupted: its SHA-256 is not the manifest's; `cargo xtask spirv` rebuilds it",
+        "SPIR-V module file {} is not the program's: its SHA-256 differs; `cargo xtask spirv` rebuilds it, and --trust runs it \
+         as it is",
         .path.display()
     )]
-    Corrupted {
+    Unknown {
         /// Its path.
         path: PathBuf,
     },
@@ -51,18 +59,29 @@ pub enum Error {
 }
 
 impl Modules {
-    /// The modules in `folder`, or those inside the program.
+    /// The modules in `folder`, as far as they are those inside the program; or the latter.
     ///
     /// # Errors
     /// [`Error::Missing`] or [`Error::BadManifest`].
     pub fn open(folder: Option<&Path>) -> Result<Self, Error> {
-        let folder = Folder(folder.map(Path::to_owned));
+        Self::of(Folder(folder.map(Path::to_owned)), false)
+    }
+
+    /// The modules in `folder`, whatever they are. The caller answers for their validity.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_trusted(folder: &Path) -> Result<Self, Error> {
+        Self::of(Folder(Some(folder.to_owned())), true)
+    }
+
+    fn of(folder: Folder, is_trusted: bool) -> Result<Self, Error> {
         let text = folder.read(manifest::FILE_NAME)?;
         let manifest = serde_json::from_slice(&text).map_err(|error| Error::BadManifest {
             path: folder.shown(manifest::FILE_NAME),
-            reason: error.to_string(),
+            reason: one_line(error),
         })?;
-        Ok(Self { folder, manifest })
+        Ok(Self { folder, is_trusted, manifest })
     }
 
     /// What the modules are.
@@ -70,23 +89,56 @@ impl Modules {
         &self.manifest
     }
 
-    /// The module that has the kernel as an entry point, `oct16_encode`, once its SHA-256 is found to be the manifest's.
+    /// The module that has the kernel as an entry point, `oct16_encode`, once it is found to be the program's.
     ///
     /// # Errors
-    /// [`Error::NotListed`], [`Error::Missing`] or [`Error::Corrupted`].
+    /// [`Error::NotListed`], [`Error::Missing`] or [`Error::Unknown`].
     pub fn load(&self, kernel: &str) -> Result<Cow<'static, [u8]>, Error> {
-        let has_kernel = |module: &&Module| module.entry_points.iter().any(|entry| entry.name == kernel);
-        let module = self.manifest.modules.iter().find(has_kernel).ok_or_else(|| self.not_listed(kernel))?;
-        self.folder.read_checked(&module.file, &module.sha256)
+        let Module { file, .. } = self.module(kernel)?;
+        self.read_checked(file, |program| Ok(&program.module(kernel)?.sha256))
     }
 
-    /// A table, once its SHA-256 is found to be the manifest's.
+    /// A table, once it is found to be the program's.
     ///
     /// # Errors
     /// As [`load`](Self::load).
     pub fn table(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
-        let table = self.manifest.tables.iter().find(|table| table.file == file);
-        self.folder.read_checked(file, &table.ok_or_else(|| self.not_listed(file))?.sha256)
+        let Table { file, .. } = self.listed_table(file)?;
+        self.read_checked(file, |program| Ok(&program.listed_table(file)?.sha256))
+    }
+
+    fn read_checked(
+        &self,
+        file: &str,
+        sha256: impl FnOnce(&Self) -> Result<&String, Error>,
+    ) -> Result<Cow<'static, [u8]>, Error> {
+        let bytes = self.folder.read(file)?;
+        let is_known = || Ok(manifest::sha256_hex(&bytes) == *sha256(Self::program()?)?);
+        match self.is_trusted || is_known()? {
+            true => Ok(bytes),
+            false => Err(Error::Unknown { path: self.folder.shown(file) }),
+        }
+    }
+
+    /// Those inside the program.
+    fn program() -> Result<&'static Self, Error> {
+        static PROGRAM: OnceLock<Modules> = OnceLock::new();
+        match PROGRAM.get() {
+            Some(modules) => Ok(modules),
+            None => {
+                let modules = Self::open(None)?;
+                Ok(PROGRAM.get_or_init(|| modules))
+            }
+        }
+    }
+
+    fn module(&self, kernel: &str) -> Result<&Module, Error> {
+        let has_kernel = |module: &&Module| module.entry_points.iter().any(|entry| entry.name == kernel);
+        self.manifest.modules.iter().find(has_kernel).ok_or_else(|| self.not_listed(kernel))
+    }
+
+    fn listed_table(&self, file: &str) -> Result<&Table, Error> {
+        self.manifest.tables.iter().find(|table| table.file == file).ok_or_else(|| self.not_listed(file))
     }
 
     fn not_listed(&self, name: &str) -> Error {
@@ -100,7 +152,7 @@ struct Folder(Option<PathBuf>);
 impl Folder {
     fn read(&self, file: &str) -> Result<Cow<'static, [u8]>, Error> {
         let content = match &self.0 {
-            Some(folder) => fs::read(folder.join(file)).map(Cow::Owned),
+            Some(folder) => read_inside(folder, file).map(Cow::Owned),
             None => {
                 unitvec_shaders::spirv(file).map(Cow::Borrowed).ok_or_else(|| io::ErrorKind::NotFound.into())
             }
@@ -108,17 +160,18 @@ impl Folder {
         content.map_err(|source| Error::Missing { path: self.shown(file), source })
     }
 
-    fn read_checked(&self, file: &str, sha256: &str) -> Result<Cow<'static, [u8]>, Error> {
-        let bytes = self.read(file)?;
-        if manifest::sha256_hex(&bytes) == sha256 {
-            Ok(bytes)
-        } else {
-            Err(Error::Corrupted { path: self.shown(file) })
-        }
-    }
-
     /// The path that messages give for a file; `spirv` for the folder inside the program.
     fn shown(&self, file: &str) -> PathBuf {
-        self.0.as_deref().unwrap_or(Path::new("spirv")).join(file)
+        self.0.as_deref().unwrap_or(Path::new("spirv")).join(one_line(file))
+    }
+}
+
+/// Reads a file of a folder. Its name is the manifest's word, so it may be no device, no pipe, and nowhere else; nor are
+/// modules, manifests and tables of more than 64 MiB.
+fn read_inside(folder: &Path, file: &str) -> io::Result<Vec<u8>> {
+    const MOST: u64 = 1 << 26;
+    match Path::new(file).components().all(|part| matches!(part, Component::Normal(_))) {
+        true => read_start(&folder.join(file), MOST),
+        false => Err(io::Error::other("it is no file of this folder")),
     }
 }

@@ -14,7 +14,8 @@ static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
 /// that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
-/// directly. Another name of the standard output, such as `/dev/stdout`, is as `-`.
+/// directly. Another name of the standard output, such as `/dev/stdout`, is as `-`. A link stays, and the file that it leads to
+/// is replaced.
 pub struct Output {
     path: PathBuf,
     target: PathBuf,
@@ -34,10 +35,10 @@ impl Output {
     /// # Errors
     /// [`Error::Write`] if its folder cannot be written to.
     pub fn create(path: &Path) -> Result<Self> {
-        // A link stays one: what it points to is replaced.
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+        let error = |source| Error::writing(path, source);
         let is_stdout = is_stdout(path);
-        let (to, is_terminal) = open(&target, is_stdout).map_err(|source| Error::writing(path, source))?;
+        let target = target(path).map_err(error)?;
+        let (to, is_terminal) = open(&target, is_stdout).map_err(error)?;
         Ok(Self { path: path.to_owned(), target, to, is_stdout, is_terminal })
     }
 
@@ -101,6 +102,37 @@ impl Write for Output {
     }
 }
 
+/// The path to write to. A link stays one: what it points to is replaced. That has to be there, since a file that nobody named
+/// would come to be in an unknown place.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    if path.is_symlink() && path.metadata().is_err() {
+        return Err(io::Error::other("it is a link to nothing"));
+    }
+    Ok(path.canonicalize().unwrap_or_else(|_| path.to_owned()))
+}
+
+/// True where both paths are there and lead to one file, by links of any kind.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    let identities = [a, b].map(identity);
+    identities[0].is_some() && identities[0] == identities[1]
+}
+
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<(u64, u64)> {
+    path.metadata().ok().map(|metadata| identity_of(&metadata))
+}
+
+#[cfg(unix)]
+fn identity_of(metadata: &Metadata) -> (u64, u64) {
+    use std::os::unix::fs::MetadataExt;
+    (metadata.dev(), metadata.ino())
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<PathBuf> {
+    path.canonicalize().ok()
+}
+
 /// True for `-` and, where that can be told, for what the standard output is open to.
 fn is_stdout(path: &Path) -> bool {
     path == Path::new("-") || is_open_as_stdout(path)
@@ -109,10 +141,8 @@ fn is_stdout(path: &Path) -> bool {
 #[cfg(unix)]
 fn is_open_as_stdout(path: &Path) -> bool {
     use std::os::fd::AsFd;
-    use std::os::unix::fs::MetadataExt;
     let stdout = io::stdout().as_fd().try_clone_to_owned().and_then(|fd| File::from(fd).metadata());
-    let identity = |metadata: io::Result<Metadata>| metadata.map(|data| (data.dev(), data.ino())).ok();
-    identity(stdout).is_some_and(|stdout| identity(path.metadata()) == Some(stdout))
+    stdout.is_ok_and(|stdout| identity(path) == Some(identity_of(&stdout)))
 }
 
 #[cfg(not(unix))]
@@ -150,9 +180,11 @@ fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
         }
         Err(_) => plain_permissions(&mut builder),
     }
+    // Held until the file is listed, so that an interrupt in between leaves none behind.
+    let mut temporary = TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner);
     // The error's own text names the temporary file.
     let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
-    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).push(file.path().to_owned());
+    temporary.push(file.path().to_owned());
     Ok((Destination::Temporary(file), false))
 }
 

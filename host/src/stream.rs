@@ -202,7 +202,7 @@ pub fn decode(
 }
 
 /// From little endian to the byte order of this machine, or back.
-fn swap_if_big_endian(floats: &mut [f32]) {
+pub(crate) fn swap_if_big_endian(floats: &mut [f32]) {
     if cfg!(target_endian = "big") {
         floats.iter_mut().for_each(|float| *float = f32::from_bits(float.to_bits().swap_bytes()));
     }
@@ -227,8 +227,7 @@ fn read_elements(
     if left == 0 {
         return Ok(count);
     }
-    let unit = format!("{unit} of {size} bytes");
-    Err(Error::Truncated { path: input.path(), whole: before + count as u64, unit, left })
+    Err(Error::truncated(input.path, before + count as u64, unit, size, left))
 }
 
 fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize> {

@@ -20,8 +20,9 @@ usage: cargo xtask <command>
   conform --drivers [--fetch] [--record]     the same on every Vulkan driver of this machine, each by itself, then a table
        [arguments of `unitvec conform`]      of them; --fetch adds drivers out of Debian's packages, without installing
                                              any; --record keeps the table for the docs
-  test [--exhaustive] [arguments of          install what is missing, then run all tests; --exhaustive adds those of all
-       `cargo test`]                         2^32 codes of the 32-bit codecs, minutes a codec
+  test [--exhaustive] [--fuzz] [arguments    install what is missing, then run all tests; --exhaustive adds those of all
+       of `cargo test`]                      2^32 codes of the 32-bit codecs, minutes a codec; --fuzz adds 10^6 mutated
+                                             files, minutes
   setup                                      install what is missing, and nothing else
   spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead
@@ -99,6 +100,7 @@ fn conform(arguments: &[String]) -> Result<(), String> {
 fn test(arguments: &[String]) -> Result<(), String> {
     let (exhaustive, others): (Vec<_>, Vec<_>) =
         arguments.iter().partition(|argument| *argument == "--exhaustive");
+    let (fuzz, others): (Vec<_>, Vec<_>) = others.into_iter().partition(|argument| *argument == "--fuzz");
     let pending = setup::begin()?;
     let selection = ["test", "--workspace", "--exclude", "xtask-spirv", "--exclude", "unitvec-bench"];
     println!("xtask: building; the first build takes minutes");
@@ -108,6 +110,13 @@ fn test(arguments: &[String]) -> Result<(), String> {
         if is_split { run(cargo(&selection).args(WITH_GLSL).arg("--no-run").args(of_cargo)) } else { Ok(()) };
     pending.finish().and(built)?;
     run(cargo(&selection).args(WITH_GLSL).args(others))?;
+    if !fuzz.is_empty() {
+        println!("xtask: 10^6 mutated files; UNITVEC_FUZZ and UNITVEC_FUZZ_SEED give other numbers");
+        let count = env::var_os("UNITVEC_FUZZ").unwrap_or_else(|| "1000000".into());
+        let tests = ["test", "--package", "unitvec-tests", "--test", "unitvec"];
+        let only = ["--", "--nocapture", "fuzz::"];
+        run(cargo(&tests).args(WITH_GLSL).args(only).env("UNITVEC_FUZZ", count))?;
+    }
     if exhaustive.is_empty() {
         return Ok(());
     }

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::choose::{Candidate, Costs, Demand, candidates};
+use unitvec_host::input::{Input, read_small};
 use unitvec_host::{Error, Result};
 
 #[derive(Args)]
@@ -50,8 +51,8 @@ struct Report<'a> {
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let costs = match &arguments.costs {
         Some(path) => {
-            let json = std::fs::read(path).map_err(|source| Error::Read { path: path.clone(), source })?;
-            Costs::parse(path, &json)?
+            let json = read_small(Input::open(path)?);
+            Costs::parse(path, &json.map_err(|source| Error::Read { path: path.clone(), source })?)?
         }
         None => Costs::shipped(&arguments.gpu)?,
     };

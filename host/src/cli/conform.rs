@@ -10,6 +10,7 @@ use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind, Gpu, KernelSource};
 use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row, Summary};
 use unitvec_host::imprecise::Model;
+use unitvec_host::input::Input;
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, glsl, mesh, output};
 
@@ -163,7 +164,7 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
     }
     let mut normals = Vec::new();
     for path in meshes {
-        normals.extend(mesh::read(path)?.normals);
+        normals.extend(Input::open(path)?.parse(mesh::parse)?.normals);
     }
     Ok(normals)
 }

@@ -9,7 +9,7 @@ use unitvec_host::backend::{Backend, BackendKind};
 use unitvec_host::catalogue::{Element, Format, find_format};
 use unitvec_host::input::{Elements, Input, to_bytes};
 use unitvec_host::mesh::{self, FileFormat, Frames};
-use unitvec_host::output::Output;
+use unitvec_host::output::{Output, is_same_file};
 use unitvec_host::stream::{self, Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 
@@ -34,7 +34,8 @@ pub struct Arguments {
     /// .f32, .raw, the standard input, pipes, and any file with --raw. A frame is normal, tangent and handedness. To
     /// decode: codes.
     r#in: PathBuf,
-    /// Output file, - for the standard output. A file is replaced only once the new one is complete.
+    /// Output file, - for the standard output. A file is replaced only once the new one is complete; a link stays, and the
+    /// file that it leads to is replaced.
     out: PathBuf,
 }
 
@@ -69,7 +70,7 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
             arguments.r#in.display()
         )));
     }
-    let count = input.length().map(|length| length / format.bytes as u64);
+    let count = input.count(format.bytes, "codes")?;
     let count = conversion.run(&mut input, count, stream::decode)?;
     conversion.finish(&Summary::of_decoding(format, count))
 }
@@ -98,8 +99,7 @@ pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
 
 /// The output, which replaces neither the input nor what is called a mesh: as where OUT was forgotten after `*.obj`.
 fn create_output(input: &Path, out: &Path) -> Result<Output> {
-    let is_input =
-        input.canonicalize().is_ok_and(|input| input.is_file() && out.canonicalize().ok() == Some(input));
+    let is_input = input.is_file() && is_same_file(input, out);
     if is_input || FileFormat::of_ending(out).is_some() {
         let what = if is_input { "the input" } else { "the name of a mesh" };
         let message = format!("{} is {what}; give the output another name", out.display());

@@ -106,9 +106,12 @@ pub struct Vulkan {
     #[arg(long)]
     validate: bool,
     /// Folder of SPIR-V modules with a manifest, instead of those inside the program; or the variable UNITVEC_SPIRV.
-    /// The modules are trusted, as a program is.
+    /// A module that differs from the program's, by its SHA-256, does not run without --trust.
     #[arg(long, value_name = "FOLDER")]
     spirv: Option<PathBuf>,
+    /// Run the modules of --spirv whatever they are. Only their framing is checked: a driver may crash on an invalid one.
+    #[arg(long)]
+    trust: bool,
 }
 
 impl Vulkan {
@@ -125,11 +128,18 @@ impl Vulkan {
     }
 
     fn folder(&self) -> Option<PathBuf> {
-        self.spirv.clone().or_else(|| variable("UNITVEC_SPIRV").map(PathBuf::from))
+        let variable = || std::env::var_os("UNITVEC_SPIRV").filter(|folder| !folder.is_empty());
+        self.spirv.clone().or_else(|| variable().map(PathBuf::from))
     }
 
     fn modules(&self) -> Result<Modules> {
-        Ok(Modules::open(self.folder().as_deref())?)
+        match (self.folder(), self.trust) {
+            (Some(folder), true) => Ok(Modules::open_trusted(&folder)?),
+            (None, true) => {
+                Err(Error::Usage("--trust is of the modules of --spirv; name their folder".to_owned()))
+            }
+            (folder, false) => Ok(Modules::open(folder.as_deref())?),
+        }
     }
 
     /// True where the command line, not the environment, names a device.
@@ -139,9 +149,9 @@ impl Vulkan {
 
     /// Fails where the command line, not the environment, asks for what the CPU backend does not have.
     fn refuse_for_cpu(&self) -> Result<()> {
-        if self.names_device() || self.validate || self.spirv.is_some() {
+        if self.names_device() || self.validate || self.spirv.is_some() || self.trust {
             let options =
-                "--device, --validate and --spirv need a Vulkan backend; add --backend rust or glsl";
+                "--device, --validate, --spirv and --trust need a Vulkan backend; add --backend rust or glsl";
             return Err(Error::Usage(options.to_owned()));
         }
         Ok(())

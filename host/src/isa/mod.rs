@@ -6,6 +6,7 @@ pub mod radv;
 
 use crate::bench::REFERENCE;
 use crate::catalogue::{self, Format, Operation};
+use crate::error::one_line;
 use crate::manifest::sha256_hex;
 use crate::modules::Modules;
 use crate::textbook::{TEXTBOOK, Textbook};
@@ -153,7 +154,7 @@ impl Report {
     /// [`Error::BadCosts`] if it is not one.
     pub fn parse(path: &Path, json: &[u8]) -> Result<Self> {
         serde_json::from_slice(json)
-            .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: error.to_string() })
+            .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })
     }
 
     /// As JSON, a row a line.

@@ -29,6 +29,17 @@ impl FileFormat {
         }
     }
 
+    /// True where a file of this format that begins with these bytes is text as a whole.
+    pub fn is_text(self, head: &[u8]) -> bool {
+        match self {
+            Self::Obj => true,
+            Self::Ply => {
+                head.split(|byte| *byte == b'\n').take(2).any(|line| line.starts_with(b"format ascii"))
+            }
+            Self::Gltf => !head.starts_with(b"glTF"),
+        }
+    }
+
     /// The format that a file's ending tells, in any case.
     pub fn of_ending(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {

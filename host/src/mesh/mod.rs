@@ -8,7 +8,8 @@ mod gltf;
 mod obj;
 mod ply;
 
-use glam::DVec3;
+use crate::error::one_line;
+use glam::{DVec3, Vec3};
 use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -236,62 +237,113 @@ fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh,
     Ok(Mesh { normals, parts: vec![part] })
 }
 
-/// The [`Mesh`] of a file without normals: [`area_weighted`]. A file without triangles is [`MeshError::NoFaces`].
-fn one_computed_part(
-    path: &Path,
-    positions: &[DVec3],
-    triangles: impl IntoIterator<Item = [i64; 3]>,
-) -> Result<Mesh, MeshError> {
-    let mut triangles = triangles.into_iter().peekable();
-    if triangles.peek().is_none() {
-        return Err(MeshError::NoFaces { path: path.into() });
-    }
-    one_part(path, area_weighted(path, positions, triangles)?, true)
-}
-
-/// A [`MeshError::Parse`]; `reason` is cut to one line, since parsers quote the input at length, and loses the mark that
-/// it may end with, since the message goes on.
+/// A [`MeshError::Parse`] of one line.
 fn parse_error(path: &Path, format: &'static str, reason: impl Display) -> MeshError {
-    const MAX_CHARS: usize = 200;
-    let reason = reason.to_string();
-    let line = reason.split(|c: char| c.is_whitespace() || c.is_control()).filter(|word| !word.is_empty());
-    let line = line.collect::<Vec<_>>().join(" ").trim_end_matches([';', '.', ' ']).to_owned();
-    let cut = line.char_indices().nth(MAX_CHARS).map(|(at, _)| at);
-    let reason = cut.map_or(line.clone(), |at| format!("{}...", &line[..at]));
-    MeshError::Parse { path: path.into(), format, reason }
+    MeshError::Parse { path: path.into(), format, reason: one_line(reason) }
 }
 
-/// Checks that each coordinate is finite as an `f32`, so that no sum of cross products overflows.
-fn check_finite(path: &Path, positions: &[DVec3]) -> Result<(), MeshError> {
-    match positions.iter().position(|position| !position.as_vec3().is_finite()) {
-        Some(vertex) => Err(MeshError::NotFinite { path: path.into(), vertex }),
-        None => Ok(()),
+/// Checks that a coordinate is finite as an `f32`, so that no sum of cross products overflows.
+fn check_finite(path: &Path, vertex: usize, position: DVec3) -> Result<(), MeshError> {
+    match position.as_vec3().is_finite() {
+        true => Ok(()),
+        false => Err(MeshError::NotFinite { path: path.into(), vertex }),
     }
 }
 
 /// Splits a polygon into triangles that share its first corner; fewer than three corners give none.
-fn fan(polygon: &[i64]) -> impl Iterator<Item = [i64; 3]> {
-    let first = polygon.first().copied().unwrap_or(0);
-    polygon.windows(2).skip(1).map(move |edge| [first, edge[0], edge[1]])
+#[derive(Default)]
+struct Fan {
+    first: Option<i64>,
+    last: Option<i64>,
 }
 
-/// Area-weighted unit vertex normals: the normalised sum of the cross products of a vertex's faces.
-///
-/// A vertex whose sum is zero keeps its place with a normal of zero.
-fn area_weighted(
-    path: &Path,
-    positions: &[DVec3],
-    triangles: impl IntoIterator<Item = [i64; 3]>,
-) -> Result<Vec<[f32; 3]>, MeshError> {
-    check_finite(path, positions)?;
-    let mut sums = vec![DVec3::ZERO; positions.len()];
-    for triangle in triangles {
-        let [a, b, c] = resolve(path, triangle, positions.len())?;
-        // Twice the area long, so that adding it weights the face by its area.
-        let normal = (positions[b] - positions[a]).cross(positions[c] - positions[a]);
-        [a, b, c].into_iter().for_each(|corner| sums[corner] += normal);
+impl Fan {
+    /// Takes the next corner; gives the triangle that it completes.
+    fn push(&mut self, corner: i64) -> Option<[i64; 3]> {
+        match (self.first, self.last.replace(corner)) {
+            (Some(first), Some(last)) => Some([first, last, corner]),
+            _ => {
+                // The second corner is the first that is kept as the last one.
+                self.last = self.first.map(|_| corner);
+                self.first = self.first.or(Some(corner));
+                None
+            }
+        }
     }
-    Ok(sums.into_iter().map(|sum| unit_or_zero(sum).as_vec3().to_array()).collect())
+}
+
+/// Positions of vertices, in the precision that the file has them in: `f64` for all would take twice the memory.
+enum Positions {
+    Single(Vec<[f32; 3]>),
+    Double(Vec<[f64; 3]>),
+}
+
+impl Positions {
+    fn len(&self) -> usize {
+        match self {
+            Self::Single(positions) => positions.len(),
+            Self::Double(positions) => positions.len(),
+        }
+    }
+
+    fn get(&self, vertex: usize) -> DVec3 {
+        match self {
+            Self::Single(positions) => Vec3::from(positions[vertex]).as_dvec3(),
+            Self::Double(positions) => positions[vertex].into(),
+        }
+    }
+}
+
+/// Area-weighted vertex normals: the sums of the cross products of each vertex's faces.
+struct Sums<'p> {
+    path: &'p Path,
+    positions: Positions,
+    /// None before the first face.
+    sums: Vec<DVec3>,
+}
+
+impl<'p> Sums<'p> {
+    fn new(path: &'p Path, positions: Positions) -> Self {
+        Self { path, positions, sums: Vec::new() }
+    }
+
+    fn has_faces(&self) -> bool {
+        !self.sums.is_empty()
+    }
+
+    fn add(&mut self, triangle: [i64; 3]) -> Result<(), MeshError> {
+        let [a, b, c] = resolve(self.path, triangle, self.positions.len())?;
+        if self.sums.is_empty() {
+            self.sums = vec![DVec3::ZERO; self.positions.len()];
+        }
+        let [at_a, at_b, at_c] = [a, b, c].map(|corner| self.positions.get(corner));
+        // Twice the area long, so that adding it weights the face by its area.
+        let normal = (at_b - at_a).cross(at_c - at_a);
+        [a, b, c].into_iter().for_each(|corner| self.sums[corner] += normal);
+        Ok(())
+    }
+
+    fn add_all(&mut self, triangles: impl IntoIterator<Item = [i64; 3]>) -> Result<(), MeshError> {
+        triangles.into_iter().try_for_each(|triangle| self.add(triangle))
+    }
+
+    /// Unit normals. A vertex whose sum is zero keeps its place with a normal of zero.
+    fn normals(self) -> Vec<[f32; 3]> {
+        let Self { positions, sums, .. } = self;
+        if sums.is_empty() {
+            return vec![[0.0; 3]; positions.len()];
+        }
+        drop(positions);
+        sums.into_iter().map(|sum| unit_or_zero(sum).as_vec3().to_array()).collect()
+    }
+
+    /// The [`Mesh`] of a file without normals. One without triangles is [`MeshError::NoFaces`].
+    fn into_mesh(self) -> Result<Mesh, MeshError> {
+        match self.has_faces() {
+            true => one_part(self.path, self.normals(), true),
+            false => Err(MeshError::NoFaces { path: self.path.into() }),
+        }
+    }
 }
 
 /// Dividing by the length serves the smallest vectors, for which glam's `normalize_or_zero` gives zero.
@@ -369,8 +421,9 @@ mod tests {
     const PATH: &str = "a.obj";
 
     fn weighted(positions: &[[f64; 3]], triangles: &[[i64; 3]]) -> Result<Vec<[f32; 3]>, MeshError> {
-        let positions: Vec<DVec3> = positions.iter().copied().map(DVec3::from).collect();
-        area_weighted(Path::new(PATH), &positions, triangles.iter().copied())
+        let mut sums = Sums::new(Path::new(PATH), Positions::Double(positions.to_vec()));
+        sums.add_all(triangles.iter().copied())?;
+        Ok(sums.normals())
     }
 
     /// Two faces at a right angle, of areas 1/2 and 3/2, weigh on their shared edge as 1 to 3.
@@ -424,16 +477,19 @@ mod tests {
             assert!(matches!(error, MeshError::IndexOutOfRange { index, vertices: 1, .. } if index == bad));
         }
         for bad in [f64::NAN, f64::INFINITY, 1e39] {
-            let error = weighted(&[[0.0; 3], [0.0, bad, 0.0]], &[]).unwrap_err();
+            let error = check_finite(Path::new(PATH), 1, DVec3::new(0.0, bad, 0.0)).unwrap_err();
             assert!(matches!(error, MeshError::NotFinite { vertex: 1, .. }));
         }
     }
 
-    /// A polygon gives two triangles fewer than corners, and a degenerate one none.
+    /// A polygon gives two triangles fewer than corners.
     #[test]
     fn fans() {
-        assert_eq!(fan(&[7, 8, 9, 10]).collect::<Vec<_>>(), [[7, 8, 9], [7, 9, 10]]);
-        assert!([[].as_slice(), &[1], &[1, 2]].iter().all(|short| fan(short).next().is_none()));
+        let mut fan = Fan::default();
+        assert_eq!(
+            [7, 8, 9, 10].map(|corner| fan.push(corner)),
+            [None, None, Some([7, 8, 9]), Some([7, 9, 10])]
+        );
     }
 
     /// A file that cannot be read is reported before its format, and one that is no mesh by its name.

@@ -1,33 +1,109 @@
-//! Wavefront OBJ, parsed by `obj`.
+//! Wavefront OBJ.
+//!
+//! Read here, over the file's own bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
-use super::{Mesh, MeshError, check_finite, fan, one_computed_part, one_part, parse_error};
+use super::format::without_mark;
+use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, one_part, parse_error};
 use glam::Vec3;
-use obj::ObjData;
 use std::path::Path;
+use std::str::FromStr;
 
 const FORMAT: &str = "OBJ";
 
 /// Reads the normals of OBJ text.
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let data =
-        ObjData::load_buf(geometry(bytes).as_bytes()).map_err(|error| parse_error(path, FORMAT, error))?;
-    let positions: Vec<_> = data.position.into_iter().map(|p| Vec3::from(p).as_dvec3()).collect();
-    if !data.normal.is_empty() {
-        check_finite(path, &positions)?;
-        return one_part(path, data.normal, false);
+    /// `v 0 0 0`, without the end of the line.
+    const SHORTEST: usize = 7;
+    // Counted first, so that no list grows beyond its size. Lines that are too short fail later.
+    let count = |keyword: &[u8]| {
+        let count = lines(bytes).filter(|line| line.keyword == keyword).count();
+        count.min(bytes.len() / SHORTEST)
+    };
+    let mut positions = Vec::with_capacity(count(b"v"));
+    let mut normals = Vec::with_capacity(count(b"vn"));
+    for line in lines(bytes) {
+        match line.keyword {
+            b"v" => {
+                let position = line.vector(path)?;
+                check_finite(path, positions.len(), Vec3::from(position).as_dvec3())?;
+                positions.push(position);
+            }
+            b"vn" => normals.push(line.vector(path)?),
+            _ => {}
+        }
     }
-    let polygons = data.objects.into_iter().flat_map(|object| object.groups).flat_map(|group| group.polys);
-    let faces: Vec<Vec<i64>> = polygons.map(|face| face.0.iter().map(|c| c.0 as i64).collect()).collect();
-    one_computed_part(path, &positions, faces.iter().flat_map(|face| fan(face)))
+    if !normals.is_empty() {
+        return one_part(path, normals, false);
+    }
+    let mut sums = Sums::new(path, Positions::Single(positions));
+    let mut vertices = 0;
+    for line in lines(bytes) {
+        match line.keyword {
+            b"v" => vertices += 1,
+            b"f" => {
+                let mut fan = Fan::default();
+                for word in line.words() {
+                    let triangle = fan.push(line.corner(path, word, vertices)?);
+                    triangle.map_or(Ok(()), |triangle| sums.add(triangle))?;
+                }
+            }
+            _ => {}
+        }
+    }
+    sums.into_mesh()
 }
 
-/// The lines that the normals come from. Of the others, the parser refuses those it does not know, and it loses faces
-/// at some that group them. Only names and comments are ever not ASCII, and they may be in any encoding.
-fn geometry(bytes: &[u8]) -> String {
-    let text = String::from_utf8_lossy(bytes);
-    let is_geometry =
-        |line: &&str| ["v", "vn", "f"].contains(&line.split_whitespace().next().unwrap_or_default());
-    text.trim_start_matches('\u{feff}').lines().filter(is_geometry).collect::<Vec<_>>().join("\n")
+/// A line that begins with a word. Names and comments are in any encoding, and are not looked at.
+struct Line<'b> {
+    /// Counted from 1.
+    number: usize,
+    keyword: &'b [u8],
+    text: &'b [u8],
+}
+
+fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
+    without_mark(bytes).split(|byte| *byte == b'\n').enumerate().map(|(at, text)| {
+        let text = text.trim_ascii();
+        let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
+        let (keyword, text) = text.split_at(end);
+        Line { number: at + 1, keyword, text }
+    })
+}
+
+impl<'b> Line<'b> {
+    fn words(&self) -> impl Iterator<Item = &'b [u8]> + use<'b> {
+        self.text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
+    }
+
+    /// The first three words as numbers; some programs write more.
+    fn vector(&self, path: &Path) -> Result<[f32; 3], MeshError> {
+        let mut numbers = self.words().map_while(number);
+        let [x, y, z] = std::array::from_fn(|_| numbers.next());
+        match (x, y, z) {
+            (Some(x), Some(y), Some(z)) => Ok([x, y, z]),
+            _ => Err(self.error(path, "three numbers")),
+        }
+    }
+
+    /// The position's index in a corner of a face, `2`, `2/1` or `2/1/3`, counted from 0.
+    fn corner(&self, path: &Path, word: &[u8], vertices: i64) -> Result<i64, MeshError> {
+        let position = word.split(|byte| *byte == b'/').next();
+        match position.and_then(number::<i64>) {
+            None | Some(0) => Err(self.error(path, "corners, which are counted from 1")),
+            Some(index) if index < 0 => Ok(vertices.saturating_add(index)),
+            Some(index) => Ok(index - 1),
+        }
+    }
+
+    fn error(&self, path: &Path, expected: &str) -> MeshError {
+        let text = &self.text[..self.text.len().min(100)];
+        let text = format!("{} {}", String::from_utf8_lossy(self.keyword), String::from_utf8_lossy(text));
+        parse_error(path, FORMAT, format!("line {}, `{text}`, does not have {expected}", self.number))
+    }
+}
+
+fn number<T: FromStr>(word: &[u8]) -> Option<T> {
+    std::str::from_utf8(word).ok()?.parse().ok()
 }
 
 #[cfg(test)]

@@ -1,44 +1,137 @@
-//! PLY, ASCII and binary of both byte orders, parsed by `ply-rs-bw`.
+//! PLY, ASCII and binary of both byte orders, parsed by `ply-rs-bw`; an element at a time, since a list of all faces takes
+//! many times their size in the file.
 
-use std::io::BufRead;
 use std::path::Path;
 
-use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType};
+use ply_rs_bw::parser::{Parser, Reader};
+use ply_rs_bw::ply::{
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
+};
 
 use glam::DVec3;
 
-use super::{Mesh, MeshError, check_finite, fan, one_computed_part, one_part, parse_error};
+use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, one_part, parse_error};
 
 const FORMAT: &str = "PLY";
+
+/// The longest header, and the longest line of an ASCII file: the parser takes many times their size.
+const MAX_TEXT: usize = 1 << 20;
 
 /// Reads the normals of a PLY file: `nx ny nz` of the element `vertex`, else from the lists
 /// `vertex_indices` or `vertex_index` of the element `face`. Triangle strips are not read.
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let error = |error: ParseError| parse_error(path, FORMAT, error);
-    let mut reader = Reader::new(bytes);
-    let header = Parser::<Skipped>::new().read_header(&mut reader).map_err(error)?;
+    let (header, mut payload) = Payload::after_header(path, bytes)?;
     check_counts(path, &header, bytes.len())?;
     let source = Source::of(&header).ok_or_else(|| MeshError::NoFaces { path: path.into() })?;
-    let (vertices, faces) = read_elements(&mut reader, &header, source).map_err(error)?;
-    let positions: Vec<_> = vertices.iter().map(|vertex| vertex.position).collect();
-    match source {
-        Source::Normals => {
-            check_finite(path, &positions)?;
-            one_part(path, vertices.into_iter().map(|vertex| vertex.normal).collect(), false)
+    let (mut normals, mut sums, mut faces_before) = (Vec::new(), None, None);
+    for (name, element) in &header.elements {
+        match (name.as_str(), source) {
+            ("vertex", Source::Normals) => normals = read_normals(&mut payload, element)?,
+            ("vertex", Source::Faces) => sums = Some(Sums::new(path, read_positions(&mut payload, element)?)),
+            ("face", Source::Faces) => match &mut sums {
+                Some(sums) => add_faces(&mut payload, element, sums)?,
+                None => {
+                    faces_before = Some((payload.clone(), element));
+                    payload.skip(element)?;
+                }
+            },
+            _ => payload.skip(element)?,
         }
-        Source::Faces => one_computed_part(path, &positions, faces.iter().flat_map(|face| fan(&face.0))),
+    }
+    let Some(mut sums) = sums else {
+        return one_part(path, normals, false);
+    };
+    if let Some((mut payload, element)) = faces_before {
+        add_faces(&mut payload, element, &mut sums)?;
+    }
+    sums.into_mesh()
+}
+
+/// What follows the header, as far as it is not read.
+#[derive(Clone)]
+struct Payload<'b> {
+    path: &'b Path,
+    encoding: Encoding,
+    rest: &'b [u8],
+    /// Of an ASCII file, counted from 1.
+    line: usize,
+}
+
+impl<'b> Payload<'b> {
+    fn after_header(path: &'b Path, bytes: &'b [u8]) -> Result<(Header, Self), MeshError> {
+        let head = &bytes[..bytes.len().min(MAX_TEXT)];
+        let mut reader = Reader::new(head);
+        let header = Parser::<Skipped>::new().read_header(&mut reader);
+        let header = header.map_err(|error| parse_error(path, FORMAT, error))?;
+        let (line, left) = (reader.line(), reader.into_inner().len());
+        let rest = &bytes[head.len() - left..];
+        let encoding = header.encoding;
+        Ok((header, Self { path, encoding, rest, line }))
+    }
+
+    /// Reads an element.
+    fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
+        let parser = Parser::new();
+        let read = match self.encoding {
+            Encoding::Ascii => return self.next_line(element),
+            Encoding::BinaryBigEndian => parser.read_big_endian_element(&mut self.rest, element),
+            Encoding::BinaryLittleEndian => parser.read_little_endian_element(&mut self.rest, element),
+        };
+        read.map_err(|error| self.error(format!("element {}: {error}", element.name)))
+    }
+
+    fn next_line<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
+        let ElementDef { name, .. } = element;
+        let end = self.rest.iter().take(MAX_TEXT).position(|byte| *byte == b'\n').map(|end| end + 1);
+        let line = match end.or_else(|| (self.rest.len() <= MAX_TEXT).then_some(self.rest.len())) {
+            None => Err(format!("it has more than {MAX_TEXT} bytes")),
+            Some(0) => Err("the file ends before it".to_owned()),
+            Some(end) => std::str::from_utf8(&self.rest[..end]).map_err(|error| error.to_string()),
+        };
+        let read = line.and_then(|line| {
+            self.rest = &self.rest[line.len()..];
+            Parser::new().read_ascii_element(line, element).map_err(|error| error.to_string())
+        });
+        let read =
+            read.map_err(|reason| self.error(format!("line {}, of element {name}: {reason}", self.line)));
+        self.line += 1;
+        read
+    }
+
+    fn skip(&mut self, element: &ElementDef) -> Result<(), MeshError> {
+        (0..element.count).try_for_each(|_| self.next::<Skipped>(element).map(drop))
+    }
+
+    fn error(&self, reason: String) -> MeshError {
+        parse_error(self.path, FORMAT, reason)
     }
 }
 
-/// Refuses a count that the file cannot hold: the parser would fill the memory with elements that
-/// have no properties.
+/// Refuses a count that the file cannot hold, before memory is taken for it.
 fn check_counts(path: &Path, header: &Header, bytes: usize) -> Result<(), MeshError> {
-    match header.elements.values().find(|element| element.count > bytes) {
+    let holds = |element: &&ElementDef| {
+        // An element without properties takes no bytes, but time.
+        let least =
+            element.properties.values().map(|p| least_bytes(header.encoding, &p.data_type)).sum::<usize>();
+        element.count.checked_mul(least.max(1)).is_some_and(|least| least <= bytes)
+    };
+    match header.elements.values().find(|element| !holds(element)) {
         Some(ElementDef { name, count, .. }) => {
             Err(parse_error(path, FORMAT, format!("{count} elements {name} in a file of {bytes} bytes")))
         }
         None => Ok(()),
+    }
+}
+
+/// The fewest bytes that a property takes. In text those are a digit and a space.
+fn least_bytes(encoding: Encoding, property: &PropertyType) -> usize {
+    let (PropertyType::Scalar(scalar) | PropertyType::List(scalar, _)) = property;
+    match scalar {
+        _ if encoding == Encoding::Ascii => 2,
+        ScalarType::Char | ScalarType::UChar => 1,
+        ScalarType::Short | ScalarType::UShort => 2,
+        ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
+        ScalarType::Double => 8,
     }
 }
 
@@ -65,22 +158,48 @@ impl Source {
     }
 }
 
-fn read_elements<T: BufRead>(
-    reader: &mut Reader<T>,
-    header: &Header,
-    source: Source,
-) -> Result<(Vec<Vertex>, Vec<Face>), ParseError> {
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
-    for (name, element) in &header.elements {
-        match (name.as_str(), source) {
-            ("vertex", _) => vertices = Parser::new().read_payload_for_element(reader, element, header)?,
-            ("face", Source::Faces) => {
-                faces = Parser::new().read_payload_for_element(reader, element, header)?;
-            }
-            _ => drop(Parser::<Skipped>::new().read_payload_for_element(reader, element, header)?),
+/// The normals of all vertices, whose positions are checked too.
+fn read_normals(payload: &mut Payload, element: &ElementDef) -> Result<Vec<[f32; 3]>, MeshError> {
+    let mut normals = Vec::with_capacity(element.count);
+    for vertex in 0..element.count {
+        let Vertex { position, normal } = payload.next(element)?;
+        check_finite(payload.path, vertex, position)?;
+        normals.push(normal);
+    }
+    Ok(normals)
+}
+
+fn read_positions(payload: &mut Payload, element: &ElementDef) -> Result<Positions, MeshError> {
+    // Exact in f64 only.
+    let is_wide = |name: &&str| {
+        use ScalarType::{Double, Int, UInt};
+        let kind = element.properties.get(*name).map(|property| &property.data_type);
+        matches!(kind, Some(PropertyType::Scalar(Double | Int | UInt)))
+    };
+    let mut positions = match ["x", "y", "z"].iter().any(is_wide) {
+        true => Positions::Double(Vec::with_capacity(element.count)),
+        false => Positions::Single(Vec::with_capacity(element.count)),
+    };
+    for vertex in 0..element.count {
+        let Vertex { position, .. } = payload.next(element)?;
+        check_finite(payload.path, vertex, position)?;
+        match &mut positions {
+            Positions::Single(positions) => positions.push(position.as_vec3().to_array()),
+            Positions::Double(positions) => positions.push(position.to_array()),
         }
     }
-    Ok((vertices, faces))
+    Ok(positions)
+}
+
+fn add_faces(payload: &mut Payload, element: &ElementDef, sums: &mut Sums) -> Result<(), MeshError> {
+    for _ in 0..element.count {
+        let Face(corners) = payload.next(element)?;
+        let mut fan = Fan::default();
+        for corner in (0..).map_while(|at| index(&corners, at)) {
+            fan.push(corner).map_or(Ok(()), |triangle| sums.add(triangle))?;
+        }
+    }
+    Ok(())
 }
 
 #[derive(Default)]
@@ -124,37 +243,41 @@ fn to_f64(property: &Property) -> Option<f64> {
 /// The property names in use for the corners of a face.
 const INDICES: [&str; 2] = ["vertex_indices", "vertex_index"];
 
-#[derive(Default)]
-struct Face(Vec<i64>);
+/// A list of indices, in the type that the file has.
+struct Face(Property);
 
 impl PropertyAccess for Face {
     fn new() -> Self {
-        Self::default()
+        Self(Property::ListUChar(Vec::new()))
     }
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
         if !INDICES.contains(&name) {
             return PropertyAccessResult::Ignored;
         }
-        let Some(indices) = to_indices(property) else {
-            return PropertyAccessResult::UnsupportedType;
-        };
-        self.0 = indices;
-        PropertyAccessResult::Set
+        use Property::{ListChar, ListInt, ListShort, ListUChar, ListUInt, ListUShort};
+        match property {
+            ListChar(_) | ListUChar(_) | ListShort(_) | ListUShort(_) | ListInt(_) | ListUInt(_) => {
+                self.0 = property;
+                PropertyAccessResult::Set
+            }
+            _ => PropertyAccessResult::UnsupportedType,
+        }
     }
 }
 
-fn to_indices(property: Property) -> Option<Vec<i64>> {
-    fn widen<T: Into<i64>>(list: Vec<T>) -> Option<Vec<i64>> {
-        Some(list.into_iter().map(Into::into).collect())
+/// An index of a face; none after the last.
+fn index(list: &Property, at: usize) -> Option<i64> {
+    fn get<T: Copy + Into<i64>>(list: &[T], at: usize) -> Option<i64> {
+        list.get(at).map(|index| (*index).into())
     }
-    match property {
-        Property::ListChar(list) => widen(list),
-        Property::ListUChar(list) => widen(list),
-        Property::ListShort(list) => widen(list),
-        Property::ListUShort(list) => widen(list),
-        Property::ListInt(list) => widen(list),
-        Property::ListUInt(list) => widen(list),
+    match list {
+        Property::ListChar(list) => get(list, at),
+        Property::ListUChar(list) => get(list, at),
+        Property::ListShort(list) => get(list, at),
+        Property::ListUShort(list) => get(list, at),
+        Property::ListInt(list) => get(list, at),
+        Property::ListUInt(list) => get(list, at),
         _ => None,
     }
 }

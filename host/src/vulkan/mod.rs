@@ -18,6 +18,7 @@ pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;
 pub use instance::Instance;
 pub use kernel::{Buffers, GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
+pub use spirv::check_spirv;
 pub use statistics::{Inspector, Statistics};
 
 use ash::vk;

@@ -4,10 +4,20 @@ use super::Error;
 use std::ffi::CString;
 
 const HEADER_WORDS: usize = 5;
+/// What the specification lets all implementations take; drivers allocate this much and more.
+const MAX_BOUND: u32 = 0x003f_ffff;
 const OP_ENTRY_POINT: u16 = 15;
 const OP_FUNCTION: u16 = 54;
 const OP_FUNCTION_END: u16 = 56;
 const OP_FUNCTION_CALL: u16 = 57;
+
+/// Checks the framing of a module, as is done before a driver sees it.
+///
+/// # Errors
+/// [`Error::NotSpirv`].
+pub fn check_spirv(spirv: &[u8], entry_point: &str) -> Result<(), Error> {
+    checked(spirv, entry_point).map(drop)
+}
 
 /// The words of a module, and the name of its entry point for Vulkan.
 ///
@@ -31,6 +41,15 @@ pub(super) fn checked(spirv: &[u8], entry_point: &str) -> Result<(Vec<u32>, CStr
 /// there: drivers need not notice either, and one may crash.
 fn objection(words: &[u32], entry_point: &str) -> Option<&'static str> {
     const CUT_SHORT: Option<&str> = Some("it is cut short");
+    match words {
+        [_, version, _, bound, schema, ..]
+            if version & 0xff00_00ff == 0
+                && version >> 16 == 1
+                && (1..=MAX_BOUND).contains(bound)
+                && *schema == 0 => {}
+        [_, _, _, _, _, ..] => return Some("its header is none of SPIR-V 1"),
+        _ => return CUT_SHORT,
+    }
     let mut is_there = false;
     let mut defined = Vec::new();
     let mut called = Vec::new();
@@ -85,6 +104,31 @@ mod tests {
                 assert!(objection(&words[..length], kernel).is_some(), "{kernel} cut at {length}");
             }
         }
+    }
+
+    /// Versions of SPIR-V 1, a bound that drivers take, and nothing in the reserved word.
+    #[test]
+    fn headers_are_checked() {
+        let whole = words("oct16_decode");
+        for (at, bad) in
+            [(1, 0), (1, 0x0002_0000), (1, 0x0001_0301), (3, 0), (3, u32::MAX), (3, 1 << 22), (4, 1)]
+        {
+            let mut words = whole.clone();
+            words[at] = bad;
+            assert_eq!(
+                objection(&words, "oct16_decode"),
+                Some("its header is none of SPIR-V 1"),
+                "{at}: {bad}"
+            );
+        }
+    }
+
+    /// An instruction of no words would be read for ever.
+    #[test]
+    fn an_instruction_of_no_words_is_found() {
+        let mut words = words("oct16_decode");
+        words[5] &= 0xffff;
+        assert_eq!(objection(&words, "oct16_decode"), Some("it is cut short"));
     }
 
     #[test]

@@ -1,0 +1,358 @@
+//! Readers under fire: mutated files of each format end in a result or in one line that names the file, without a panic, in
+//! bounded memory, and leave nothing behind.
+//!
+//! The ordinary tests take [`ORDINARY`] inputs in all; `cargo xtask test --fuzz` takes 10^6. `UNITVEC_FUZZ` and
+//! `UNITVEC_FUZZ_SEED` give other numbers. Each target prints its seed; an input that fails is kept in a file.
+
+mod memory;
+mod mutate;
+mod program;
+mod seeds;
+
+use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use std::time::Instant;
+use unitvec_host::backend::Cpu;
+use unitvec_host::catalogue::{Element, find_format};
+use unitvec_host::choose::Costs;
+use unitvec_host::input::{Elements, Input};
+use unitvec_host::mesh::{self, FileFormat};
+use unitvec_host::modules::{self, Modules};
+use unitvec_host::stream::{self, Named};
+use unitvec_host::vulkan::check_spirv;
+
+/// Inputs of the ordinary tests.
+const ORDINARY: u64 = 10_000;
+
+/// What reads a file: an error's text, or the number of vectors.
+type Read = fn(&Path, &[u8]) -> Result<usize, String>;
+
+/// A format, and what reads it.
+struct Target {
+    /// Name of the file, which errors have to contain.
+    file: &'static str,
+    seeds: fn() -> Vec<Vec<u8>>,
+    read: Read,
+    /// Of a hundred inputs of all targets.
+    share: f64,
+    /// Bytes beyond four times the file's: chunks, and what a parser takes for any file.
+    slack: usize,
+}
+
+/// What a parser takes for any file, however small.
+const FIXED: usize = 1 << 16;
+
+/// As many numbers as the parser of PLY prepares for a list, whatever the list then holds.
+const LIST: usize = 8 << 16;
+
+/// Where glTF gives no bytes for an accessor, so many zeros: positions, sums and normals of 2^16 vertices.
+const ZEROS: usize = (12 + 24 + 12) << 16;
+
+/// The stream's buffers, which are of fixed size: elements, and codes twice.
+const CHUNKS: usize = 40 << 20;
+
+const fn target(
+    file: &'static str,
+    seeds: fn() -> Vec<Vec<u8>>,
+    read: Read,
+    share: f64,
+    slack: usize,
+) -> Target {
+    Target { file, seeds, read, share, slack }
+}
+
+const OBJ: Target = target("a.obj", seeds::obj, read_mesh, 14.0, FIXED);
+const PLY_ASCII: Target =
+    target("ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST);
+const PLY_LITTLE: Target =
+    target("little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST);
+const PLY_BIG: Target =
+    target("big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST);
+const GLTF: Target = target("a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS);
+const GLB: Target = target("a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS);
+const RAW: Target = target("a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS);
+const CODES: Target = target("a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS);
+const COSTS: Target = target("costs.json", seeds::costs, read_costs, 5.0, FIXED);
+const MANIFEST: Target = target("manifest.json", seeds::manifest, read_manifest, 5.0, FIXED);
+// With the manifest beside it.
+const MODULE: Target = target(seeds::MODULE_FILE, seeds::module, read_module, 5.0, 2 * FIXED);
+
+#[test]
+fn obj() {
+    fuzz(&OBJ);
+}
+
+#[test]
+fn ply_ascii() {
+    fuzz(&PLY_ASCII);
+}
+
+#[test]
+fn ply_little_endian() {
+    fuzz(&PLY_LITTLE);
+}
+
+#[test]
+fn ply_big_endian() {
+    fuzz(&PLY_BIG);
+}
+
+#[test]
+fn gltf() {
+    fuzz(&GLTF);
+}
+
+#[test]
+fn glb() {
+    fuzz(&GLB);
+}
+
+#[test]
+fn raw() {
+    fuzz(&RAW);
+}
+
+#[test]
+fn codes() {
+    fuzz(&CODES);
+}
+
+#[test]
+fn costs() {
+    fuzz(&COSTS);
+}
+
+#[test]
+fn manifest() {
+    fuzz(&MANIFEST);
+}
+
+#[test]
+fn module() {
+    fuzz(&MODULE);
+}
+
+/// No target is forgotten where the shares are given.
+#[test]
+fn the_shares_are_a_hundred() {
+    let all =
+        [&OBJ, &PLY_ASCII, &PLY_LITTLE, &PLY_BIG, &GLTF, &GLB, &RAW, &CODES, &COSTS, &MANIFEST, &MODULE];
+    assert_eq!(all.map(|target| target.share).iter().sum::<f64>(), 100.0);
+}
+
+fn number(variable: &str, default: u64) -> u64 {
+    std::env::var(variable)
+        .map_or(default, |value| value.parse().unwrap_or_else(|_| panic!("{variable}={value}")))
+}
+
+/// What the inputs of a target gave so far.
+#[derive(Default)]
+struct Tally {
+    done: u64,
+    read: u64,
+    /// The most memory, in bytes.
+    peak: usize,
+}
+
+/// Runs all inputs of a target. The first that fails is made as simple as it gets, and kept.
+fn fuzz(target: &Target) {
+    let count = (number("UNITVEC_FUZZ", ORDINARY) as f64 * target.share / 100.0).ceil() as u32;
+    let seed = number("UNITVEC_FUZZ_SEED", 14);
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(target.file);
+    std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+    prepare(&path);
+    // What is made once, such as the program's own manifest, is no memory of an input.
+    (target.read)(&path, &(target.seeds)()[0]).unwrap_or_else(|error| panic!("the first seed: {error}"));
+    std::fs::write(&path, b"").unwrap();
+    let before = names(folder.path());
+    let (started, tally) = (Instant::now(), RefCell::new(Tally::default()));
+    println!("fuzz: {}: {count} inputs, seed {seed}", target.file);
+    let config = Config {
+        cases: count,
+        rng_seed: RngSeed::Fixed(seed),
+        failure_persistence: None,
+        max_shrink_iters: 10_000,
+        ..Config::default()
+    };
+    let result = TestRunner::new(config).run(&mutate::inputs((target.seeds)()), |input| {
+        let mut tally = tally.borrow_mut();
+        judge(target, &path, &input, &mut tally).map_err(TestCaseError::fail)?;
+        tally.done += 1;
+        if tally.done % u64::from(count / 10 + 1) == 0 {
+            println!("fuzz: {}: {} of {count}, {} s", target.file, tally.done, started.elapsed().as_secs());
+        }
+        Ok(())
+    });
+    match result {
+        Ok(()) => {}
+        Err(TestError::Fail(reason, input)) => {
+            let kept = keep(target, &input);
+            panic!("{reason}\nthe input, of {} bytes, is in {}; seed {seed}", input.len(), kept.display());
+        }
+        Err(error) => panic!("{error}"),
+    }
+    let left: Vec<_> = names(folder.path()).into_iter().filter(|name| !before.contains(name)).collect();
+    assert!(left.is_empty(), "left behind: {left:?}");
+    let Tally { done, read, peak } = tally.into_inner();
+    println!(
+        "fuzz: {}: {done} inputs in {:.1} s, seed {seed}: {read} were read, the others refused, in {peak} bytes of memory at \
+         most",
+        target.file,
+        started.elapsed().as_secs_f64(),
+    );
+}
+
+/// What lies beside the input.
+fn prepare(path: &Path) {
+    std::fs::write(path.with_file_name("zeros.f32"), [0; 24]).unwrap();
+    std::fs::write(path.with_file_name(seeds::BUFFER_FILE), seeds::buffer_file()).unwrap();
+    if path.ends_with(MODULE.file) {
+        let manifest = path.ancestors().nth(2).unwrap().join(MANIFEST.file);
+        std::fs::write(manifest, &seeds::manifest()[0]).unwrap();
+    } else {
+        let module = path.with_file_name(seeds::MODULE_FILE);
+        std::fs::create_dir_all(module.parent().unwrap()).unwrap();
+        std::fs::write(module, &seeds::module()[0]).unwrap();
+    }
+}
+
+/// The files of a folder and of those in it.
+fn names(folder: &Path) -> Vec<PathBuf> {
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let inside = if path.is_dir() { names_below(&path) } else { vec![path] };
+        names.extend(inside.into_iter().map(|path| path.strip_prefix(folder).unwrap().to_owned()));
+    }
+    names
+}
+
+fn names_below(folder: &Path) -> Vec<PathBuf> {
+    names(folder).into_iter().map(|name| folder.join(name)).collect()
+}
+
+/// Keeps an input where the next `cargo clean` finds it.
+fn keep(target: &Target, input: &[u8]) -> PathBuf {
+    let name = Path::new(target.file).file_name().unwrap().to_str().unwrap();
+    let kept = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("fuzz-{name}"));
+    std::fs::write(&kept, input).unwrap();
+    kept
+}
+
+/// Why an input is not read as it should be.
+fn judge(target: &Target, path: &Path, input: &[u8], tally: &mut Tally) -> Result<(), String> {
+    let mut result = Ok(Ok(0));
+    // Caught inside: what counts the memory does not expect to be left by a panic.
+    let memory = allocation_counter::measure(|| {
+        result = catch_unwind(AssertUnwindSafe(|| (target.read)(path, input)));
+    });
+    let result = result.map_err(|_| "it panics".to_owned())?;
+    if let Err(message) = &result {
+        check_message(message, path)?;
+    }
+    let peak = input.len() + memory.bytes_max as usize;
+    let vectors = *result.as_ref().unwrap_or(&0);
+    tally.read += u64::from(result.is_ok());
+    tally.peak = tally.peak.max(peak);
+    memory::check(peak, input.len(), vectors, target.slack)
+}
+
+/// One line that names the file, and no more than a terminal shows.
+fn check_message(message: &str, path: &Path) -> Result<(), String> {
+    // The folder of a manifest stands for it.
+    let name = path.file_name().unwrap().to_str().unwrap();
+    let folder = path.parent().unwrap().to_str().unwrap();
+    let is_named = message.contains(name) || message.contains(folder) || message.contains("oct16");
+    match message.chars().any(char::is_control) || !is_named || message.chars().count() > 600 {
+        true => Err(format!("the error is not one line that names the file: {message:?}")),
+        false => Ok(()),
+    }
+}
+
+fn text(error: impl std::fmt::Display) -> String {
+    error.to_string()
+}
+
+/// Normals and frames. The number is that of the normals.
+fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
+    let Some(format) = FileFormat::of(path, input) else {
+        return Err(format!("{} lost its format", path.display()));
+    };
+    if let Err(error) = mesh::parse_frames(path, format, input) {
+        check_message(&error.to_string(), path)?;
+    }
+    let mesh = mesh::parse(path, format, input).map_err(text)?;
+    assert!(mesh.parts.iter().all(|part| part.first + part.count <= mesh.normals.len()));
+    Ok(mesh.normals.len())
+}
+
+fn encode_raw(path: &Path, input: &[u8]) -> Result<usize, String> {
+    std::fs::write(path, input).unwrap();
+    let format = find_format("oct32").unwrap();
+    let mut elements = Elements::open(path, Element::Vector, false).map_err(text)?;
+    let mut codes = Vec::new();
+    let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
+        (Named::new(path, &mut elements.floats), Named::new(path, &mut codes));
+    let counts = stream::encode(&mut Cpu, format, from, to, &mut |_| ()).map_err(text)?;
+    assert_eq!(codes.len() as u64, counts.elements * 4);
+    Ok(counts.elements as usize)
+}
+
+fn decode_codes(path: &Path, input: &[u8]) -> Result<usize, String> {
+    std::fs::write(path, input).unwrap();
+    let format = find_format("frame64").unwrap();
+    let (mut input, mut floats) = (Input::open(path).map_err(text)?, Vec::new());
+    input.count(format.bytes, "codes").map_err(text)?;
+    let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
+        (Named::new(path, &mut input), Named::new(path, &mut floats));
+    let count = stream::decode(&mut Cpu, format, from, to, &mut |_| ()).map_err(text)?;
+    assert_eq!(floats.len() as u64, count * 28);
+    // Each frame is 28 bytes, of which `vectors` counts 12.
+    Ok(count as usize * 28 / 12 + 1)
+}
+
+fn read_costs(path: &Path, input: &[u8]) -> Result<usize, String> {
+    Costs::parse(path, input).map(|_| 0).map_err(text)
+}
+
+/// A manifest over a module that is as it should be. Whatever it says, the program's own modules are what is loaded.
+fn read_manifest(path: &Path, input: &[u8]) -> Result<usize, String> {
+    std::fs::write(path, input).unwrap();
+    load_from(path.parent().unwrap()).map_err(text)?;
+    Ok(0)
+}
+
+/// A module under a manifest that is as it should be. What passes as SPIR-V of that kernel is made of whole instructions.
+fn read_module(path: &Path, input: &[u8]) -> Result<usize, String> {
+    std::fs::write(path, input).unwrap();
+    let folder = path.ancestors().nth(2).unwrap();
+    let trusted = Modules::open_trusted(folder).and_then(|modules| modules.load(seeds::KERNEL).map(|_| ()));
+    trusted.map_err(text)?;
+    if check_spirv(input, seeds::KERNEL).is_ok() {
+        assert_whole_instructions(input);
+    }
+    load_from(folder).map_err(text)?;
+    Ok(0)
+}
+
+/// After a header of five words, each instruction has its length in the upper half of its first word.
+fn assert_whole_instructions(spirv: &[u8]) {
+    let mut words = spirv.chunks(4).skip(5);
+    while let Some(first) = words.next() {
+        let length = usize::from(u16::from_le_bytes([first[2], first[3]]));
+        assert!(length > 0 && (1..length).all(|_| words.next().is_some_and(|word| word.len() == 4)));
+    }
+}
+
+/// Loads the kernel, as the program does without `--trust`.
+fn load_from(folder: &Path) -> Result<(), modules::Error> {
+    let loaded = Modules::open(Some(folder))?.load(seeds::KERNEL)?;
+    static PROGRAM: OnceLock<Vec<u8>> = OnceLock::new();
+    let program = PROGRAM.get_or_init(|| seeds::module().swap_remove(0));
+    assert!(*loaded == **program, "SPIR-V that the program does not know");
+    Ok(())
+}

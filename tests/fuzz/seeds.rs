@@ -1,0 +1,249 @@
+//! Small valid files of each format, which mutations start from.
+
+use base64::Engine;
+use std::fmt::Write;
+use unitvec_host::manifest::Manifest;
+use unitvec_host::modules::Modules;
+use unitvec_tests::repository;
+
+/// Vertices a side of the grid that all meshes are.
+pub const SIDE: usize = 5;
+
+/// The vertices of a grid: position, then normal.
+fn vertices(side: usize) -> impl Iterator<Item = [f32; 6]> {
+    let at = move |k: usize| [(k % side) as f32, (k / side) as f32, (k % 3) as f32 * 0.25];
+    (0..side * side).map(at).map(|[x, y, z]| [x, y, z, 0.6, -0.8, 0.0])
+}
+
+/// The faces of a grid, as pairs of triangles.
+fn triangles(side: usize) -> impl Iterator<Item = [usize; 3]> {
+    let corners = (0..side - 1).flat_map(move |y| (0..side - 1).map(move |x| y * side + x));
+    corners.flat_map(move |k| [[k, k + 1, k + side], [k + 1, k + side + 1, k + side]])
+}
+
+/// Computed normals; normals of the file, and every kind of index; lines and names of other kinds.
+pub fn obj() -> Vec<Vec<u8>> {
+    let mut bare = String::from("# grid\no first\n");
+    for [x, y, z, ..] in vertices(SIDE) {
+        writeln!(bare, "v {x} {y} {z}").unwrap();
+    }
+    let mut with_normals = bare.clone();
+    for [a, b, c] in triangles(SIDE).map(|triangle| triangle.map(|corner| corner + 1)) {
+        writeln!(bare, "f {a} {b} {c}").unwrap();
+        writeln!(with_normals, "vn 0.6 -0.8 1e-3\nf {a}/1/{a} {b}//{b} -1").unwrap();
+    }
+    let others = "\u{feff}mtllib a.mtl\r\ng a b\r\nv 1 0 0 1 1 1\r\nv 0 1 0\r\nv 0 0 1\r\nvt 0 0\r\ns 1\r\nusemtl red\r\n\
+        f 1/1 2/1 3/1\r\nf -3 -2 -1 -2\r\nl 1 2\r\n";
+    [bare.as_str(), &with_normals, others].map(|text| text.as_bytes().to_vec()).into()
+}
+
+/// Number formats of PLY's three encodings.
+pub const PLY_FORMATS: [&str; 3] = ["ascii", "binary_little_endian", "binary_big_endian"];
+
+/// A number of a PLY payload.
+#[derive(Clone, Copy)]
+enum Number {
+    U8(u8),
+    I32(i32),
+    F32(f32),
+    F64(f64),
+}
+
+impl Number {
+    fn write(self, format: &str, to: &mut Vec<u8>) {
+        let big = format == PLY_FORMATS[2];
+        let mut either = |little: &[u8], large: &[u8]| to.extend(if big { large } else { little });
+        match (self, format) {
+            (Self::U8(n), "ascii") => to.extend(format!("{n} ").bytes()),
+            (Self::I32(n), "ascii") => to.extend(format!("{n} ").bytes()),
+            (Self::F32(n), "ascii") => to.extend(format!("{n} ").bytes()),
+            (Self::F64(n), "ascii") => to.extend(format!("{n} ").bytes()),
+            (Self::U8(n), _) => to.push(n),
+            (Self::I32(n), _) => either(&n.to_le_bytes(), &n.to_be_bytes()),
+            (Self::F32(n), _) => either(&n.to_le_bytes(), &n.to_be_bytes()),
+            (Self::F64(n), _) => either(&n.to_le_bytes(), &n.to_be_bytes()),
+        }
+    }
+}
+
+/// A PLY file: elements, each with its header lines and its rows.
+fn ply_of(format: &str, elements: &[(&str, Vec<Vec<Number>>)]) -> Vec<u8> {
+    let (mut header, mut payload) = (format!("ply\nformat {format} 1.0\ncomment a grid\n"), Vec::new());
+    for (lines, rows) in elements {
+        let (name, properties) = lines.split_once('\n').unwrap_or((lines, ""));
+        write!(header, "element {name} {}\n{properties}", rows.len()).unwrap();
+        for row in rows {
+            row.iter().for_each(|number| number.write(format, &mut payload));
+            if format == "ascii" {
+                payload.push(b'\n');
+            }
+        }
+    }
+    [header.as_bytes(), b"end_header\n", &payload].concat()
+}
+
+const POSITION: &str = "property float x\nproperty float y\nproperty float z\n";
+
+/// Computed normals, with the faces after the vertices and before them; normals of the file.
+pub fn ply(format: &str) -> Vec<Vec<u8>> {
+    let positions =
+        vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(Number::F32).to_vec()).collect::<Vec<_>>();
+    let doubles =
+        vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(|c| Number::F64(c.into())).to_vec()).collect();
+    let normals = vertices(SIDE).map(|vertex| vertex.map(Number::F32).to_vec()).collect();
+    let indices = |corner: usize| Number::I32(corner as i32);
+    let faces: Vec<Vec<Number>> =
+        triangles(SIDE).map(|corners| [&[Number::U8(3)], &corners.map(indices)[..]].concat()).collect();
+    let small: Vec<Vec<Number>> = triangles(SIDE)
+        .map(|corners| {
+            [&[Number::U8(1), Number::U8(3)], &corners.map(|corner| Number::U8(corner as u8))[..]].concat()
+        })
+        .collect();
+    let vertex = format!("vertex\n{POSITION}");
+    let face = "face\nproperty list uchar int vertex_indices\n";
+    let other = (
+        "edge\nproperty list uchar float w\n",
+        vec![vec![Number::U8(2), Number::F32(0.5), Number::F32(1.5)]],
+    );
+    vec![
+        ply_of(format, &[(&vertex, positions.clone()), (face, faces), other.clone()]),
+        ply_of(
+            format,
+            &[
+                ("face\nproperty uchar flags\nproperty list uchar uchar vertex_index\n", small),
+                ("vertex\nproperty double x\nproperty double y\nproperty double z\n", doubles),
+            ],
+        ),
+        ply_of(
+            format,
+            &[
+                other,
+                (&format!("{vertex}property float nx\nproperty float ny\nproperty float nz\n"), normals),
+            ],
+        ),
+    ]
+}
+
+/// Indices, positions, normals and tangents of a grid, and where each begins.
+fn grid_buffer(side: usize) -> (Vec<u8>, [usize; 5]) {
+    let mut buffer: Vec<u8> =
+        triangles(side).flatten().flat_map(|corner| (corner as u16).to_le_bytes()).collect();
+    buffer.resize(buffer.len().next_multiple_of(4), 0);
+    let mut starts = [0, buffer.len(), 0, 0, 0];
+    let parts: [fn([f32; 6]) -> Vec<f32>; 3] =
+        [|v| v[..3].to_vec(), |v| v[3..].to_vec(), |v| vec![v[4], v[3], 0.0, 1.0]];
+    for (at, part) in parts.into_iter().enumerate() {
+        buffer.extend(vertices(side).flat_map(part).flat_map(f32::to_le_bytes));
+        starts[at + 2] = buffer.len();
+    }
+    (buffer, starts)
+}
+
+/// A glTF document over [`grid_buffer`].
+fn document(primitives: &str, uri: &str) -> String {
+    let (_, [start, positions, normals, tangents, end]) = grid_buffer(SIDE);
+    let view =
+        |from: usize, to: usize| format!(r#"{{"buffer":0,"byteOffset":{from},"byteLength":{}}}"#, to - from);
+    let views = [(start, positions), (positions, normals), (normals, tangents), (tangents, end)];
+    let views = views.map(|(from, to)| view(from, to)).join(",");
+    let (vertices, corners) = (SIDE * SIDE, triangles(SIDE).count() * 3);
+    let vector = |view: usize, kind: &str| {
+        format!(
+            r#"{{"bufferView":{view},"componentType":5126,"count":{vertices},"type":"{kind}","min":[0,0,0],"max":[4,4,1]}}"#
+        )
+    };
+    format!(
+        r#"{{"asset":{{"version":"2.0"}},"extensionsUsed":["KHR_mesh_quantization"],"scene":0,"nodes":[{{"mesh":0}}],
+        "meshes":[{{"name":"grid","primitives":[{primitives}]}}],"buffers":[{{"byteLength":{end}{uri}}}],
+        "bufferViews":[{views}],"accessors":[
+        {{"bufferView":0,"componentType":5123,"count":{corners},"type":"SCALAR"}},{},{},{},
+        {{"componentType":5126,"count":{vertices},"type":"VEC3","sparse":{{"count":2,
+        "indices":{{"bufferView":0,"componentType":5123}},"values":{{"bufferView":2}}}}}},
+        {{"bufferView":1,"componentType":5120,"normalized":true,"count":{vertices},"type":"VEC3"}}]}}"#,
+        vector(1, "VEC3"),
+        vector(2, "VEC3"),
+        vector(3, "VEC4"),
+    )
+}
+
+/// Computed normals, frames, strips and fans, sparse and quantised normals.
+const PRIMITIVES: [&str; 4] = [
+    r#"{"attributes":{"POSITION":1},"indices":0}"#,
+    r#"{"attributes":{"POSITION":1,"NORMAL":2,"TANGENT":3},"indices":0}"#,
+    r#"{"attributes":{"POSITION":1},"indices":0,"mode":5},{"attributes":{"POSITION":1},"mode":6}"#,
+    r#"{"attributes":{"POSITION":1,"NORMAL":4}},{"attributes":{"POSITION":1,"NORMAL":5}}"#,
+];
+
+/// The file beside the glTF files, in which some of their buffers lie.
+pub const BUFFER_FILE: &str = "grid.bin";
+
+/// Contents of [`BUFFER_FILE`].
+pub fn buffer_file() -> Vec<u8> {
+    grid_buffer(SIDE).0
+}
+
+/// Buffers inside the document and beside it.
+pub fn gltf() -> Vec<Vec<u8>> {
+    let inside = base64::engine::general_purpose::STANDARD.encode(buffer_file());
+    let uris = [BUFFER_FILE.to_owned(), format!("data:;base64,{inside}")];
+    let uris = uris.map(|uri| format!(r#","uri":"{uri}""#));
+    let documents =
+        PRIMITIVES.iter().flat_map(|primitives| uris.each_ref().map(|uri| document(primitives, uri)));
+    documents.map(String::into_bytes).collect()
+}
+
+/// The documents of [`gltf`] with a binary chunk.
+pub fn glb() -> Vec<Vec<u8>> {
+    PRIMITIVES.iter().map(|primitives| glb_of(&document(primitives, ""), &buffer_file())).collect()
+}
+
+/// A GLB file.
+pub fn glb_of(json: &str, bin: &[u8]) -> Vec<u8> {
+    let chunk = |kind: &[u8; 4], data: &[u8], pad: u8| {
+        let mut data = data.to_vec();
+        data.resize(data.len().next_multiple_of(4), pad);
+        [&(data.len() as u32).to_le_bytes(), kind.as_slice(), &data].concat()
+    };
+    let body = [chunk(b"JSON", json.as_bytes(), b' '), chunk(b"BIN\0", bin, 0)].concat();
+    [b"glTF".as_slice(), &2u32.to_le_bytes(), &(body.len() as u32 + 12).to_le_bytes(), &body].concat()
+}
+
+/// Raw floats, or codes: anything whose length is that of whole elements.
+pub fn raw() -> Vec<Vec<u8>> {
+    let floats = vertices(SIDE).flatten().flat_map(f32::to_le_bytes).collect();
+    vec![Vec::new(), floats, vec![0x7f; 84]]
+}
+
+/// Reports of `unitvec bench`, with `--isa` and without, cut to a few rows.
+pub fn costs() -> Vec<Vec<u8>> {
+    let shorter = |name: &str| {
+        let report = std::fs::read(repository().join("host/data").join(name)).unwrap();
+        let mut report: serde_json::Value = serde_json::from_slice(&report).unwrap();
+        let rows = report["rows"].as_array_mut().unwrap();
+        rows.retain(|row| ["oct16", "oct32"].contains(&row["id"].as_str().unwrap()));
+        rows.truncate(8);
+        if let Some(sources) = report.get_mut("sources") {
+            *sources = serde_json::json!({ "glsl/unitvec/oct.glsl": "00" });
+        }
+        serde_json::to_vec(&report).unwrap()
+    };
+    ["costs_lavapipe.json", "costs_navi21.json"].map(shorter).into()
+}
+
+/// The kernel of [`manifest`] and [`module`].
+pub const KERNEL: &str = "oct16_encode";
+
+/// Where the module lies in its folder.
+pub const MODULE_FILE: &str = "kernels/oct16.spv";
+
+/// The program's manifest, with the module of one codec.
+pub fn manifest() -> Vec<Vec<u8>> {
+    let mut manifest: Manifest = Modules::open(None).unwrap().manifest().clone();
+    manifest.modules.retain(|module| module.file == MODULE_FILE);
+    vec![serde_json::to_vec(&manifest).unwrap(), serde_json::to_vec_pretty(&manifest).unwrap()]
+}
+
+/// That module.
+pub fn module() -> Vec<Vec<u8>> {
+    vec![Modules::open(None).unwrap().load(KERNEL).unwrap().into_owned()]
+}
