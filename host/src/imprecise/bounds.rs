@@ -54,8 +54,6 @@ enum Decoder {
     Scaled,
     /// The way to a coordinate whose unit is up to half a turn.
     Way(Way),
-    /// z is the root of a difference that may vanish: a step along the border is what the code itself leaves open.
-    Projection,
 }
 
 /// What a codec's results may be off by.
@@ -115,9 +113,6 @@ impl Bounds {
                 let angle = PI * way.error() * UNIT;
                 (angle / UNIT * 2.0 + 2.0 * factor + 1.0, (angle + rounding).to_degrees())
             }
-            Decoder::Projection => {
-                (2.0 * self.error_bound_deg.to_radians() / UNIT * 2.0, 2.0 * self.error_bound_deg)
-            }
         }
     }
 
@@ -165,7 +160,7 @@ impl Bounds {
 
 /// From what the bounds of a family follow.
 fn derivation(family: &str) -> (Encoder, Decoder) {
-    use Decoder::{Projection, Scaled};
+    use Decoder::Scaled;
     let exact = Way::new(0, 0, 0);
     match family {
         // m / norm.
@@ -191,8 +186,8 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
         "azimuthal" => (Encoder::Way(Way::new(4, 3, 1)), Decoder::Way(Way::new(4, 2, 0))),
         // The reciprocal of z and the scale; for angles the arc. Decoding: the scale.
         "cube" => (Encoder::Way(Way::new(2, 0, 1)), Decoder::Way(Way::new(2, 0, 0))),
-        // The inverse of the length; the border and its inverse.
-        "parallel" | "xyonly" => (Encoder::Way(Way::new(2, 2, 0)), Projection),
+        // The inverse of the length. Decoding: z, of what x and y leave, which is the same number on every device.
+        "parallel" | "xyonly" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(0, 1, 0))),
         // Encoders do not divide.
         "snorm" | "unorm" => (Encoder::Way(exact), Decoder::Way(Way::new(1, 0, 0))),
         "float" => (Encoder::Way(exact), Decoder::Way(exact)),

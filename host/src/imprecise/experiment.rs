@@ -192,13 +192,18 @@ impl Run<'_> {
     /// On a device of this model; on the CPU without one.
     fn encode(&mut self, model: Option<Model>, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         let Some(model) = model else { return Cpu.encode(self.format, elements, codes) };
-        self.gpu.compute_as(Some((model, self.seed as u32)));
+        self.gpu.compute_as(Some((model, self.seed_of(model))));
         self.gpu.encode(self.format, elements, codes)
+    }
+
+    /// The seed that a model takes: kernels of the others serve all seeds.
+    fn seed_of(&self, model: Model) -> u32 {
+        if model == Model::Bits { self.seed as u32 } else { 0 }
     }
 
     fn decode(&mut self, model: Option<Model>, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         let Some(model) = model else { return Cpu.decode(self.format, codes, elements) };
-        self.gpu.compute_as(Some((model, self.seed as u32)));
+        self.gpu.compute_as(Some((model, self.seed_of(model))));
         self.gpu.decode(self.format, codes, elements)
     }
 }
