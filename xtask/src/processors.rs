@@ -27,7 +27,7 @@ struct Processor {
     /// What runs the program, and its arguments.
     runner: &'static [&'static str],
     editions: &'static [Edition],
-    /// The levels of slices that must be chosen from, the best first; any where this is empty.
+    /// The levels of slices that `std` must find, the best first; any where this is empty. Without `std` there is one.
     levels: &'static [&'static str],
 }
 
@@ -88,7 +88,8 @@ const fn wasm(name: &'static str, instructions: &'static str, editions: &'static
         instructions,
         linker: "rust-lld",
         packages: &["nodejs"],
-        runner: &["node", "tests/processors/run.mjs"],
+        // Without Liftoff all is compiled by the optimising compiler, before it runs.
+        runner: &["node", "--no-liftoff", "tests/processors/run.mjs"],
         editions,
         levels: &["Baseline"],
     }
@@ -133,7 +134,7 @@ static PROCESSORS: [Processor; 11] = [
     Processor {
         name: MIRI,
         instructions: "+avx2",
-        editions: &[Edition { count: FEW, ..STD }],
+        editions: &[Edition { count: FEW, ..STD }, Edition { count: FEW, ..LIBM }],
         levels: &["Avx2", "Sse41", "Baseline"],
         ..NATIVE
     },
@@ -156,7 +157,7 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     let job = |processor, edition| Job { repository: repository.to_owned(), processor, edition };
     let native = job(&NATIVE, STD);
     let native_program = native.build(false)?.program;
-    println!("xtask: {}, {}", NATIVE.name, STD.features);
+    println!("xtask: {}, {}: what others are compared with", NATIVE.name, STD.features);
     let mut references = BTreeMap::new();
     for count in [ALL, SOME, FEW] {
         let text = native.output(&mut native.command(&native_program), count)?;
@@ -170,7 +171,7 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
         for edition in processor.editions {
             let exhaustive = has("--exhaustive") && edition.count == SOME;
             let edition = if exhaustive { Edition { count: ALL, ..*edition } } else { *edition };
-            println!("xtask: {}, {}", processor.name, edition.features);
+            println!("xtask: building {}, {}", processor.name, edition.features);
             let job = job(processor, edition);
             running.push(job.start(has("--build-std"), references[&edition.count].clone()));
         }
@@ -291,7 +292,9 @@ impl Job {
             let run = |built: &Built| {
                 let mut command = if is_miri { self.interpret() } else { self.command(&built.program) };
                 let digests = Digests::parse(&self.output(&mut command, self.edition.count)?)?;
-                let same = digests.compare(&reference, self.processor.levels)?;
+                let is_std = self.edition.features == STD.features;
+                let same = digests
+                    .compare(&reference, if is_std { self.processor.levels } else { &["Baseline"] })?;
                 let levels = digests.levels().into_iter().collect::<Vec<_>>().join(" ");
                 Ok((levels, same))
             };
@@ -325,6 +328,7 @@ impl Job {
             .join("target/processors")
             .join(format!("{}{instructions}", self.edition.features));
         command.args(["--package", "unitvec-processors", "--no-default-features"]);
+        command.args(["--config", "profile.dev.debug=false"]);
         command.args(["--features", self.edition.features, "--target", target]);
         command.arg("--target-dir").arg(&folder).current_dir(&self.repository);
         let linker = if *linker == "rust-lld" { rust_lld()? } else { (*linker).to_owned() };
@@ -359,7 +363,8 @@ impl Job {
 
     fn interpret(&self) -> Command {
         let mut command = with_toolchain("nightly");
-        command.args(["miri", "run", "--quiet", "--package", "unitvec-processors"]);
+        command.args(["miri", "run", "--quiet", "--package", "unitvec-processors", "--no-default-features"]);
+        command.args(["--features", self.edition.features]);
         command.arg("--target-dir").arg(self.repository.join("target/processors/miri"));
         command.env("RUSTFLAGS", format!("-Ctarget-feature={}", self.processor.instructions));
         command.arg("--").current_dir(&self.repository);
@@ -412,6 +417,13 @@ impl Row {
         Self { processor: &NATIVE, edition: STD, compiler: String::new(), by: String::new(), verdict }
     }
 
+    /// For the screen.
+    fn line(&self) -> String {
+        let verdict = if self.verdict.is_ok() { "same bits" } else { "FAIL" };
+        format!("{}: {verdict}", self.record().replace(',', " | "))
+    }
+
+    /// A line of the record.
     fn record(&self) -> String {
         let (levels, digests) = self.verdict.clone().unwrap_or_else(|reason| (reason, 0));
         let Edition { features, count } = self.edition;
@@ -423,8 +435,7 @@ impl Row {
 fn print_table(rows: &[Row]) {
     println!("\n{}", COLUMNS.join(" | "));
     for row in rows {
-        let verdict = if row.verdict.is_ok() { "same bits" } else { "FAIL" };
-        println!("{}: {verdict}", row.record().replace(',', " | "));
+        println!("{}", row.line());
     }
 }
 
@@ -475,4 +486,49 @@ fn succeed(command: &mut Command) -> Result<String, String> {
         output.status,
         said[said.len().saturating_sub(3)..].join("; ")
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PRINTED: &str =
+        "values,a,1,2,3,4\nvalues,b,5,6,7,8\nLevel(Baseline),a,1,2,3,4\nLevel(Baseline),b,5,6,7,8\n";
+
+    /// What `compare` says of this program's output, beside [`PRINTED`].
+    fn compared(text: &str, levels: &[&str]) -> Result<usize, String> {
+        let reference = Digests::parse(PRINTED).unwrap().only("values");
+        Digests::parse(text)?.compare(&reference, levels)
+    }
+
+    #[test]
+    fn the_same_digests_are_counted() {
+        assert_eq!(compared(PRINTED, &["Baseline"]), Ok(4));
+        assert_eq!(compared(PRINTED, &[]), Ok(4));
+    }
+
+    #[test]
+    fn other_bits_are_named() {
+        for (from, to, named) in
+            [("values,b,5,6,7,8", "values,b,5,6,7,9", "b (values)"), (",a,1", ",a,0", "a (Baseline)")]
+        {
+            let error = compared(&PRINTED.replace(from, to), &["Baseline"]).unwrap_err();
+            assert!(error.contains(named), "{error}");
+        }
+    }
+
+    #[test]
+    fn what_is_missing_is_named() {
+        let error = compared("values,a,1,2,3,4\n", &[]).unwrap_err();
+        assert_eq!(error, "values: 1 codecs, not 2");
+        assert!(compared(PRINTED, &["Avx2", "Baseline"]).unwrap_err().contains("Avx2"));
+        assert!(compared("", &[]).is_err() && compared("killed", &[]).is_err());
+    }
+
+    #[test]
+    fn unknown_names_are_refused() {
+        assert!(chosen(&["vax"]).err().unwrap_or_default().contains("`s390x`"));
+        assert_eq!(chosen(&["s390x"]).map(|found| found.len()), Ok(1));
+        assert_eq!(chosen(&[]).map(|found| found.len()), Ok(PROCESSORS.len()));
+    }
 }
