@@ -300,13 +300,10 @@ impl Job {
             };
             let compiler = built.as_ref().map_or_else(|_| String::new(), |built| built.compiler.clone());
             let verdict = built.and_then(|built| run(&built));
-            Row {
-                processor: self.processor,
-                edition: self.edition,
-                compiler,
-                by: self.runner_version(),
-                verdict,
-            }
+            let by = self.runner_version();
+            let row = Row { processor: self.processor, edition: self.edition, compiler, by, verdict };
+            println!("xtask: {}", row.line());
+            row
         })
     }
 

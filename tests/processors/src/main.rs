@@ -13,7 +13,9 @@ use unitvec_processors::{COUNT, Coder, special_frames, special_vectors};
 fn main() {
     let (vectors, frames) = (special_vectors(), special_frames());
     macro_rules! vectors {
-        ($([$id:ident $codec:ident $($rest:tt)*])*) => { $(report_codec::<unitvec::$codec>(&vectors);)* };
+        ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
+            $(report_codec::<unitvec::$codec>(count(&[$(stringify!($by))?]), &vectors);)*
+        };
     }
     for_each_codec!(vectors);
     macro_rules! frames {
@@ -22,10 +24,21 @@ fn main() {
     for_each_frame!(frames);
 }
 
-fn report_codec<C: Listed>(special: &[[f32; 3]]) {
+/// How many vectors and codes the argument asks for. If not all, a sixteenth of that for codecs that are made to encode by a
+/// table: without it, as here, two of them would take an emulator as long as all others.
+fn count(table: &[&str]) -> usize {
+    let argument = std::env::args().nth(1).and_then(|count| count.parse().ok());
+    match argument.unwrap_or(COUNT).clamp(1, COUNT) {
+        COUNT => COUNT,
+        some if table.is_empty() => some,
+        some => some.div_ceil(16),
+    }
+}
+
+fn report_codec<C: Listed>(count: usize, special: &[[f32; 3]]) {
     let (id, bits, bytes) = (C::NAME, C::BITS, C::BYTES);
     let (encode, decode) = (encode_each::<C>, decode_each::<C>);
-    report("values", &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
+    report("values", count, &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
     for level in Level::available() {
         let encode = |vectors: &[_], codes: &mut [_]| {
             encode_slice_at::<C>(level, vectors, codes).expect("slices of the same number");
@@ -33,19 +46,25 @@ fn report_codec<C: Listed>(special: &[[f32; 3]]) {
         let decode = |codes: &[_], vectors: &mut [_]| {
             decode_slice_at::<C>(level, codes, vectors).expect("slices of the same number");
         };
-        report(&format!("{level:?}"), &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
+        report(
+            &format!("{level:?}"),
+            count,
+            &Coder { id, bits, bytes, encode: &encode, decode: &decode },
+            special,
+        );
     }
 }
 
 fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
     let (id, bits, bytes) = (F::NAME, F::BITS, F::BYTES);
+    let count = count(&[]);
     let encode = |frames: &[_], codes: &mut [_]| {
         store(frames, codes, bytes, |frame| F::encode(Frame::from_array(frame)).to_words());
     };
     let decode = |codes: &[_], frames: &mut [_]| {
         load(codes, frames, bytes, |words| F::decode(F::Code::from_words(words)).to_array());
     };
-    report("values", &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
+    report("values", count, &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
     let encode = |frames: &[_], codes: &mut [_]| {
         encode_frames::<F>(frames, codes).expect("slices of the same number");
     };
@@ -54,14 +73,13 @@ fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
     };
     report(
         &format!("{:?}", Level::BASELINE),
+        count,
         &Coder { id, bits, bytes, encode: &encode, decode: &decode },
         special,
     );
 }
 
-fn report<const N: usize>(way: &str, coder: &Coder<N>, special: &[[f32; N]]) {
-    let argument = std::env::args().nth(1);
-    let count = argument.and_then(|count| count.parse().ok()).unwrap_or(COUNT).clamp(1, COUNT);
+fn report<const N: usize>(way: &str, count: usize, coder: &Coder<N>, special: &[[f32; N]]) {
     print(&format!("{way},{},{}\n", coder.released(count), coder.more(count, special)));
 }
 
