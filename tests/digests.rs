@@ -4,33 +4,18 @@
 
 use std::collections::BTreeMap;
 use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
-use unitvec_host::manifest::sha256_hex;
-use unitvec_tests::directions::Rng;
+use unitvec_processors::{COUNT, Coder};
 
 /// The format, as it was when each codec was first released.
 const RELEASED: &str = include_str!("data/digests.csv");
 
-/// Vectors and codes for each digest.
-const COUNT: usize = 1 << 16;
-
-/// A number from -1 to 1 with 23 bits after the point: exact.
-fn component(rng: &mut Rng) -> f32 {
-    (rng.bits() >> 40) as f32 / 8_388_608.0 - 1.0
-}
-
-/// The row of a codec: digests of what it encodes and of what it decodes.
+/// The row of a codec: digests of what it encodes and of what it decodes, on all cores.
 fn row<const N: usize>(codec: &impl Coding<N>) -> String {
-    let (format, mut rng) = (codec.format(), Rng::new(1));
-    let mut elements = vec![[0.0; N]; COUNT];
-    elements.iter_mut().flatten().for_each(|c| *c = component(&mut rng));
-    let mut codes = vec![0; COUNT * format.bytes];
-    codec.encode_cpu(&elements, &mut codes).unwrap();
-    let encoded = sha256_hex(&codes);
-
-    codes.iter_mut().for_each(|byte| *byte = rng.bits() as u8);
-    codec.decode_cpu(&codes, &mut elements).unwrap();
-    let decoded: Vec<u8> = elements.iter().flatten().flat_map(|c| c.to_bits().to_le_bytes()).collect();
-    format!("{},{encoded},{}", format.id, sha256_hex(&decoded))
+    let format = codec.format();
+    let encode = |elements: &[_], codes: &mut [_]| codec.encode_cpu(elements, codes).unwrap();
+    let decode = |codes: &[_], elements: &mut [_]| codec.decode_cpu(codes, elements).unwrap();
+    let (bits, bytes) = (format.bits, format.bytes);
+    Coder { id: format.id, bits, bytes, encode: &encode, decode: &decode }.released(COUNT)
 }
 
 /// Every codec writes and reads what it did when it was released. `BLESS=1` adds the rows of new codecs to the file, and

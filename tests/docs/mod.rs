@@ -9,6 +9,7 @@ pub mod costs;
 mod drivers;
 mod flat;
 mod imprecise;
+mod processors;
 mod prose;
 mod slices;
 mod tables;

@@ -5,53 +5,26 @@ use glam::Vec3;
 use std::f64::consts::TAU;
 use unitvec::direction::{MAX_NORM, MIN_NORM};
 
-/// SplitMix64 (Steele, Lea and Flood 2014): small, and the same everywhere.
-pub struct Rng(u64);
+pub use unitvec_processors::Rng;
 
-impl Rng {
-    /// A generator whose sequence `seed` determines.
-    pub fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    /// 64 random bits.
-    pub fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    /// A uniform number of `[0, 1)`.
-    pub fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// A uniform number of `[low, high)`.
-    pub fn range(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    /// A uniform unit vector with z in `[low, high)`. By Archimedes, z and the angle about its axis are uniform; both
-    /// are taken in `f64` and the vector is rounded to `f32`.
-    fn zone(&mut self, low: f64, high: f64) -> Vec3 {
-        let (z, angle) = (self.range(low, high), self.range(0.0, TAU));
-        let r = (1.0 - z * z).sqrt();
-        narrow([r * angle.cos(), r * angle.sin(), z])
-    }
+/// A uniform unit vector with z in `[low, high)`. By Archimedes, z and the angle about its axis are uniform; both are taken
+/// in `f64` and the vector is rounded to `f32`.
+fn zone(rng: &mut Rng, low: f64, high: f64) -> Vec3 {
+    let (z, angle) = (rng.range(low, high), rng.range(0.0, TAU));
+    let r = (1.0 - z * z).sqrt();
+    narrow([r * angle.cos(), r * angle.sin(), z])
 }
 
 /// Unit vectors, uniform on the sphere.
 pub fn sphere(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
     let mut rng = Rng::new(seed);
-    (0..count).map(move |_| rng.zone(-1.0, 1.0))
+    (0..count).map(move |_| zone(&mut rng, -1.0, 1.0))
 }
 
 /// Unit vectors, uniform on the hemisphere z >= 0.
 pub fn hemisphere(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
     let mut rng = Rng::new(seed);
-    (0..count).map(move |_| rng.zone(0.0, 1.0))
+    (0..count).map(move |_| zone(&mut rng, 0.0, 1.0))
 }
 
 /// Vectors that keep to the coordinate planes and axes, where octahedra have their edges and the unfolded square

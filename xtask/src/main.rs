@@ -1,9 +1,10 @@
-//! `cargo xtask`: set-up, conform, test, spirv, costs, docs and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, processors, costs, docs and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
 mod drivers;
 mod packages;
+mod processors;
 mod setup;
 
 use std::env;
@@ -26,6 +27,10 @@ usage: cargo xtask <command>
   setup                                      install what is missing, and nothing else
   spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead
+  processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
+             [--record] [NAME...]            qemu, Node.js and Miri, and show that they give the same bits; --exhaustive
+                                             takes all input with every edition, --build-std builds the standard library
+                                             too, --record writes what the docs say of it
   costs [--driver ICD.json]                  compile the kernels for GPUs of all generations, without one, and write what they
                                              cost to host/data and the docs; --driver names a newer RADV than the
                                              system's, which those newer than Mesa's 22.3 need
@@ -46,6 +51,7 @@ fn main() -> ExitCode {
         "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
+        "processors" => processors::run(&repository(), rest),
         "costs" => costs(rest),
         "docs" => docs(rest),
         "packages" => setup::run().and_then(|()| packages::run(&repository())),

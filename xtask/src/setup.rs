@@ -78,13 +78,7 @@ pub fn begin() -> Result<Pending, String> {
     if to_build.is_empty() && to_run.is_empty() {
         return Ok(Pending(None));
     }
-    let Some(prefix) = privilege() else {
-        return Err(format!(
-            "these packages are missing; type this and run the command again:\n  \
-             sudo apt-get update && sudo apt-get install -y --no-install-recommends {}",
-            [to_build, to_run].concat().join(" ")
-        ));
-    };
+    let Some(prefix) = privilege() else { return Err(to_type(&[to_build, to_run].concat())) };
     println!("xtask: apt-get update");
     apt_get(prefix, &["update", "-qq"])?;
     // Before the update, apt-get may not have known any package.
@@ -103,6 +97,34 @@ pub fn begin() -> Result<Pending, String> {
     }
     println!("xtask: installing {} in the background", to_run.join(" "));
     Ok(Pending(Some(thread::spawn(move || install(prefix, &to_run)))))
+}
+
+/// Installs these packages where they are missing, as root or through sudo without a password, or says what to type.
+pub fn packages(names: &[&'static str]) -> Result<(), String> {
+    if !has_apt() {
+        println!(
+            "xtask: no apt-get here; install the equivalents of these Debian packages: {}",
+            names.join(", ")
+        );
+        return Ok(());
+    }
+    let missing: Vec<&str> = names.iter().copied().filter(|name| !is_installed(name)).collect();
+    if missing.is_empty() {
+        return Ok(());
+    }
+    let Some(prefix) = privilege() else { return Err(to_type(&missing)) };
+    println!("xtask: installing {}", missing.join(" "));
+    apt_get(prefix, &["update", "-qq"])?;
+    install(prefix, &missing)
+}
+
+/// The command that installs what is missing.
+fn to_type(missing: &[&str]) -> String {
+    format!(
+        "these packages are missing; type this and run the command again:\n  \
+         sudo apt-get update && sudo apt-get install -y --no-install-recommends {}",
+        missing.join(" ")
+    )
 }
 
 /// What the build needs: the tools for building shaderc where apt-get knows other packages but not its library.

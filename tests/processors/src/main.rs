@@ -1,0 +1,123 @@
+//! Prints a line for each codec and each way of running it: the way, the codec's row of `tests/data/digests.csv` as this
+//! processor computes it, and digests of more input. Ways are `values`, the functions of single vectors, and the levels of
+//! the slice functions that this processor has. An argument says how many vectors and codes to take, instead of as many as the
+//! released digests are of.
+
+use unitvec::codec::Code;
+use unitvec::frame::{decode_frames, encode_frames};
+use unitvec::slice::machine::Level;
+use unitvec::slice::{decode_slice_at, encode_slice_at};
+use unitvec::{Codec, Frame, Listed, ListedFrame, for_each_codec, for_each_frame};
+use unitvec_processors::{COUNT, Coder, special_frames, special_vectors};
+
+fn main() {
+    let (vectors, frames) = (special_vectors(), special_frames());
+    macro_rules! vectors {
+        ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => {
+            $(report_codec::<unitvec::$codec>(count(&[$(stringify!($by))?]), &vectors);)*
+        };
+    }
+    for_each_codec!(vectors);
+    macro_rules! frames {
+        ($([$id:ident $codec:ident, $($rest:tt)*])*) => { $(report_frames::<unitvec::$codec>(&frames);)* };
+    }
+    for_each_frame!(frames);
+}
+
+/// How many vectors and codes the argument asks for. If not all, a sixteenth of that for codecs that are made to encode by a
+/// table: without it, as here, two of them would take an emulator as long as all others.
+fn count(table: &[&str]) -> usize {
+    let argument = std::env::args().nth(1).and_then(|count| count.parse().ok());
+    match argument.unwrap_or(COUNT).clamp(1, COUNT) {
+        COUNT => COUNT,
+        some if table.is_empty() => some,
+        some => some.div_ceil(16),
+    }
+}
+
+fn report_codec<C: Listed>(count: usize, special: &[[f32; 3]]) {
+    let (id, bits, bytes) = (C::NAME, C::BITS, C::BYTES);
+    let (encode, decode) = (encode_each::<C>, decode_each::<C>);
+    report("values", count, &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
+    for level in Level::available() {
+        let encode = |vectors: &[_], codes: &mut [_]| {
+            encode_slice_at::<C>(level, vectors, codes).expect("slices of the same number");
+        };
+        let decode = |codes: &[_], vectors: &mut [_]| {
+            decode_slice_at::<C>(level, codes, vectors).expect("slices of the same number");
+        };
+        report(
+            &format!("{level:?}"),
+            count,
+            &Coder { id, bits, bytes, encode: &encode, decode: &decode },
+            special,
+        );
+    }
+}
+
+fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
+    let (id, bits, bytes) = (F::NAME, F::BITS, F::BYTES);
+    let count = count(&[]);
+    let encode = |frames: &[_], codes: &mut [_]| {
+        store(frames, codes, bytes, |frame| F::encode(Frame::from_array(frame)).to_words());
+    };
+    let decode = |codes: &[_], frames: &mut [_]| {
+        load(codes, frames, bytes, |words| F::decode(F::Code::from_words(words)).to_array());
+    };
+    report("values", count, &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
+    let encode = |frames: &[_], codes: &mut [_]| {
+        encode_frames::<F>(frames, codes).expect("slices of the same number");
+    };
+    let decode = |codes: &[_], frames: &mut [_]| {
+        decode_frames::<F>(codes, frames).expect("slices of the same number");
+    };
+    report(
+        &format!("{:?}", Level::BASELINE),
+        count,
+        &Coder { id, bits, bytes, encode: &encode, decode: &decode },
+        special,
+    );
+}
+
+fn report<const N: usize>(way: &str, count: usize, coder: &Coder<N>, special: &[[f32; N]]) {
+    print(&format!("{way},{},{}\n", coder.released(count), coder.more(count, special)));
+}
+
+fn encode_each<C: Codec>(vectors: &[[f32; 3]], codes: &mut [u8]) {
+    store(vectors, codes, C::BYTES, |v| C::encode(v).to_words());
+}
+
+fn decode_each<C: Codec>(codes: &[u8], vectors: &mut [[f32; 3]]) {
+    load(codes, vectors, C::BYTES, |words| C::decode(C::Code::from_words(words)));
+}
+
+/// Codes as they are stored, one by one: the low bytes of both words.
+fn store<E: Copy>(elements: &[E], codes: &mut [u8], size: usize, encode: impl Fn(E) -> [u32; 2]) {
+    for (element, code) in elements.iter().zip(codes.chunks_exact_mut(size)) {
+        let [low, high] = encode(*element);
+        let word = u64::from(high) << 32 | u64::from(low);
+        code.copy_from_slice(&word.to_le_bytes()[..size]);
+    }
+}
+
+/// The reverse of [`store`].
+fn load<E>(codes: &[u8], elements: &mut [E], size: usize, decode: impl Fn([u32; 2]) -> E) {
+    for (code, element) in codes.chunks_exact(size).zip(elements) {
+        let word = code.iter().rev().fold(0, |word, &byte| word << 8 | u64::from(byte));
+        *element = decode([word as u32, (word >> 32) as u32]);
+    }
+}
+
+/// Prints, on WebAssembly through a function of the program that runs this.
+fn print(text: &str) {
+    #[cfg(all(target_family = "wasm", target_os = "unknown"))]
+    text.bytes().for_each(|byte| put(u32::from(byte)));
+    #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
+    print!("{text}");
+}
+
+#[cfg(all(target_family = "wasm", target_os = "unknown"))]
+#[link(wasm_import_module = "host")]
+unsafe extern "C" {
+    safe fn put(byte: u32);
+}
