@@ -131,7 +131,11 @@ impl KernelSource {
     ) -> Result<Kernel> {
         let name = format.function(operation);
         let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
-        Ok(runner.kernel(&imprecise::rewrite(&module, &name, model, seed)?, entry_point, table)?)
+        Ok(runner.kernel(
+            &imprecise::rewrite(&module, (&name, entry_point), model, seed)?,
+            entry_point,
+            table,
+        )?)
     }
 
     /// The kernel that decodes two-byte codes by `table`, of the vectors of all codes.

@@ -58,7 +58,7 @@ pub struct Imprecise {
     #[arg(long, value_name = "MODEL", requires = "imprecise")]
     pub model: Vec<Model>,
     /// Number of seeds, from --seed on; each is a run of its own.
-    #[arg(long, value_name = "N", requires = "imprecise", default_value_t = 1, value_parser = counts())]
+    #[arg(long, value_name = "N", requires = "imprecise", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
     pub seeds: u64,
     /// Write the table as CSV as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE", requires = "imprecise")]

@@ -1,9 +1,8 @@
 use super::conform::Arguments;
 use super::table::{Layout, left, right, wrapped};
-use super::{print, progress, status_after_validation, to_csv, to_json};
+use super::{print, progress, reports_to_stdout, status_after_validation, to_csv, to_json};
 use serde::Serialize;
 use std::fmt::Display;
-use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_host::backend::{BackendKind, Gpu, KernelSource};
@@ -21,7 +20,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     let imprecise = &arguments.imprecise;
     let options = Options {
         count: arguments.count.unwrap_or(COUNT) as usize,
-        seeds: (arguments.seed..).take(imprecise.seeds as usize).collect(),
+        seeds: (0..imprecise.seeds).map(|index| arguments.seed.wrapping_add(index)).collect(),
         models: if imprecise.model.is_empty() { Model::ALL.to_vec() } else { imprecise.model.clone() },
         all_codes_up_to: arguments.all_codes_up_to(),
     };
@@ -30,7 +29,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     let truncation_is_seen = truncation_is_seen(&options, open()?)?;
 
     let outputs = [&arguments.json, &imprecise.csv].map(|path| path.as_deref());
-    let to_stdout = outputs.contains(&Some(Path::new("-")));
+    let to_stdout = reports_to_stdout(outputs[0], outputs[1])?;
     let columns = arguments.wide.columns()?;
     let table = table(columns);
     if !to_stdout {

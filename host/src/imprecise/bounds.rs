@@ -1,10 +1,13 @@
-//! By how much the results of devices may differ from the CPU's.
+//! By how much the results of devices may differ from the CPU's: limits counted from the operations that lead to them.
 //!
 //! The unit is 2^-23. A quotient's relative error is at most 2.5 on the device and 0.5 on the CPU. A square root's error is
 //! that of `1 / inversesqrt(x)`: at most `s^2 + 2.5` ULP for a significand s from 1 to 2, which is 3.5 of the root, and 0.5
 //! on the CPU. An arc function of [`unitvec::arith`] is off by at most 1.7e-7 on either, which is 1.5 each. So a number is
-//! off by at most `3 q + 4 r + 3 a` where q quotients, r roots and a arc functions lead to it, none of them steeper than 1
-//! in its argument, and by 1 more, since the same operations round other numbers.
+//! off by `3 q + 4 r + 3 a` where q quotients, r roots and a arc functions lead to it, none of them steeper than 1 in its
+//! argument, and by 1 more for the sums and products after them, which round other numbers.
+//!
+//! That is a limit to hold results against, not a proof: slopes are mostly far below 1, and that is what pays for the
+//! roundings of a long way.
 
 use super::{Model, Outcome, error_bounds};
 use crate::catalogue::{Format, find, find_frame};
@@ -43,8 +46,9 @@ enum Encoder {
     TwoFloats(Way),
     /// Parts of a step by which a coordinate may be off on either side.
     Steps(f64),
-    /// None: of codes for the same direction, which one is nearest depends on the last bit.
-    Unbounded,
+    /// The way to the distance of a code. Of codes in nearly the same direction, which one is nearest depends on the last bit:
+    /// there is no bound of how many differ.
+    Choice(Way),
 }
 
 /// From what a decoder's bound follows.
@@ -94,7 +98,7 @@ impl Bounds {
             Encoder::Way(way) => steps * way.error() * UNIT,
             Encoder::TwoFloats(way) => steps * way.error() * UNIT * UNIT,
             Encoder::Steps(part) => part,
-            Encoder::Unbounded => return None,
+            Encoder::Choice(_) => return None,
         };
         let mean = 4.0 * off * elements as f64;
         let most = if mean == 0.0 { 0.0 } else { mean + 6.0 * mean.sqrt() + 6.0 };
@@ -126,12 +130,15 @@ impl Bounds {
         let (mut codes, (mut component, mut angle)) = (self.codes_differ(elements), self.decoded());
         if model.divides_exactly() {
             (codes, component, angle) = (Some(0), 0.0, 0.0);
+            if outcome.elements_differ > 0 {
+                objections.push(format!("decoded elements that differ: {}", outcome.elements_differ));
+            }
             if outcome.special_differ > 0 {
-                objections.push(format!("{} codes of special elements differ", outcome.special_differ));
+                objections.push(format!("codes of special elements that differ: {}", outcome.special_differ));
             }
         }
         if let Some(most) = codes.filter(|most| outcome.codes_differ > *most) {
-            objections.push(format!("{} codes differ, more than {most}", outcome.codes_differ));
+            objections.push(format!("codes that differ: {}, more than {most}", outcome.codes_differ));
         }
         if outcome.component_ulp > component {
             objections
@@ -148,13 +155,14 @@ impl Bounds {
     }
 
     /// The largest error as a part of the codec's bound: a code that differs is as good as the CPU's, but for what the
-    /// coordinates are off.
+    /// coordinates are off, or what the distances of two candidates are misjudged by.
     fn error_part(&self) -> f64 {
-        let way = match self.encoder {
-            Encoder::Way(way) | Encoder::TwoFloats(way) => way.error(),
-            Encoder::Steps(_) | Encoder::Unbounded => 0.0,
+        let off = match self.encoder {
+            Encoder::Way(way) | Encoder::TwoFloats(way) => PI * way.error(),
+            Encoder::Choice(way) => 2.0 * way.error(),
+            Encoder::Steps(_) => 0.0,
         };
-        1.0 + PI * way * UNIT / self.error_bound_deg.to_radians()
+        1.0 + off * UNIT / self.error_bound_deg.to_radians()
     }
 }
 
@@ -181,7 +189,8 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
         "fib" => (Encoder::Way(Way::new(4, 2, 1)), Decoder::Way(Way::new(0, 1, 0))),
         // The reciprocal of the sum, that of the determinant, and 1 / n.
         "ico" => (Encoder::Way(Way::new(3, 0, 0)), Decoder::Way(Way::new(2, 0, 0))),
-        "best_fit" => (Encoder::Unbounded, Decoder::Way(Way::new(1, 0, 0))),
+        // The parts of the longest component, the distance of each candidate. Decoding: the largest integer.
+        "best_fit" => (Encoder::Choice(Way::new(2, 1, 0)), Decoder::Way(Way::new(1, 0, 0))),
         // The norm; length and its inverse; disk and square, each with a quotient or root, and an angle.
         "azimuthal" => (Encoder::Way(Way::new(4, 3, 1)), Decoder::Way(Way::new(4, 2, 0))),
         // The reciprocal of z and the scale; for angles the arc. Decoding: the scale.
@@ -193,6 +202,8 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
         "float" => (Encoder::Way(exact), Decoder::Way(exact)),
         // The normal's scale; basis, place on the diamond, and its warp. Decoding: the normal's length, basis, and that of
         // the tangent.
-        _ => (Encoder::Way(Way::new(3, 1, 0)), Decoder::Way(Way::new(3, 2, 0))),
+        "frame" => (Encoder::Way(Way::new(3, 1, 0)), Decoder::Way(Way::new(3, 2, 0))),
+        // Exact: a family that is missing here shows at once.
+        _ => (Encoder::Way(exact), Decoder::Way(exact)),
     }
 }

@@ -1,10 +1,10 @@
 //! What one codec does on devices of each model.
 
 use super::{Model, Options, Outcome, Row, error_bounds, merged};
-use crate::Result;
 use crate::backend::{Backend, BackendKind, CHUNK, Cpu, Gpu};
 use crate::catalogue::{Element, Format};
 use crate::sampling;
+use crate::{Error, Result};
 use std::collections::BTreeMap;
 use unitvec::angle_deg;
 
@@ -46,8 +46,7 @@ pub fn run(format: Format, options: &Options, gpus: &mut Gpus, progress: &mut dy
         gpu.forget_kernels();
         rows.insert(*kind, row);
     }
-    // There is a row for each source, and one source at least.
-    Ok(merged(rows).unwrap_or_else(|| unreachable!("no source of kernels")))
+    merged(rows).ok_or_else(|| Error::Usage("no kernels to rewrite: give some source of kernels".to_owned()))
 }
 
 /// One codec, seed and source of kernels.
@@ -130,16 +129,19 @@ impl Run<'_> {
     fn decode_on_all(&mut self, codes: &[u8], are_repeated: bool) -> Result<()> {
         let format = self.format;
         self.row.codes += (codes.len() / format.bytes) as u64;
-        let mut expected = vec![0.0; codes.len() / format.bytes * format.element.floats()];
+        let floats = format.element.floats();
+        let mut expected = vec![0.0; codes.len() / format.bytes * floats];
         Cpu.decode(format, codes, &mut expected)?;
         let mut devices = vec![(None, expected.clone())];
         for model in &self.options.models {
             let mut decoded = vec![0.0; expected.len()];
             self.decode(Some(*model), codes, &mut decoded)?;
-            let differences = decoded.iter().zip(&expected);
-            let differences = differences.map(|(a, b)| (f64::from(*a) - f64::from(*b)).abs());
+            let differences = decoded.iter().zip(&expected).map(|(a, b)| difference(*a, *b));
+            let differ = decoded.chunks_exact(floats).zip(expected.chunks_exact(floats));
+            let differ = differ.filter(|(decoded, expected)| bits_differ(decoded, expected)).count();
             let angles = angles(format.element, &decoded, &expected);
             self.row.models.entry(*model).or_default().add(Outcome {
+                elements_differ: differ as u64,
                 component_ulp: differences.fold(0.0, f64::max) * f64::from(1 << 24),
                 angle_deg: angles.flatten().fold(0.0, f64::max),
                 ..Outcome::default()
@@ -212,6 +214,12 @@ fn name(model: Option<Model>) -> String {
     model.map_or_else(|| "exact".to_owned(), |model| model.to_string())
 }
 
+/// The difference of two numbers; infinite where one of them is NaN.
+fn difference(a: f32, b: f32) -> f64 {
+    let difference = (f64::from(a) - f64::from(b)).abs();
+    if difference.is_nan() { f64::INFINITY } else { difference }
+}
+
 fn bits_differ(a: &[f32], b: &[f32]) -> bool {
     a.iter().zip(b).any(|(a, b)| a.to_bits() != b.to_bits())
 }
@@ -221,7 +229,13 @@ fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Ite
     let vector = |of: &[f32], at: usize| [of[at], of[at + 1], of[at + 2]];
     let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
     pairs.map(move |(a, b)| {
-        let angle = |at| if bits_differ(a, b) { angle_deg(vector(a, at), vector(b, at)) } else { 0.0 };
+        let angle = |at| if bits_differ(a, b) { angle_or_all(vector(a, at), vector(b, at)) } else { 0.0 };
         [angle(0), if element == Element::Frame { angle(3) } else { 0.0 }]
     })
+}
+
+/// The angle in degrees; 180 where there is none.
+fn angle_or_all(a: [f32; 3], b: [f32; 3]) -> f64 {
+    let angle = angle_deg(a, b);
+    if angle.is_nan() { 180.0 } else { angle }
 }

@@ -69,6 +69,8 @@ pub struct Outcome {
     pub special_differ: u64,
     /// Largest error of a random element whose code differs, as a part of the codec's error bound.
     pub error: f64,
+    /// Decoded elements that differ from the CPU's in any bit.
+    pub elements_differ: u64,
     /// Largest difference of a decoded component from the CPU's, in ULP of the numbers from 0.5 to 1, which are 2^-24.
     pub component_ulp: f64,
     /// Largest angle between a decoded vector and the CPU's, degrees.
@@ -80,6 +82,7 @@ impl Outcome {
     fn add(&mut self, other: Self) {
         self.codes_differ += other.codes_differ;
         self.special_differ += other.special_differ;
+        self.elements_differ += other.elements_differ;
         self.raise(other);
     }
 
@@ -87,6 +90,7 @@ impl Outcome {
     fn worse(&mut self, other: Self) {
         self.codes_differ = self.codes_differ.max(other.codes_differ);
         self.special_differ = self.special_differ.max(other.special_differ);
+        self.elements_differ = self.elements_differ.max(other.elements_differ);
         self.raise(other);
     }
 
@@ -109,10 +113,8 @@ impl Row {
         });
         let worst = self.unstable.iter().max_by_key(|(_, count)| **count).filter(|_| bounds.is_stable);
         let unstable = worst.map(|(pair, count)| {
-            format!(
-                "{count} codes do not come back {pair}; nor do codes from {} more pairs",
-                self.unstable.len() - 1
-            )
+            let pairs = self.unstable.len();
+            format!("codes that do not come back, of {pairs} pairs of devices: {count} {pair}, the worst")
         });
         outcomes.chain(unstable).collect()
     }

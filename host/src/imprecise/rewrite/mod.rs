@@ -7,6 +7,7 @@ mod functions;
 mod globals;
 
 use super::Model;
+use crate::vulkan::check_spirv;
 use functions::Function;
 use globals::{Globals, Type};
 use rspirv::binary::Assemble;
@@ -38,16 +39,19 @@ pub enum Error {
     },
 }
 
-/// The module of a kernel, computing as the model does. `seed` chooses the directions of [`Model::Bits`].
+/// The module of a kernel, which has this entry point, computing as the model does. `seed` chooses the directions of [`Model::Bits`].
 ///
 /// # Errors
 /// [`Error`].
-pub fn rewrite(spirv: &[u8], kernel: &str, model: Model, seed: u32) -> Result<Vec<u8>, Error> {
+pub fn rewrite(
+    spirv: &[u8],
+    (kernel, entry_point): (&str, &str),
+    model: Model,
+    seed: u32,
+) -> Result<Vec<u8>, Error> {
     let not_spirv = |reason: String| Error::NotSpirv { module: kernel.to_owned(), reason };
     // The parser panics where an instruction is longer than what is left.
-    if !has_whole_instructions(spirv) {
-        return Err(not_spirv("it is cut short".to_owned()));
-    }
+    check_spirv(spirv, entry_point).map_err(|error| not_spirv(error.to_string()))?;
     let mut module = rspirv::dr::load_bytes(spirv).map_err(|error| not_spirv(format!("{error:?}")))?;
     let mut functions = std::mem::take(&mut module.functions);
     let types = Types::of(&module);
@@ -69,20 +73,6 @@ pub fn rewrite(spirv: &[u8], kernel: &str, model: Model, seed: u32) -> Result<Ve
     });
     let module = globals.with_functions(functions);
     Ok(module.assemble().iter().flat_map(|word| word.to_le_bytes()).collect())
-}
-
-/// True where the instructions end where the module does.
-fn has_whole_instructions(spirv: &[u8]) -> bool {
-    const HEADER: usize = 20;
-    let Some(mut rest) = spirv.get(HEADER..) else { return false };
-    while let Some(&[_, _, low, high]) = rest.first_chunk() {
-        let length = 4 * usize::from(u16::from_le_bytes([low, high]));
-        match rest.get(length..) {
-            Some(next) if length > 0 => rest = next,
-            _ => return false,
-        }
-    }
-    rest.is_empty()
 }
 
 /// The types of a module that have floats of 32 bits, and the types of values.
@@ -280,10 +270,12 @@ impl Rewriter {
             (Some(components), Some(function)) => {
                 self.calls.insert(result);
                 let first = instruction.operands.len() - function.parameters().len();
-                let operands: Vec<(Word, u32)> = instruction.operands[first..]
-                    .iter()
-                    .filter_map(Operand::id_ref_any)
-                    .map(|id| (id, self.components_of(id)))
+                let operands: Vec<Word> =
+                    instruction.operands[first..].iter().filter_map(Operand::id_ref_any).collect();
+                let operands: Vec<(Word, u32)> = operands
+                    .into_iter()
+                    .zip(function.parameters())
+                    .map(|(id, of_type)| (self.integer_as(*of_type, id, block), self.components_of(id)))
                     .collect();
                 self.each_component(function, components, (of_type, result), &operands, block);
             }
@@ -302,6 +294,18 @@ impl Rewriter {
             }
             _ => block.push(instruction),
         }
+    }
+
+    /// An integer of either signedness as one of the parameter's type; floats stay as they are.
+    fn integer_as(&mut self, of_type: Type, id: Word, block: &mut Vec<Instruction>) -> Word {
+        let expected = self.globals.of_type(of_type);
+        if of_type == Type::Float || self.types.of_values.get(&id) == Some(&expected) {
+            return id;
+        }
+        let cast = self.globals.fresh();
+        let operand = vec![Operand::IdRef(id)];
+        block.push(Instruction::new(Op::Bitcast, Some(expected), Some(cast), operand));
+        cast
     }
 
     /// The components of a value; 1 of those that are no vectors of floats.
