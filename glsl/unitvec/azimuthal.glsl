@@ -112,7 +112,8 @@ vec2 unitvec_azimuthal_largest(uint bits) {
     return vec2(unitvec_snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
 }
 
-// e divided by them, correctly rounded on every device: so all agree on what is inside the disk.
+// e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
+// rounded for whole e.
 vec2 unitvec_azimuthal_parts(vec2 e, uint bits) {
     UNITVEC_PRECISE float v = e.y * unitvec_exp2(2 - int(bits / 2u));
     return vec2(unitvec_snorm_part(e.x, bits / 2u), v);

@@ -28,8 +28,8 @@ usage: cargo xtask <command>
   spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
-             [--record] [NAME...]            qemu, Node.js and Miri, and show that they give the same bits; --exhaustive
-                                             takes all input with every edition, --build-std builds the standard library
+             [--record] [NAME...]            qemu and Node.js, and show that they give the same bits; --exhaustive
+                                             takes all input in emulators too, --build-std builds the standard library
                                              too, --record writes what the docs say of it
   costs [--driver ICD.json]                  compile the kernels for GPUs of all generations, without one, and write what they
                                              cost to host/data and the docs; --driver names a newer RADV than the

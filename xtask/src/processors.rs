@@ -95,7 +95,7 @@ const fn wasm(name: &'static str, instructions: &'static str, editions: &'static
     }
 }
 
-static PROCESSORS: [Processor; 11] = [
+static PROCESSORS: [Processor; 10] = [
     NATIVE,
     x86_64("x86-64 with SSE2", &["qemu-x86_64", "-cpu", "qemu64"], &["Baseline"]),
     x86_64("x86-64 with SSE4.1", &["qemu-x86_64", "-cpu", "Nehalem"], &["Sse41", "Baseline"]),
@@ -130,17 +130,19 @@ static PROCESSORS: [Processor; 11] = [
     ),
     wasm("wasm32", "", &[LIBM]),
     wasm("wasm32 with simd128", "+simd128", &[STD]),
-    // An interpreter that finds undefined behaviour: all `unsafe` blocks, at every level.
-    Processor {
-        name: MIRI,
-        instructions: "+avx2",
-        editions: &[Edition { count: FEW, ..STD }, Edition { count: FEW, ..LIBM }],
-        levels: &["Avx2", "Sse41", "Baseline"],
-        ..NATIVE
-    },
 ];
 
 const MIRI: &str = "x86-64 in Miri";
+
+/// An interpreter that finds undefined behaviour: all `unsafe` blocks, at every level. It takes so long that it runs only where
+/// it is named.
+static INTERPRETER: Processor = Processor {
+    name: MIRI,
+    instructions: "+avx2",
+    editions: &[Edition { count: FEW, ..STD }, Edition { count: FEW, ..LIBM }],
+    levels: &["Avx2", "Sse41", "Baseline"],
+    ..NATIVE
+};
 
 /// `cargo xtask processors [--exhaustive] [--build-std] [--record] [NAME…]`.
 pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
@@ -150,6 +152,9 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
         return Err(format!("unknown option {unknown}; `cargo xtask help` lists those of processors"));
     }
     let has = |option| options.contains(&option);
+    if has("--record") && !names.is_empty() {
+        return Err("--record keeps what all processors do, and takes no names".to_owned());
+    }
     let chosen = chosen(&names)?;
     let packages: BTreeSet<&str> = chosen.iter().flat_map(|p| p.packages).copied().collect();
     setup::packages(&packages.into_iter().collect::<Vec<_>>())?;
@@ -165,7 +170,7 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     }
     expect_released(repository, &references[&ALL])?;
 
-    // The next is built while the last one runs.
+    // Those that are built run while the next is built.
     let mut running = Vec::new();
     for processor in chosen {
         for edition in processor.editions {
@@ -193,11 +198,15 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
 
 /// The processors of these names, or all.
 fn chosen(names: &[&str]) -> Result<Vec<&'static Processor>, String> {
-    if let Some(unknown) = names.iter().find(|name| !PROCESSORS.iter().any(|p| p.name == **name)) {
-        let known: Vec<String> = PROCESSORS.iter().map(|p| format!("`{}`", p.name)).collect();
+    let all = || PROCESSORS.iter().chain([&INTERPRETER]);
+    if let Some(unknown) = names.iter().find(|name| !all().any(|p| p.name == **name)) {
+        let known: Vec<String> = all().map(|p| format!("`{}`", p.name)).collect();
         return Err(format!("no processor `{unknown}`; there are {}", known.join(", ")));
     }
-    Ok(PROCESSORS.iter().filter(|p| names.is_empty() || names.contains(&p.name)).collect())
+    if names.is_empty() {
+        return Ok(PROCESSORS.iter().collect());
+    }
+    Ok(all().filter(|p| names.contains(&p.name)).collect())
 }
 
 /// What a program printed: digests by way and codec.

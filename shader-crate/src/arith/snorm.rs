@@ -84,7 +84,7 @@ pub struct SnormDivision {
 }
 
 impl SnormDivision {
-    /// By that of `bits` bits. To be a constant: a device would divide.
+    /// By that of `bits` bits. For constants only: a device would divide.
     pub const fn new(bits: u32) -> Self {
         let (h, reciprocal) = (exp2(1 - bits as i32), 1.0 / snorm_max(bits));
         if bits <= 11 {
@@ -158,7 +158,8 @@ mod tests {
     }
 
     /// Against the CPU's own division, which is correct: all whole numbers, and those 7/16 below, which the parallel
-    /// projections have. Of these one, or two near the middle, may be off where there is no room for `h^2`.
+    /// projections have. Of these up to three may be off where there is no room for `h^2`; they have no room at all beyond 22
+    /// bits.
     #[test]
     fn division_is_correctly_rounded() {
         for bits in 2..=24 {

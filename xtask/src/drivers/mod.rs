@@ -44,7 +44,7 @@ impl Options {
         if let Some(argument) = given(&["--device", "--imprecise", "--json", "--summary"]) {
             return Err(format!("--drivers runs one driver after the other, and takes no {argument}"));
         }
-        if let Some(argument) = given(&["--codec"]).filter(|_| has("--record")) {
+        if let Some(argument) = given(&["--codec", "--count", "--seed"]).filter(|_| has("--record")) {
             return Err(format!("--record keeps what all codecs do, and takes no {argument}"));
         }
         let own = ["--drivers", "--fetch", "--record"];
@@ -106,11 +106,12 @@ pub fn run(options: &Options, unitvec: &Path, repository: &Path) -> Result<(), S
         })
         .collect();
     print!("\n{}\n", table(&rows));
+    verdict(&rows)?;
     if options.record {
         let path = repository.join(RECORD);
         fs::write(&path, record(&rows)).map_err(|error| format!("{}: {error}", path.display()))?;
     }
-    verdict(&rows)
+    Ok(())
 }
 
 fn from_package(driver: &Packaged, cache: &Path, fetch: bool) -> Result<Driver, Row> {

@@ -32,8 +32,8 @@
 //! product gives the remainder of a first quotient, and that gives the second. No fused multiplication is used. The
 //! position is good to 2^-20 of a step, even where a device's division is off by some ULP. The decoder corrects a
 //! reciprocal length of 12 bits, whose products are exact, by what its square misses. Where a device's division or root
-//! is 3 ULP off, a few decoded vectors and `oct52p` codes in a million differ in the last place. Such a vector is another
-//! one of `oct52p`, whose lattice is finer than floats: it is not stable across devices.
+//! is 3 ULP off, a few decoded vectors and `oct52p` codes in a million differ in the last place. Such a vector may have a
+//! code of its own in `oct52p`, whose lattice is finer than floats: it is not stable across devices.
 
 use crate::arith::{
     Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, scaled_to_one, two_sum,

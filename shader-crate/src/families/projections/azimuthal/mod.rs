@@ -30,9 +30,9 @@
 //! * Weaknesses: without a map to the square a part of `1 - pi/4` of the codes is spare. [`Concentric`] creases at the
 //!   diagonals, where its maxima lie. Codes of the equator come in pairs, one for each hemisphere.
 //!
-//! Not stable across devices: 32 bits without a map. Lattice points beyond the rim are moved to within a 64th of half a step
-//! of themselves. That is 8 2^-24, and encoding on a device that divides as badly as Vulkan allows is off by up to twice as
-//! much. Such a code may come back as its neighbour on the rim.
+//! Not stable across devices: 32 bits without a map. Lattice points beyond the rim are moved by up to 31/64 of a step. That
+//! leaves 1/64 to the border of their cell, which is 8 2^-24, and encoding on a device that divides as badly as Vulkan allows
+//! is off by up to twice as much. Such a code may come back as its neighbour on the rim.
 //!
 //! Why v is not an snorm: at 16 bits its steps would be 1/63, not 1/64, and the errors would be above the survey's,
 //! some means by more than a hundredth. As it is, all means agree with the published ones. A grid without zero
@@ -125,7 +125,8 @@ impl Lattice {
         Self { largest, by_u: SnormDivision::new(bits / 2), v_step }
     }
 
-    /// `e / largest`, correctly rounded on every device: so all agree on what is inside the disk.
+    /// `e / largest`, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
+    /// rounded for whole `e`.
     #[inline(always)]
     fn parts(self, e: Vec2) -> Vec2 {
         Vec2::new(self.by_u.of(e.x), e.y * self.v_step)
