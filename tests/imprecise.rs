@@ -13,7 +13,7 @@ use unitvec_tests::directions::Rng;
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 
 /// Of `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c` as float, taken
-/// as signed and as unsigned. Quotients and product are those of vectors.
+/// as signed and as unsigned. Quotients, product and the signed integer are those of vectors.
 const ARITHMETIC: &str = "#version 450
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Input { uint words[]; } source;
@@ -36,7 +36,8 @@ void main() {
         results.values[7u * i + 2u] = root;
         results.values[7u * i + 3u] = difference;
         results.values[7u * i + 4u] = products.x;
-        results.values[7u * i + 5u] = float(int(c));
+        precise vec2 integers = vec2(ivec2(int(c), int(b)));
+        results.values[7u * i + 5u] = integers.x;
         results.values[7u * i + 6u] = float(c);
     }
 }

@@ -92,6 +92,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
@@ -260,6 +265,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 float unitvec_snorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
+}
+
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
@@ -836,18 +858,31 @@ vec3 unitvec_disk_to_eqdist(vec2 point, float c) {
 // How far, in steps, lattice points beyond the rim are moved at most.
 const float UNITVEC_AZIMUTHAL_REACH = 0.484375;
 
-// True for lattice points e of whose cell the disk covers nothing, or next to nothing. m has the largest integers.
-bool unitvec_plain_is_remote(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 corner = (e - UNITVEC_AZIMUTHAL_REACH) / m;
+// Largest integers of u and v at `bits` bits.
+vec2 unitvec_azimuthal_largest(uint bits) {
+    return vec2(unitvec_snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
+}
+
+// e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
+// rounded for whole e.
+vec2 unitvec_azimuthal_parts(vec2 e, uint bits) {
+    UNITVEC_PRECISE float v = e.y * unitvec_exp2(2 - int(bits / 2u));
+    return vec2(unitvec_snorm_part(e.x, bits / 2u), v);
+}
+
+// True for lattice points e of whose cell the disk covers nothing, or next to nothing.
+bool unitvec_plain_is_remote(vec2 e, uint bits) {
+    UNITVEC_PRECISE vec2 nearest = e - UNITVEC_AZIMUTHAL_REACH;
+    vec2 corner = unitvec_azimuthal_parts(nearest, bits);
     UNITVEC_PRECISE float square = corner.x * corner.x + corner.y * corner.y;
     return square > 1.0;
 }
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
-vec2 unitvec_plain_settle(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 slope = e / m / m;
+vec2 unitvec_plain_settle(vec2 e, uint bits) {
+    UNITVEC_PRECISE vec2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
     UNITVEC_PRECISE vec2 settled = e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
-    return unitvec_plain_is_remote(e, m) ? settled : e;
+    return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
@@ -866,13 +901,13 @@ vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
 }
 
 // Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
-vec4 unitvec_plain_to_disk(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 p = e / m;
+vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
+    vec2 p = unitvec_azimuthal_parts(e, bits);
     UNITVEC_PRECISE float rim = 1.0 - (p.x * p.x + p.y * p.y);
     UNITVEC_PRECISE float excess = -0.5 * rim;
-    vec2 moved = unitvec_plain_move_to_rim(p, m, excess);
+    vec2 moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
     vec2 axis = p.x > p.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
-    vec2 on_rim = unitvec_plain_is_remote(e, m) ? axis : moved;
+    vec2 on_rim = unitvec_plain_is_remote(e, bits) ? axis : moved;
     UNITVEC_PRECISE float rest = 1.0 - (on_rim.x * on_rim.x + on_rim.y * on_rim.y);
     return rim > 0.0 ? vec4(p, 0.0, rim) : vec4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
 }
@@ -885,8 +920,8 @@ vec2 unitvec_concentric_to_square(vec4 disk) {
     return steep ? vec2(across, disk.z) : vec2(disk.z, across);
 }
 
-vec4 unitvec_concentric_to_disk(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 s = e / m;
+vec4 unitvec_concentric_to_disk(vec2 e, uint bits) {
+    vec2 s = unitvec_azimuthal_parts(e, bits);
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
@@ -906,19 +941,14 @@ vec2 unitvec_ellipse_to_square(vec4 disk) {
     return s;
 }
 
-vec4 unitvec_ellipse_to_disk(vec2 e, vec2 m) {
-    UNITVEC_PRECISE vec2 s = e / m;
+vec4 unitvec_ellipse_to_disk(vec2 e, uint bits) {
+    vec2 s = unitvec_azimuthal_parts(e, bits);
     UNITVEC_PRECISE vec2 root = vec2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
     UNITVEC_PRECISE vec2 point = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     UNITVEC_PRECISE float factor = 1.0 - s.x * s.x;
     UNITVEC_PRECISE float rim = factor - factor * (s.y * s.y);
     return vec4(point, 0.0, rim);
-}
-
-// Largest integers of u and v at `bits` bits.
-vec2 unitvec_azimuthal_largest(uint bits) {
-    return vec2(unitvec_snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
 }
 
 // -x where negative; 0 where x is not positive.
@@ -937,7 +967,7 @@ uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
     vec2 m = unitvec_azimuthal_largest(bits);
     UNITVEC_PRECISE vec2 position = s * m + 0.5;
     vec2 e = floor(position);
-    if (map == UNITVEC_PLAIN) e = unitvec_plain_settle(e, m);
+    if (map == UNITVEC_PLAIN) e = unitvec_plain_settle(e, bits);
 
     bool back = unitvec_is_negative(v.y);
     bool flag = e.y < m.y ? unitvec_is_negative(v.z) : !back;
@@ -950,13 +980,12 @@ vec3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
     // v without regard to the highest bit.
     vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_signed_field(code, bits / 2u, bits / 2u - 1u));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
-    vec2 m = unitvec_azimuthal_largest(bits);
-    vec4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), m)
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(e), m) : unitvec_ellipse_to_disk(abs(e), m));
+    vec4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(e), bits) : unitvec_ellipse_to_disk(abs(e), bits));
     vec3 n = projection == UNITVEC_STEREO ? unitvec_disk_to_stereo(disk.xy, disk.w)
         : (projection == UNITVEC_EQAREA ? unitvec_disk_to_eqarea(disk.xy, disk.w)
         : unitvec_disk_to_eqdist(disk.xy, disk.w));
-    bool back = e.y < 0.0 && !(flag && e.y <= -m.y);
+    bool back = e.y < 0.0 && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
     return vec3(unitvec_azimuthal_signed(e.x < 0.0, n.x), unitvec_azimuthal_signed(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
 }

@@ -86,6 +86,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
@@ -254,6 +259,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 float unitvec_snorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
+}
+
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
@@ -822,14 +844,10 @@ uint unitvec_fib_split(float x, out float rest) {
     return uint(whole);
 }
 
-// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
-const float UNITVEC_FIB_LEAST_X = 9.094947017729282e-13;
-const float UNITVEC_FIB_LEAST_Y = 4.336808689942018e-19;
-
 // Azimuth of v in turns, a fraction of 32 bits: anything beside the z axis. `scaled` is v at an L1 norm of 1 to 2.
 uint unitvec_fib_azimuth(vec3 v, vec3 scaled) {
-    float x = max(abs(scaled.x), UNITVEC_FIB_LEAST_X);
-    float y = max(abs(scaled.y), UNITVEC_FIB_LEAST_Y);
+    float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
+    float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
     UNITVEC_PRECISE float quotient = min(x, y) / max(x, y);
     UNITVEC_PRECISE float part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
     uint octant = uint(int(part));

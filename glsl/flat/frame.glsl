@@ -113,6 +113,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
@@ -281,6 +286,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 float unitvec_snorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
+}
+
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
@@ -949,9 +971,6 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
 // 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
 const float UNITVEC_OCT_BIAS = 8390655.0;
 
-// The code of +Z, both components 2047.
-const uint UNITVEC_OCT24_Z = 0xfff77fu;
-
 // Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
 uint unitvec_oct_pack_unorm8x3(vec2 e) {
     UNITVEC_PRECISE vec2 sum = e + UNITVEC_OCT_BIAS;
@@ -979,7 +998,7 @@ vec2 unitvec_oct_unpack(uint code, uint bits) {
 
 // `code`, or that of +Z where this L1 norm gives no direction: to select here takes the fewest operations.
 uint unitvec_oct_usable_code(float norm, uint code, uint bits) {
-    return unitvec_is_usable(norm) ? code : (bits == 24u ? UNITVEC_OCT24_Z : 0u);
+    return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
 }
 
 uint unitvec_oct_encode(vec3 v, uint bits) {
@@ -1096,7 +1115,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     UNITVEC_PRECISE float difference = abs(y) - abs(x);
-    UNITVEC_PRECISE float w = uintBitsToFloat(floatBitsToUint(difference) ^ odd) / sum;
+    UNITVEC_PRECISE float w = unitvec_flip_sign(difference, odd) / sum;
 
     float half_places = float(1u << (angle_bits - 3u));
     UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
@@ -1113,10 +1132,10 @@ vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
-    float w = uintBitsToFloat(floatBitsToUint(unitvec_frame_warp(v)) ^ odd);
+    float w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
     UNITVEC_PRECISE float x = 1.0 - w;
     UNITVEC_PRECISE float y = 1.0 + w;
-    return vec2(uintBitsToFloat(floatBitsToUint(x) ^ odd ^ below), uintBitsToFloat(floatBitsToUint(y) ^ below));
+    return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
 // Tangent of an angle's code, about the decoded normal n: unit length to within 2 ULP.

@@ -88,6 +88,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
@@ -256,6 +261,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 float unitvec_snorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
+}
+
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
@@ -818,11 +840,6 @@ vec2 unitvec_latlong_in_parts(uint index, uint bits) {
     return vec2(float(int(index - low)), float(int(low)));
 }
 
-// -x where the highest bit of sign_bit is set.
-float unitvec_latlong_negate_by(uint sign_bit, float x) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ (sign_bit & 0x80000000u));
-}
-
 uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_bits) {
     float norm = unitvec_l1_norm(v);
     bool usable = unitvec_is_usable(norm);
@@ -885,11 +902,11 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     bool odd = (quarter & (1u << index_bits)) != 0u;
     float a = odd ? equator.y : equator.x;
     float b = odd ? equator.x : equator.y;
-    a = unitvec_latlong_negate_by((quarter + (1u << index_bits)) << (30u - index_bits), a);
-    b = unitvec_latlong_negate_by(quarter << (30u - index_bits), b);
-    uint below = code << (29u - index_bits);
-    UNITVEC_PRECISE float z =
-        unitvec_latlong_negate_by(below, meridian.x) - unitvec_latlong_negate_by(below, meridian.y);
+    uint to_sign = 30u - index_bits;
+    a = unitvec_flip_sign(a, ((quarter + (1u << index_bits)) << to_sign) & UNITVEC_SIGN_BIT);
+    b = unitvec_flip_sign(b, (quarter << to_sign) & UNITVEC_SIGN_BIT);
+    uint below = (code << (29u - index_bits)) & UNITVEC_SIGN_BIT;
+    UNITVEC_PRECISE float z = unitvec_flip_sign(meridian.x, below) - unitvec_flip_sign(meridian.y, below);
     UNITVEC_PRECISE vec2 p = vec2(a - b, a + b) * radius;
     return vec3(p, z);
 }

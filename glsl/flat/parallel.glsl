@@ -88,6 +88,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
@@ -256,6 +261,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 float unitvec_snorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
+}
+
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
@@ -750,11 +772,12 @@ precision highp float;
 precision highp int;
 
 const float UNITVEC_PARALLEL_INSET = 0.4375;
-// 1 - 2^-21.
-const float UNITVEC_PARALLEL_KEPT = 0.9999995;
+// 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
+const float UNITVEC_PARALLEL_SEXTANT_LIMIT = 0.9999995;
 
 // The plane that the components are stored in.
 struct UnitvecParallelPlane {
+    uvec2 bits;
     vec2 m;
     vec2 steps;
     float limit;
@@ -765,13 +788,21 @@ struct UnitvecParallelPlane {
 UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
     vec2 m = vec2(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    return UnitvecParallelPlane(m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
+    return UnitvecParallelPlane(uvec2(x_bits, y_bits), m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
 }
 
 UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    return UnitvecParallelPlane(m, steps, UNITVEC_PARALLEL_KEPT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+    return UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+}
+
+// e in units of the plane, without a division of floats, so that all devices agree on what is inside.
+vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
+    vec2 reciprocal = vec2(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
+    UNITVEC_PRECISE vec2 in_sextant = e * (reciprocal * 0.70710677);
+    vec2 on_disk = vec2(unitvec_snorm_part(e.x, plane.bits.x), unitvec_snorm_part(e.y, plane.bits.y));
+    return plane.sextant ? in_sextant : on_disk;
 }
 
 // 1 on the border.
@@ -783,19 +814,25 @@ float unitvec_parallel_extent(UnitvecParallelPlane plane, vec2 p) {
 }
 
 bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, vec2 e) {
-    UNITVEC_PRECISE vec2 p = e / plane.steps;
-    return unitvec_parallel_extent(plane, p) > plane.limit;
+    return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
 }
 
 // e with the component along which the border is sooner reached lessened by `by` steps.
 vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
-    UNITVEC_PRECISE vec2 p = e / plane.steps;
+    vec2 p = unitvec_parallel_parts(plane, e);
     UNITVEC_PRECISE float x = p.x * plane.steps.y;
     UNITVEC_PRECISE float y = p.y * plane.steps.x;
     UNITVEC_PRECISE float weighed_x = (p.x >= p.y ? 2.0 : 0.5) * x;
     bool along_x = (plane.sextant ? weighed_x : x) >= y;
     UNITVEC_PRECISE vec2 less = e - by;
     return along_x ? vec2(less.x, e.y) : vec2(e.x, less.y);
+}
+
+// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
+// above it.
+float unitvec_parallel_onto_border(float extent) {
+    UNITVEC_PRECISE float factor = 1.4999995 - 0.5 * extent;
+    return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
@@ -813,12 +850,10 @@ vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
 vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
     vec2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
     vec2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
-    UNITVEC_PRECISE vec2 p = e / plane.steps;
-    UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(unitvec_parallel_extent(plane, p));
-    UNITVEC_PRECISE vec2 projected = e * onto_border;
+    float extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
+    UNITVEC_PRECISE vec2 projected = e * unitvec_parallel_onto_border(extent);
     vec2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
-    UNITVEC_PRECISE vec2 point = chosen / plane.steps;
-    return point;
+    return unitvec_parallel_parts(plane, chosen);
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
@@ -966,9 +1001,9 @@ vec3 xyonly32f_decode(uint code) {
     vec2 p = unitvec_xyonly32f_halves(a, b);
     vec2 inner = unitvec_xyonly32f_halves_inset(a, b);
     vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
-    UNITVEC_PRECISE float square = p.x * p.x + p.y * p.y;
-    UNITVEC_PRECISE float onto_border = UNITVEC_PARALLEL_KEPT / sqrt(square);
-    UNITVEC_PRECISE vec2 projected = p * onto_border;
+    vec2 unit = min(p, 1.0);
+    UNITVEC_PRECISE float square = unit.x * unit.x + unit.y * unit.y;
+    UNITVEC_PRECISE vec2 projected = unit * unitvec_parallel_onto_border(square);
     vec2 below = vec2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     vec2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return vec3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x), unitvec_negate_positive((code >> 31u) != 0u, q.y),

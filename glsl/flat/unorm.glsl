@@ -84,6 +84,11 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 
+// -x where sign_bit is UNITVEC_SIGN_BIT, x where it is 0.
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+
 // round: rounding to whole numbers, and whole numbers as integers.
 
 // Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
@@ -252,6 +257,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 float unitvec_snorm_decode(uint code, uint bits) {
     UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
     return r;
+}
+
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.

@@ -75,11 +75,11 @@ pub fn rewrite(
     Ok(module.assemble().iter().flat_map(|word| word.to_le_bytes()).collect())
 }
 
-/// The types of a module that have floats of 32 bits, and the types of values.
+/// The types of a module, and those of its values.
 struct Types {
     float: Option<Word>,
-    /// Components of float vectors, by type.
-    vectors: HashMap<Word, u32>,
+    /// The type of a vector's components, and their number.
+    vectors: HashMap<Word, (Word, u32)>,
     of_values: HashMap<Word, Word>,
 }
 
@@ -91,9 +91,9 @@ impl Types {
         let float = module.types_global_values.iter().find(is_float).and_then(|global| global.result_id);
         let vectors = module.types_global_values.iter().filter_map(|global| match global.operands[..] {
             [Operand::IdRef(of), Operand::LiteralBit32(components)]
-                if global.class.opcode == Op::TypeVector && Some(of) == float =>
+                if global.class.opcode == Op::TypeVector =>
             {
-                Some((global.result_id?, components))
+                Some((global.result_id?, (of, components)))
             }
             _ => None,
         });
@@ -109,9 +109,26 @@ impl Types {
     }
 
     /// The components of a type's values where they are floats: 1 for float itself.
-    fn components(&self, of_type: Word) -> Option<u32> {
-        if Some(of_type) == self.float { Some(1) } else { self.vectors.get(&of_type).copied() }
+    fn float_components(&self, of_type: Word) -> Option<u32> {
+        let (component, count) = self.vectors.get(&of_type).copied().unwrap_or((of_type, 1));
+        (Some(component) == self.float).then_some(count)
     }
+
+    /// A value, with the type of its components and their number.
+    fn operand(&self, id: Word) -> Value {
+        let of_type = self.of_values.get(&id).copied().unwrap_or_default();
+        let (component, count) = self.vectors.get(&of_type).copied().unwrap_or((of_type, 1));
+        Value { id, component, count }
+    }
+}
+
+/// A scalar or vector.
+#[derive(Clone, Copy)]
+struct Value {
+    id: Word,
+    /// The type of its components.
+    component: Word,
+    count: u32,
 }
 
 /// What an operation on floats means to the models.
@@ -246,108 +263,93 @@ impl Rewriter {
         block: &mut Vec<Instruction>,
     ) {
         if self.model == Model::Flush {
-            for operand in &mut instruction.operands {
-                let Some(id) = operand.id_ref_any() else { continue };
-                let Some(of_type) = self.types.of_values.get(&id).copied() else { continue };
-                if let Some(components) = self.types.components(of_type) {
-                    let flushed = self.globals.fresh();
-                    self.each_component(
-                        Function::Flush,
-                        components,
-                        (of_type, flushed),
-                        &[(id, components)],
-                        block,
-                    );
-                    *operand = Operand::IdRef(flushed);
-                }
-            }
+            self.flush_operands(&mut instruction, block);
         }
         let (Some(of_type), Some(result)) = (instruction.result_type, instruction.result_id) else {
             return block.push(instruction);
         };
-        let components = self.types.components(of_type);
-        match (components, function) {
-            (Some(components), Some(function)) => {
-                self.calls.insert(result);
-                let first = instruction.operands.len() - function.parameters().len();
-                let operands: Vec<Word> =
-                    instruction.operands[first..].iter().filter_map(Operand::id_ref_any).collect();
-                let operands: Vec<(Word, u32)> = operands
-                    .into_iter()
-                    .zip(function.parameters())
-                    .map(|(id, of_type)| (self.integer_as(*of_type, id, block), self.components_of(id)))
-                    .collect();
-                self.each_component(function, components, (of_type, result), &operands, block);
-            }
-            (Some(components), None) if self.model == Model::Flush => {
-                self.calls.insert(result);
-                let raw = self.globals.fresh();
-                instruction.result_id = Some(raw);
-                block.push(instruction);
-                self.each_component(
-                    Function::Flush,
-                    components,
-                    (of_type, result),
-                    &[(raw, components)],
-                    block,
-                );
-            }
-            _ => block.push(instruction),
+        let Some(components) = self.types.float_components(of_type) else { return block.push(instruction) };
+        let result = (of_type, result, components);
+        if let Some(function) = function {
+            let first = instruction.operands.len() - function.parameters().len();
+            let ids = instruction.operands[first..].iter().filter_map(Operand::id_ref_any);
+            let operands: Vec<Value> = ids.map(|id| self.types.operand(id)).collect();
+            self.each_component(function, result, &operands, block);
+        } else if self.model == Model::Flush {
+            let raw = self.globals.fresh();
+            instruction.result_id = Some(raw);
+            self.types.of_values.insert(raw, of_type);
+            block.push(instruction);
+            self.each_component(Function::Flush, result, &[self.types.operand(raw)], block);
+        } else {
+            block.push(instruction);
         }
     }
 
-    /// An integer of either signedness as one of the parameter's type; floats stay as they are.
-    fn integer_as(&mut self, of_type: Type, id: Word, block: &mut Vec<Instruction>) -> Word {
-        let expected = self.globals.of_type(of_type);
-        if of_type == Type::Float || self.types.of_values.get(&id) == Some(&expected) {
-            return id;
+    /// Flushes the operands of an operation that are floats.
+    fn flush_operands(&mut self, instruction: &mut Instruction, block: &mut Vec<Instruction>) {
+        for operand in &mut instruction.operands {
+            let Some(id) = operand.id_ref_any() else { continue };
+            let Some(of_type) = self.types.of_values.get(&id).copied() else { continue };
+            if let Some(components) = self.types.float_components(of_type) {
+                let flushed = self.globals.fresh();
+                let value = self.types.operand(id);
+                self.each_component(Function::Flush, (of_type, flushed, components), &[value], block);
+                *operand = Operand::IdRef(flushed);
+            }
         }
-        let cast = self.globals.fresh();
-        let operand = vec![Operand::IdRef(id)];
-        block.push(Instruction::new(Op::Bitcast, Some(expected), Some(cast), operand));
-        cast
     }
 
-    /// The components of a value; 1 of those that are no vectors of floats.
-    fn components_of(&self, id: Word) -> u32 {
-        self.types.of_values.get(&id).and_then(|of_type| self.types.components(*of_type)).unwrap_or(1)
-    }
-
-    /// Calls a function for each component; operands of one component stand for all.
+    /// Calls a function for each component of a result; operands of one component stand for all.
     fn each_component(
         &mut self,
         function: Function,
-        components: u32,
-        (of_type, result): (Word, Word),
-        operands: &[(Word, u32)],
+        (of_type, result, components): (Word, Word, u32),
+        operands: &[Value],
         block: &mut Vec<Instruction>,
     ) {
+        self.calls.insert(result);
         let callee = self.globals.function(function, self.model, self.seed);
-        if components == 1 {
-            let ids: Vec<Word> = operands.iter().map(|(id, _)| *id).collect();
-            return block.push(call(of_type, result, callee, &ids));
-        }
         let float = self.globals.of_type(Type::Float);
-        let parts: Vec<Word> = (0..components)
-            .map(|component| {
-                let ids: Vec<Word> = operands
-                    .iter()
-                    .map(|(id, of)| if *of == 1 { *id } else { self.extract(float, *id, component, block) })
-                    .collect();
-                let part = self.globals.fresh();
-                block.push(call(float, part, callee, &ids));
-                part
-            })
-            .collect();
-        let parts = parts.into_iter().map(Operand::IdRef).collect();
-        block.push(Instruction::new(Op::CompositeConstruct, Some(of_type), Some(result), parts));
+        let mut parts = Vec::with_capacity(components as usize);
+        for component in 0..components {
+            let ids: Vec<Word> = operands
+                .iter()
+                .zip(function.parameters())
+                .map(|(operand, of_type)| self.argument(*of_type, *operand, component, block))
+                .collect();
+            let part = if components == 1 { result } else { self.globals.fresh() };
+            block.push(call(float, part, callee, &ids));
+            parts.push(Operand::IdRef(part));
+        }
+        if components > 1 {
+            block.push(Instruction::new(Op::CompositeConstruct, Some(of_type), Some(result), parts));
+        }
     }
 
-    fn extract(&mut self, float: Word, from: Word, component: u32, block: &mut Vec<Instruction>) -> Word {
-        let id = self.globals.fresh();
-        let operands = vec![Operand::IdRef(from), Operand::LiteralBit32(component)];
-        block.push(Instruction::new(Op::CompositeExtract, Some(float), Some(id), operands));
-        id
+    /// A component of a value, as a parameter of this type takes it: integers are converted without looking at their sign.
+    fn argument(
+        &mut self,
+        of_type: Type,
+        Value { id, component, count }: Value,
+        index: u32,
+        block: &mut Vec<Instruction>,
+    ) -> Word {
+        let mut add = |globals: &mut Globals, opcode, of_type, operands| {
+            let id = globals.fresh();
+            block.push(Instruction::new(opcode, Some(of_type), Some(id), operands));
+            id
+        };
+        let mut scalar = id;
+        if count > 1 {
+            let operands = vec![Operand::IdRef(scalar), Operand::LiteralBit32(index)];
+            scalar = add(&mut self.globals, Op::CompositeExtract, component, operands);
+        }
+        let expected = self.globals.of_type(of_type);
+        if component != expected {
+            scalar = add(&mut self.globals, Op::Bitcast, expected, vec![Operand::IdRef(scalar)]);
+        }
+        scalar
     }
 }
 
