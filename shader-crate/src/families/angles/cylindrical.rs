@@ -8,7 +8,7 @@
 //! |---|---|---|---|
 //! | `cylindrical16` | 0.374 | 5.09 | 5.09 |
 //! | `cylindrical24` | 0.0230 | 1.27 | 1.27 |
-//! | `cylindrical32` | 0.00144 | 0.269 | 0.319 |
+//! | `cylindrical32` | 0.00144 | 0.317 | 0.319 |
 //! <!-- end -->
 //!
 //! * Layout: phi / pi in the low half of the code, z in the high half, both snorm in two's complement: a

@@ -9,7 +9,7 @@
 //! | `snorm8x3` | 0.170 | 0.390 | 0.391 |
 //! | `snorm10x3` | 0.0423 | 0.0970 | 0.0972 |
 //! | `snorm11_11_10` | 0.0294 | 0.0686 | 0.0687 |
-//! | `snorm16x3` | 0.000659 | 0.00151 | 0.00153 |
+//! | `snorm16x3` | 0.000660 | 0.00151 | 0.00153 |
 //! <!-- end -->
 //!
 //! * Layout: x in the low bits, then y, then z, in two's complement; `snorm11_11_10` gives x and y 11 bits and z 10.

@@ -20,7 +20,7 @@
 //! | `spp16` | 0.429 | 1.19 | 1.32 |
 //! | `spp24` | 0.0262 | 0.0740 | 0.0770 |
 //! | `spp32` | 0.00164 | 0.00463 | 0.00480 |
-//! | `spp48` | 6.62e-6 | 5.60e-5 | 8.00e-5 |
+//! | `spp48` | 6.47e-6 | 6.59e-5 | 8.00e-5 |
 //! <!-- end -->
 //!
 //! * Layout: the first component in the low bits, then the second, both snorm in two's complement. Above them PP has
