@@ -255,11 +255,7 @@ impl Bench {
         let (element, code) = (count * format.element.bytes(), count * format.bytes);
         let (input, mut output) = match operation {
             Operation::Encode => (self.elements(format.element), vec![0; code]),
-            Operation::Decode => {
-                let bytes =
-                    self.codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(format.bytes));
-                (bytes.collect(), vec![0; element])
-            }
+            Operation::Decode => (sampling::stored(&self.codes, format.bytes), vec![0; element]),
         };
         let mut times = vec![Vec::new(); kernels.len()];
         for sample in 0..=self.options.throughput_samples {

@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_host::backend::{Backend, BackendKind, Gpu, KernelSource};
+use unitvec_host::backend::{Backend, BackendKind};
 use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row, Summary};
 use unitvec_host::imprecise::Model;
 use unitvec_host::input::Input;
 use unitvec_host::vulkan::DeviceInfo;
-use unitvec_host::{Error, Result, glsl, mesh, output};
+use unitvec_host::{Result, mesh, output};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -93,16 +93,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         all_codes_up_to: arguments.all_codes_up_to(),
     };
     let device = arguments.vulkan.device()?;
-    let open = || {
-        let gpu = |source| Ok::<Box<dyn Backend>, Error>(Box::new(Gpu::new(&device, source, true)?));
-        let rust = gpu(KernelSource::Rust(arguments.vulkan.modules()?))?;
-        let mut backends = Backends::from([(BackendKind::Rust, rust)]);
-        match glsl::Compiler::new() {
-            Ok(compiler) => drop(backends.insert(BackendKind::Glsl, gpu(KernelSource::Glsl(compiler))?)),
-            Err(glsl::Error::NotBuiltIn) => {}
-            Err(error) => return Err(error.into()),
-        }
-        Ok(backends)
+    let open = || -> Result<Backends> {
+        let gpus = arguments.vulkan.gpus(&device)?.into_iter();
+        Ok(gpus.map(|(kind, gpu)| (kind, Box::new(gpu) as Box<dyn Backend>)).collect())
     };
 
     let rounding = open()?

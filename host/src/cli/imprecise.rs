@@ -4,13 +4,11 @@ use super::{print, progress, reports_to_stdout, status_after_validation, to_csv,
 use serde::Serialize;
 use std::fmt::Display;
 use std::process::ExitCode;
-use std::sync::Arc;
-use unitvec_host::backend::{BackendKind, Gpu, KernelSource};
 use unitvec_host::catalogue::{Format, find_format};
 use unitvec_host::conform::Rounding;
 use unitvec_host::imprecise::{self, Bounds, Gpus, Model, Options, Row, Summary};
-use unitvec_host::vulkan::{Device, DeviceInfo};
-use unitvec_host::{Result, glsl, output};
+use unitvec_host::vulkan::DeviceInfo;
+use unitvec_host::{Result, output};
 
 /// Random elements and codes of a codec and seed.
 const COUNT: u64 = 1 << 16;
@@ -25,7 +23,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
         all_codes_up_to: arguments.all_codes_up_to(),
     };
     let device = arguments.vulkan.device()?;
-    let open = || open(arguments, &device);
+    let open = || arguments.vulkan.gpus(&device);
     let truncation_is_seen = truncation_is_seen(&options, open()?)?;
 
     let outputs = [&arguments.json, &imprecise.csv].map(|path| path.as_deref());
@@ -86,18 +84,6 @@ struct Report {
     options: Options,
     agreed: bool,
     rows: Vec<Row>,
-}
-
-/// Kernels from Rust and, in a build with a GLSL compiler, from GLSL.
-fn open(arguments: &Arguments, device: &Arc<Device>) -> Result<Gpus> {
-    let gpu = |source| Gpu::new(device, source, true);
-    let mut gpus = Gpus::from([(BackendKind::Rust, gpu(KernelSource::Rust(arguments.vulkan.modules()?))?)]);
-    match glsl::Compiler::new() {
-        Ok(compiler) => drop(gpus.insert(BackendKind::Glsl, gpu(KernelSource::Glsl(compiler))?)),
-        Err(glsl::Error::NotBuiltIn) => {}
-        Err(error) => return Err(error.into()),
-    }
-    Ok(gpus)
 }
 
 /// True where `conform` would refuse the devices that truncate sums, if there are any.

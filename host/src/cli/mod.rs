@@ -22,6 +22,7 @@ use std::sync::Arc;
 use unitvec_host::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
 use unitvec_host::catalogue::{Format, find_format, formats};
 use unitvec_host::glsl;
+use unitvec_host::imprecise::Gpus;
 use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 use unitvec_host::{Error, Result};
@@ -140,6 +141,18 @@ impl Vulkan {
             }
             (folder, false) => Ok(Modules::open(folder.as_deref())?),
         }
+    }
+
+    /// Kernels from Rust and, in a build with a GLSL compiler, from GLSL; what they fail to write cannot pass for their results.
+    fn gpus(&self, device: &Arc<Device>) -> Result<Gpus> {
+        let gpu = |source| Gpu::new(device, source, true);
+        let mut gpus = Gpus::from([(BackendKind::Rust, gpu(KernelSource::Rust(self.modules()?))?)]);
+        match glsl::Compiler::new() {
+            Ok(compiler) => drop(gpus.insert(BackendKind::Glsl, gpu(KernelSource::Glsl(compiler))?)),
+            Err(glsl::Error::NotBuiltIn) => {}
+            Err(error) => return Err(error.into()),
+        }
+        Ok(gpus)
     }
 
     /// True where the command line, not the environment, names a device.

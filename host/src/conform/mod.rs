@@ -11,6 +11,7 @@ use crate::Result;
 use crate::backend::{Backend, BackendKind, Cpu};
 use crate::catalogue::{Element, Format, Operation};
 use crate::measure::ElementErrors;
+use crate::sampling;
 use crate::vulkan::DeviceInfo;
 use crate::workers;
 use serde::Serialize;
@@ -217,9 +218,7 @@ impl<'a> Comparison<'a> {
 
     /// Decodes codes and encodes what they stand for: every lattice point is an encoder's input as well.
     fn codes(&mut self, codes: &[u64]) -> Result<()> {
-        let bytes: Vec<u8> =
-            codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(self.format.bytes)).collect();
-        let elements = self.decode(&bytes)?;
+        let elements = self.decode(&sampling::stored(codes, self.format.bytes))?;
         self.encode(&elements).map(drop)
     }
 

@@ -76,9 +76,7 @@ impl Run<'_> {
     }
 
     fn codes(&mut self, codes: &[u64]) -> Result<()> {
-        let bytes = self.format.bytes;
-        let codes: Vec<u8> =
-            codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(bytes)).collect();
+        let codes = sampling::stored(codes, self.format.bytes);
         // Where these are all codes, other seeds had the same.
         let is_first = self.options.seeds.first() == Some(&self.seed);
         self.decode_on_all(&codes, !is_first && self.format.bits <= self.options.all_codes_up_to)

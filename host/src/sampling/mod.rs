@@ -71,6 +71,11 @@ pub fn random_codes(seed: u64) -> impl Iterator<Item = u64> {
     std::iter::repeat_with(move || random.random())
 }
 
+/// Codes as they are stored, of so many bytes each, little endian.
+pub fn stored(codes: &[u64], bytes: usize) -> Vec<u8> {
+    codes.iter().flat_map(|code| code.to_le_bytes().into_iter().take(bytes)).collect()
+}
+
 /// 64-bit codes whose fields are at the ends of their range, whatever their layout: every run of ones among zeros, and
 /// every run of zeros among ones.
 pub fn special_codes() -> Vec<u64> {

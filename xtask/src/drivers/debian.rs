@@ -84,7 +84,7 @@ impl Packaged {
         if !self.is_newer {
             return Vec::new();
         }
-        let libraries = self.folder(cache).join("root/usr/lib/x86_64-linux-gnu");
+        let libraries = self.folder(cache).join("unpacked/usr/lib/x86_64-linux-gnu");
         vec![libraries.join("ld-linux-x86-64.so.2").into(), "--library-path".into(), libraries.into()]
     }
 
@@ -152,7 +152,7 @@ impl Packaged {
         } else {
             apt.get(&["download", self.package])?;
         }
-        let root = folder.join("root");
+        let root = folder.join("unpacked");
         for package in apt.packages().map_err(failed)? {
             run(Command::new("dpkg-deb").arg("--extract").arg(&package).arg(&root))?;
             if let Some(version) = version_of(&package, self.package) {
@@ -175,7 +175,7 @@ impl Packaged {
 
     /// Vulkan's loader takes the path as one from the file's folder.
     fn manifest(&self) -> String {
-        let icd = format!(r#"{{"library_path": "./root/{}", "api_version": "1.1.0"}}"#, self.library);
+        let icd = format!(r#"{{"library_path": "./unpacked/{}", "api_version": "1.1.0"}}"#, self.library);
         format!("{{\"file_format_version\": \"1.0.0\", \"ICD\": {icd}}}\n")
     }
 }
