@@ -309,8 +309,7 @@ uvec2 snorm16x3p_encode(vec3 v) {
 vec3 snorm8x3p_decode(uint code) {
     vec3 e = vec3(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u),
         unitvec_snorm_field(code, 16u, 8u));
-    UNITVEC_PRECISE vec3 v = e / unitvec_snorm_max(8u);
-    return v;
+    return unitvec_snorm_parts(e, 8u, 8u);
 }
 
 vec3 snorm8x3_nearest_decode(uint code) {
@@ -324,8 +323,7 @@ vec3 crytek_bfn24_decode(uint code) {
 vec3 snorm16x3p_decode(uvec2 code) {
     vec3 e = vec3(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    UNITVEC_PRECISE vec3 v = e / unitvec_snorm_max(16u);
-    return v;
+    return unitvec_snorm_parts(e, 16u, 16u);
 }
 
 #endif

@@ -45,7 +45,8 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     UNITVEC_PRECISE float len = sqrt(horizontal + p.z * p.z);
     UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + p.z)));
     UNITVEC_PRECISE float q = b / a;
-    return UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
+    UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
+    return polar;
 }
 
 // Moves a lattice point of that half octant to where the direction of v is. With m the largest coordinate, (x, y) is folded

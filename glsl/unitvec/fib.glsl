@@ -130,8 +130,9 @@ UnitvecFibPlace unitvec_fib_place(vec3 v, uint bits) {
     float rest;
     uint whole = unitvec_fib_split(position, rest);
     UNITVEC_PRECISE float fraction = unitvec_negate_if(!is_polar, rest) - 0.5;
-    return UnitvecFibPlace(is_polar ? from_pole : from_top, height, radius_squared,
+    UnitvecFibPlace place = UnitvecFibPlace(is_polar ? from_pole : from_top, height, radius_squared,
         is_polar ? whole : (1u << (bits - 1u)) - whole, fraction);
+    return place;
 }
 
 // Basis that is reduced where a horizontal circle has this radius. k is 2 to 25.
@@ -147,7 +148,9 @@ UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     UNITVEC_PRECISE float next_turn = turn * 0.618034;
     UNITVEC_PRECISE float step_size = power * 0.4472136 + 0.5;
     UNITVEC_PRECISE float next_step = power * 0.7236068 + 0.5;
-    return UnitvecFibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
+    UnitvecFibBasis basis =
+        UnitvecFibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
+    return basis;
 }
 
 // Point i, which the place is `turn` around from. The cost is half the square of the distance, without cancellation.
@@ -167,12 +170,15 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
     UNITVEC_PRECISE float sum = (place.depth + depth * place.height) + radii;
     UNITVEC_PRECISE float cost = (difference * difference) / sum + radii * chord;
     // More than any distance.
-    return UnitvecFibCandidate(i, is_point ? cost : 4.0);
+    UnitvecFibCandidate candidate = UnitvecFibCandidate(i, is_point ? cost : 4.0);
+    return candidate;
 }
 
 // b where it costs less, else a.
 UnitvecFibCandidate unitvec_fib_cheaper(UnitvecFibCandidate a, UnitvecFibCandidate b) {
-    return UnitvecFibCandidate(b.cost < a.cost ? b.i : a.i, b.cost < a.cost ? b.cost : a.cost);
+    bool is_b = b.cost < a.cost;
+    UnitvecFibCandidate cheaper = UnitvecFibCandidate(is_b ? b.i : a.i, is_b ? b.cost : a.cost);
+    return cheaper;
 }
 
 // Number of the point of 2^bits that is nearest to the direction of v.

@@ -25,8 +25,8 @@ uvec2 float16x3_encode(vec3 v) {
 }
 
 vec3 float16x3_decode(uvec2 code) {
-    bool none = ((code.x & 0x7fff7fffu) | (code.y & 0x7fffu)) == 0u;
-    uint z = none ? UNITVEC_HALF_ONE : code.y;
+    bool is_zero = ((code.x & 0x7fff7fffu) | (code.y & 0x7fffu)) == 0u;
+    uint z = is_zero ? UNITVEC_HALF_ONE : code.y;
     return vec3(unitvec_half_decode(code.x), unitvec_half_decode(code.x >> 16u), unitvec_half_decode(z));
 }
 

@@ -187,8 +187,8 @@ vec3 snorm12x2_to_unorm8x3(vec2 f) {
     float high = floor(u.x / 16.0);
     float carry = floor(u.y / 256.0);
     UNITVEC_PRECISE vec3 bytes = vec3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
-    UNITVEC_PRECISE vec3 unorm = bytes / 255.0;
-    return unorm;
+    UNITVEC_PRECISE vec3 parts = bytes / 255.0;
+    return parts;
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -52,9 +52,9 @@ vec2 unitvec_spherical_wide_product(vec2 a, vec2 b) {
 }
 
 // base + low + linear u + rest, in order of magnitude: base, linear u, rest, low.
-vec2 unitvec_spherical_wide_polynomial(float base, float low, float linear, float u, float rest) {
-    UNITVEC_PRECISE float product = linear * u;
-    vec2 sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(linear, u, product));
+vec2 unitvec_spherical_wide_polynomial(float base, float low, float slope, float u, float rest) {
+    UNITVEC_PRECISE float product = slope * u;
+    vec2 sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(slope, u, product));
     UNITVEC_PRECISE float lows = sum.y + low;
     return unitvec_spherical_wide_sum(base, sum.x, lows);
 }

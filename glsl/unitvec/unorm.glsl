@@ -24,9 +24,10 @@ uint unitvec_unorm8x3_encode_component(float r) {
     return unitvec_unorm_code(biased, 8u);
 }
 
+// 255 times the component of the low byte of a code.
 float unitvec_unorm8x3_decode_component(uint code) {
-    UNITVEC_PRECISE float r = (2.0 * float(code & unitvec_mask(8u)) - 255.0) / 255.0;
-    return r;
+    UNITVEC_PRECISE float whole = 2.0 * float(code & unitvec_mask(8u)) - 255.0;
+    return whole;
 }
 
 uint unorm8x3_encode(vec3 v) {
@@ -36,8 +37,10 @@ uint unorm8x3_encode(vec3 v) {
 }
 
 vec3 unorm8x3_decode(uint code) {
-    return vec3(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
+    vec3 e = vec3(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
         unitvec_unorm8x3_decode_component(code >> 16u));
+    // 255 is the largest integer of an snorm of 9 bits.
+    return unitvec_snorm_parts(e, 9u, 9u);
 }
 
 #endif

@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test, spirv, processors, costs, docs and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, processors, costs, docs and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -27,6 +27,8 @@ usage: cargo xtask <command>
   setup                                      install what is missing, and nothing else
   spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead
+  shaders [--check]                          write shaders/ in all shading languages from glsl/unitvec/; --check compares
+                                             instead
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
              [--record] [NAME...]            qemu and Node.js, and show that they give the same bits; --exhaustive
                                              takes all input in emulators too, --build-std builds the standard library
@@ -51,6 +53,7 @@ fn main() -> ExitCode {
         "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
+        "shaders" => shaders(rest),
         "processors" => processors::run(&repository(), rest),
         "costs" => costs(rest),
         "docs" => docs(rest),
@@ -136,6 +139,11 @@ fn spirv(arguments: &[String]) -> Result<(), String> {
     println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
     run(&mut cargo(&["test", "--quiet", "--package", "xtask-spirv"]))?;
     run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
+}
+
+fn shaders(arguments: &[String]) -> Result<(), String> {
+    let write = ["run", "--quiet", "--package", "unitvec-languages", "--example", "shaders", "--"];
+    run(cargo(&write).args(arguments))
 }
 
 fn costs(arguments: &[String]) -> Result<(), String> {

@@ -1,0 +1,209 @@
+//! The languages, and how each writes the same thing.
+
+use crate::syntax::{Scalar, Type};
+use std::fmt;
+use std::str::FromStr;
+
+/// A shading language.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Language {
+    /// GLSL 3.30 and later, and GLSL ES 3.00 and later, by `#include`.
+    Glsl,
+    /// HLSL, shader model 5 and later.
+    Hlsl,
+    /// WGSL.
+    Wgsl,
+    /// Slang.
+    Slang,
+    /// The Metal Shading Language.
+    Msl,
+    /// GLSL ES 3.00, as WebGL 2 has it.
+    GlslEs,
+    /// Godot 4's shading language.
+    Godot,
+}
+
+/// How the text keeps compilers from fusing and reordering.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Edition {
+    /// By the language's own means, where it has any.
+    Plain,
+    /// By barriers: each rounded result passes through `min` with a number that none exceeds, which no compiler folds.
+    Exact,
+}
+
+impl Language {
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Glsl, Self::Hlsl, Self::Wgsl, Self::Slang, Self::Msl, Self::GlslEs, Self::Godot];
+
+    /// As on a command line, and the folder of its files: `glsl-es`.
+    pub const fn id(self) -> &'static str {
+        match self {
+            Self::Glsl => "glsl",
+            Self::Hlsl => "hlsl",
+            Self::Wgsl => "wgsl",
+            Self::Slang => "slang",
+            Self::Msl => "msl",
+            Self::GlslEs => "glsl-es",
+            Self::Godot => "godot",
+        }
+    }
+
+    /// Its name in sentences.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Glsl => "GLSL",
+            Self::Hlsl => "HLSL",
+            Self::Wgsl => "WGSL",
+            Self::Slang => "Slang",
+            Self::Msl => "MSL",
+            Self::GlslEs => "GLSL ES",
+            Self::Godot => "Godot's shading language",
+        }
+    }
+
+    /// What its files' names end in, without the point.
+    pub const fn extension(self) -> &'static str {
+        match self {
+            Self::Glsl | Self::GlslEs => "glsl",
+            Self::Hlsl => "hlsl",
+            Self::Wgsl => "wgsl",
+            Self::Slang => "slang",
+            Self::Msl => "metal",
+            Self::Godot => "gdshaderinc",
+        }
+    }
+
+    /// The editions that it has. GLSL and HLSL need no other than the plain one: they have `precise`.
+    pub const fn editions(self) -> &'static [Edition] {
+        match self {
+            Self::Glsl | Self::Hlsl => &[Edition::Plain],
+            _ => &[Edition::Plain, Edition::Exact],
+        }
+    }
+
+    /// True for the languages whose compilers take `#include`.
+    pub const fn has_include(self) -> bool {
+        matches!(self, Self::Glsl | Self::Hlsl | Self::Msl | Self::Godot)
+    }
+
+    /// True for the languages with `#ifdef`.
+    pub const fn has_preprocessor(self) -> bool {
+        !matches!(self, Self::Wgsl)
+    }
+
+    /// True for those that are GLSL, or take its types and functions.
+    pub const fn is_glsl(self) -> bool {
+        matches!(self, Self::Glsl | Self::GlslEs | Self::Godot)
+    }
+
+    /// A type's name.
+    pub(crate) fn type_name(self, ty: &Type) -> String {
+        let (scalar, size) = match ty {
+            Type::Void => return "void".to_owned(),
+            Type::Struct(name) => return name.clone(),
+            Type::Value(scalar, size) => (*scalar, *size),
+            Type::Array(scalar, length) if self == Self::Wgsl => {
+                return format!("array<{}, {length}>", self.type_name(&Type::Value(*scalar, 1)));
+            }
+            Type::Array(scalar, _) => (*scalar, 1),
+        };
+        let (in_wgsl, suffix, in_c, prefix) = match scalar {
+            Scalar::Float => ("f32", "f", "float", ""),
+            Scalar::Uint => ("u32", "u", "uint", "u"),
+            Scalar::Int => ("i32", "i", "int", "i"),
+            Scalar::Bool => ("bool", "<bool>", "bool", "b"),
+        };
+        match (self, size) {
+            (Self::Wgsl, 1) => in_wgsl.to_owned(),
+            (Self::Wgsl, _) => format!("vec{size}{suffix}"),
+            (_, 1) => in_c.to_owned(),
+            _ if self.is_glsl() => format!("{prefix}vec{size}"),
+            _ => format!("{in_c}{size}"),
+        }
+    }
+
+    /// The words that it keeps for itself, and the names of its functions that the text calls.
+    pub(crate) fn is_reserved(self, name: &str) -> bool {
+        let words = match self {
+            Self::Glsl | Self::GlslEs | Self::Godot => OF_GLSL,
+            Self::Hlsl => OF_HLSL,
+            Self::Wgsl => OF_WGSL,
+            Self::Slang => OF_SLANG,
+            Self::Msl => OF_MSL,
+        };
+        words.split_whitespace().any(|word| word == name)
+    }
+}
+
+impl fmt::Display for Language {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Not the name of a language.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no language `{0}`; there are {ids}", ids = Language::ALL.map(Language::id).join(", "))]
+pub struct UnknownLanguage(String);
+
+impl FromStr for Language {
+    type Err = UnknownLanguage;
+
+    fn from_str(id: &str) -> Result<Self, UnknownLanguage> {
+        let found = Self::ALL.into_iter().find(|language| language.id() == id);
+        found.ok_or_else(|| UnknownLanguage(id.to_owned()))
+    }
+}
+
+/// Keywords and reserved words (GLSL 4.60, section 3.6; GLSL ES 3.00, section 3.7; Godot 4's shading language).
+const OF_GLSL: &str = "active asm atomic_uint attribute bool break buffer case cast centroid class coherent common const \
+    continue default discard do double else enum extern external false filter fixed flat float for global goto group_uniforms \
+    half highp hint_range if in inline inout input instance int interface invariant layout long lowp mediump namespace \
+    noinline noperspective out output packed partition patch precise precision public readonly render_mode resource \
+    restrict return row_major sample sampler shader_type shared short sizeof smooth static struct subroutine superp \
+    switch template this true typedef uint uniform union unsigned using varying void volatile while writeonly";
+
+/// Keywords and reserved words (the DirectX HLSL reference, "Keywords" and "Reserved words").
+const OF_HLSL: &str = "AppendStructuredBuffer asm asm_fragment auto BlendState bool break Buffer ByteAddressBuffer case \
+    catch cbuffer centroid char class column_major compile compile_fragment const const_cast continue ComputeShader \
+    ConsumeStructuredBuffer default delete discard do double dynamic_cast else enum explicit export extern false float \
+    for friend fxgroup GeometryShader goto groupshared half if in inline inout InputPatch int interface line lineadj \
+    linear LineStream long matrix min16float min16int min16uint mutable namespace new nointerpolation noperspective NULL \
+    operator out OutputPatch packoffset pass pixelfragment PixelShader point PointStream precise private protected public \
+    register reinterpret_cast return row_major sample sampler shared short signed sizeof snorm static static_cast string \
+    struct switch technique template tbuffer texture this throw triangle triangleadj TriangleStream true try typedef \
+    typename uint uniform union unorm unsigned using vector vertexfragment VertexShader virtual void volatile while";
+
+/// Keywords and reserved words (WGSL, sections 15.1 and 15.2).
+const OF_WGSL: &str = "alias break case const const_assert continue continuing default diagnostic discard else enable false \
+    fn for if let loop override requires return struct switch true var while \
+    NULL Self abstract active alignas alignof as asm asm_fragment async attribute auto await become cast catch class \
+    co_await co_return co_yield coherent column_major common compile compile_fragment concept const_cast consteval \
+    constexpr constinit crate debugger decltype delete demote demote_to_helper do dynamic_cast enum explicit export \
+    extends extern external fallthrough filter final finally friend from fxgroup get goto groupshared highp impl \
+    implements import inline instanceof interface layout lowp macro macro_rules match mediump meta mod module move mut \
+    mutable namespace new nil noexcept noinline nointerpolation non_coherent noncoherent noperspective null nullptr of \
+    operator package packoffset partition pass patch pixelfragment precise precision premerge priv protected pub public \
+    readonly ref regardless register reinterpret_cast require resource restrict self set shared sizeof smooth snorm \
+    static static_assert static_cast std subroutine super target template this thread_local throw trait try type \
+    typedef typeid typename typeof union unless unorm unsafe unsized use using varying virtual volatile wgsl where with \
+    writeonly yield select bitcast";
+
+/// Those of HLSL that Slang has, and its own.
+const OF_SLANG: &str = "__generic __include __init associatedtype break case cbuffer centroid class const continue default \
+    defer discard do double dyn each else enum expand export extension extern false float for func functype get \
+    groupshared half if implementing import in inline inout int interface internal is as let line linear module \
+    namespace new no_diff none nonuniform nullptr out override point precise private property public register \
+    require return sample set shared snorm spirv_asm static struct subscript switch tbuffer this throw throws triangle \
+    true try typealias typedef typename uint uniform unorm using var vector matrix void where while asuint asfloat";
+
+/// Those of C++14, and Metal's own.
+const OF_MSL: &str = "alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl const \
+    constant constexpr const_cast continue decltype default delete device do double dynamic_cast else enum explicit \
+    export extern false float for fragment friend goto half if inline int kernel long metal mutable namespace new \
+    noexcept not not_eq nullptr object_data operator or or_eq packed_float2 packed_float3 private protected public \
+    ray_data register reinterpret_cast return sampler short signed sizeof static static_assert static_cast struct \
+    switch template texture this thread thread_local threadgroup throw true try typedef typeid typename uint union \
+    unsigned using vec vertex virtual void volatile while xor xor_eq as_type";

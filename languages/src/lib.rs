@@ -1,0 +1,182 @@
+//! The GLSL includes of `unitvec` in other shading languages: HLSL, WGSL, Slang, MSL, GLSL ES and Godot's.
+//!
+//! A [`Library`] parses the includes once. [`Library::file`] gives each in another language, with its functions, names
+//! and comments; [`Library::excerpt`] only some functions and what they need.
+//!
+//! ```
+//! use unitvec_languages::{Edition, Language, Library};
+//!
+//! let library = Library::parse(unitvec_shaders::glsl)?;
+//! let text = library.excerpt(&["oct16_encode"], Language::Wgsl, Edition::Plain)?;
+//! assert!(text.contains("fn oct16_encode(v: vec3f) -> u32 {"));
+//! # Ok::<(), unitvec_languages::Error>(())
+//! ```
+//!
+//! The parser takes the part of GLSL that the includes use, and refuses everything else, with file and line. There is
+//! no intermediate representation: what a person wrote stays, so that the text can be read and held against its source.
+
+mod language;
+mod lex;
+mod parse;
+mod print;
+mod syntax;
+mod wrap;
+
+pub use language::{Edition, Language};
+
+use parse::{Declared, parse};
+use print::Printer;
+use std::collections::{BTreeSet, HashMap};
+use syntax::{File, Item, ItemKind};
+
+/// A file that cannot be put into other languages, or a function that does not exist.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum Error {
+    /// A file is missing.
+    #[error("there is no file glsl/unitvec/{0}")]
+    NoFile(String),
+    /// A line has something that the includes do not use.
+    #[error("glsl/unitvec/{file}:{line}: {what}")]
+    Refused {
+        /// Its name: `oct.glsl`.
+        file: String,
+        /// Its line, from 1.
+        line: usize,
+        /// What is wrong.
+        what: String,
+    },
+    /// No file declares this function.
+    #[error("no file of glsl/unitvec declares the function {0}")]
+    NoFunction(String),
+    /// The language keeps a name for itself.
+    #[error("glsl/unitvec/{file}: {language} keeps the name `{name}` for itself; give it another")]
+    Reserved {
+        /// File that uses it.
+        file: String,
+        /// The language.
+        language: Language,
+        /// The name.
+        name: String,
+    },
+}
+
+impl Error {
+    fn new(file: &str, line: usize, what: &str) -> Self {
+        Self::Refused { file: file.to_owned(), line, what: what.to_owned() }
+    }
+}
+
+/// The file that includes all families, in their order.
+const ALL: &str = "unitvec.glsl";
+
+/// The includes, parsed.
+#[derive(Debug)]
+pub struct Library {
+    /// In an order in which each comes after those that it needs.
+    files: Vec<File>,
+    declared: Declared,
+}
+
+impl Library {
+    /// Parses all includes. `source` gives the text of a file of `glsl/`, as `unitvec_shaders::glsl` does.
+    ///
+    /// # Errors
+    /// [`Error::NoFile`] or [`Error::Refused`].
+    pub fn parse<'a>(source: impl Fn(&str) -> Option<&'a str>) -> Result<Self, Error> {
+        let mut library = Self { files: Vec::new(), declared: Declared::default() };
+        let text =
+            |name: &str| source(&format!("unitvec/{name}")).ok_or_else(|| Error::NoFile(name.to_owned()));
+        let all = parse(ALL, text(ALL)?, &mut library.declared)?;
+        for family in includes(&all) {
+            let file = parse(family, text(family)?, &mut library.declared)?;
+            let missing = includes(&file).find(|needed| !library.has(needed));
+            if let Some(missing) = missing {
+                return Err(Error::new(family, 1, &format!("{ALL} has to include {missing} before it")));
+            }
+            library.files.push(file);
+        }
+        library.files.push(all);
+        Ok(library)
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.files.iter().any(|file| file.name == name)
+    }
+
+    /// The names of the files in GLSL, each after those that it needs: `oct.glsl`.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|file| file.name.as_str())
+    }
+
+    /// A file's name in another language: `oct.hlsl`. `None` for the file that includes all, where the language has no
+    /// way to include.
+    pub fn file_name(&self, name: &str, language: Language) -> Option<String> {
+        let is_possible = name != ALL || language.has_include() || language == Language::Slang;
+        is_possible.then(|| format!("{}.{}", name.trim_end_matches(".glsl"), language.extension()))
+    }
+
+    /// A whole file in another language.
+    ///
+    /// # Errors
+    /// [`Error::NoFile`], or [`Error::Reserved`].
+    pub fn file(&self, name: &str, language: Language, edition: Edition) -> Result<String, Error> {
+        let file = self.files.iter().find(|file| file.name == name);
+        let file = file.ok_or_else(|| Error::NoFile(name.to_owned()))?;
+        let mut printer = Printer::new(language, edition, &self.declared);
+        printer.file(file)?;
+        Ok(printer.finish())
+    }
+
+    /// These functions and all that they need, without heads of files, guards and includes.
+    ///
+    /// # Errors
+    /// [`Error::NoFunction`], or [`Error::Reserved`].
+    pub fn excerpt(&self, functions: &[&str], language: Language, edition: Edition) -> Result<String, Error> {
+        let needed = self.needed(functions)?;
+        let mut printer = Printer::new(language, edition, &self.declared);
+        printer.prelude();
+        for file in &self.files {
+            for item in file.items.iter().filter(|item| is_needed(item, &needed)) {
+                printer.excerpted(file, item)?;
+            }
+        }
+        Ok(printer.finish())
+    }
+
+    /// The names that these functions need, their own included.
+    fn needed<'a>(&'a self, functions: &[&'a str]) -> Result<BTreeSet<&'a str>, Error> {
+        let items = self.files.iter().flat_map(|file| &file.items);
+        let by_name: HashMap<&str, &Item> =
+            items.filter_map(|item| Some((item.kind.name()?, item))).collect();
+        let mut needed = BTreeSet::new();
+        let mut open: Vec<&str> = Vec::new();
+        for name in functions {
+            match by_name.get(name) {
+                Some(Item { kind: ItemKind::Function(function), .. }) => open.push(&function.name),
+                _ => return Err(Error::NoFunction((*name).to_owned())),
+            }
+        }
+        while let Some(name) = open.pop() {
+            if needed.insert(name)
+                && let Some(item) = by_name.get(name)
+            {
+                open.extend(item.kind.names_used().into_iter().filter(|name| by_name.contains_key(name)));
+            }
+        }
+        Ok(needed)
+    }
+}
+
+fn is_needed(item: &Item, needed: &BTreeSet<&str>) -> bool {
+    match &item.kind {
+        ItemKind::Precise(_) | ItemKind::Precision(_) => true,
+        kind => kind.name().is_some_and(|name| needed.contains(name)),
+    }
+}
+
+fn includes(file: &File) -> impl Iterator<Item = &str> {
+    file.items.iter().filter_map(|item| match &item.kind {
+        ItemKind::Include { file, .. } => Some(file.as_str()),
+        _ => None,
+    })
+}

@@ -1,0 +1,660 @@
+//! Tokens to the tree of a file. What the includes do not use is refused, with file and line.
+
+use crate::Error;
+use crate::lex::{Kind, Token, tokens};
+use crate::syntax::{
+    Block, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind, Lead, Parameter, Scalar,
+    Statement, StatementKind, Struct, Type,
+};
+use std::collections::HashMap;
+
+/// What the files so far declare at their top level.
+#[derive(Debug, Default)]
+pub struct Declared {
+    pub functions: HashMap<String, (Type, Vec<Parameter>)>,
+    pub structs: HashMap<String, Struct>,
+    pub constants: HashMap<String, Type>,
+}
+
+/// GLSL's functions that the includes use.
+const BUILT_IN: [&str; 10] = [
+    "abs",
+    "floor",
+    "sqrt",
+    "max",
+    "min",
+    "clamp",
+    "floatBitsToUint",
+    "uintBitsToFloat",
+    "bitfieldExtract",
+    "cross",
+];
+
+/// The macro in place of `precise`.
+pub const PRECISE: &str = "UNITVEC_PRECISE";
+
+/// Parses a file, and adds what it declares.
+pub fn parse(name: &str, text: &str, declared: &mut Declared) -> Result<File, Error> {
+    let tokens = tokens(name, text)?;
+    let mut parser =
+        Parser { file: name, tokens, next: 0, declared, scopes: Vec::new(), assigned: Vec::new() };
+    parser.file()
+}
+
+struct Parser<'a> {
+    file: &'a str,
+    tokens: Vec<Token<'a>>,
+    next: usize,
+    declared: &'a mut Declared,
+    /// Variables of the function at hand: their type, and whether they are precise.
+    scopes: Vec<HashMap<String, (Type, bool)>>,
+    assigned: Vec<String>,
+}
+
+type Parsed<T> = Result<T, Error>;
+
+impl<'a> Parser<'a> {
+    fn peek(&self) -> &Token<'a> {
+        &self.tokens[self.next]
+    }
+
+    fn ahead(&self, by: usize) -> &'a str {
+        self.tokens.get(self.next + by).map_or("", |token| token.text)
+    }
+
+    fn take(&mut self) -> Token<'a> {
+        let token = self.tokens[self.next].clone();
+        // The end stays.
+        self.next = (self.next + 1).min(self.tokens.len() - 1);
+        token
+    }
+
+    fn is(&self, text: &str) -> bool {
+        self.peek().text == text && self.peek().kind != Kind::End
+    }
+
+    fn took(&mut self, text: &str) -> bool {
+        let is_it = self.is(text);
+        if is_it {
+            self.take();
+        }
+        is_it
+    }
+
+    fn expect(&mut self, text: &str) -> Parsed<Token<'a>> {
+        if self.is(text) { Ok(self.take()) } else { Err(self.wanted(&format!("`{text}`"))) }
+    }
+
+    fn wanted(&self, what: &str) -> Error {
+        let found = match self.peek() {
+            Token { kind: Kind::End, .. } => "the end of the file".to_owned(),
+            token => format!("`{}`", token.text),
+        };
+        self.error(&format!("{what} should stand in place of {found}"))
+    }
+
+    fn error(&self, what: &str) -> Error {
+        Error::new(self.file, self.peek().line, what)
+    }
+
+    fn word(&mut self, what: &str) -> Parsed<String> {
+        match self.peek().kind {
+            Kind::Word => Ok(self.take().text.to_owned()),
+            _ => Err(self.wanted(what)),
+        }
+    }
+
+    /// The file: comment, guard, declarations.
+    fn file(&mut self) -> Parsed<File> {
+        let guard = self.peek().text.strip_prefix("#ifndef ").filter(|name| name.ends_with("_GLSL"));
+        let guard = guard.filter(|name| self.ahead(1) == format!("#define {name}")).map(str::to_owned);
+        let mut head = std::mem::take(&mut self.tokens[self.next].lead);
+        if guard.is_some() {
+            self.take();
+            self.take();
+        } else if let Some(blank) = head.iter().position(String::is_empty) {
+            self.tokens[self.next].lead = head.split_off(blank);
+        }
+        while head.last().is_some_and(String::is_empty) {
+            head.pop();
+        }
+        let mut items = Vec::new();
+        while self.peek().kind != Kind::End && !(guard.is_some() && self.is("#endif")) {
+            items.push(self.item()?);
+        }
+        let tail = std::mem::take(&mut self.tokens[self.next].lead);
+        if guard.is_some() {
+            self.expect("#endif")?;
+        }
+        if self.peek().kind != Kind::End {
+            return Err(self.wanted("the end of the file"));
+        }
+        Ok(File { name: self.file.to_owned(), head, items, tail })
+    }
+
+    fn item(&mut self) -> Parsed<Item> {
+        let lead = self.lead();
+        let kind = match (self.peek().kind, self.peek().text) {
+            (Kind::Directive, _) => self.directive()?,
+            (_, "precision") => self.precision()?,
+            (_, "struct") => ItemKind::Struct(self.structure()?),
+            (_, "const") => ItemKind::Constant(self.constant()?),
+            _ => ItemKind::Function(self.function()?),
+        };
+        Ok(Item { lead, kind })
+    }
+
+    fn lead(&mut self) -> Lead {
+        std::mem::take(&mut self.tokens[self.next].lead)
+    }
+
+    fn directive(&mut self) -> Parsed<ItemKind> {
+        if self.is("#ifndef UNITVEC_PRECISE") {
+            let mut lines = Vec::new();
+            let mut depth = 0;
+            loop {
+                let line = self.take();
+                depth += i32::from(line.text.starts_with("#if")) - i32::from(line.text == "#endif");
+                if line.kind != Kind::Directive {
+                    return Err(self.wanted("a directive"));
+                }
+                lines.push(line.text.to_owned());
+                if depth == 0 {
+                    return Ok(ItemKind::Precise(lines));
+                }
+            }
+        }
+        let is_guarded = self.peek().text.starts_with("#ifndef ");
+        if is_guarded {
+            self.take();
+        }
+        let file = self.peek().text.strip_prefix("#include \"").and_then(|rest| rest.strip_suffix('"'));
+        let Some(file) = file.map(str::to_owned) else {
+            return Err(self.error(&format!("what is `{}` for?", self.peek().text)));
+        };
+        self.take();
+        if is_guarded {
+            self.expect("#endif")?;
+        }
+        Ok(ItemKind::Include { file, is_guarded })
+    }
+
+    fn precision(&mut self) -> Parsed<ItemKind> {
+        let mut words = Vec::new();
+        while !self.is(";") {
+            words.push(self.word("a precision")?);
+        }
+        self.expect(";")?;
+        Ok(ItemKind::Precision(words.join(" ")))
+    }
+
+    fn structure(&mut self) -> Parsed<Struct> {
+        self.expect("struct")?;
+        let name = self.new_name()?;
+        self.expect("{")?;
+        let mut fields = Vec::new();
+        while !self.took("}") {
+            if !self.peek().lead.is_empty() {
+                return Err(self.error("a comment has to stand before the struct"));
+            }
+            fields.push((self.type_name()?, self.word("a field's name")?));
+            self.expect(";")?;
+        }
+        self.expect(";")?;
+        let declared = Struct { name: name.clone(), fields };
+        self.declared.structs.insert(name, declared.clone());
+        Ok(declared)
+    }
+
+    fn constant(&mut self) -> Parsed<Constant> {
+        self.expect("const")?;
+        let (ty, name) = (self.type_name()?, self.new_name()?);
+        self.expect("=")?;
+        let value = self.of_type(&ty)?;
+        self.expect(";")?;
+        self.declared.constants.insert(name.clone(), ty.clone());
+        Ok(Constant { ty, name, value })
+    }
+
+    /// A name of the top level that no other file has taken.
+    fn new_name(&mut self) -> Parsed<String> {
+        let name = self.word("a name")?;
+        let Declared { functions, structs, constants } = &self.declared;
+        if functions.contains_key(&name) || structs.contains_key(&name) || constants.contains_key(&name) {
+            return Err(self.error(&format!("`{name}` is declared twice")));
+        }
+        Ok(name)
+    }
+
+    fn type_name(&mut self) -> Parsed<Type> {
+        let word = self.peek().text;
+        let ty = Type::named(word)
+            .or_else(|| self.declared.structs.contains_key(word).then(|| Type::Struct(word.to_owned())));
+        match ty {
+            Some(ty) => {
+                self.take();
+                Ok(ty)
+            }
+            None => Err(self.wanted("a type")),
+        }
+    }
+
+    fn function(&mut self) -> Parsed<Function> {
+        let (returns, name) = (self.type_name()?, self.new_name()?);
+        self.expect("(")?;
+        let mut parameters = Vec::new();
+        while !self.took(")") {
+            let is_out = self.took("out");
+            let (ty, name) = (self.type_name()?, self.word("a parameter's name")?);
+            parameters.push(Parameter { ty, name, is_out });
+            if !self.is(")") {
+                self.expect(",")?;
+            }
+        }
+        let scope =
+            parameters.iter().map(|parameter| (parameter.name.clone(), (parameter.ty.clone(), false)));
+        self.scopes = vec![scope.collect()];
+        self.assigned.clear();
+        let body = self.block()?;
+        let assigned = std::mem::take(&mut self.assigned);
+        self.declared.functions.insert(name.clone(), (returns.clone(), parameters.clone()));
+        Ok(Function { returns, name, parameters, body, assigned })
+    }
+
+    /// Statements in braces, or one without.
+    fn block(&mut self) -> Parsed<Block> {
+        let first_line = self.tokens[self.next.saturating_sub(1)].line;
+        self.scopes.push(HashMap::new());
+        let has_braces = self.took("{");
+        let mut statements = Vec::new();
+        while !(has_braces && self.is("}")) {
+            statements.push(self.statement()?);
+            if !has_braces {
+                break;
+            }
+        }
+        if has_braces && !self.lead().is_empty() {
+            return Err(self.error("a comment has to stand before a statement"));
+        }
+        let last = if has_braces { self.expect("}")? } else { self.tokens[self.next - 1].clone() };
+        self.scopes.pop();
+        Ok(Block { statements, is_one_line: last.line == first_line, has_braces })
+    }
+
+    fn statement(&mut self) -> Parsed<Statement> {
+        let lead = self.lead();
+        let kind = match (self.peek().kind, self.peek().text) {
+            (Kind::End, _) => return Err(self.wanted("`}`")),
+            (Kind::Directive, _) => self.alternative()?,
+            (_, "if") => self.condition()?,
+            (_, "for") => self.counted()?,
+            (_, "while") => {
+                self.take();
+                let condition = self.in_parentheses()?;
+                StatementKind::While { condition, body: self.block()? }
+            }
+            _ => {
+                let kind = self.simple()?;
+                self.expect(";")?;
+                kind
+            }
+        };
+        Ok(Statement { lead, kind })
+    }
+
+    fn alternative(&mut self) -> Parsed<StatementKind> {
+        let directive = self.take().text.to_owned();
+        if !directive.starts_with("#if") {
+            return Err(self.error(&format!("what is `{directive}` for?")));
+        }
+        let mut then = Vec::new();
+        while !self.is("#else") {
+            then.push(self.statement()?);
+        }
+        self.take();
+        let mut otherwise = Vec::new();
+        while !self.is("#endif") {
+            otherwise.push(self.statement()?);
+        }
+        self.take();
+        Ok(StatementKind::Alternative { directive, then, otherwise })
+    }
+
+    fn in_parentheses(&mut self) -> Parsed<Expr> {
+        self.expect("(")?;
+        let condition = self.of_type(&Type::BOOL)?;
+        self.expect(")")?;
+        Ok(condition)
+    }
+
+    fn condition(&mut self) -> Parsed<StatementKind> {
+        self.expect("if")?;
+        let condition = self.in_parentheses()?;
+        let then = self.block()?;
+        if self.is("else") {
+            return Err(self.error("`else` is not among what the includes use"));
+        }
+        Ok(StatementKind::If { condition, then })
+    }
+
+    fn counted(&mut self) -> Parsed<StatementKind> {
+        self.expect("for")?;
+        self.expect("(")?;
+        self.scopes.push(HashMap::new());
+        let part = |parser: &mut Self| Ok(Box::new(Statement { lead: Lead::new(), kind: parser.simple()? }));
+        let start = part(self)?;
+        self.expect(";")?;
+        let condition = self.of_type(&Type::BOOL)?;
+        self.expect(";")?;
+        let step = part(self)?;
+        self.expect(")")?;
+        let body = self.block()?;
+        self.scopes.pop();
+        Ok(StatementKind::For { start, condition, step, body })
+    }
+
+    /// A statement without its semicolon.
+    fn simple(&mut self) -> Parsed<StatementKind> {
+        let word = self.peek().text;
+        if word == "return" {
+            self.take();
+            return Ok(StatementKind::Return(self.expression()?));
+        }
+        let is_type = Type::named(word).is_some() || self.declared.structs.contains_key(word);
+        let is_declaration = [PRECISE, "const"].contains(&word)
+            || (is_type && self.tokens.get(self.next + 1).is_some_and(|token| token.kind == Kind::Word));
+        if is_declaration {
+            return self.declaration().map(StatementKind::Declare);
+        }
+        let target = self.postfix()?;
+        let operator = self.peek().text.to_owned();
+        if !operator.ends_with('=') || ["==", "<=", ">=", "!="].contains(&operator.as_str()) {
+            return Ok(StatementKind::Call(target));
+        }
+        self.take();
+        let value = self.expression()?;
+        if operator == "=" && value.ty != target.ty {
+            return Err(self.error("both sides of an assignment have to be of one type"));
+        }
+        let name = root(&target).ok_or_else(|| self.error("this cannot be assigned to"))?.to_owned();
+        let is_precise = self.variable(&name).is_some_and(|(_, is_precise)| is_precise);
+        self.assigned.push(name);
+        Ok(StatementKind::Assign { target, operator, value, is_precise })
+    }
+
+    fn declaration(&mut self) -> Parsed<Declaration> {
+        let is_precise = self.took(PRECISE);
+        let is_constant = self.took("const");
+        let mut ty = self.type_name()?;
+        let name = self.word("a variable's name")?;
+        if self.took("[") {
+            let (Type::Value(scalar, 1), Ok(length)) = (&ty, self.take().text.parse()) else {
+                return Err(self.error("arrays have a number of scalars"));
+            };
+            ty = Type::Array(*scalar, length);
+            self.expect("]")?;
+        }
+        let value = if self.took("=") { Some(self.of_type(&ty)?) } else { None };
+        if self.is(",") {
+            return Err(self.error("each variable needs a declaration of its own"));
+        }
+        if let Some(scope) = self.scopes.last_mut() {
+            scope.insert(name.clone(), (ty.clone(), is_precise));
+        }
+        Ok(Declaration { is_precise, is_constant, ty, name, value })
+    }
+
+    /// An expression that has to be of this type: GLSL's implicit conversions are not among what the includes use.
+    fn of_type(&mut self, ty: &Type) -> Parsed<Expr> {
+        let line = self.peek().line;
+        let expr = self.expression()?;
+        if expr.ty != *ty {
+            return Err(Error::new(self.file, line, "this is of another type, and needs a conversion"));
+        }
+        Ok(expr)
+    }
+
+    fn variable(&self, name: &str) -> Option<(Type, bool)> {
+        let local = self.scopes.iter().rev().find_map(|scope| scope.get(name)).cloned();
+        local.or_else(|| self.declared.constants.get(name).map(|ty| (ty.clone(), false)))
+    }
+
+    fn expression(&mut self) -> Parsed<Expr> {
+        let condition = self.binary(0)?;
+        if !self.took("?") {
+            return Ok(condition);
+        }
+        let then = self.expression()?;
+        self.expect(":")?;
+        let otherwise = self.expression()?;
+        if condition.ty != Type::BOOL || then.ty != otherwise.ty {
+            return Err(self.error("`?:` takes a bool and two of one type"));
+        }
+        let ty = then.ty.clone();
+        Ok(Expr { kind: ExprKind::Select(Box::new(condition), Box::new(then), Box::new(otherwise)), ty })
+    }
+
+    fn binary(&mut self, least: usize) -> Parsed<Expr> {
+        let mut left = self.unary()?;
+        while let Some(level) = precedence(self.peek().text).filter(|level| *level >= least) {
+            if self.peek().kind != Kind::Sign {
+                break;
+            }
+            let operator = self.take().text.to_owned();
+            let right = self.binary(level + 1)?;
+            let ty = self.type_of(&operator, &left.ty, &right.ty)?;
+            left = Expr { kind: ExprKind::Binary(operator, Box::new(left), Box::new(right)), ty };
+        }
+        Ok(left)
+    }
+
+    /// The type of `left operator right`.
+    fn type_of(&self, operator: &str, left: &Type, right: &Type) -> Parsed<Type> {
+        let (Type::Value(a, m), Type::Value(b, n)) = (left, right) else {
+            return Err(self.error(&format!("`{operator}` takes scalars and vectors")));
+        };
+        let is_shift = ["<<", ">>"].contains(&operator);
+        let fits = match operator {
+            "&&" | "||" => (a, b, m, n) == (&Scalar::Bool, &Scalar::Bool, &1, &1),
+            "<" | ">" | "<=" | ">=" => a == b && (m, n) == (&1, &1),
+            "==" | "!=" => left == right,
+            "<<" | ">>" => *b != Scalar::Float && (m == n || *n == 1),
+            _ => a == b && (m == n || *m == 1 || *n == 1),
+        };
+        if !fits {
+            return Err(self.error(&format!("`{operator}` needs operands of one type")));
+        }
+        let is_comparison = ["&&", "||", "<", ">", "<=", ">=", "==", "!="].contains(&operator);
+        Ok(match (is_comparison, is_shift) {
+            (true, _) => Type::BOOL,
+            (_, true) => left.clone(),
+            _ => Type::Value(*a, *m.max(n)),
+        })
+    }
+
+    fn unary(&mut self) -> Parsed<Expr> {
+        if !["-", "!", "~"].contains(&self.peek().text) {
+            return self.postfix();
+        }
+        let operator = self.take().text.to_owned();
+        let operand = self.unary()?;
+        let ty = operand.ty.clone();
+        Ok(Expr { kind: ExprKind::Unary(operator, Box::new(operand)), ty })
+    }
+
+    fn postfix(&mut self) -> Parsed<Expr> {
+        let mut expr = self.primary()?;
+        loop {
+            if self.took(".") {
+                let name = self.word("a component")?;
+                let ty = self.member(&expr.ty, &name)?;
+                expr = Expr { kind: ExprKind::Member(Box::new(expr), name), ty };
+            } else if self.took("[") {
+                let index = self.of_type(&Type::INT)?;
+                self.expect("]")?;
+                let (Type::Array(scalar, _) | Type::Value(scalar, 2..)) = expr.ty else {
+                    return Err(self.error("only arrays and vectors have elements"));
+                };
+                expr = Expr {
+                    kind: ExprKind::Index(Box::new(expr), Box::new(index)),
+                    ty: Type::Value(scalar, 1),
+                };
+            } else {
+                return Ok(expr);
+            }
+        }
+    }
+
+    fn member(&self, ty: &Type, name: &str) -> Parsed<Type> {
+        let found = match ty {
+            Type::Struct(declared) => self.declared.structs.get(declared).and_then(|declared| {
+                declared.fields.iter().find(|(_, field)| field == name).map(|(ty, _)| ty.clone())
+            }),
+            Type::Value(scalar, 2..) if name.len() <= 4 && name.chars().all(|c| "xyzw".contains(c)) => {
+                Some(Type::Value(*scalar, name.len()))
+            }
+            _ => None,
+        };
+        found.ok_or_else(|| self.error(&format!("there is no `{name}` in this")))
+    }
+
+    fn primary(&mut self) -> Parsed<Expr> {
+        let Token { kind, text, .. } = self.take();
+        match kind {
+            Kind::Number => Ok(number(text)),
+            Kind::Sign if text == "(" => {
+                let inner = self.expression()?;
+                self.expect(")")?;
+                let ty = inner.ty.clone();
+                Ok(Expr { kind: ExprKind::Parentheses(Box::new(inner)), ty })
+            }
+            Kind::Word if ["true", "false"].contains(&text) => {
+                Ok(Expr { kind: ExprKind::Bool(text == "true"), ty: Type::BOOL })
+            }
+            Kind::Word if self.is("(") => self.call(text),
+            Kind::Word => match self.variable(text) {
+                Some((ty, _)) => Ok(Expr { kind: ExprKind::Name(text.to_owned()), ty }),
+                None => Err(self.error(&format!("`{text}` is not declared"))),
+            },
+            _ => {
+                self.next = self.next.saturating_sub(1);
+                Err(self.wanted("an expression"))
+            }
+        }
+    }
+
+    fn call(&mut self, name: &str) -> Parsed<Expr> {
+        self.expect("(")?;
+        let mut arguments = Vec::new();
+        while !self.took(")") {
+            arguments.push(self.expression()?);
+            if !self.is(")") {
+                self.expect(",")?;
+            }
+        }
+        if let Some((returns, parameters)) = self.declared.functions.get(name).cloned() {
+            self.check(name, &parameters, &arguments)?;
+            return Ok(Expr { kind: ExprKind::Call(name.to_owned(), arguments), ty: returns });
+        }
+        if let Some(declared) = self.declared.structs.get(name) {
+            let fields = declared.fields.iter().map(|(ty, _)| ty);
+            if !fields.eq(arguments.iter().map(|argument| &argument.ty)) {
+                return Err(self.error(&format!("`{name}` has fields of other types")));
+            }
+            return Ok(Expr { kind: ExprKind::Construct(arguments), ty: Type::Struct(name.to_owned()) });
+        }
+        if let Some(ty) = Type::named(name) {
+            return self.constructed(name, ty, arguments);
+        }
+        if BUILT_IN.contains(&name) {
+            let ty = built_in_type(name, &arguments)
+                .ok_or_else(|| self.error(&format!("`{name}` does not take these types")))?;
+            return Ok(Expr { kind: ExprKind::BuiltIn(name.to_owned(), arguments), ty });
+        }
+        if name == "UNITVEC_BEST_FIT_TABLE" {
+            return Ok(Expr { kind: ExprKind::Macro(name.to_owned(), arguments), ty: Type::UINT });
+        }
+        Err(self.error(&format!("`{name}` is not among the functions that the includes use")))
+    }
+
+    fn check(&mut self, name: &str, parameters: &[Parameter], arguments: &[Expr]) -> Parsed<()> {
+        let types = parameters.iter().map(|parameter| &parameter.ty);
+        if !types.eq(arguments.iter().map(|argument| &argument.ty)) {
+            return Err(self.error(&format!("`{name}` takes other types")));
+        }
+        for (_, argument) in parameters.iter().zip(arguments).filter(|(parameter, _)| parameter.is_out) {
+            let ExprKind::Name(variable) = &argument.kind else {
+                return Err(self.error(&format!("`{name}` needs a variable here")));
+            };
+            self.assigned.push(variable.clone());
+        }
+        Ok(())
+    }
+
+    fn constructed(&self, name: &str, ty: Type, arguments: Vec<Expr>) -> Parsed<Expr> {
+        let Type::Value(scalar, size) = ty else {
+            return Err(self.error(&format!("`{name}` cannot be made")));
+        };
+        let components: usize = arguments.iter().map(|argument| argument.ty.size()).sum();
+        let is_conversion = arguments.len() == 1 && (components == 1 || components == size);
+        let of_one_type =
+            arguments.iter().all(|argument| matches!(argument.ty, Type::Value(other, _) if other == scalar));
+        if !(is_conversion || (of_one_type && components == size)) {
+            return Err(
+                self.error(&format!("`{name}` takes {size} components of its own type, or one to convert"))
+            );
+        }
+        Ok(Expr { kind: ExprKind::Construct(arguments), ty: Type::Value(scalar, size) })
+    }
+}
+
+/// The type that a function of GLSL gives, where its arguments fit.
+fn built_in_type(name: &str, arguments: &[Expr]) -> Option<Type> {
+    let first = &arguments.first()?.ty;
+    let Type::Value(scalar, size) = first else { return None };
+    let fits =
+        arguments.iter().all(|argument| argument.ty == *first || argument.ty == Type::Value(*scalar, 1));
+    match name {
+        "floatBitsToUint" => Some(Type::Value(Scalar::Uint, *size)),
+        "uintBitsToFloat" => Some(Type::Value(Scalar::Float, *size)),
+        _ => fits.then(|| first.clone()),
+    }
+}
+
+fn number(text: &str) -> Expr {
+    let is_hexadecimal = text.starts_with("0x");
+    let ty = if text.ends_with('u') {
+        Type::UINT
+    } else if !is_hexadecimal && text.contains(['.', 'e']) {
+        Type::FLOAT
+    } else {
+        Type::INT
+    };
+    Expr { kind: ExprKind::Number(text.to_owned()), ty }
+}
+
+/// How tightly an operator of two operands binds, as in C.
+pub fn precedence(operator: &str) -> Option<usize> {
+    let levels: [&[&str]; 9] = [
+        &["||"],
+        &["&&"],
+        &["|"],
+        &["^"],
+        &["&"],
+        &["==", "!="],
+        &["<", ">", "<=", ">="],
+        &["<<", ">>"],
+        &["+", "-"],
+    ];
+    let found = levels.iter().position(|level| level.contains(&operator));
+    found.or_else(|| ["*", "/", "%"].contains(&operator).then_some(levels.len()))
+}
+
+/// The variable that an expression is, or is a part of.
+pub fn root(expr: &Expr) -> Option<&str> {
+    match &expr.kind {
+        ExprKind::Name(name) => Some(name),
+        ExprKind::Member(of, _) | ExprKind::Index(of, _) => root(of),
+        _ => None,
+    }
+}

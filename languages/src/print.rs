@@ -1,0 +1,442 @@
+//! The tree as text in a language, in the order and with the comments of the source.
+
+mod comment;
+mod expr;
+
+use crate::parse::{Declared, PRECISE};
+use crate::syntax::{
+    Block, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind, Parameter, Statement,
+    StatementKind, Struct, Type,
+};
+use crate::wrap::wrapped;
+use crate::{ALL, Edition, Error, Language};
+
+/// Writes text in a language.
+pub struct Printer<'a> {
+    language: Language,
+    edition: Edition,
+    declared: &'a Declared,
+    lines: Vec<String>,
+    /// Parameters of the function at hand that are pointers in WGSL.
+    pointers: Vec<String>,
+    /// Names that the function at hand assigns to.
+    assigned: Vec<String>,
+    /// True in the value of a precise variable.
+    in_precise: bool,
+    /// False in excerpts, whose names are all for their user.
+    has_module: bool,
+}
+
+/// What the exact editions call the second operand of the barriers' `min`.
+const BARRIER: &str = "UNITVEC_BARRIER";
+
+impl<'a> Printer<'a> {
+    pub fn new(language: Language, edition: Edition, declared: &'a Declared) -> Self {
+        Self {
+            language,
+            edition,
+            declared,
+            lines: Vec::new(),
+            pointers: Vec::new(),
+            assigned: Vec::new(),
+            in_precise: false,
+            has_module: false,
+        }
+    }
+
+    /// The text, without blank lines at its ends or side by side.
+    pub fn finish(self) -> String {
+        let mut text = String::new();
+        let mut is_blank = true;
+        for line in self.lines {
+            if !(is_blank && line.is_empty()) {
+                text += &line;
+                text.push('\n');
+            }
+            is_blank = line.is_empty();
+        }
+        format!("{}\n", text.trim_end())
+    }
+
+    fn line(&mut self, line: impl Into<String>) {
+        self.lines.push(line.into());
+    }
+
+    fn is_exact(&self) -> bool {
+        self.edition == Edition::Exact
+    }
+
+    /// A whole file.
+    pub fn file(&mut self, file: &File) -> Result<(), Error> {
+        self.has_module = self.language == Language::Slang;
+        let head = self.head(file);
+        self.lines.extend(head);
+        self.line("");
+        let guard = format!(
+            "UNITVEC_{}_{}",
+            stem(&file.name).to_uppercase(),
+            self.language.extension().to_uppercase()
+        );
+        let is_guarded =
+            file.name != ALL && self.language.has_preprocessor() && self.language != Language::Slang;
+        if is_guarded {
+            self.lines.extend([format!("#ifndef {guard}"), format!("#define {guard}"), String::new()]);
+        }
+        if self.has_module {
+            let is_all = file.name == ALL;
+            self.line(if is_all { "module unitvec;" } else { "implementing unitvec;" });
+            self.line("");
+        }
+        if file.name == "arith.glsl" {
+            self.prelude();
+        }
+        for item in &file.items {
+            self.item(file, item)?;
+        }
+        self.comments(0, &file.tail);
+        if is_guarded {
+            self.lines.extend([String::new(), "#endif".to_owned()]);
+        }
+        Ok(())
+    }
+
+    /// What comes before the first declaration.
+    pub fn prelude(&mut self) {
+        if self.language == Language::Msl {
+            self.lines.extend(
+                [
+                    "#include <metal_stdlib>",
+                    "using namespace metal;",
+                    "",
+                    "// No product and sum in one rounding.",
+                ]
+                .map(str::to_owned),
+            );
+            self.line("#pragma clang fp contract(off)");
+            self.line("");
+        }
+        if self.is_exact() {
+            let value = match self.language {
+                Language::Wgsl => format!("const {BARRIER}: f32 = 3e38;"),
+                Language::Msl => format!("constant float {BARRIER} = 3e38f;"),
+                Language::Hlsl | Language::Slang => format!("static const float {BARRIER} = 3e38;"),
+                _ => format!("const float {BARRIER} = 3e38;"),
+            };
+            let why = "// No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.";
+            self.lines.extend([why.to_owned(), value, String::new()]);
+        }
+    }
+
+    /// A declaration without its file: only the comment right above it.
+    pub fn excerpted(&mut self, file: &File, item: &Item) -> Result<(), Error> {
+        let is_short = item.lead.is_empty();
+        if !is_short {
+            self.line("");
+        }
+        let from = item.lead.iter().rposition(String::is_empty).map_or(0, |blank| blank + 1);
+        let own = Item { lead: item.lead[from..].to_vec(), kind: item.kind.clone() };
+        self.item(file, &own)
+    }
+
+    fn comments(&mut self, indent: usize, lead: &[String]) {
+        for comment in lead {
+            let text = self.comment(comment);
+            self.line(if text.is_empty() { text } else { format!("{:indent$}{text}", "") });
+        }
+    }
+
+    fn item(&mut self, file: &File, item: &Item) -> Result<(), Error> {
+        let is_of_glsl = matches!(item.kind, ItemKind::Precise(_) | ItemKind::Precision(_));
+        let is_precision = matches!(item.kind, ItemKind::Precision(_));
+        let is_left_out = is_of_glsl
+            && !(self.language == Language::Glsl || (is_precision && self.language == Language::GlslEs));
+        if is_left_out {
+            self.line("");
+            return Ok(());
+        }
+        let taken = item.kind.names_given().into_iter().find(|name| self.language.is_reserved(name));
+        if let Some(name) = taken {
+            let (file, language, name) = (file.name.clone(), self.language, name.to_owned());
+            return Err(Error::Reserved { file, language, name });
+        }
+        if let ItemKind::Include { file, is_guarded } = &item.kind {
+            self.include(file, *is_guarded);
+            return Ok(());
+        }
+        self.comments(0, &item.lead);
+        match &item.kind {
+            ItemKind::Include { .. } => {}
+            ItemKind::Precise(lines) => self.lines.extend(lines.iter().cloned()),
+            ItemKind::Precision(words) => self.line(format!("{words};")),
+            ItemKind::Constant(constant) => self.constant(constant),
+            ItemKind::Struct(declared) => self.structure(declared),
+            ItemKind::Function(function) => self.function(function, file),
+        }
+        Ok(())
+    }
+
+    fn include(&mut self, file: &str, is_guarded: bool) {
+        let name = self.file_name(file);
+        if self.language == Language::Slang {
+            if !is_guarded {
+                self.line(format!("__include {};", stem(file)));
+            }
+        } else if self.language == Language::Glsl && is_guarded {
+            let guard = format!("#ifndef UNITVEC_{}_GLSL", stem(file).to_uppercase());
+            self.lines.extend([guard, format!("#include \"{name}\""), "#endif".to_owned()]);
+        } else if self.language.has_include() {
+            self.line(format!("#include \"{name}\""));
+        }
+    }
+
+    /// A file's name in this language.
+    fn file_name(&self, file: &str) -> String {
+        format!("{}.{}", stem(file), self.language.extension())
+    }
+
+    fn constant(&mut self, constant: &Constant) {
+        let (ty, name) = (self.type_name(&constant.ty), &constant.name);
+        let value = self.value(&constant.value);
+        let text = match self.language {
+            Language::Wgsl => format!("const {name}: {ty} = {value};"),
+            Language::Msl => format!("constant {ty} {name} = {value};"),
+            Language::Hlsl | Language::Slang => format!("static const {ty} {name} = {value};"),
+            _ => format!("const {ty} {name} = {value};"),
+        };
+        self.wrapped(0, &text);
+    }
+
+    /// What a variable begins with: structs are lists in languages whose structs have no constructor.
+    fn value(&self, value: &Expr) -> String {
+        match &value.kind {
+            ExprKind::Construct(arguments)
+                if matches!(value.ty, Type::Struct(_)) && self.structs_are_lists() =>
+            {
+                format!("{{ {} }}", self.list(arguments))
+            }
+            _ => self.expr(value),
+        }
+    }
+
+    fn structs_are_lists(&self) -> bool {
+        matches!(self.language, Language::Hlsl | Language::Slang | Language::Msl)
+    }
+
+    fn structure(&mut self, declared: &Struct) {
+        self.line(format!("struct {} {{", declared.name));
+        for (ty, name) in &declared.fields {
+            let ty = self.type_name(ty);
+            self.line(match self.language {
+                Language::Wgsl => format!("    {name}: {ty},"),
+                _ => format!("    {ty} {name};"),
+            });
+        }
+        self.line(if self.language == Language::Wgsl { "}" } else { "};" });
+    }
+
+    fn function(&mut self, function: &Function, file: &File) {
+        let is_wgsl = self.language == Language::Wgsl;
+        self.assigned.clone_from(&function.assigned);
+        let outs = function.parameters.iter().filter(|parameter| parameter.is_out && is_wgsl);
+        self.pointers = outs.map(|parameter| parameter.name.clone()).collect();
+        let head = self.function_head(function, file);
+        let copies: Vec<String> = function
+            .parameters
+            .iter()
+            .filter(|parameter| self.is_copied(parameter))
+            .map(|Parameter { name, .. }| format!("    var {name} = {name}_in;"))
+            .collect();
+        self.block(0, &head, &function.body, copies);
+        self.pointers.clear();
+    }
+
+    /// True for a parameter that a function assigns to, where the language has none of these.
+    fn is_copied(&self, parameter: &Parameter) -> bool {
+        self.language == Language::Wgsl && !parameter.is_out && self.assigned.contains(&parameter.name)
+    }
+
+    fn function_head(&self, function: &Function, file: &File) -> String {
+        let parameters: Vec<String> =
+            function.parameters.iter().map(|parameter| self.parameter(parameter)).collect();
+        let (name, parameters) = (&function.name, parameters.join(", "));
+        let returns = self.type_name(&function.returns);
+        match self.language {
+            Language::Wgsl if function.returns == Type::Void => format!("fn {name}({parameters})"),
+            Language::Wgsl => format!("fn {name}({parameters}) -> {returns}"),
+            Language::Msl => format!("inline {returns} {name}({parameters})"),
+            Language::Slang if self.has_module && is_public(name, file) => {
+                format!("public {returns} {name}({parameters})")
+            }
+            _ => format!("{returns} {name}({parameters})"),
+        }
+    }
+
+    fn parameter(&self, parameter: &Parameter) -> String {
+        let Parameter { ty, name, is_out } = parameter;
+        let ty = self.type_name(ty);
+        match (self.language, is_out) {
+            (Language::Wgsl, true) => format!("{name}: ptr<function, {ty}>"),
+            (Language::Wgsl, false) if self.is_copied(parameter) => format!("{name}_in: {ty}"),
+            (Language::Wgsl, false) => format!("{name}: {ty}"),
+            (Language::Msl, true) => format!("thread {ty}& {name}"),
+            (_, true) => format!("out {ty} {name}"),
+            (_, false) => format!("{ty} {name}"),
+        }
+    }
+
+    /// `head { … }`, in one line where the source has it so and there is room.
+    fn block(&mut self, indent: usize, head: &str, block: &Block, first: Vec<String>) {
+        if let ([Statement { kind, lead }], true, true) =
+            (block.statements.as_slice(), block.is_one_line, first.is_empty())
+            && lead.is_empty()
+            && let Some(text) = self.simple(kind)
+        {
+            let line = match block.has_braces || self.language == Language::Wgsl {
+                true => format!("{head} {{ {text}; }}"),
+                false => format!("{head} {text};"),
+            };
+            if indent + line.len() <= 120 {
+                self.line(format!("{:indent$}{line}", ""));
+                return;
+            }
+        }
+        self.wrapped(indent, &format!("{head} {{"));
+        self.lines.extend(first);
+        self.statements(indent + 4, &block.statements);
+        self.line(format!("{:indent$}}}", ""));
+    }
+
+    fn statements(&mut self, indent: usize, statements: &[Statement]) {
+        for Statement { lead, kind } in statements {
+            self.comments(indent, lead);
+            self.statement(indent, kind);
+        }
+    }
+
+    fn statement(&mut self, indent: usize, kind: &StatementKind) {
+        if let Some(text) = self.simple(kind) {
+            self.wrapped(indent, &format!("{text};"));
+            return;
+        }
+        match kind {
+            StatementKind::If { condition, then } => {
+                let head = format!("if {}", self.condition(condition));
+                self.block(indent, &head, then, Vec::new());
+            }
+            StatementKind::While { condition, body } => {
+                let head = format!("while {}", self.condition(condition));
+                self.block(indent, &head, body, Vec::new());
+            }
+            StatementKind::For { start, condition, step, body } => {
+                let [start, step] = [start, step].map(|part| self.simple(&part.kind).unwrap_or_default());
+                let head = format!("for ({start}; {}; {step})", self.expr(condition));
+                self.block(indent, &head, body, Vec::new());
+            }
+            StatementKind::Alternative { directive, then, otherwise } => {
+                self.alternative(indent, directive, then, otherwise);
+            }
+            _ => {}
+        }
+    }
+
+    /// What depends on a macro of the user's stays, what depends on the edition is chosen, and what depends on the version of
+    /// GLSL is as the oldest has it.
+    fn alternative(&mut self, indent: usize, directive: &str, then: &[Statement], otherwise: &[Statement]) {
+        let is_of_edition = directive == "#ifdef UNITVEC_EXACT";
+        let is_of_user = !is_of_edition && !directive.contains("__VERSION__");
+        if self.language == Language::Glsl || (is_of_user && self.language.has_preprocessor()) {
+            self.line(directive);
+            self.statements(indent, then);
+            self.line("#else");
+            self.statements(indent, otherwise);
+            self.line("#endif");
+        } else {
+            let chosen = if is_of_edition && self.is_exact() { then } else { otherwise };
+            self.statements(indent, chosen);
+        }
+    }
+
+    fn condition(&self, condition: &Expr) -> String {
+        let text = self.expr(condition);
+        if self.language == Language::Wgsl { text } else { format!("({text})") }
+    }
+
+    /// A statement that has no block, without its semicolon.
+    fn simple(&mut self, kind: &StatementKind) -> Option<String> {
+        Some(match kind {
+            StatementKind::Declare(declaration) => self.declaration(declaration),
+            StatementKind::Assign { target, operator, value, is_precise } => {
+                self.in_precise = *is_precise;
+                let text = self.assignment(target, operator, value);
+                self.in_precise = false;
+                text
+            }
+            StatementKind::Call(expr) => self.expr(expr),
+            StatementKind::Return(expr) => format!("return {}", self.expr(expr)),
+            _ => return None,
+        })
+    }
+
+    /// In exact editions `a += b` has to be `a = min(a + b, …)`.
+    fn assignment(&self, target: &Expr, operator: &str, value: &Expr) -> String {
+        let to = self.expr(target);
+        let compound = operator.strip_suffix('=').filter(|operator| !operator.is_empty());
+        match compound {
+            Some(operator) if self.is_exact() && self.in_precise => {
+                let sum =
+                    ExprKind::Binary(operator.to_owned(), Box::new(target.clone()), Box::new(value.clone()));
+                format!("{to} = {}", self.expr(&Expr { kind: sum, ty: target.ty.clone() }))
+            }
+            _ => format!("{to} {operator} {}", self.expr(value)),
+        }
+    }
+
+    fn declaration(&mut self, declaration: &Declaration) -> String {
+        let Declaration { is_precise, is_constant, ty, name, value } = declaration;
+        self.in_precise = *is_precise;
+        let value = value.as_ref().map(|value| self.value(value));
+        self.in_precise = false;
+        let type_name = self.type_name(ty);
+        let assigned = value.as_ref().map(|value| format!(" = {value}")).unwrap_or_default();
+        if self.language == Language::Wgsl {
+            let varies = self.assigned.contains(name) || value.is_none();
+            return match (varies, value.is_some()) {
+                (true, false) => format!("var {name}: {type_name}"),
+                (true, true) => format!("var {name}{assigned}"),
+                (false, _) if *is_constant => format!("const {name}{assigned}"),
+                (false, _) => format!("let {name}{assigned}"),
+            };
+        }
+        let prefix = match (self.language, is_precise, is_constant) {
+            (Language::Glsl, true, _) => format!("{PRECISE} "),
+            (Language::Hlsl, true, _) => "precise ".to_owned(),
+            (_, _, true) => "const ".to_owned(),
+            _ => String::new(),
+        };
+        let length = match ty {
+            Type::Array(_, length) => format!("[{length}]"),
+            _ => String::new(),
+        };
+        format!("{prefix}{type_name} {name}{length}{assigned}")
+    }
+
+    fn type_name(&self, ty: &Type) -> String {
+        self.language.type_name(ty)
+    }
+
+    fn wrapped(&mut self, indent: usize, text: &str) {
+        self.lines.extend(wrapped(indent, text));
+    }
+}
+
+/// A file's name without what it ends in.
+fn stem(file: &str) -> &str {
+    file.strip_suffix(".glsl").unwrap_or(file)
+}
+
+/// True for the functions that are for users: those without the library's prefix, and those that the head of the file
+/// names.
+fn is_public(name: &str, file: &File) -> bool {
+    let is_in_head = || file.head.iter().any(|line| line.contains(&format!("{name}(")));
+    !name.starts_with("unitvec_") || is_in_head()
+}
