@@ -31,6 +31,7 @@ pub mod mesh;
 pub mod modules;
 pub mod output;
 pub mod sampling;
+pub mod shader;
 pub mod stream;
 pub mod textbook;
 pub mod vulkan;
