@@ -1,4 +1,4 @@
-//! Three ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust or from GLSL.
+//! The ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust, GLSL, HLSL or WGSL.
 
 use crate::catalogue::{CodecInfo, Coding, Format, Operation, best_fit_table};
 use crate::imprecise::{self, Model};
@@ -25,6 +25,19 @@ pub enum BackendKind {
     Rust,
     /// SPIR-V from GLSL, on a Vulkan device.
     Glsl,
+    /// SPIR-V that glslang makes of HLSL, on a Vulkan device.
+    Hlsl,
+    /// SPIR-V that naga makes of WGSL, on a Vulkan device.
+    Wgsl,
+}
+
+impl BackendKind {
+    /// Those of this build that run on a Vulkan device: GLSL and HLSL need the compiler that the feature `glsl` brings.
+    pub fn of_devices() -> impl Iterator<Item = Self> {
+        let has_glslang = cfg!(feature = "glsl");
+        let kinds = [Self::Rust, Self::Glsl, Self::Hlsl, Self::Wgsl].into_iter();
+        kinds.filter(move |kind| has_glslang || matches!(kind, Self::Rust | Self::Wgsl))
+    }
 }
 
 impl fmt::Display for BackendKind {
@@ -33,6 +46,8 @@ impl fmt::Display for BackendKind {
             Self::Cpu => "cpu",
             Self::Rust => "rust",
             Self::Glsl => "glsl",
+            Self::Hlsl => "hlsl",
+            Self::Wgsl => "wgsl",
         })
     }
 }

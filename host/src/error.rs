@@ -1,5 +1,5 @@
 use crate::isa::radv;
-use crate::{catalogue, glsl, imprecise, input, mesh, modules, vulkan};
+use crate::{catalogue, glsl, imprecise, input, mesh, modules, shader, vulkan};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -21,6 +21,9 @@ pub enum Error {
     /// See [`glsl::Error`].
     #[error(transparent)]
     Glsl(#[from] glsl::Error),
+    /// See [`shader::Error`].
+    #[error(transparent)]
+    Shader(#[from] shader::Error),
     /// See [`radv::Error`].
     #[error(transparent)]
     Radv(#[from] radv::Error),

@@ -47,6 +47,13 @@ pub enum Error {
     },
 }
 
+/// The languages that glslang takes.
+#[derive(Clone, Copy)]
+enum SourceLanguage {
+    Glsl,
+    Hlsl,
+}
+
 /// Name of the entry point of all GLSL kernels.
 pub const ENTRY_POINT: &str = "main";
 
@@ -132,7 +139,15 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
-        self.0.compile(file, text, macros)
+        self.0.compile(SourceLanguage::Glsl, file, text, macros)
+    }
+
+    /// Compiles a compute shader in HLSL, whose entry point is [`ENTRY_POINT`].
+    ///
+    /// # Errors
+    /// glslang's.
+    pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
+        self.0.compile(SourceLanguage::Hlsl, file, text, &[])
     }
 }
 

@@ -22,7 +22,7 @@ mod print;
 mod syntax;
 mod wrap;
 
-pub use language::{Edition, Language};
+pub use language::{Edition, Language, UnknownLanguage};
 
 use parse::{Declared, parse};
 use print::Printer;
@@ -140,6 +140,19 @@ impl Library {
                 printer.excerpted(file, item)?;
             }
         }
+        Ok(printer.finish())
+    }
+
+    /// What the head of a function's file says of input and layout, as comment in another language.
+    ///
+    /// # Errors
+    /// [`Error::NoFunction`].
+    pub fn layout(&self, function: &str, language: Language) -> Result<String, Error> {
+        let declares = |file: &&File| file.items.iter().any(|item| item.kind.name() == Some(function));
+        let file = self.files.iter().find(declares);
+        let file = file.ok_or_else(|| Error::NoFunction(function.to_owned()))?;
+        let mut printer = Printer::new(language, Edition::Plain, &self.declared);
+        printer.layout(file);
         Ok(printer.finish())
     }
 

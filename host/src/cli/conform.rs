@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_host::backend::{Backend, BackendKind};
-use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan, Report, Rounding, Row, Summary};
+use unitvec_host::backend::BackendKind;
+use unitvec_host::conform::{self, Mismatches, Options, Plan, Report, Rounding, Row, Summary};
 use unitvec_host::imprecise::Model;
 use unitvec_host::input::Input;
 use unitvec_host::vulkan::DeviceInfo;
@@ -93,10 +93,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         all_codes_up_to: arguments.all_codes_up_to(),
     };
     let device = arguments.vulkan.device()?;
-    let open = || -> Result<Backends> {
-        let gpus = arguments.vulkan.gpus(&device)?.into_iter();
-        Ok(gpus.map(|(kind, gpu)| (kind, Box::new(gpu) as Box<dyn Backend>)).collect())
-    };
+    let open = || arguments.vulkan.backends(&device);
 
     let rounding = open()?
         .iter_mut()
@@ -189,18 +186,24 @@ fn is_nearest(rounding: &Roundings) -> bool {
 }
 
 fn table(columns: Option<usize>) -> Layout {
-    let diff = ["encode", "decode"].map(|operation| format!("{operation} diff\nrust / glsl"));
+    let kinds = in_one_line(BackendKind::of_devices().map(|kind| kind.to_string()));
+    let diff = ["encode", "decode"].map(|operation| format!("{operation} diff\n{kinds}"));
     Layout::new(
         vec![
             left("codec", 20),
             right("bits", 4),
             right("mean\ndegrees", 10),
             right("max\ndegrees", 10),
-            right(&diff[0], 13).apart(),
-            right(&diff[1], 13),
+            right(&diff[0], kinds.len()).apart(),
+            right(&diff[1], kinds.len()).apart(),
         ],
         columns,
     )
+}
+
+/// What is said of each backend, side by side.
+fn in_one_line(parts: impl Iterator<Item = String>) -> String {
+    parts.collect::<Vec<_>>().join(" ")
 }
 
 /// Which codes are decoded, in words.
@@ -210,9 +213,11 @@ fn codes_covered(all_up_to: u32, count: usize) -> String {
 
 fn lines(table: &Layout, row: &Row, columns: Option<usize>) -> String {
     let pair = |mismatches: &Mismatches| {
-        [BackendKind::Rust, BackendKind::Glsl]
-            .map(|kind| mismatches.get(&kind).map_or_else(|| "-".to_owned(), u64::to_string))
-            .join(" / ")
+        in_one_line(BackendKind::of_devices().map(|kind| {
+            let count = mismatches.get(&kind).map_or_else(|| "-".to_owned(), u64::to_string);
+            // As wide as the backend's name above it.
+            format!("{count:>4}")
+        }))
     };
     let errors = |mean: f64, max: f64| [mean, max].map(|error| format!("{error:.6}"));
     let [mean, max] = errors(row.mean_deg, row.max_deg);
@@ -235,9 +240,9 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
     }
     let Summary { codecs, vectors, codes, .. } = report.summary();
     let compared = if report.glsl_compared {
-        "cpu, rust and glsl"
+        "cpu, rust, glsl, hlsl and wgsl"
     } else {
-        "cpu and rust (this build has no GLSL compiler: `--features glsl`)"
+        "cpu, rust and wgsl (this build has no GLSL compiler: `--features glsl`)"
     };
     if report.agreed {
         return format!(

@@ -11,6 +11,7 @@ mod error;
 mod imprecise;
 mod isa;
 mod progress;
+mod shader;
 mod summary;
 mod table;
 
@@ -21,9 +22,11 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_host::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
 use unitvec_host::catalogue::{Format, find_format, formats};
+use unitvec_host::conform::Backends;
 use unitvec_host::glsl;
 use unitvec_host::imprecise::Gpus;
 use unitvec_host::modules::Modules;
+use unitvec_host::shader::{Language, LanguageGpu};
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 use unitvec_host::{Error, Result};
 
@@ -74,7 +77,9 @@ enum Command {
     Bench(bench::Arguments),
     /// Find the cheapest codecs of vectors that meet a demand.
     Choose(choose::Arguments),
-    /// Show that the backends agree to the bit: cpu, rust and, in a build with a GLSL compiler, glsl.
+    /// Write the functions of codecs in a shading language, ready to paste, with all that they need.
+    Shader(shader::Arguments),
+    /// Show that the backends agree to the bit: cpu, rust, wgsl and, in a build with a GLSL compiler, glsl and hlsl.
     Conform(conform::Arguments),
 }
 
@@ -91,6 +96,7 @@ impl Arguments {
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
+            Command::Shader(arguments) => shader::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
         }
     }
@@ -155,6 +161,29 @@ impl Vulkan {
         Ok(gpus)
     }
 
+    /// A backend on a device. With `fill_output`, what a kernel fails to write cannot pass for its result.
+    fn backend(
+        &self,
+        kind: BackendKind,
+        device: &Arc<Device>,
+        fill_output: bool,
+    ) -> Result<Box<dyn Backend>> {
+        let gpu = |source| Ok(Box::new(Gpu::new(device, source, fill_output)?) as Box<dyn Backend>);
+        let language = |language| Ok(Box::new(LanguageGpu::new(device, language)?) as Box<dyn Backend>);
+        match kind {
+            BackendKind::Cpu => Ok(Box::new(Cpu)),
+            BackendKind::Rust => gpu(KernelSource::Rust(self.modules()?)),
+            BackendKind::Glsl => gpu(KernelSource::Glsl(glsl::Compiler::new()?)),
+            BackendKind::Hlsl => language(Language::Hlsl),
+            BackendKind::Wgsl => language(Language::Wgsl),
+        }
+    }
+
+    /// All backends that this build has on a device, but the CPU.
+    fn backends(&self, device: &Arc<Device>) -> Result<Backends> {
+        BackendKind::of_devices().map(|kind| Ok((kind, self.backend(kind, device, true)?))).collect()
+    }
+
     /// True where the command line, not the environment, names a device.
     fn names_device(&self) -> bool {
         self.device.is_some() && self.device.as_deref() != std::env::var("UNITVEC_DEVICE").ok().as_deref()
@@ -184,16 +213,12 @@ struct OpenBackend {
 
 impl OpenBackend {
     fn open(kind: BackendKind, vulkan: &Vulkan) -> Result<Self> {
-        let source = match kind {
-            BackendKind::Cpu => {
-                vulkan.refuse_for_cpu()?;
-                return Ok(Self { backend: Box::new(Cpu), device: None });
-            }
-            BackendKind::Rust => KernelSource::Rust(vulkan.modules()?),
-            BackendKind::Glsl => KernelSource::Glsl(glsl::Compiler::new()?),
-        };
+        if kind == BackendKind::Cpu {
+            vulkan.refuse_for_cpu()?;
+            return Ok(Self { backend: Box::new(Cpu), device: None });
+        }
         let device = vulkan.device()?;
-        Ok(Self { backend: Box::new(Gpu::new(&device, source, false)?), device: Some(device) })
+        Ok(Self { backend: vulkan.backend(kind, &device, false)?, device: Some(device) })
     }
 
     /// Closes both; the exit status tells of validation messages, those of closing too.

@@ -1,5 +1,5 @@
-//! Shows that the CPU and a device agree to the bit, with the SPIR-V from Rust and, in a build with a GLSL compiler, with
-//! that from GLSL; and how large the error is.
+//! Shows that the CPU and a device agree to the bit, with the SPIR-V from Rust, from WGSL and, in a build with a GLSL compiler,
+//! from GLSL and HLSL; and how large the error is.
 
 mod plan;
 mod rounding;
@@ -41,7 +41,7 @@ pub struct Report {
     pub random_directions: usize,
     /// Codecs of at most this many bits were decoded over all their codes.
     pub all_codes_up_to: u32,
-    /// False where the build had no GLSL compiler, so that only SPIR-V from Rust was compared with the CPU.
+    /// False where the build had no GLSL compiler, so that GLSL and HLSL were not compared with the CPU.
     pub glsl_compared: bool,
     /// How each backend rounds sums, which many encoders turn positions into codes by.
     pub rounding: BTreeMap<BackendKind, Rounding>,

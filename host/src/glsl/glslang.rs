@@ -1,6 +1,6 @@
 //! glslang through shaderc.
 
-use super::{ENTRY_POINT, Error, source};
+use super::{ENTRY_POINT, Error, SourceLanguage, source};
 use shaderc::{
     CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
@@ -12,11 +12,21 @@ impl Glslang {
         shaderc::Compiler::new().map(Self).map_err(|error| Error::NoCompiler(error.to_string()))
     }
 
-    pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
+    pub fn compile(
+        &self,
+        language: SourceLanguage,
+        file: &str,
+        text: &str,
+        macros: &[(String, String)],
+    ) -> Result<Vec<u8>, String> {
         let compile = || {
             let mut options = CompileOptions::new()?;
             options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
             options.set_optimization_level(OptimizationLevel::Performance);
+            options.set_source_language(match language {
+                SourceLanguage::Glsl => shaderc::SourceLanguage::GLSL,
+                SourceLanguage::Hlsl => shaderc::SourceLanguage::HLSL,
+            });
             options.set_include_callback(|wanted, kind, from, _depth| include(wanted, kind, from));
             for (name, value) in macros {
                 options.add_macro_definition(name, Some(value));

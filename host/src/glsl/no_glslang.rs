@@ -1,6 +1,6 @@
 //! Stub for builds without the feature `glsl`: `new` always fails.
 
-use super::Error;
+use super::{Error, SourceLanguage};
 use std::convert::Infallible;
 
 pub struct Glslang(Infallible);
@@ -10,7 +10,13 @@ impl Glslang {
         Err(Error::NotBuiltIn)
     }
 
-    pub fn compile(&self, _: &str, _: &str, _: &[(String, String)]) -> Result<Vec<u8>, String> {
+    pub fn compile(
+        &self,
+        _: SourceLanguage,
+        _: &str,
+        _: &str,
+        _: &[(String, String)],
+    ) -> Result<Vec<u8>, String> {
         match self.0 {}
     }
 }

@@ -21,11 +21,17 @@ pub fn metal_name(format: Format, operation: Operation) -> String {
 pub const fn head(language: Language) -> Option<&'static str> {
     match language {
         Language::Glsl => Some("#version 450\n"),
-        Language::GlslEs => Some(
+        Language::GlslEs | Language::Godot => Some(
             "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp usampler2D;\n",
         ),
         _ => None,
     }
+}
+
+/// True for the languages whose kernels are fragment shaders. Godot's functions run as those of GLSL ES, of which they are a
+/// part.
+const fn is_fragment(language: Language) -> bool {
+    matches!(language, Language::GlslEs | Language::Godot)
 }
 
 /// u32 words of a code in a kernel's buffers.
@@ -52,7 +58,7 @@ pub fn kernel(language: Language, format: Format, operation: Operation) -> Strin
         Operation::Decode => decode(&syntax, format, &inputs),
     };
     let mut lines = statements;
-    if language == Language::GlslEs {
+    if is_fragment(language) {
         lines.push(targets(&values));
     } else {
         let store =
@@ -160,7 +166,7 @@ impl Syntax {
                 reference: "&",
                 ..hlsl
             },
-            Language::Glsl | Language::GlslEs => Self {
+            Language::Glsl | Language::GlslEs | Language::Godot => Self {
                 vectors: ["vec3", "vec4"],
                 codes: ["uint", "uvec2"],
                 from_bits: ["uintBitsToFloat(uvec3", "uintBitsToFloat(uvec4"],
@@ -174,7 +180,7 @@ impl Syntax {
     /// The n-th word of an element or code that has so many.
     fn input(&self, words: usize, word: usize) -> String {
         let u = self.unsigned;
-        if self.language == Language::GlslEs {
+        if is_fragment(self.language) {
             let texel = if word < 4 { "a" } else { "b" };
             return format!("{texel}.{}", ["x", "y", "z", "w"][word % 4]);
         }
@@ -209,7 +215,7 @@ fn entry(language: Language) -> &'static str {
         Language::Wgsl => WGSL,
         Language::Slang => SLANG,
         Language::Msl => MSL,
-        Language::GlslEs => GLSL_ES,
+        Language::GlslEs | Language::Godot => GLSL_ES,
     }
 }
 

@@ -1,25 +1,42 @@
-//! The codecs in shading languages.
+//! The codecs in shading languages: their text, and what runs it.
 
+mod gpu;
 pub mod kernel;
+mod text;
 
-/// A shading language.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum Language {
-    /// GLSL of desktop GPUs and Vulkan.
-    Glsl,
-    /// HLSL.
-    Hlsl,
-    /// WGSL.
-    Wgsl,
-    /// Slang.
-    Slang,
-    /// Metal's.
-    Msl,
-    /// GLSL ES 3.00: WebGL 2.
-    GlslEs,
+pub use gpu::LanguageGpu;
+pub use text::text;
+pub use unitvec_languages::{Edition, Language, UnknownLanguage};
+
+use std::sync::OnceLock;
+use unitvec_languages::Library;
+
+/// Text that cannot be made, or not be compiled.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// See [`unitvec_languages::Error`].
+    #[error(transparent)]
+    Language(#[from] unitvec_languages::Error),
+    /// A compiler rejects the text.
+    #[error("the {language} of {kernel} does not compile: {error}")]
+    Rejected {
+        /// The language.
+        language: Language,
+        /// Kernel: `oct16_encode`.
+        kernel: String,
+        /// The compiler's words.
+        error: String,
+    },
+    /// No compiler for this language is part of the program.
+    #[error("this program has no compiler for {0}; it has glslang for HLSL and naga for WGSL")]
+    NoCompiler(Language),
 }
 
-impl Language {
-    /// All.
-    pub const ALL: [Self; 6] = [Self::Glsl, Self::Hlsl, Self::Wgsl, Self::Slang, Self::Msl, Self::GlslEs];
+/// The includes that are part of the program, parsed once.
+///
+/// # Errors
+/// [`unitvec_languages::Error`], which a test rules out.
+pub fn library() -> Result<&'static Library, unitvec_languages::Error> {
+    static LIBRARY: OnceLock<Result<Library, unitvec_languages::Error>> = OnceLock::new();
+    LIBRARY.get_or_init(|| Library::parse(unitvec_shaders::glsl)).as_ref().map_err(Clone::clone)
 }

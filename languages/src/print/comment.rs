@@ -47,6 +47,15 @@ impl Printer<'_> {
         lines
     }
 
+    /// The paragraph of the head that says the layout.
+    pub fn layout(&mut self, file: &File) {
+        for paragraph in file.head.split(|line| line == "//") {
+            if paragraph.iter().any(|line| line.contains("Layout")) {
+                self.comments(0, paragraph);
+            }
+        }
+    }
+
     /// What has to be said of this language.
     fn notes(&self, file: &File) -> Vec<String> {
         let mut notes = Vec::new();

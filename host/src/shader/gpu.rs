@@ -1,0 +1,128 @@
+//! The functions of a shading language on a Vulkan device, by way of the compilers that are part of the program.
+
+use super::kernel::{ENTRY_POINT, code_words, kernel};
+use super::{Edition, Error, Language, library};
+use crate::Result;
+use crate::backend::{Backend, CHUNK};
+use crate::catalogue::{Format, Operation};
+use crate::glsl;
+use crate::vulkan::{Device, Kernel, Runner};
+use std::collections::HashMap;
+use std::sync::Arc;
+
+/// A backend that runs HLSL, compiled by glslang, or WGSL, compiled by naga.
+pub struct LanguageGpu {
+    runner: Runner,
+    compiler: Compiler,
+    kernels: HashMap<(&'static str, Operation), Kernel>,
+    /// Codes as whole words, which is what the kernels take and give.
+    words: Vec<u32>,
+}
+
+enum Compiler {
+    Hlsl(glsl::Compiler),
+    Wgsl,
+}
+
+impl LanguageGpu {
+    /// A backend on `device`.
+    ///
+    /// # Errors
+    /// [`Error::NoCompiler`], [`glsl::Error`], or a failed Vulkan call.
+    pub fn new(device: &Arc<Device>, language: Language) -> Result<Self> {
+        let compiler = match language {
+            Language::Hlsl => Compiler::Hlsl(glsl::Compiler::new()?),
+            Language::Wgsl => Compiler::Wgsl,
+            other => return Err(Error::NoCompiler(other).into()),
+        };
+        let runner = Runner::new(device, CHUNK, true)?;
+        Ok(Self { runner, compiler, kernels: HashMap::new(), words: Vec::new() })
+    }
+
+    fn kernel(&mut self, format: Format, operation: Operation) -> Result<()> {
+        let key = (format.id, operation);
+        if !self.kernels.contains_key(&key) {
+            let module = self.compiler.compile(format, operation)?;
+            let kernel = self.runner.kernel(&module, ENTRY_POINT, None)?;
+            self.kernels.insert(key, kernel);
+        }
+        Ok(())
+    }
+}
+
+impl Backend for LanguageGpu {
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        let count = format.count(elements.len(), codes.len())?;
+        if count == 0 {
+            return Ok(());
+        }
+        self.kernel(format, Operation::Encode)?;
+        self.words.resize(count * code_words(format), 0);
+        let kernel = &self.kernels[&(format.id, Operation::Encode)];
+        let output = bytemuck::cast_slice_mut(&mut self.words);
+        self.runner.run(kernel, count, bytemuck::cast_slice(elements), output)?;
+        let words = self.words.chunks_exact(code_words(format));
+        for (code, words) in codes.chunks_exact_mut(format.bytes).zip(words) {
+            code.copy_from_slice(&bytemuck::cast_slice(words)[..format.bytes]);
+        }
+        Ok(())
+    }
+
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+        let count = format.count(elements.len(), codes.len())?;
+        if count == 0 {
+            return Ok(());
+        }
+        self.kernel(format, Operation::Decode)?;
+        self.words.clear();
+        self.words.resize(count * code_words(format), 0);
+        let words = self.words.chunks_exact_mut(code_words(format));
+        for (code, words) in codes.chunks_exact(format.bytes).zip(words) {
+            bytemuck::cast_slice_mut(words)[..format.bytes].copy_from_slice(code);
+        }
+        let kernel = &self.kernels[&(format.id, Operation::Decode)];
+        let input = bytemuck::cast_slice(&self.words);
+        self.runner.run(kernel, count, input, bytemuck::cast_slice_mut(elements))?;
+        Ok(())
+    }
+}
+
+impl Compiler {
+    const fn language(&self) -> Language {
+        match self {
+            Self::Hlsl(_) => Language::Hlsl,
+            Self::Wgsl => Language::Wgsl,
+        }
+    }
+
+    /// The edition whose results are the CPU's.
+    const fn edition(&self) -> Edition {
+        match self {
+            Self::Hlsl(_) => Edition::Plain,
+            Self::Wgsl => Edition::Exact,
+        }
+    }
+
+    fn compile(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        let (language, name) = (self.language(), format.function(operation));
+        let functions = library()?.excerpt(&[&name], language, self.edition())?;
+        let text = functions + &kernel(language, format, operation);
+        let module = match self {
+            Self::Hlsl(compiler) => compiler.compile_hlsl(&name, &text),
+            Self::Wgsl => compile_wgsl(&text),
+        };
+        module.map_err(|error| Error::Rejected { language, kernel: name, error })
+    }
+}
+
+/// The SPIR-V that naga makes of WGSL.
+fn compile_wgsl(text: &str) -> Result<Vec<u8>, String> {
+    use naga::valid::{Capabilities, ValidationFlags, Validator};
+    let module = naga::front::wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
+    let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());
+    let info = validator.validate(&module).map_err(|error| error.emit_to_string(text))?;
+    let options = naga::back::spv::Options { lang_version: (1, 3), ..Default::default() };
+    let words =
+        naga::back::spv::write_vec(&module, &info, &options, None).map_err(|error| error.to_string())?;
+    Ok(words.into_iter().flat_map(u32::to_le_bytes).collect())
+}
