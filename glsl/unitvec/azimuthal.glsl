@@ -245,17 +245,37 @@ uint stereo22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO
 uint stereo24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 uint stereo32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-vec3 stereo16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-vec3 stereo20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-vec3 stereo22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-vec3 stereo24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-vec3 stereo32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+vec3 stereo16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+vec3 stereo20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+vec3 stereo22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+vec3 stereo24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+vec3 stereo32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
-uint stereo_concentric16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u); }
-uint stereo_concentric20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u); }
-uint stereo_concentric22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u); }
-uint stereo_concentric24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u); }
-uint stereo_concentric32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u); }
+uint stereo_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
+}
+uint stereo_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u);
+}
+uint stereo_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u);
+}
+uint stereo_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u);
+}
+uint stereo_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
+}
 
 vec3 stereo_concentric16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -273,17 +293,37 @@ vec3 stereo_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint stereo_ellipse16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u); }
-uint stereo_ellipse20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u); }
-uint stereo_ellipse22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u); }
-uint stereo_ellipse24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u); }
-uint stereo_ellipse32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u); }
+uint stereo_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+uint stereo_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+uint stereo_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+uint stereo_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+uint stereo_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
-vec3 stereo_ellipse16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u); }
-vec3 stereo_ellipse20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u); }
-vec3 stereo_ellipse22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u); }
-vec3 stereo_ellipse24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u); }
-vec3 stereo_ellipse32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u); }
+vec3 stereo_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+vec3 stereo_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+vec3 stereo_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+vec3 stereo_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+vec3 stereo_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
 uint eqarea16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
 uint eqarea20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
@@ -291,17 +331,37 @@ uint eqarea22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA
 uint eqarea24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 uint eqarea32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-vec3 eqarea16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-vec3 eqarea20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-vec3 eqarea22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-vec3 eqarea24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-vec3 eqarea32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+vec3 eqarea16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+vec3 eqarea20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+vec3 eqarea22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+vec3 eqarea24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+vec3 eqarea32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
-uint eqarea_concentric16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u); }
-uint eqarea_concentric20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u); }
-uint eqarea_concentric22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u); }
-uint eqarea_concentric24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u); }
-uint eqarea_concentric32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u); }
+uint eqarea_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
+}
+uint eqarea_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u);
+}
+uint eqarea_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u);
+}
+uint eqarea_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u);
+}
+uint eqarea_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
+}
 
 vec3 eqarea_concentric16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -319,17 +379,37 @@ vec3 eqarea_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint eqarea_ellipse16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u); }
-uint eqarea_ellipse20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u); }
-uint eqarea_ellipse22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u); }
-uint eqarea_ellipse24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u); }
-uint eqarea_ellipse32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u); }
+uint eqarea_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+uint eqarea_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+uint eqarea_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+uint eqarea_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+uint eqarea_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
 
-vec3 eqarea_ellipse16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u); }
-vec3 eqarea_ellipse20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u); }
-vec3 eqarea_ellipse22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u); }
-vec3 eqarea_ellipse24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u); }
-vec3 eqarea_ellipse32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u); }
+vec3 eqarea_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+vec3 eqarea_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+vec3 eqarea_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+vec3 eqarea_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+vec3 eqarea_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
 
 uint eqdist16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
 uint eqdist20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
@@ -337,17 +417,37 @@ uint eqdist22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST
 uint eqdist24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 uint eqdist32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-vec3 eqdist16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-vec3 eqdist20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-vec3 eqdist22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-vec3 eqdist24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-vec3 eqdist32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+vec3 eqdist16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+vec3 eqdist20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+vec3 eqdist22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+vec3 eqdist24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+vec3 eqdist32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
-uint eqdist_concentric16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u); }
-uint eqdist_concentric20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u); }
-uint eqdist_concentric22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u); }
-uint eqdist_concentric24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u); }
-uint eqdist_concentric32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u); }
+uint eqdist_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
+}
+uint eqdist_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u);
+}
+uint eqdist_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u);
+}
+uint eqdist_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u);
+}
+uint eqdist_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
+}
 
 vec3 eqdist_concentric16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
@@ -365,16 +465,36 @@ vec3 eqdist_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint eqdist_ellipse16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u); }
-uint eqdist_ellipse20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u); }
-uint eqdist_ellipse22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u); }
-uint eqdist_ellipse24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u); }
-uint eqdist_ellipse32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u); }
+uint eqdist_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+uint eqdist_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+uint eqdist_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+uint eqdist_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+uint eqdist_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
 
-vec3 eqdist_ellipse16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u); }
-vec3 eqdist_ellipse20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u); }
-vec3 eqdist_ellipse22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u); }
-vec3 eqdist_ellipse24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u); }
-vec3 eqdist_ellipse32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u); }
+vec3 eqdist_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+vec3 eqdist_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+vec3 eqdist_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+vec3 eqdist_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+vec3 eqdist_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
 
 #endif

@@ -50,6 +50,14 @@ impl Language {
         }
     }
 
+    /// The folder of an edition's files in `shaders/`.
+    pub fn folder(self, edition: Edition) -> String {
+        match edition {
+            Edition::Plain => self.id().to_owned(),
+            Edition::Exact => format!("{}/exact", self.id()),
+        }
+    }
+
     /// Its name in sentences.
     pub const fn name(self) -> &'static str {
         match self {

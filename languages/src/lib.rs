@@ -26,7 +26,7 @@ pub use language::{Edition, Language, UnknownLanguage};
 
 use parse::{Declared, parse};
 use print::Printer;
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use syntax::{File, Item, ItemKind};
 
 /// A file that cannot be put into other languages, or a function that does not exist.
@@ -125,6 +125,25 @@ impl Library {
         let mut printer = Printer::new(language, edition, &self.declared);
         printer.file(file)?;
         Ok(printer.finish())
+    }
+
+    /// All files in all languages but GLSL, by their paths in `shaders/`: `hlsl/oct.hlsl`, `wgsl/exact/oct.wgsl`.
+    ///
+    /// # Errors
+    /// [`Error::Reserved`].
+    pub fn translations(&self) -> Result<BTreeMap<String, String>, Error> {
+        let mut texts = BTreeMap::new();
+        for language in Language::ALL.into_iter().filter(|language| *language != Language::Glsl) {
+            for edition in language.editions() {
+                for file in self.files() {
+                    if let Some(name) = self.file_name(file, language) {
+                        let path = format!("{}/{name}", language.folder(*edition));
+                        texts.insert(path, self.file(file, language, *edition)?);
+                    }
+                }
+            }
+        }
+        Ok(texts)
     }
 
     /// These functions and all that they need, without heads of files, guards and includes.

@@ -28,7 +28,7 @@ pub struct Printer<'a> {
 }
 
 /// What the exact editions call the second operand of the barriers' `min`.
-const BARRIER: &str = "UNITVEC_BARRIER";
+const BARRIER: &str = "UNITVEC_HUGE";
 
 impl<'a> Printer<'a> {
     pub fn new(language: Language, edition: Edition, declared: &'a Declared) -> Self {

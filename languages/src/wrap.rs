@@ -28,8 +28,8 @@ pub fn wrapped(indent: usize, text: &str) -> Vec<String> {
     }
 }
 
-/// The place to break a line at: after `=` where all that follows fits a line; else, of the places where the fewest
-/// brackets are open, the last.
+/// The place to break a line at: after `=` where all that follows fits a line; else, of the places in the right half where
+/// the fewest brackets are open, the last; else one in the left half.
 fn break_at(text: &str, room: usize) -> Option<usize> {
     if let Some(assigned) = text.find(" = ").map(|at| at + 2)
         && text.len() - assigned <= room.saturating_sub(4)
@@ -37,7 +37,7 @@ fn break_at(text: &str, room: usize) -> Option<usize> {
         return Some(assigned);
     }
     let mut depth = 0_usize;
-    let mut best: Option<(usize, usize)> = None;
+    let mut best: Option<((usize, usize), usize)> = None;
     for (at, c) in text.char_indices() {
         match c {
             '(' | '[' => depth += 1,
@@ -50,7 +50,8 @@ fn break_at(text: &str, room: usize) -> Option<usize> {
             false => BEFORE.iter().find(|(sign, _)| rest.starts_with(sign)).map(|(_, kind)| (*kind, at)),
         };
         if let Some((kind, place)) = place.filter(|(_, place)| *place <= room) {
-            let rank = depth * KINDS + kind;
+            let is_early = usize::from(place < room / 2);
+            let rank = (is_early, depth * KINDS + kind);
             if best.is_none_or(|(least, _)| rank <= least) {
                 best = Some((rank, place));
             }

@@ -162,8 +162,8 @@ uint unitvec_parallel_top(uvec2 code, uint components) {
 vec3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, vec2 e, bool negative) {
     vec2 p = unitvec_parallel_point(plane, abs(e));
     return vec3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
-        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
+        unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.

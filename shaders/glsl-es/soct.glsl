@@ -29,8 +29,8 @@ vec3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
     vec2 e = unitvec_snorm_integers(code, bits);
     float below = uintBitsToFloat(sign_bit & UNITVEC_SIGN_BIT);
     float across = 2.0 * max(abs(e.x), abs(e.y));
-    vec3 v = vec3(e.x + e.y, e.x - e.y,
-        unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below));
+    vec3 v = vec3(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below)
+        - unitvec_with_sign(across, below));
     return unitvec_normalize(v);
 }
 

@@ -396,9 +396,8 @@ float3 unitvec_normalize_parts(float3 upper, float3 lower) {
     float squares_upper = unitvec_upper_half(squares);
     precise float scale_lower = scale - scale_upper;
     precise float squares_lower = squares - squares_upper;
-    precise float t = ((squares_upper * scale_upper - 1.0)
-        + (squares_upper * scale_lower + squares_lower * scale_upper))
-        + (squares_lower * scale_lower + other_squares * scale);
+    precise float t = ((squares_upper * scale_upper - 1.0) + (squares_upper * scale_lower
+        + squares_lower * scale_upper)) + (squares_lower * scale_lower + other_squares * scale);
     precise float correction = t * (t * 0.375 - 0.5);
 
     precise float3 first = upper * reciprocal;
@@ -512,8 +511,8 @@ float2 unitvec_sin_cos_half_turns(float t) {
 // x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
 float2 unitvec_from_diagonal(float d) {
     precise float w = 0.25 - d * d;
-    precise float cosine = UNITVEC_DIAGONAL_COS_0
-        + w * (UNITVEC_DIAGONAL_COS_1 + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
+    precise float cosine = UNITVEC_DIAGONAL_COS_0 + w * (UNITVEC_DIAGONAL_COS_1
+        + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
     precise float sine = UNITVEC_DIAGONAL_SIN_0 + w * (UNITVEC_DIAGONAL_SIN_1 + w * UNITVEC_DIAGONAL_SIN_2);
     precise float2 halves = float2(0.5 + w * cosine, d + (d * w) * sine);
     return halves;

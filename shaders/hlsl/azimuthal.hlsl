@@ -207,8 +207,8 @@ uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
     precise float3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
-    float2 s = map == UNITVEC_PLAIN ? disk.xy
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk) : unitvec_ellipse_to_square(disk));
+    float2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
+        : unitvec_ellipse_to_square(disk));
     float2 m = unitvec_azimuthal_largest(bits);
     precise float2 position = s * m + 0.5;
     float2 e = floor(position);
@@ -243,11 +243,21 @@ uint stereo22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STER
 uint stereo24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 uint stereo32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-float3 stereo16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-float3 stereo20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-float3 stereo22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-float3 stereo24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-float3 stereo32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+float3 stereo16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+float3 stereo20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+float3 stereo22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+float3 stereo24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+float3 stereo32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
 uint stereo_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -281,11 +291,21 @@ float3 stereo_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint stereo_ellipse16_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u); }
-uint stereo_ellipse20_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u); }
-uint stereo_ellipse22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u); }
-uint stereo_ellipse24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u); }
-uint stereo_ellipse32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u); }
+uint stereo_ellipse16_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+uint stereo_ellipse20_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+uint stereo_ellipse22_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+uint stereo_ellipse24_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+uint stereo_ellipse32_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
 float3 stereo_ellipse16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
@@ -309,11 +329,21 @@ uint eqarea22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAR
 uint eqarea24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 uint eqarea32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-float3 eqarea16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-float3 eqarea20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-float3 eqarea22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-float3 eqarea24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-float3 eqarea32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+float3 eqarea16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+float3 eqarea20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+float3 eqarea22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+float3 eqarea24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+float3 eqarea32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
 uint eqarea_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -347,11 +377,21 @@ float3 eqarea_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint eqarea_ellipse16_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u); }
-uint eqarea_ellipse20_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u); }
-uint eqarea_ellipse22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u); }
-uint eqarea_ellipse24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u); }
-uint eqarea_ellipse32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u); }
+uint eqarea_ellipse16_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+uint eqarea_ellipse20_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+uint eqarea_ellipse22_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+uint eqarea_ellipse24_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+uint eqarea_ellipse32_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
 
 float3 eqarea_ellipse16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
@@ -375,11 +415,21 @@ uint eqdist22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDI
 uint eqdist24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 uint eqdist32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-float3 eqdist16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-float3 eqdist20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-float3 eqdist22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-float3 eqdist24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-float3 eqdist32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+float3 eqdist16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+float3 eqdist20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+float3 eqdist22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+float3 eqdist24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+float3 eqdist32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
 uint eqdist_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
@@ -413,11 +463,21 @@ float3 eqdist_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint eqdist_ellipse16_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u); }
-uint eqdist_ellipse20_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u); }
-uint eqdist_ellipse22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u); }
-uint eqdist_ellipse24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u); }
-uint eqdist_ellipse32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u); }
+uint eqdist_ellipse16_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+uint eqdist_ellipse20_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+uint eqdist_ellipse22_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+uint eqdist_ellipse24_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+uint eqdist_ellipse32_encode(float3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
 
 float3 eqdist_ellipse16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);

@@ -160,8 +160,8 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
 
     float d = unitvec_fib_signed_turn(turn);
     precise float u = d * d;
-    precise float chord = u * (UNITVEC_CHORD_0
-        + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
+    precise float chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1
+        + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     precise float sum = (place.depth + depth * place.height) + radii;
     precise float cost = (difference * difference) / sum + radii * chord;
     // More than any distance.

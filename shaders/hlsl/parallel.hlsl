@@ -159,8 +159,8 @@ uint unitvec_parallel_top(uint2 code, uint components) {
 float3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, float2 e, bool negative) {
     float2 p = unitvec_parallel_point(plane, abs(e));
     return float3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
-        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
+        unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.

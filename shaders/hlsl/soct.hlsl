@@ -26,8 +26,8 @@ float3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
     float2 e = unitvec_snorm_integers(code, bits);
     float below = asfloat(sign_bit & UNITVEC_SIGN_BIT);
     float across = 2.0 * max(abs(e.x), abs(e.y));
-    precise float3 v = float3(e.x + e.y, e.x - e.y,
-        unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below));
+    precise float3 v = float3(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below)
+        - unitvec_with_sign(across, below));
     return unitvec_normalize(v);
 }
 

@@ -519,8 +519,8 @@ inline float2 unitvec_sin_cos_half_turns(float t) {
 // x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
 inline float2 unitvec_from_diagonal(float d) {
     float w = 0.25f - d * d;
-    float cosine = UNITVEC_DIAGONAL_COS_0
-        + w * (UNITVEC_DIAGONAL_COS_1 + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
+    float cosine = UNITVEC_DIAGONAL_COS_0 + w * (UNITVEC_DIAGONAL_COS_1
+        + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
     float sine = UNITVEC_DIAGONAL_SIN_0 + w * (UNITVEC_DIAGONAL_SIN_1 + w * UNITVEC_DIAGONAL_SIN_2);
     float2 halves = float2(0.5f + w * cosine, d + (d * w) * sine);
     return halves;

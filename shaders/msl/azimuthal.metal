@@ -207,8 +207,8 @@ inline uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bit
     float3 octant = abs(v) * (1.0f / unitvec_l1_norm(v));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
-    float2 s = map == UNITVEC_PLAIN ? disk.xy
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk) : unitvec_ellipse_to_square(disk));
+    float2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
+        : unitvec_ellipse_to_square(disk));
     float2 m = unitvec_azimuthal_largest(bits);
     float2 position = s * m + 0.5f;
     float2 e = floor(position);
@@ -243,11 +243,21 @@ inline uint stereo22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITV
 inline uint stereo24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 inline uint stereo32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-inline float3 stereo16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-inline float3 stereo20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-inline float3 stereo22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-inline float3 stereo24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-inline float3 stereo32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+inline float3 stereo16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+inline float3 stereo20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+inline float3 stereo22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+inline float3 stereo24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+inline float3 stereo32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
 inline uint stereo_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -319,11 +329,21 @@ inline uint eqarea22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITV
 inline uint eqarea24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 inline uint eqarea32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-inline float3 eqarea16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-inline float3 eqarea20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-inline float3 eqarea22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-inline float3 eqarea24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-inline float3 eqarea32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+inline float3 eqarea16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+inline float3 eqarea20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+inline float3 eqarea22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+inline float3 eqarea24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+inline float3 eqarea32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
 inline uint eqarea_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -395,11 +415,21 @@ inline uint eqdist22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITV
 inline uint eqdist24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 inline uint eqdist32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-inline float3 eqdist16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-inline float3 eqdist20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-inline float3 eqdist22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-inline float3 eqdist24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-inline float3 eqdist32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+inline float3 eqdist16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+inline float3 eqdist20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+inline float3 eqdist22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+inline float3 eqdist24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+inline float3 eqdist32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
 inline uint eqdist_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);

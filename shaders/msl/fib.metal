@@ -160,8 +160,8 @@ inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, 
 
     float d = unitvec_fib_signed_turn(turn);
     float u = d * d;
-    float chord = u * (UNITVEC_CHORD_0
-        + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
+    float chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2
+        + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     float sum = (place.depth + depth * place.height) + radii;
     float cost = (difference * difference) / sum + radii * chord;
     // More than any distance.

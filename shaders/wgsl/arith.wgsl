@@ -510,8 +510,8 @@ fn unitvec_sin_cos_half_turns(t: f32) -> vec2f {
 // x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
 fn unitvec_from_diagonal(d: f32) -> vec2f {
     let w = 0.25 - d * d;
-    let cosine = UNITVEC_DIAGONAL_COS_0
-        + w * (UNITVEC_DIAGONAL_COS_1 + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
+    let cosine = UNITVEC_DIAGONAL_COS_0 + w * (UNITVEC_DIAGONAL_COS_1
+        + w * (UNITVEC_DIAGONAL_COS_2 + w * UNITVEC_DIAGONAL_COS_3));
     let sine = UNITVEC_DIAGONAL_SIN_0 + w * (UNITVEC_DIAGONAL_SIN_1 + w * UNITVEC_DIAGONAL_SIN_2);
     let halves = vec2f(0.5 + w * cosine, d + (d * w) * sine);
     return halves;

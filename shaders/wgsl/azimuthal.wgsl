@@ -238,11 +238,21 @@ fn stereo22_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC
 fn stereo24_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 fn stereo32_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-fn stereo16_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-fn stereo20_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-fn stereo22_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-fn stereo24_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-fn stereo32_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+fn stereo16_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+fn stereo20_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+fn stereo22_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+fn stereo24_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+fn stereo32_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
 fn stereo_concentric16_encode(v: vec3f) -> u32 {
     return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -314,11 +324,21 @@ fn eqarea22_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC
 fn eqarea24_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 fn eqarea32_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-fn eqarea16_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-fn eqarea20_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-fn eqarea22_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-fn eqarea24_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-fn eqarea32_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+fn eqarea16_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+fn eqarea20_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+fn eqarea22_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+fn eqarea24_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+fn eqarea32_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
 fn eqarea_concentric16_encode(v: vec3f) -> u32 {
     return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -390,11 +410,21 @@ fn eqdist22_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC
 fn eqdist24_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 fn eqdist32_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-fn eqdist16_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-fn eqdist20_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-fn eqdist22_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-fn eqdist24_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-fn eqdist32_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+fn eqdist16_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+fn eqdist20_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+fn eqdist22_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+fn eqdist24_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+fn eqdist32_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
 fn eqdist_concentric16_encode(v: vec3f) -> u32 {
     return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);

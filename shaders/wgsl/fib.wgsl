@@ -157,8 +157,8 @@ fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -
 
     let d = unitvec_fib_signed_turn(turn);
     let u = d * d;
-    let chord = u * (UNITVEC_CHORD_0
-        + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
+    let chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2
+        + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     let sum = (place.depth + depth * place.height) + radii;
     let cost = (difference * difference) / sum + radii * chord;
     // More than any distance.

@@ -156,8 +156,8 @@ fn unitvec_parallel_top(code: vec2u, components: u32) -> u32 {
 fn unitvec_parallel_from_plane(plane: UnitvecParallelPlane, e: vec2f, negative: bool) -> vec3f {
     let p = unitvec_parallel_point(plane, abs(e));
     return vec3f(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
-        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
+        unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.

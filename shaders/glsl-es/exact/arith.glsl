@@ -29,7 +29,7 @@
 #define UNITVEC_ARITH_GLSL
 
 // No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.
-const float UNITVEC_BARRIER = 3e38;
+const float UNITVEC_HUGE = 3e38;
 
 precision highp float;
 precision highp int;
@@ -81,8 +81,7 @@ uint unitvec_whole_to_u32(float whole) {
 
 // The nearest whole numbers, the even one of two, for magnitudes up to 2^21.
 vec2 unitvec_nearest_whole(vec2 x) {
-    vec2 whole =
-        min(min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_BARRIER) - UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_BARRIER);
+    vec2 whole = min(min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE) - UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
     return whole;
 }
 
@@ -122,7 +121,7 @@ vec3 unitvec_without_denormals(vec3 v) {
 
 // v, denormal components as 0, scaled by a power of two that takes its L1 norm to 1 to 2.
 vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
-    vec3 scaled = min(unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm), UNITVEC_BARRIER);
+    vec3 scaled = min(unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm), UNITVEC_HUGE);
     return scaled;
 }
 
@@ -141,7 +140,7 @@ uint unitvec_signed_code(float whole, uint bits) {
 // Two's complement, in `bits` bits (at most 22), of the whole number nearest to x, the even one of two: one addition rounds
 // and converts. Magnitudes up to 2^21; for others, and NaN, any code.
 uint unitvec_nearest_code(float x, uint bits) {
-    float sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_BARRIER);
+    float sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 
@@ -179,8 +178,7 @@ bool unitvec_is_nan(float x) {
 
 // Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
 uint unitvec_unorm_code(float r, uint bits) {
-    float sum =
-        min(min(min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits), UNITVEC_BARRIER) + UNITVEC_2_23, UNITVEC_BARRIER);
+    float sum = min(min(min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits), UNITVEC_HUGE) + UNITVEC_2_23, UNITVEC_HUGE);
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 
@@ -198,7 +196,7 @@ float unitvec_unorm_decode(uint code, uint bits) {
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
 // code. Ties go to the even integer.
 uint unitvec_snorm_code(float r, uint bits) {
-    float position = min(min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits), UNITVEC_BARRIER);
+    float position = min(min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits), UNITVEC_HUGE);
     return unitvec_nearest_code(position, bits);
 }
 
@@ -245,9 +243,9 @@ float unitvec_snorm_reciprocal(uint bits) {
 float unitvec_snorm_part(float x, uint bits) {
     float h = unitvec_exp2(1 - int(bits));
     bool few = bits <= 11u;
-    float high = few ? min(h + min(h * h, UNITVEC_BARRIER), UNITVEC_BARRIER) : h;
-    float low = min((few ? min(h * h, UNITVEC_BARRIER) : h) * unitvec_snorm_reciprocal(bits), UNITVEC_BARRIER);
-    float quotient = min(min(x * high, UNITVEC_BARRIER) + min(x * low, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float high = few ? min(h + min(h * h, UNITVEC_HUGE), UNITVEC_HUGE) : h;
+    float low = min((few ? min(h * h, UNITVEC_HUGE) : h) * unitvec_snorm_reciprocal(bits), UNITVEC_HUGE);
+    float quotient = min(min(x * high, UNITVEC_HUGE) + min(x * low, UNITVEC_HUGE), UNITVEC_HUGE);
     return quotient;
 }
 
@@ -306,21 +304,20 @@ float unitvec_half_decode(uint code) {
 // vector: vectors, with sums in a stated order.
 
 float unitvec_dot(vec3 a, vec3 b) {
-    float d = min(min(min(a.x * b.x, UNITVEC_BARRIER) + min(a.y * b.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(a.z * b.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float d = min(min(min(a.x * b.x, UNITVEC_HUGE) + min(a.y * b.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(a.z * b.z, UNITVEC_HUGE), UNITVEC_HUGE);
     return d;
 }
 
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
-    vec3 n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), UNITVEC_BARRIER);
+    vec3 n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), UNITVEC_HUGE);
     return n;
 }
 
 // Distance of v from the z axis.
 float unitvec_horizontal_length(vec3 v) {
-    float distance_from_z =
-        sqrt(min(min(v.x * v.x, UNITVEC_BARRIER) + min(v.y * v.y, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    float distance_from_z = sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE));
     return distance_from_z;
 }
 
@@ -358,10 +355,10 @@ float unitvec_upper_half(float x) {
 
 // a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
 vec2 unitvec_two_sum(float a, float b) {
-    float sum = min(a + b, UNITVEC_BARRIER);
-    float b_in_sum = min(sum - a, UNITVEC_BARRIER);
-    float rest = min(min(a - min(sum - b_in_sum, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(b - b_in_sum, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float sum = min(a + b, UNITVEC_HUGE);
+    float b_in_sum = min(sum - a, UNITVEC_HUGE);
+    float rest =
+        min(min(a - min(sum - b_in_sum, UNITVEC_HUGE), UNITVEC_HUGE) + min(b - b_in_sum, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec2(sum, rest);
 }
 
@@ -369,29 +366,29 @@ vec2 unitvec_two_sum(float a, float b) {
 float unitvec_product_rest(float a, float b, float product) {
     float a_upper = unitvec_upper_half(a);
     float b_upper = unitvec_upper_half(b);
-    float a_lower = min(a - a_upper, UNITVEC_BARRIER);
-    float b_lower = min(b - b_upper, UNITVEC_BARRIER);
-    float rest = min(min(min(min(min(a_upper * b_upper, UNITVEC_BARRIER) - product, UNITVEC_BARRIER)
-        + min(a_upper * b_lower, UNITVEC_BARRIER), UNITVEC_BARRIER) + min(a_lower * b_upper, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) + min(a_lower * b_lower, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float a_lower = min(a - a_upper, UNITVEC_HUGE);
+    float b_lower = min(b - b_upper, UNITVEC_HUGE);
+    float rest = min(min(min(min(min(a_upper * b_upper, UNITVEC_HUGE) - product, UNITVEC_HUGE)
+        + min(a_upper * b_lower, UNITVEC_HUGE), UNITVEC_HUGE) + min(a_lower * b_upper, UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(a_lower * b_lower, UNITVEC_HUGE), UNITVEC_HUGE);
     return rest;
 }
 
 // The coordinate (2^(bits-1) - 1) x / (sum.x + sum.y), 0 <= x <= sum.x; the quotient's first float is returned.
 float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int integer, out float fraction) {
-    float quotient = min(x * reciprocal, UNITVEC_BARRIER);
-    float product = min(quotient * sum.x, UNITVEC_BARRIER);
+    float quotient = min(x * reciprocal, UNITVEC_HUGE);
+    float product = min(quotient * sum.x, UNITVEC_HUGE);
     float product_rest = unitvec_product_rest(quotient, sum.x, product);
-    float remainder = min(min(min(x - product, UNITVEC_BARRIER) - product_rest, UNITVEC_BARRIER)
-        - min(quotient * sum.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float remainder = min(min(min(x - product, UNITVEC_HUGE) - product_rest, UNITVEC_HUGE)
+        - min(quotient * sum.y, UNITVEC_HUGE), UNITVEC_HUGE);
     float steps = unitvec_exp2(int(bits) - 1);
 
-    float first = min(quotient * steps, UNITVEC_BARRIER);
+    float first = min(quotient * steps, UNITVEC_HUGE);
     int whole = int(first);
-    float beyond = min(min(min(first - float(whole), UNITVEC_BARRIER) - quotient, UNITVEC_BARRIER)
-        + min(min(remainder * reciprocal, UNITVEC_BARRIER) * steps, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float beyond = min(min(min(first - float(whole), UNITVEC_HUGE) - quotient, UNITVEC_HUGE)
+        + min(min(remainder * reciprocal, UNITVEC_HUGE) * steps, UNITVEC_HUGE), UNITVEC_HUGE);
     float carry = floor(beyond);
-    float rest = min(beyond - carry, UNITVEC_BARRIER);
+    float rest = min(beyond - carry, UNITVEC_HUGE);
 
     integer = whole + int(carry);
     fraction = rest;
@@ -403,28 +400,25 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 // those of lower are at most 1. All products with a reciprocal length of 12 bits are exact, or as good as it.
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
-    float other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_BARRIER);
-    float estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_BARRIER));
+    float other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
+    float estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE));
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
-    float scale = min(reciprocal * reciprocal, UNITVEC_BARRIER);
+    float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
     float scale_upper = unitvec_upper_half(scale);
     float squares_upper = unitvec_upper_half(squares);
-    float scale_lower = min(scale - scale_upper, UNITVEC_BARRIER);
-    float squares_lower = min(squares - squares_upper, UNITVEC_BARRIER);
-    float t = min(min(min(min(squares_upper * scale_upper, UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER)
-        + min(min(squares_upper * scale_lower, UNITVEC_BARRIER) + min(squares_lower * scale_upper, UNITVEC_BARRIER),
-        UNITVEC_BARRIER),
-        UNITVEC_BARRIER)
-        + min(min(squares_lower * scale_lower, UNITVEC_BARRIER) + min(other_squares * scale, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float correction = min(t * min(min(t * 0.375, UNITVEC_BARRIER) - 0.5, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float scale_lower = min(scale - scale_upper, UNITVEC_HUGE);
+    float squares_lower = min(squares - squares_upper, UNITVEC_HUGE);
+    float t = min(min(min(min(squares_upper * scale_upper, UNITVEC_HUGE) - 1.0, UNITVEC_HUGE)
+        + min(min(squares_upper * scale_lower, UNITVEC_HUGE) + min(squares_lower * scale_upper, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE) + min(min(squares_lower * scale_lower, UNITVEC_HUGE)
+        + min(other_squares * scale, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float correction = min(t * min(min(t * 0.375, UNITVEC_HUGE) - 0.5, UNITVEC_HUGE), UNITVEC_HUGE);
 
-    vec3 first = min(upper * reciprocal, UNITVEC_BARRIER);
-    vec3 second = min(lower * reciprocal, UNITVEC_BARRIER);
-    vec3 v = min(first
-        + min(second + min(min(first + second, UNITVEC_BARRIER) * correction, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    vec3 first = min(upper * reciprocal, UNITVEC_HUGE);
+    vec3 second = min(lower * reciprocal, UNITVEC_HUGE);
+    vec3 v = min(first + min(second + min(min(first + second, UNITVEC_HUGE) * correction, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
     return v;
 }
 
@@ -496,35 +490,33 @@ const float UNITVEC_MAX_RADIANS = 8192.0;
 
 // sin(pi r), r in [0, 1/4].
 float unitvec_sin_eighth(float r) {
-    float u = min(r * r, UNITVEC_BARRIER);
-    float low = min(UNITVEC_SIN_0
-        + min(u * min(UNITVEC_SIN_1
-        + min(u * min(UNITVEC_SIN_2 + min(u * UNITVEC_SIN_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sine = min(r * min(UNITVEC_PI + low, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(r * r, UNITVEC_HUGE);
+    float low = min(UNITVEC_SIN_0 + min(u * min(UNITVEC_SIN_1 + min(u * min(UNITVEC_SIN_2
+        + min(u * UNITVEC_SIN_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    float sine = min(r * min(UNITVEC_PI + low, UNITVEC_HUGE), UNITVEC_HUGE);
     return sine;
 }
 
 // cos(pi r), r in [0, 1/4].
 float unitvec_cos_eighth(float r) {
-    float u = min(r * r, UNITVEC_BARRIER);
-    float low = min(UNITVEC_COS_0
-        + min(u * min(UNITVEC_COS_1
-        + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cosine = min(1.0 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(r * r, UNITVEC_HUGE);
+    float low = min(UNITVEC_COS_0 + min(u * min(UNITVEC_COS_1 + min(u * min(UNITVEC_COS_2
+        + min(u * UNITVEC_COS_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    float cosine = min(1.0 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE);
     return cosine;
 }
 
 // (cos(pi t), sin(pi t)). Infinity and NaN count as 0.
 vec2 unitvec_sin_cos_half_turns(float t) {
     float a = unitvec_is_within(abs(t), UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS) ? abs(t) : 0.0;
-    float turn = min(a - 2.0 * floor(0.5 * a), UNITVEC_BARRIER);
-    float rest_of_turn = min(2.0 - turn, UNITVEC_BARRIER);
+    float turn = min(a - 2.0 * floor(0.5 * a), UNITVEC_HUGE);
+    float rest_of_turn = min(2.0 - turn, UNITVEC_HUGE);
     float halved = turn > 1.0 ? rest_of_turn : turn;
-    float rest_of_half = min(1.0 - halved, UNITVEC_BARRIER);
+    float rest_of_half = min(1.0 - halved, UNITVEC_HUGE);
     float quarter = halved > 0.5 ? rest_of_half : halved;
-    float rest_of_quarter = min(0.5 - quarter, UNITVEC_BARRIER);
+    float rest_of_quarter = min(0.5 - quarter, UNITVEC_HUGE);
     bool swapped = quarter > 0.25;
     float eighth = swapped ? rest_of_quarter : quarter;
 
@@ -538,34 +530,28 @@ vec2 unitvec_sin_cos_half_turns(float t) {
 
 // x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
 vec2 unitvec_from_diagonal(float d) {
-    float w = min(0.25 - min(d * d, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cosine = min(UNITVEC_DIAGONAL_COS_0
-        + min(w * min(UNITVEC_DIAGONAL_COS_1
-        + min(w * min(UNITVEC_DIAGONAL_COS_2 + min(w * UNITVEC_DIAGONAL_COS_3, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sine = min(UNITVEC_DIAGONAL_SIN_0
-        + min(w * min(UNITVEC_DIAGONAL_SIN_1 + min(w * UNITVEC_DIAGONAL_SIN_2, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    vec2 halves = vec2(min(0.5 + min(w * cosine, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(d + min(min(d * w, UNITVEC_BARRIER) * sine, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    float w = min(0.25 - min(d * d, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cosine = min(UNITVEC_DIAGONAL_COS_0 + min(w * min(UNITVEC_DIAGONAL_COS_1
+        + min(w * min(UNITVEC_DIAGONAL_COS_2 + min(w * UNITVEC_DIAGONAL_COS_3, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float sine = min(UNITVEC_DIAGONAL_SIN_0 + min(w * min(UNITVEC_DIAGONAL_SIN_1
+        + min(w * UNITVEC_DIAGONAL_SIN_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 halves = vec2(min(0.5 + min(w * cosine, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(d + min(min(d * w, UNITVEC_HUGE) * sine, UNITVEC_HUGE), UNITVEC_HUGE));
     return halves;
 }
 
 // 4/pi atan(r), r 0 or in [2^-100, 1]. Both ends are exact.
 float unitvec_atan_octant_of_normal(float r) {
-    float u = min(r * r, UNITVEC_BARRIER);
-    float low = min(UNITVEC_ATAN_4
-        + min(u * min(UNITVEC_ATAN_5
-        + min(u * min(UNITVEC_ATAN_6
-        + min(u * min(UNITVEC_ATAN_7 + min(u * UNITVEC_ATAN_8, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float polynomial = min(UNITVEC_ATAN_0
-        + min(u * min(UNITVEC_ATAN_1
-        + min(u * min(UNITVEC_ATAN_2
-        + min(u * min(UNITVEC_ATAN_3 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float octants = min(r + min(r * min(min(1.0 - u, UNITVEC_BARRIER) * polynomial, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float u = min(r * r, UNITVEC_HUGE);
+    float low = min(UNITVEC_ATAN_4 + min(u * min(UNITVEC_ATAN_5
+        + min(u * min(UNITVEC_ATAN_6 + min(u * min(UNITVEC_ATAN_7 + min(u * UNITVEC_ATAN_8, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float polynomial = min(UNITVEC_ATAN_0 + min(u * min(UNITVEC_ATAN_1
+        + min(u * min(UNITVEC_ATAN_2 + min(u * min(UNITVEC_ATAN_3 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float octants =
+        min(r + min(r * min(min(1.0 - u, UNITVEC_HUGE) * polynomial, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return octants;
 }
 
@@ -583,40 +569,36 @@ float unitvec_atan_octant_ratio(float y, float x) {
 
 // 2/pi atan(q), q in [0, 1], for the codecs of up to 32 bits.
 float unitvec_atan_quarter(float q) {
-    float u = min(q * q, UNITVEC_BARRIER);
-    float w = min(u * u, UNITVEC_BARRIER);
-    float even = min(UNITVEC_TURN_0
-        + min(w * min(UNITVEC_TURN_2
-        + min(w * min(UNITVEC_TURN_4 + min(w * UNITVEC_TURN_6, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float odd = min(UNITVEC_TURN_1
-        + min(w * min(UNITVEC_TURN_3
-        + min(w * min(UNITVEC_TURN_5 + min(w * UNITVEC_TURN_7, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float turn = min(q * min(even + min(u * odd, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(q * q, UNITVEC_HUGE);
+    float w = min(u * u, UNITVEC_HUGE);
+    float even = min(UNITVEC_TURN_0 + min(w * min(UNITVEC_TURN_2
+        + min(w * min(UNITVEC_TURN_4 + min(w * UNITVEC_TURN_6, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float odd = min(UNITVEC_TURN_1 + min(w * min(UNITVEC_TURN_3
+        + min(w * min(UNITVEC_TURN_5 + min(w * UNITVEC_TURN_7, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float turn = min(q * min(even + min(u * odd, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return turn;
 }
 
 // tan(pi t / 4), t in [0, 1]. Both ends are exact.
 float unitvec_tan_octant(float t) {
     t = t < UNITVEC_NEGLIGIBLE ? 0.0 : t;
-    float u = min(t * t, UNITVEC_BARRIER);
-    float low = min(UNITVEC_TAN_3
-        + min(u * min(UNITVEC_TAN_4
-        + min(u * min(UNITVEC_TAN_5 + min(u * UNITVEC_TAN_6, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float polynomial = min(UNITVEC_TAN_0
-        + min(u * min(UNITVEC_TAN_1
-        + min(u * min(UNITVEC_TAN_2 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float tangent = min(t + min(t * min(min(1.0 - u, UNITVEC_BARRIER) * polynomial, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float u = min(t * t, UNITVEC_HUGE);
+    float low = min(UNITVEC_TAN_3 + min(u * min(UNITVEC_TAN_4 + min(u * min(UNITVEC_TAN_5
+        + min(u * UNITVEC_TAN_6, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    float polynomial = min(UNITVEC_TAN_0 + min(u * min(UNITVEC_TAN_1
+        + min(u * min(UNITVEC_TAN_2 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    float tangent =
+        min(t + min(t * min(min(1.0 - u, UNITVEC_HUGE) * polynomial, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return tangent;
 }
 
 // Angle of (x, y) from +X towards +Y. Its sign is that of y, where 0, -0 and denormals are not negative.
 float unitvec_atan2_half_turns(float y, float x) {
-    float norm = min(abs(x) + abs(y), UNITVEC_BARRIER);
+    float norm = min(abs(x) + abs(y), UNITVEC_HUGE);
     bool usable = unitvec_is_within(norm, UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS);
     x = usable ? x : 1.0;
     y = usable ? y : 0.0;
@@ -628,7 +610,7 @@ float unitvec_atan2_half_turns(float y, float x) {
     bool left = unitvec_is_negative(x);
     float flat_base = left ? 1.0 : 0.0;
     float base = steep ? 0.5 : flat_base;
-    float angle = min(base + unitvec_negate_if(steep != left, part), UNITVEC_BARRIER);
+    float angle = min(base + unitvec_negate_if(steep != left, part), UNITVEC_HUGE);
     return unitvec_negate_positive(unitvec_is_negative(y), angle);
 }
 
@@ -641,19 +623,17 @@ float unitvec_clamped_magnitude(float x) {
 // asin(a)/pi for a in [0, 1/2], half of acos(a)/pi for a in (1/2, 1].
 float unitvec_asin_small(float a) {
     bool outer_part = a > 0.5;
-    float half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_BARRIER);
-    float squared = min(a * a, UNITVEC_BARRIER);
+    float half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_HUGE);
+    float squared = min(a * a, UNITVEC_HUGE);
     float u = outer_part ? half_chord_squared : squared;
     float root = sqrt(u);
     float w = outer_part ? root : a;
-    float low = min(UNITVEC_ASIN_2
-        + min(u * min(UNITVEC_ASIN_3
-        + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float angle = min(w * min(UNITVEC_FRAC_1_PI
-        + min(UNITVEC_ASIN_0
-        + min(u * min(UNITVEC_ASIN_1 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3
+        + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float angle = min(w * min(UNITVEC_FRAC_1_PI + min(UNITVEC_ASIN_0
+        + min(u * min(UNITVEC_ASIN_1 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return angle;
 }
 
@@ -662,7 +642,7 @@ float unitvec_asin_half_turns(float x) {
     float magnitude = unitvec_clamped_magnitude(x);
     float a = magnitude < UNITVEC_NEGLIGIBLE ? 0.0 : magnitude;
     float part = unitvec_asin_small(a);
-    float outer_angle = min(0.5 - 2.0 * part, UNITVEC_BARRIER);
+    float outer_angle = min(0.5 - 2.0 * part, UNITVEC_HUGE);
     float angle = a > 0.5 ? outer_angle : part;
     return unitvec_negate_positive(unitvec_is_negative(x), angle);
 }
@@ -676,7 +656,7 @@ float unitvec_acos_half_turns(float x) {
     float base = outer_part ? outer_base : 0.5;
     float part = unitvec_asin_small(a);
     float doubled = 2.0 * part;
-    float angle = min(base + unitvec_negate_if(outer_part == negative, outer_part ? doubled : part), UNITVEC_BARRIER);
+    float angle = min(base + unitvec_negate_if(outer_part == negative, outer_part ? doubled : part), UNITVEC_HUGE);
     return angle;
 }
 
@@ -685,11 +665,11 @@ vec2 unitvec_sin_cos(float x) {
     bool usable = unitvec_is_within(abs(x), UNITVEC_NEGLIGIBLE, UNITVEC_MAX_RADIANS);
     float a = usable ? abs(x) : 0.0;
     // Cody and Waite 1980: all but the last product is exact.
-    float k = floor(min(min(a * UNITVEC_FRAC_2_PI, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER));
-    float rest = min(min(min(a - min(k * UNITVEC_HALF_PI_HIGH, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        - min(k * UNITVEC_HALF_PI_MIDDLE, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) - min(k * UNITVEC_HALF_PI_LOW, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float r = min(rest * UNITVEC_FRAC_1_PI, UNITVEC_BARRIER);
+    float k = floor(min(min(a * UNITVEC_FRAC_2_PI, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE));
+    float rest = min(min(min(a - min(k * UNITVEC_HALF_PI_HIGH, UNITVEC_HUGE), UNITVEC_HUGE)
+        - min(k * UNITVEC_HALF_PI_MIDDLE, UNITVEC_HUGE), UNITVEC_HUGE) - min(k * UNITVEC_HALF_PI_LOW, UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    float r = min(rest * UNITVEC_FRAC_1_PI, UNITVEC_HUGE);
     uint quadrant = unitvec_whole_to_u32(k);
 
     float sine = unitvec_sin_eighth(r);
@@ -706,17 +686,17 @@ float unitvec_sin(float x) { return unitvec_sin_cos(x).y; }
 float unitvec_cos(float x) { return unitvec_sin_cos(x).x; }
 
 float unitvec_atan2(float y, float x) {
-    float angle = min(unitvec_atan2_half_turns(y, x) * UNITVEC_PI, UNITVEC_BARRIER);
+    float angle = min(unitvec_atan2_half_turns(y, x) * UNITVEC_PI, UNITVEC_HUGE);
     return angle;
 }
 
 float unitvec_asin(float x) {
-    float angle = min(unitvec_asin_half_turns(x) * UNITVEC_PI, UNITVEC_BARRIER);
+    float angle = min(unitvec_asin_half_turns(x) * UNITVEC_PI, UNITVEC_HUGE);
     return angle;
 }
 
 float unitvec_acos(float x) {
-    float angle = min(unitvec_acos_half_turns(x) * UNITVEC_PI, UNITVEC_BARRIER);
+    float angle = min(unitvec_acos_half_turns(x) * UNITVEC_PI, UNITVEC_HUGE);
     return angle;
 }
 
@@ -729,7 +709,7 @@ const float UNITVEC_MIN_NORM = 5.421010862427522e-20;
 const float UNITVEC_MAX_NORM = 1.2676506002282294e30;
 
 float unitvec_l1_norm(vec3 v) {
-    float norm = min(min(abs(v.x) + abs(v.y), UNITVEC_BARRIER) + abs(v.z), UNITVEC_BARRIER);
+    float norm = min(min(abs(v.x) + abs(v.y), UNITVEC_HUGE) + abs(v.z), UNITVEC_HUGE);
     return norm;
 }
 
@@ -757,7 +737,7 @@ const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
 
 // The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Without a usable direction, anything.
 vec3 unitvec_angles_scaled(vec3 v, float norm) {
-    vec3 p = min(abs(v) * unitvec_scale_to_one(norm), UNITVEC_BARRIER);
+    vec3 p = min(abs(v) * unitvec_scale_to_one(norm), UNITVEC_HUGE);
     return vec3(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
 }
 
@@ -765,14 +745,14 @@ vec3 unitvec_angles_scaled(vec3 v, float norm) {
 float unitvec_angles_quarter(float y, float x) {
     float q = min(x, y) / max(x, y);
     float part = unitvec_atan_quarter(q);
-    float rest = min(1.0 - part, UNITVEC_BARRIER);
+    float rest = min(1.0 - part, UNITVEC_HUGE);
     return y > x ? rest : part;
 }
 
 // The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
 float unitvec_angles_half_turn(float y, float x, bool left) {
     float angle = unitvec_angles_quarter(y, x);
-    float rest = min(2.0 - angle, UNITVEC_BARRIER);
+    float rest = min(2.0 - angle, UNITVEC_HUGE);
     return left ? rest : angle;
 }
 
@@ -784,11 +764,11 @@ float unitvec_angles_azimuth(vec3 v, vec3 p) {
 
 // Unit vector of a cylinder's radius and height at the angle of so many quarter turns, -2 to 2, about +Z.
 vec3 unitvec_angles_around_z(float radius, float z, float quarters) {
-    float ahead = min(1.0 - abs(quarters), UNITVEC_BARRIER);
-    float diagonal = min(0.5 - abs(ahead), UNITVEC_BARRIER);
+    float ahead = min(1.0 - abs(quarters), UNITVEC_HUGE);
+    float diagonal = min(0.5 - abs(ahead), UNITVEC_HUGE);
     vec2 e = unitvec_from_diagonal(diagonal);
-    float x = min(min(e.x - e.y, UNITVEC_BARRIER) * radius, UNITVEC_BARRIER);
-    float y = min(min(e.x + e.y, UNITVEC_BARRIER) * radius, UNITVEC_BARRIER);
+    float x = min(min(e.x - e.y, UNITVEC_HUGE) * radius, UNITVEC_HUGE);
+    float y = min(min(e.x + e.y, UNITVEC_HUGE) * radius, UNITVEC_HUGE);
     return vec3(unitvec_with_sign(x, ahead), unitvec_negate_positive(quarters < 0.0, y), z);
 }
 

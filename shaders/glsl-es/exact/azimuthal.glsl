@@ -40,15 +40,15 @@ const int UNITVEC_ELLIPSE = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
-    float scale = 1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_BARRIER);
-    vec2 at = min(v.xy * scale, UNITVEC_BARRIER);
-    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_BARRIER);
-    float rim = min(2.0 * v.z * scale, UNITVEC_BARRIER);
+    float scale = 1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    vec2 at = min(v.xy * scale, UNITVEC_HUGE);
+    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
+    float rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
     return vec4(at, radius, rim);
 }
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
-    float sum = min(2.0 - rim, UNITVEC_BARRIER);
+    float sum = min(2.0 - rim, UNITVEC_HUGE);
     vec2 horizontal = 2.0 * at / sum;
     float z = rim / sum;
     return vec3(horizontal, z);
@@ -56,16 +56,16 @@ vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
     float norm = sqrt(unitvec_dot(v, v));
-    float scale = 1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    vec2 at = min(v.xy * scale, UNITVEC_BARRIER);
-    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_BARRIER);
+    float scale = 1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    vec2 at = min(v.xy * scale, UNITVEC_HUGE);
+    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = v.z / norm;
     return vec4(at, radius, rim);
 }
 
 vec3 unitvec_disk_to_eqarea(vec2 at, float rim) {
-    float scale = sqrt(min(1.0 + rim, UNITVEC_BARRIER));
-    vec2 horizontal = min(at * scale, UNITVEC_BARRIER);
+    float scale = sqrt(min(1.0 + rim, UNITVEC_HUGE));
+    vec2 horizontal = min(at * scale, UNITVEC_HUGE);
     return vec3(horizontal, rim);
 }
 
@@ -76,13 +76,13 @@ vec4 unitvec_eqdist_to_disk(vec3 v) {
     float shorter = low ? v.z : rho;
     float longer = low ? rho : v.z;
     float part = 0.5 * unitvec_atan_octant_ratio(shorter, longer);
-    float rest = min(1.0 - part, UNITVEC_BARRIER);
+    float rest = min(1.0 - part, UNITVEC_HUGE);
     float radius = low ? rest : part;
     float inside = low ? part : rest;
     float quotient = radius / rho;
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
-    vec2 at = min(v.xy * scale, UNITVEC_BARRIER);
-    float rim = min(inside * min(1.0 + radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec2 at = min(v.xy * scale, UNITVEC_HUGE);
+    float rim = min(inside * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec4(at, radius, rim);
 }
 
@@ -98,18 +98,15 @@ const float UNITVEC_COSC_2 = -0.0008935995;
 const float UNITVEC_COSC_3 = 2.3629505e-5;
 
 vec3 unitvec_disk_to_eqdist(vec2 at, float c) {
-    float scale = min(1.0
-        + min(c * min(UNITVEC_SINC_0
-        + min(c * min(UNITVEC_SINC_1
-        + min(c * min(UNITVEC_SINC_2 + min(c * UNITVEC_SINC_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float w = min(1.0 - c, UNITVEC_BARRIER);
-    float low = min(UNITVEC_COSC_0
-        + min(w * min(UNITVEC_COSC_1
-        + min(w * min(UNITVEC_COSC_2 + min(w * UNITVEC_COSC_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float z = min(c + min(c * min(w * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    vec2 horizontal = min(at * scale, UNITVEC_BARRIER);
+    float scale = min(1.0 + min(c * min(UNITVEC_SINC_0 + min(c * min(UNITVEC_SINC_1
+        + min(c * min(UNITVEC_SINC_2 + min(c * UNITVEC_SINC_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float w = min(1.0 - c, UNITVEC_HUGE);
+    float low = min(UNITVEC_COSC_0 + min(w * min(UNITVEC_COSC_1
+        + min(w * min(UNITVEC_COSC_2 + min(w * UNITVEC_COSC_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float z = min(c + min(c * min(w * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 horizontal = min(at * scale, UNITVEC_HUGE);
     return vec3(horizontal, z);
 }
 
@@ -124,23 +121,22 @@ vec2 unitvec_azimuthal_largest(uint bits) {
 // e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
 // rounded for whole e.
 vec2 unitvec_azimuthal_parts(vec2 e, uint bits) {
-    float v = min(e.y * unitvec_exp2(2 - int(bits / 2u)), UNITVEC_BARRIER);
+    float v = min(e.y * unitvec_exp2(2 - int(bits / 2u)), UNITVEC_HUGE);
     return vec2(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
 // True for lattice points e of whose cell the disk covers nothing, or next to nothing.
 bool unitvec_plain_is_remote(vec2 e, uint bits) {
-    vec2 nearest = min(e - UNITVEC_AZIMUTHAL_REACH, UNITVEC_BARRIER);
+    vec2 nearest = min(e - UNITVEC_AZIMUTHAL_REACH, UNITVEC_HUGE);
     vec2 corner = unitvec_azimuthal_parts(nearest, bits);
-    float square =
-        min(min(corner.x * corner.x, UNITVEC_BARRIER) + min(corner.y * corner.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float square = min(min(corner.x * corner.x, UNITVEC_HUGE) + min(corner.y * corner.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return square > 1.0;
 }
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 vec2 unitvec_plain_settle(vec2 e, uint bits) {
     vec2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
-    vec2 settled = min(e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0)), UNITVEC_BARRIER);
+    vec2 settled = min(e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0)), UNITVEC_HUGE);
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
@@ -151,26 +147,24 @@ vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     float alone = excess / steep;
-    float remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_BARRIER), UNITVEC_BARRIER) / gentle;
+    float remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle;
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
-    vec2 on_rim = min(p - moved / m, UNITVEC_BARRIER);
+    vec2 on_rim = min(p - moved / m, UNITVEC_HUGE);
     return on_rim;
 }
 
 // Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
 vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
     vec2 p = unitvec_azimuthal_parts(e, bits);
-    float rim = min(1.0 - min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    float excess = min(-0.5 * rim, UNITVEC_BARRIER);
+    float rim = min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float excess = min(-0.5 * rim, UNITVEC_HUGE);
     vec2 moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
     vec2 axis = p.x > p.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0);
     vec2 on_rim = unitvec_plain_is_remote(e, bits) ? axis : moved;
-    float rest = min(1.0
-        - min(min(on_rim.x * on_rim.x, UNITVEC_BARRIER) + min(on_rim.y * on_rim.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float rest = min(1.0 - min(min(on_rim.x * on_rim.x, UNITVEC_HUGE) + min(on_rim.y * on_rim.y, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return rim > 0.0 ? vec4(p, 0.0, rim) : vec4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
 }
 
@@ -178,7 +172,7 @@ vec2 unitvec_concentric_to_square(vec4 disk) {
     bool steep = disk.y > disk.x;
     float shorter = steep ? disk.x : disk.y;
     float longer = steep ? disk.y : disk.x;
-    float across = min(disk.z * unitvec_atan_octant_ratio(shorter, longer), UNITVEC_BARRIER);
+    float across = min(disk.z * unitvec_atan_octant_ratio(shorter, longer), UNITVEC_HUGE);
     return steep ? vec2(across, disk.z) : vec2(disk.z, across);
 }
 
@@ -190,30 +184,28 @@ vec4 unitvec_concentric_to_disk(vec2 e, uint bits) {
     float quotient = shorter / radius;
     float octant = radius > 0.0 ? quotient : 0.0;
     float angle = 0.25 * octant;
-    vec2 p = min(radius * unitvec_sin_cos_half_turns(angle), UNITVEC_BARRIER);
-    float rim = min(1.0 - min(radius * radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec2 p = min(radius * unitvec_sin_cos_half_turns(angle), UNITVEC_HUGE);
+    float rim = min(1.0 - min(radius * radius, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec4(steep ? p.yx : p, 0.0, rim);
 }
 
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 vec2 unitvec_ellipse_to_square(vec4 disk) {
-    float difference =
-        min(min(disk.x - disk.y, UNITVEC_BARRIER) * min(disk.x + disk.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sum = min(2.0 + sqrt(min(min(difference * difference, UNITVEC_BARRIER) + 4.0 * disk.w, UNITVEC_BARRIER)),
-        UNITVEC_BARRIER);
-    vec2 s = 2.0 * disk.xy / vec2(sqrt(min(sum + difference, UNITVEC_BARRIER)),
-        sqrt(min(sum - difference, UNITVEC_BARRIER)));
+    float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sum =
+        min(2.0 + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
+    vec2 s = 2.0 * disk.xy / vec2(sqrt(min(sum + difference, UNITVEC_HUGE)), sqrt(min(sum - difference, UNITVEC_HUGE)));
     return s;
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 e, uint bits) {
     vec2 s = unitvec_azimuthal_parts(e, bits);
-    vec2 root = vec2(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_BARRIER), UNITVEC_BARRIER)),
-        sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_BARRIER), UNITVEC_BARRIER)));
-    vec2 at = min(s * root, UNITVEC_BARRIER);
+    vec2 root = vec2(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)),
+        sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)));
+    vec2 at = min(s * root, UNITVEC_HUGE);
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
-    float factor = min(1.0 - min(s.x * s.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float rim = min(factor - min(factor * min(s.y * s.y, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float factor = min(1.0 - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float rim = min(factor - min(factor * min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return vec4(at, 0.0, rim);
 }
 
@@ -225,13 +217,13 @@ float unitvec_azimuthal_signed(bool negative, float x) {
 // Code of the direction of v at any width, for one of the projections and one of the maps.
 uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
     v = unitvec_or_z(v);
-    vec3 octant = min(abs(v) * (1.0 / unitvec_l1_norm(v)), UNITVEC_BARRIER);
+    vec3 octant = min(abs(v) * (1.0 / unitvec_l1_norm(v)), UNITVEC_HUGE);
     vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
-    vec2 s = map == UNITVEC_PLAIN ? disk.xy
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk) : unitvec_ellipse_to_square(disk));
+    vec2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
+        : unitvec_ellipse_to_square(disk));
     vec2 m = unitvec_azimuthal_largest(bits);
-    vec2 position = min(min(s * m, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    vec2 position = min(min(s * m, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     vec2 e = floor(position);
     if (map == UNITVEC_PLAIN) e = unitvec_plain_settle(e, bits);
 
@@ -263,17 +255,37 @@ uint stereo22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO
 uint stereo24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 uint stereo32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-vec3 stereo16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-vec3 stereo20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-vec3 stereo22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-vec3 stereo24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-vec3 stereo32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+vec3 stereo16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+vec3 stereo20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+vec3 stereo22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+vec3 stereo24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+vec3 stereo32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
-uint stereo_concentric16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u); }
-uint stereo_concentric20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u); }
-uint stereo_concentric22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u); }
-uint stereo_concentric24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u); }
-uint stereo_concentric32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u); }
+uint stereo_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
+}
+uint stereo_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u);
+}
+uint stereo_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u);
+}
+uint stereo_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u);
+}
+uint stereo_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
+}
 
 vec3 stereo_concentric16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -291,17 +303,37 @@ vec3 stereo_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint stereo_ellipse16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u); }
-uint stereo_ellipse20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u); }
-uint stereo_ellipse22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u); }
-uint stereo_ellipse24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u); }
-uint stereo_ellipse32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u); }
+uint stereo_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+uint stereo_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+uint stereo_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+uint stereo_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+uint stereo_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
-vec3 stereo_ellipse16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u); }
-vec3 stereo_ellipse20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u); }
-vec3 stereo_ellipse22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u); }
-vec3 stereo_ellipse24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u); }
-vec3 stereo_ellipse32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u); }
+vec3 stereo_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+vec3 stereo_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+vec3 stereo_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+vec3 stereo_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+vec3 stereo_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
 uint eqarea16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
 uint eqarea20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
@@ -309,17 +341,37 @@ uint eqarea22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA
 uint eqarea24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 uint eqarea32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-vec3 eqarea16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-vec3 eqarea20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-vec3 eqarea22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-vec3 eqarea24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-vec3 eqarea32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+vec3 eqarea16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+vec3 eqarea20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+vec3 eqarea22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+vec3 eqarea24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+vec3 eqarea32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
-uint eqarea_concentric16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u); }
-uint eqarea_concentric20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u); }
-uint eqarea_concentric22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u); }
-uint eqarea_concentric24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u); }
-uint eqarea_concentric32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u); }
+uint eqarea_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
+}
+uint eqarea_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u);
+}
+uint eqarea_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u);
+}
+uint eqarea_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u);
+}
+uint eqarea_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
+}
 
 vec3 eqarea_concentric16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -337,17 +389,37 @@ vec3 eqarea_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint eqarea_ellipse16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u); }
-uint eqarea_ellipse20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u); }
-uint eqarea_ellipse22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u); }
-uint eqarea_ellipse24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u); }
-uint eqarea_ellipse32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u); }
+uint eqarea_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+uint eqarea_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+uint eqarea_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+uint eqarea_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+uint eqarea_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
 
-vec3 eqarea_ellipse16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u); }
-vec3 eqarea_ellipse20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u); }
-vec3 eqarea_ellipse22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u); }
-vec3 eqarea_ellipse24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u); }
-vec3 eqarea_ellipse32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u); }
+vec3 eqarea_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+vec3 eqarea_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+vec3 eqarea_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+vec3 eqarea_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+vec3 eqarea_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
 
 uint eqdist16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
 uint eqdist20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
@@ -355,17 +427,37 @@ uint eqdist22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST
 uint eqdist24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 uint eqdist32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-vec3 eqdist16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-vec3 eqdist20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-vec3 eqdist22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-vec3 eqdist24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-vec3 eqdist32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+vec3 eqdist16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+vec3 eqdist20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+vec3 eqdist22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+vec3 eqdist24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+vec3 eqdist32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
-uint eqdist_concentric16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u); }
-uint eqdist_concentric20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u); }
-uint eqdist_concentric22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u); }
-uint eqdist_concentric24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u); }
-uint eqdist_concentric32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u); }
+uint eqdist_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
+}
+uint eqdist_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u);
+}
+uint eqdist_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u);
+}
+uint eqdist_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u);
+}
+uint eqdist_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
+}
 
 vec3 eqdist_concentric16_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
@@ -383,16 +475,36 @@ vec3 eqdist_concentric32_decode(uint code) {
     return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
 }
 
-uint eqdist_ellipse16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u); }
-uint eqdist_ellipse20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u); }
-uint eqdist_ellipse22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u); }
-uint eqdist_ellipse24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u); }
-uint eqdist_ellipse32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u); }
+uint eqdist_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+uint eqdist_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+uint eqdist_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+uint eqdist_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+uint eqdist_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
 
-vec3 eqdist_ellipse16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u); }
-vec3 eqdist_ellipse20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u); }
-vec3 eqdist_ellipse22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u); }
-vec3 eqdist_ellipse24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u); }
-vec3 eqdist_ellipse32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u); }
+vec3 eqdist_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+vec3 eqdist_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+vec3 eqdist_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+vec3 eqdist_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+vec3 eqdist_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
 
 #endif

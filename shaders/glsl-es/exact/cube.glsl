@@ -23,7 +23,7 @@ precision highp float;
 precision highp int;
 
 float unitvec_cube_round(bool negative, float magnitude, float m) {
-    float position = min(min(magnitude * min(m + 0.5, UNITVEC_BARRIER), UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    float position = min(min(magnitude * min(m + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     float rounded = floor(position);
     return unitvec_negate_if(negative, rounded > m ? m : rounded);
 }
@@ -38,7 +38,7 @@ uint unitvec_cube_encode_on_face(vec3 v, uint bits, bool warped) {
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(v, face);
     float scale = 1.0 / abs(p.z);
-    vec2 t = min(abs(p.xy) * scale, UNITVEC_BARRIER);
+    vec2 t = min(abs(p.xy) * scale, UNITVEC_HUGE);
     if (warped) t = vec2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
     uvec2 widths = unitvec_cube_widths(bits);
     float x = unitvec_cube_round(unitvec_is_negative(p.x), t.x, unitvec_snorm_max(widths.x));
@@ -64,9 +64,9 @@ vec3 unitvec_cube_decode(uint code, uint bits) {
     vec2 e = unitvec_cube_unpack(code, bits);
     uvec2 widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
-    float side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_BARRIER);
-    float v_step = side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_BARRIER);
-    float y = min(e.y * v_step, UNITVEC_BARRIER);
+    float side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
+    float v_step = side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
+    float y = min(e.y * v_step, UNITVEC_HUGE);
     return unitvec_from_face(unitvec_normalize(vec3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
 
@@ -78,8 +78,8 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
     uint face = unitvec_cube_unpack_face(code, bits);
     vec2 e = unitvec_cube_unpack(code, bits);
     uvec2 widths = unitvec_cube_widths(bits);
-    float s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_BARRIER);
-    float t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_BARRIER);
+    float s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
+    float t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
     vec3 p = vec3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);
@@ -117,9 +117,9 @@ vec3 cube48_decode(uvec2 code) {
     uint face = (code.y >> 13u) & 7u;
     // Half a side is 2^23 - 1; then a step of u is 2, and one of v 4 + 2 / (2^22 - 1).
     ivec2 steps = ivec2(2, 4) * abs(ivec2(i, j));
-    float rest = min(float(abs(j)) * 4.768373e-7, UNITVEC_BARRIER);
-    vec3 lower = min(vec3(float(steps.x & 4095), min(float(steps.y & 4095) + rest, UNITVEC_BARRIER),
-        4095.0) * unitvec_exp2(-12), UNITVEC_BARRIER);
+    float rest = min(float(abs(j)) * 4.768373e-7, UNITVEC_HUGE);
+    vec3 lower = min(vec3(float(steps.x & 4095), min(float(steps.y & 4095) + rest, UNITVEC_HUGE),
+        4095.0) * unitvec_exp2(-12), UNITVEC_HUGE);
     vec3 p = unitvec_normalize_parts(vec3(vec2(steps >> 12), 2047.0), lower);
     p = vec3(unitvec_negate_positive(i < 0, p.x), unitvec_negate_positive(j < 0, p.y),
         unitvec_negate_if((face & 1u) != 0u, p.z));

@@ -24,22 +24,22 @@ precision highp int;
 vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     vec3 p = unitvec_angles_scaled(v, norm);
-    float magnitude = min(p.z * (1.0 / sqrt(unitvec_dot(p, p))), UNITVEC_BARRIER);
+    float magnitude = min(p.z * (1.0 / sqrt(unitvec_dot(p, p))), UNITVEC_HUGE);
     float height = unitvec_with_sign(magnitude, v.z);
-    float steps = min((unitvec_is_usable(norm) ? height : 1.0) * m, UNITVEC_BARRIER);
+    float steps = min((unitvec_is_usable(norm) ? height : 1.0) * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
     float z = max(min(steps, m), -m);
-    float phi = min(unitvec_angles_azimuth(v, p) * (0.5 * m), UNITVEC_BARRIER);
+    float phi = min(unitvec_angles_azimuth(v, p) * (0.5 * m), UNITVEC_HUGE);
     return vec2(abs(z) > m - 0.5 ? 0.0 : phi, z);
 }
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
     float step_size = 1.0 / m;
-    float radius = min(sqrt(min(min(m - e.y, UNITVEC_BARRIER) * min(m + e.y, UNITVEC_BARRIER),
-        UNITVEC_BARRIER)) * step_size, UNITVEC_BARRIER);
-    float z = min(e.y * step_size, UNITVEC_BARRIER);
-    float quarters = min(e.x * (2.0 * step_size), UNITVEC_BARRIER);
+    float radius = min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)) * step_size,
+        UNITVEC_HUGE);
+    float z = min(e.y * step_size, UNITVEC_HUGE);
+    float quarters = min(e.x * (2.0 * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);
 }
 

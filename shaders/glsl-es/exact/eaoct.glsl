@@ -38,15 +38,15 @@ struct UnitvecEaoctPolar {
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
 // Without a usable direction, anything.
 UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
-    vec3 p = min(abs(v) * unitvec_scale_to_one(norm), UNITVEC_BARRIER);
+    vec3 p = min(abs(v) * unitvec_scale_to_one(norm), UNITVEC_HUGE);
     float x = max(p.x, UNITVEC_EAOCT_LEAST);
     float y = max(p.y, UNITVEC_EAOCT_LEAST);
     float a = max(x, y);
     float b = min(x, y);
 
-    float horizontal = min(min(a * a, UNITVEC_BARRIER) + min(b * b, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    float radius = sqrt(horizontal / min(len * min(len + p.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    float horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
+    float len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float radius = sqrt(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE));
     float q = b / a;
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
@@ -55,21 +55,21 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
 // Moves a lattice point of that half octant to where the direction of v is. With m the largest coordinate, (x, y) is folded
 // out to (m - y, m - x), which is as far away along both axes.
 vec2 unitvec_eaoct_unfolded(vec3 v, bool swapped, float ring, float place, float m) {
-    float other = min(ring - place, UNITVEC_BARRIER);
+    float other = min(ring - place, UNITVEC_HUGE);
     float x = swapped ? place : other;
     float y = swapped ? other : place;
-    float rest = min(m - ring, UNITVEC_BARRIER);
+    float rest = min(m - ring, UNITVEC_HUGE);
     float folded = unitvec_is_negative(v.z) ? rest : 0.0;
-    vec2 e = min(vec2(x, y) + folded, UNITVEC_BARRIER);
+    vec2 e = min(vec2(x, y) + folded, UNITVEC_HUGE);
     return vec2(unitvec_with_sign(e.x, v.x), unitvec_with_sign(e.y, v.y));
 }
 
 // Lattice point of the direction of v: on the nearest ring the nearest point. Without a usable direction, anything.
 vec2 unitvec_eaoct_lattice(vec3 v, float norm, float m) {
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
-    float steps = min(min(p.radius * m, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    float steps = min(min(p.radius * m, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     float ring = floor(steps);
-    float along = min(min(p.turn * ring, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    float along = min(min(p.turn * ring, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     return unitvec_eaoct_unfolded(v, p.swapped, ring, floor(along), m);
 }
 
@@ -78,29 +78,28 @@ vec2 unitvec_eaoct_lattice(vec3 v, float norm, float m) {
 vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     const float PI_2_16 = 0.61685026;
     const float PI_2_16_TIMES_PI_2_48 = 0.12683475;
-    float steps = min(p.radius * m, UNITVEC_BARRIER);
-    float along = min(p.turn * ring, UNITVEC_BARRIER);
-    float place = floor(min(along + 0.5, UNITVEC_BARRIER));
-    float across = min(ring - steps, UNITVEC_BARRIER);
-    float q = min(along - place, UNITVEC_BARRIER) / max(ring, 1.0);
+    float steps = min(p.radius * m, UNITVEC_HUGE);
+    float along = min(p.turn * ring, UNITVEC_HUGE);
+    float place = floor(min(along + 0.5, UNITVEC_HUGE));
+    float across = min(ring - steps, UNITVEC_HUGE);
+    float q = min(along - place, UNITVEC_HUGE) / max(ring, 1.0);
 
-    float c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float change = min(across * min(p.radius * (1.0 / m), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float turned = min(min(min(steps * ring, UNITVEC_BARRIER) * min(q * q, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cost = min(min(min(across * across, UNITVEC_BARRIER) * min(c_squared + change, UNITVEC_BARRIER),
-        UNITVEC_BARRIER)
-        + min(turned * min(min(c_squared * c_squared, UNITVEC_BARRIER) * min(c_squared - change, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
+    float change = min(across * min(p.radius * (1.0 / m), UNITVEC_HUGE), UNITVEC_HUGE);
+    float turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
+        UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    float cost = min(min(min(across * across, UNITVEC_HUGE) * min(c_squared + change, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(turned * min(min(c_squared * c_squared, UNITVEC_HUGE) * min(c_squared - change, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return vec3(ring, place, cost);
 }
 
 // Lattice point of the direction of v that is nearest in angle: the nearest one of the ring below or above.
 vec2 unitvec_eaoct_lattice_precise(vec3 v, float norm, float m) {
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
-    float below = floor(min(p.radius * m, UNITVEC_BARRIER));
-    float above = min(below + 1.0, UNITVEC_BARRIER);
+    float below = floor(min(p.radius * m, UNITVEC_HUGE));
+    float above = min(below + 1.0, UNITVEC_HUGE);
     vec3 inner = unitvec_eaoct_candidate(p, below, m);
     vec3 outer = unitvec_eaoct_candidate(p, above, m);
     vec3 nearest = outer.z < inner.z ? outer : inner;
@@ -110,11 +109,11 @@ vec2 unitvec_eaoct_lattice_precise(vec3 v, float norm, float m) {
 // Direction of a lattice point, unit length to within 2 ULP.
 vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     vec2 a = abs(e);
-    float sum = min(a.x + a.y, UNITVEC_BARRIER);
-    float above = min(m - sum, UNITVEC_BARRIER);
-    float folded_ring = min(2.0 * m - sum, UNITVEC_BARRIER);
+    float sum = min(a.x + a.y, UNITVEC_HUGE);
+    float above = min(m - sum, UNITVEC_HUGE);
+    float folded_ring = min(2.0 * m - sum, UNITVEC_HUGE);
     float ring = min(sum, folded_ring);
-    float folded_place = min(m - max(a.x, a.y), UNITVEC_BARRIER);
+    float folded_place = min(m - max(a.x, a.y), UNITVEC_HUGE);
     float place = min(min(a.x, a.y), folded_place);
     bool swapped = a.y > a.x;
 
@@ -122,11 +121,11 @@ vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    float radius = min(ring * (1.0 / m), UNITVEC_BARRIER);
-    float z = min(min(1.0 - radius, UNITVEC_BARRIER) * min(1.0 + radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_BARRIER)), UNITVEC_BARRIER);
-    float near_axis = min(horizontal * cosine, UNITVEC_BARRIER);
-    float off_axis = min(horizontal * sine, UNITVEC_BARRIER);
+    float radius = min(ring * (1.0 / m), UNITVEC_HUGE);
+    float z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
+    float horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float near_axis = min(horizontal * cosine, UNITVEC_HUGE);
+    float off_axis = min(horizontal * sine, UNITVEC_HUGE);
     float x = swapped ? off_axis : near_axis;
     float y = swapped ? near_axis : off_axis;
     return vec3(unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y),
@@ -138,7 +137,7 @@ vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
 vec2 float32x3_to_eaoct(vec3 v) {
     float norm = unitvec_l1_norm(v);
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
-    float place = min(p.radius * p.turn, UNITVEC_BARRIER);
+    float place = min(p.radius * p.turn, UNITVEC_HUGE);
     vec2 e = unitvec_eaoct_unfolded(v, p.swapped, p.radius, place, 1.0);
     return unitvec_is_usable(norm) ? e : vec2(0.0);
 }

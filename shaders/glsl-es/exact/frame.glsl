@@ -40,37 +40,33 @@ const float UNITVEC_UNWARP_2 = 0.0392082;
 // second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     float s = unitvec_with_sign(1.0, n.z);
-    float a = -1.0 / min(s + n.z, UNITVEC_BARRIER);
-    float b = min(min(n.x * n.y, UNITVEC_BARRIER) * a, UNITVEC_BARRIER);
-    vec3 e = vec3(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_BARRIER) * a, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), min(s * b, UNITVEC_BARRIER), -min(s * n.x, UNITVEC_BARRIER));
-    vec3 f = vec3(b, min(s + min(min(n.y * n.y, UNITVEC_BARRIER) * a, UNITVEC_BARRIER), UNITVEC_BARRIER), -n.y);
+    float a = -1.0 / min(s + n.z, UNITVEC_HUGE);
+    float b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
+    vec3 e = vec3(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
+    vec3 f = vec3(b, min(s + min(min(n.y * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), -n.y);
     first = e;
     second = f;
 }
 
 // The place on a side of the diamond, -1 to 1, for v of -1 to 1.
 float unitvec_frame_warp(float v) {
-    float u = min(v * v, UNITVEC_BARRIER);
-    float w = min(v * min(UNITVEC_WARP_0
-        + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(v * v, UNITVEC_HUGE);
+    float w = min(v * min(UNITVEC_WARP_0 + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return w;
 }
 
 // The inverse; for more than 9 bits of angle, with a step of Newton's method.
 float unitvec_frame_unwarp(float w, uint angle_bits) {
-    float u = min(w * w, UNITVEC_BARRIER);
-    float v = min(w
-        + min(w * min(min(1.0 - u,
-        UNITVEC_BARRIER) * min(UNITVEC_UNWARP_0
-        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(w * w, UNITVEC_HUGE);
+    float v = min(w + min(w * min(min(1.0 - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0
+        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float nearer = min(v
-        + min(min(w - unitvec_frame_warp(v), UNITVEC_BARRIER) * 1.2732395, UNITVEC_BARRIER) / min(1.0 + u,
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float nearer = min(v + min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE) / min(1.0 + u,
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -83,19 +79,19 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     float x = unitvec_dot(tangent, first);
     float y = unitvec_dot(tangent, second);
     float norm = unitvec_l1_norm(tangent);
-    float sum = min(abs(x) + abs(y), UNITVEC_BARRIER);
-    float least = min(parallel * norm, UNITVEC_BARRIER);
+    float sum = min(abs(x) + abs(y), UNITVEC_HUGE);
+    float least = min(parallel * norm, UNITVEC_HUGE);
     bool usable = unitvec_is_usable(norm) && sum > least;
 
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
-    float difference = min(abs(y) - abs(x), UNITVEC_BARRIER);
+    float difference = min(abs(y) - abs(x), UNITVEC_HUGE);
     float w = unitvec_flip_sign(difference, odd) / sum;
 
     float half_places = float(1u << (angle_bits - 3u));
-    float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) + UNITVEC_2_23, UNITVEC_BARRIER);
+    float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
+        + UNITVEC_2_23, UNITVEC_HUGE);
     uint quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
     uint code = (quarters + floatBitsToUint(place)) & unitvec_mask(angle_bits);
@@ -105,13 +101,13 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v = min(min(place * (1.0 / float(1u << (angle_bits - 3u))), UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER);
+    float v = min(min(place * (1.0 / float(1u << (angle_bits - 3u))), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
     float w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
-    float x = min(1.0 - w, UNITVEC_BARRIER);
-    float y = min(1.0 + w, UNITVEC_BARRIER);
+    float x = min(1.0 - w, UNITVEC_HUGE);
+    float y = min(1.0 + w, UNITVEC_HUGE);
     return vec2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
@@ -121,7 +117,7 @@ vec3 unitvec_frame_tangent(vec3 n, uint code, uint angle_bits) {
     vec3 second;
     unitvec_frame_basis(n, first, second);
     vec2 p = unitvec_frame_diamond_point(code, angle_bits);
-    vec3 t = min(min(first * p.x, UNITVEC_BARRIER) + min(second * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec3 t = min(min(first * p.x, UNITVEC_HUGE) + min(second * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return unitvec_normalize(t);
 }
 

@@ -24,14 +24,14 @@ precision highp int;
 
 // Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
-    vec2 e = min(vec2(min(v.x + v.y, UNITVEC_BARRIER), min(v.x - v.y, UNITVEC_BARRIER)) * (m / norm), UNITVEC_BARRIER);
+    vec2 e = min(vec2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * (m / norm), UNITVEC_HUGE);
     return e;
 }
 
 // The L1 norms of v, and of v with what is below the equator moved up to it.
 vec2 unitvec_hemioct_norms(vec3 v) {
-    float across = min(abs(v.x) + abs(v.y), UNITVEC_BARRIER);
-    vec2 norms = vec2(min(across + abs(v.z), UNITVEC_BARRIER), min(across + max(v.z, 0.0), UNITVEC_BARRIER));
+    float across = min(abs(v.x) + abs(v.y), UNITVEC_HUGE);
+    vec2 norms = vec2(min(across + abs(v.z), UNITVEC_HUGE), min(across + max(v.z, 0.0), UNITVEC_HUGE));
     return norms;
 }
 
@@ -44,8 +44,8 @@ bool unitvec_hemioct_is_usable(vec2 norms) {
 // Direction of a lattice point (listing 6), unit length to within 2 ULP. |p.x| + |p.y| is twice the larger of |e.x| and
 // |e.y|, so that z is not negative.
 vec3 unitvec_hemioct_from_lattice(vec2 e, float m) {
-    vec2 p = vec2(min(e.x + e.y, UNITVEC_BARRIER), min(e.x - e.y, UNITVEC_BARRIER));
-    float z = 2.0 * min(m - max(abs(e.x), abs(e.y)), UNITVEC_BARRIER);
+    vec2 p = vec2(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE));
+    float z = 2.0 * min(m - max(abs(e.x), abs(e.y)), UNITVEC_HUGE);
     return unitvec_normalize(vec3(p, z));
 }
 

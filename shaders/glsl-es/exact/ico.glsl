@@ -69,13 +69,13 @@ uint unitvec_ico_last(UnitvecIcoLattice lattice) {
 
 // The lattice point of the numbers x and z.
 vec3 unitvec_ico_point(UnitvecIcoLattice lattice, float x, float z) {
-    float y = min(min(float(lattice.n) - x, UNITVEC_BARRIER) - z, UNITVEC_BARRIER);
+    float y = min(min(float(lattice.n) - x, UNITVEC_HUGE) - z, UNITVEC_HUGE);
     return vec3(x, y, z);
 }
 
 // The weights of a lattice point.
 vec3 unitvec_ico_weights(UnitvecIcoLattice lattice, vec3 i) {
-    vec3 w = min(i * min(lattice.warp - i, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec3 w = min(i * min(lattice.warp - i, UNITVEC_HUGE), UNITVEC_HUGE);
     return w;
 }
 
@@ -87,78 +87,70 @@ vec3 unitvec_ico_turn(vec3 v, bool of_z, bool of_x) {
 }
 
 float unitvec_ico_sum(vec3 v) {
-    float s = min(min(v.x + v.y, UNITVEC_BARRIER) + v.z, UNITVEC_BARRIER);
+    float s = min(min(v.x + v.y, UNITVEC_HUGE) + v.z, UNITVEC_HUGE);
     return s;
 }
 
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
-    vec3 t = min(p * (1.0 / p_sum), UNITVEC_BARRIER);
-    vec3 t_squared = min(t * t, UNITVEC_BARRIER);
+    vec3 t = min(p * (1.0 / p_sum), UNITVEC_HUGE);
+    vec3 t_squared = min(t * t, UNITVEC_HUGE);
     float squares = unitvec_ico_sum(t_squared);
     // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
-    float b_1 = min(min(UNITVEC_ICO_INVERSE_0 * n, UNITVEC_BARRIER)
-        + min(min(UNITVEC_ICO_INVERSE_1 * n, UNITVEC_BARRIER) * squares, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float b_0 = min(min(min(UNITVEC_ICO_INVERSE_3 * n, UNITVEC_BARRIER)
-        - min(squares * min(b_1 + min(UNITVEC_ICO_INVERSE_4 * n, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER)
-        - min(min(UNITVEC_ICO_INVERSE_5 * n, UNITVEC_BARRIER) * min(min(t.x * t.y, UNITVEC_BARRIER) * t.z,
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float b_2 = min(UNITVEC_ICO_INVERSE_2 * n, UNITVEC_BARRIER);
-    float start_x = min(t.x * min(b_0
-        + min(t.x * min(b_1 + min(b_2 * t.x, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    float start_z = min(t.z * min(b_0
-        + min(t.z * min(b_1 + min(b_2 * t.z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float b_1 = min(min(UNITVEC_ICO_INVERSE_0 * n, UNITVEC_HUGE)
+        + min(min(UNITVEC_ICO_INVERSE_1 * n, UNITVEC_HUGE) * squares, UNITVEC_HUGE), UNITVEC_HUGE);
+    float b_0 = min(min(min(UNITVEC_ICO_INVERSE_3 * n, UNITVEC_HUGE)
+        - min(squares * min(b_1 + min(UNITVEC_ICO_INVERSE_4 * n, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) - min(min(UNITVEC_ICO_INVERSE_5 * n, UNITVEC_HUGE) * min(min(t.x * t.y, UNITVEC_HUGE) * t.z,
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float b_2 = min(UNITVEC_ICO_INVERSE_2 * n, UNITVEC_HUGE);
+    float start_x = min(t.x * min(b_0 + min(t.x * min(b_1 + min(b_2 * t.x, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    float start_z = min(t.z * min(b_0 + min(t.z * min(b_1 + min(b_2 * t.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     vec3 start = unitvec_ico_point(lattice, start_x, start_z);
 
     // Newton's method for i and the factor of t, where the i keep their sum.
-    vec3 rest = min(lattice.warp - start, UNITVEC_BARRIER);
-    vec3 w = min(start * rest, UNITVEC_BARRIER);
-    vec3 d = min(rest - start, UNITVEC_BARRIER);
-    vec3 turned = min(d * vec3(min(min(t.y * w.z, UNITVEC_BARRIER) - min(t.z * w.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(min(t.z * w.x, UNITVEC_BARRIER) - min(t.x * w.z, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(min(t.x * w.y, UNITVEC_BARRIER) - min(t.y * w.x, UNITVEC_BARRIER), UNITVEC_BARRIER)), UNITVEC_BARRIER);
-    float factor = 1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_BARRIER) + min(t.y * d.x, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER) + min(t.z * min(d.x * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    float x = min(start.x + min(min(turned.z - turned.y, UNITVEC_BARRIER) * factor, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float z = min(start.z + min(min(turned.y - turned.x, UNITVEC_BARRIER) * factor, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec3 rest = min(lattice.warp - start, UNITVEC_HUGE);
+    vec3 w = min(start * rest, UNITVEC_HUGE);
+    vec3 d = min(rest - start, UNITVEC_HUGE);
+    vec3 turned = min(d * vec3(min(min(t.y * w.z, UNITVEC_HUGE) - min(t.z * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(min(t.z * w.x, UNITVEC_HUGE) - min(t.x * w.z, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(min(t.x * w.y, UNITVEC_HUGE) - min(t.y * w.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float factor = 1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float x = min(start.x + min(min(turned.z - turned.y, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
+    float z = min(start.z + min(min(turned.y - turned.x, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
 
     // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
     float whole_x = floor(x);
     float whole_z = floor(z);
-    float lower_x = min(x - whole_x, UNITVEC_BARRIER);
-    float lower_z = min(z - whole_z, UNITVEC_BARRIER);
-    float upper_x = min(1.0 - lower_x, UNITVEC_BARRIER);
-    float upper_z = min(1.0 - lower_z, UNITVEC_BARRIER);
-    float lower_y = min(upper_x - lower_z, UNITVEC_BARRIER);
+    float lower_x = min(x - whole_x, UNITVEC_HUGE);
+    float lower_z = min(z - whole_z, UNITVEC_HUGE);
+    float upper_x = min(1.0 - lower_x, UNITVEC_HUGE);
+    float upper_z = min(1.0 - lower_z, UNITVEC_HUGE);
+    float lower_y = min(upper_x - lower_z, UNITVEC_HUGE);
     bool is_upper = lower_y < 0.0;
     float in_x = is_upper ? upper_x : lower_x;
     float in_z = is_upper ? upper_z : lower_z;
     float in_corner = abs(lower_y);
     // The squares of the distances between neighbours along the sides opposite to the vertices.
-    float s_0 = min(1.0 + min(lattice.squares_s * squares, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float s_1 = min(lattice.squares_t + min(lattice.squares_ts * squares, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    vec3 square = min(s_0
-        + min(min(s_1 * t, UNITVEC_BARRIER) + min(lattice.squares_tt * t_squared, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float s_0 = min(1.0 + min(lattice.squares_s * squares, UNITVEC_HUGE), UNITVEC_HUGE);
+    float s_1 = min(lattice.squares_t + min(lattice.squares_ts * squares, UNITVEC_HUGE), UNITVEC_HUGE);
+    vec3 square = min(s_0 + min(min(s_1 * t, UNITVEC_HUGE) + min(lattice.squares_tt * t_squared, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
 
     // The squares of the distances from the corners, less the same of each.
-    float from_corner =
-        min(min(in_x * square.z, UNITVEC_BARRIER) + min(in_z * square.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float from_x =
-        min(min(in_corner * square.z, UNITVEC_BARRIER) + min(in_z * square.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float from_z =
-        min(min(in_corner * square.x, UNITVEC_BARRIER) + min(in_x * square.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float from_corner = min(min(in_x * square.z, UNITVEC_HUGE) + min(in_z * square.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float from_x = min(min(in_corner * square.z, UNITVEC_HUGE) + min(in_z * square.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float from_z = min(min(in_corner * square.x, UNITVEC_HUGE) + min(in_x * square.y, UNITVEC_HUGE), UNITVEC_HUGE);
     bool is_x = from_x < from_corner;
     bool is_z = from_z < (is_x ? from_x : from_corner);
     bool is_next_x = (is_x && !is_z) != is_upper;
     bool is_next_z = is_z != is_upper;
-    float nearest_x = min(whole_x + (is_next_x ? 1.0 : 0.0), UNITVEC_BARRIER);
-    float nearest_z = min(whole_z + (is_next_z ? 1.0 : 0.0), UNITVEC_BARRIER);
+    float nearest_x = min(whole_x + (is_next_x ? 1.0 : 0.0), UNITVEC_HUGE);
+    float nearest_z = min(whole_z + (is_next_z ? 1.0 : 0.0), UNITVEC_HUGE);
     return unitvec_ico_point(lattice, nearest_x, nearest_z);
 }
 
@@ -168,14 +160,14 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
     vec3 a = abs(v);
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
-    float norm_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * norm, UNITVEC_BARRIER);
-    vec3 flat_part = min(min(norm_part + a.zyx, UNITVEC_BARRIER) - min(UNITVEC_ICO_GOLDEN * a.xzy, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float norm_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * norm, UNITVEC_HUGE);
+    vec3 flat_part =
+        min(min(norm_part + a.zyx, UNITVEC_HUGE) - min(UNITVEC_ICO_GOLDEN * a.xzy, UNITVEC_HUGE), UNITVEC_HUGE);
     // By reflection: the vertices across a side have the sum of the side's two, divided by p.
     float beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
-    float shared_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * beyond, UNITVEC_BARRIER);
-    float sum = min(2.0 * norm_part - min(UNITVEC_ICO_ADDED_BY_REFLECTION * beyond, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    vec3 on_side = min(flat_part + shared_part, UNITVEC_BARRIER);
+    float shared_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * beyond, UNITVEC_HUGE);
+    float sum = min(2.0 * norm_part - min(UNITVEC_ICO_ADDED_BY_REFLECTION * beyond, UNITVEC_HUGE), UNITVEC_HUGE);
+    vec3 on_side = min(flat_part + shared_part, UNITVEC_HUGE);
     vec3 i = unitvec_ico_nearest(max(on_side, -flat_part), sum, lattice);
 
     // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
@@ -211,12 +203,12 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     first_row = of_x ? UNITVEC_2_23 + 4.0 * n : first_row;
     first_row = of_z ? UNITVEC_2_23 + 2.0 * n : first_row;
     float rows_before = is_octant ? 2.0 * (n - 2.0) : n;
-    float from_end = min((is_octant ? min(n - 1.0, UNITVEC_BARRIER) : n) - depth, UNITVEC_BARRIER);
-    float line_number = min(min(first_row + (base_side ? rows_before : 0.0), UNITVEC_BARRIER)
-        + (is_second ? from_end : depth), UNITVEC_BARRIER);
+    float from_end = min((is_octant ? min(n - 1.0, UNITVEC_HUGE) : n) - depth, UNITVEC_HUGE);
+    float line_number = min(min(first_row + (base_side ? rows_before : 0.0), UNITVEC_HUGE)
+        + (is_second ? from_end : depth), UNITVEC_HUGE);
     float first_column = is_second ? UNITVEC_2_23 + 1.0 : UNITVEC_2_23;
     first_column = is_octant ? UNITVEC_2_23 + 17.0 : first_column;
-    float column = min(min(across + (is_second ? depth : 0.0), UNITVEC_BARRIER) + first_column, UNITVEC_BARRIER);
+    float column = min(min(across + (is_second ? depth : 0.0), UNITVEC_HUGE) + first_column, UNITVEC_HUGE);
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
     uint code = (floatBitsToUint(line_number) & 0x7fffffu) * row_length + (floatBitsToUint(column) & 0x7fffffu);
     // +Z is in the middle of the first row.
@@ -237,31 +229,31 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.
     uint index = code - first;
-    float quotient = min(min(float(int(index >> 1u)) * per_length, UNITVEC_BARRIER) + 0.05, UNITVEC_BARRIER);
+    float quotient = min(min(float(int(index >> 1u)) * per_length, UNITVEC_HUGE) + 0.05, UNITVEC_HUGE);
     float line_number = floor(quotient);
-    float counted = min(line_number + UNITVEC_2_23, UNITVEC_BARRIER);
+    float counted = min(line_number + UNITVEC_2_23, UNITVEC_HUGE);
     uint rest = index - (floatBitsToUint(counted) & 0x7fffffu) * row_length;
     bool is_next = rest >= row_length;
     line_number = is_next ? line_number - 1.0 : line_number;
     float column = float(int(is_next ? rest + row_length : rest));
-    float part = min(min(line_number + 0.5, UNITVEC_BARRIER) * per_rows, UNITVEC_BARRIER);
+    float part = min(min(line_number + 0.5, UNITVEC_HUGE) * per_rows, UNITVEC_HUGE);
     float block_number = floor(part);
-    float row = min(line_number - min(block_number * rows, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float row = min(line_number - min(block_number * rows, UNITVEC_HUGE), UNITVEC_HUGE);
 
     // All of these are whole.
     float least = is_octant ? 1.0 : 0.0;
-    float second_depth = min((is_octant ? min(n - 3.0, UNITVEC_BARRIER) : n) - row, UNITVEC_BARRIER);
-    float second_across = min(min(column - second_depth, UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER);
+    float second_depth = min((is_octant ? min(n - 3.0, UNITVEC_HUGE) : n) - row, UNITVEC_HUGE);
+    float second_across = min(min(column - second_depth, UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
     bool is_second = column > second_depth;
-    float x = min((is_second ? second_across : column) + least, UNITVEC_BARRIER);
-    float z = min((is_second ? second_depth : row) + least, UNITVEC_BARRIER);
+    float x = min((is_second ? second_across : column) + least, UNITVEC_HUGE);
+    float z = min((is_second ? second_depth : row) + least, UNITVEC_HUGE);
     vec3 w = unitvec_ico_weights(lattice, unitvec_ico_point(lattice, x, z));
     float to_x = is_octant ? w.y : 0.0;
     float to_z = is_octant ? 0.0 : w.y;
     float y_of_y = is_octant ? UNITVEC_ICO_GOLDEN : -1.0;
-    vec3 v = vec3(min(min(UNITVEC_ICO_GOLDEN * w.z, UNITVEC_BARRIER) + to_x, UNITVEC_BARRIER),
-        min(w.x + min(y_of_y * w.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(min(UNITVEC_ICO_GOLDEN * min(w.x + to_z, UNITVEC_BARRIER), UNITVEC_BARRIER) + w.z, UNITVEC_BARRIER));
+    vec3 v = vec3(min(min(UNITVEC_ICO_GOLDEN * w.z, UNITVEC_HUGE) + to_x, UNITVEC_HUGE),
+        min(w.x + min(y_of_y * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(min(UNITVEC_ICO_GOLDEN * min(w.x + to_z, UNITVEC_HUGE), UNITVEC_HUGE) + w.z, UNITVEC_HUGE));
     uint block = unitvec_whole_to_u32(block_number);
     uint odd = block << 31u;
     uint upper = (block << 30u) & UNITVEC_SIGN_BIT;

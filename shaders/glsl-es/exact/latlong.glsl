@@ -28,8 +28,8 @@ uint unitvec_latlong_grid_encode(vec3 v, uint half_bits) {
     vec3 p = unitvec_angles_scaled(v, norm);
     float rings = float(1u << half_bits);
     float colatitude = min(unitvec_angles_half_turn(unitvec_horizontal_length(p), p.z,
-        unitvec_is_negative(v.z)) * (0.5 * rings), UNITVEC_BARRIER);
-    float azimuth = min(unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x)) * (0.25 * rings), UNITVEC_BARRIER);
+        unitvec_is_negative(v.z)) * (0.5 * rings), UNITVEC_HUGE);
+    float azimuth = min(unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x)) * (0.25 * rings), UNITVEC_HUGE);
     // Patches at y < 0 are those at y > 0, mirrored: the number of one is the other's complement.
     uint patch_number = unitvec_whole_to_u32(floor(azimuth));
     patch_number = unitvec_is_negative(v.y) ? ~patch_number : patch_number;
@@ -41,14 +41,13 @@ uint unitvec_latlong_grid_encode(vec3 v, uint half_bits) {
 vec3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
     float step_size = 1.0 / float(1u << half_bits);
     float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
-    float above =
-        min(1.0 - min(min(ring + 0.5, UNITVEC_BARRIER) * (2.0 * step_size), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float diagonal = min(0.5 - abs(above), UNITVEC_BARRIER);
+    float above = min(1.0 - min(min(ring + 0.5, UNITVEC_HUGE) * (2.0 * step_size), UNITVEC_HUGE), UNITVEC_HUGE);
+    float diagonal = min(0.5 - abs(above), UNITVEC_HUGE);
     vec2 meridian = unitvec_from_diagonal(diagonal);
-    float z = min(meridian.x - meridian.y, UNITVEC_BARRIER);
-    float radius = min(meridian.x + meridian.y, UNITVEC_BARRIER);
+    float z = min(meridian.x - meridian.y, UNITVEC_HUGE);
+    float radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
     float quarters =
-        min(min(unitvec_signed_integer(code, half_bits) + 0.5, UNITVEC_BARRIER) * (4.0 * step_size), UNITVEC_BARRIER);
+        min(min(unitvec_signed_integer(code, half_bits) + 0.5, UNITVEC_HUGE) * (4.0 * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_with_sign(z, above), quarters);
 }
 
@@ -71,23 +70,22 @@ const UnitvecLatlongRings UNITVEC_LATLONG_RINGS_32 = UnitvecLatlongRings(29225.0
 
 // Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
 float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
-    float u = min(h * h, UNITVEC_BARRIER);
-    float s = min(min(u * min(rings.a.x
-        + min(u * min(rings.a.y + min(u * rings.a.z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER) + min(min(0.95 * h, UNITVEC_BARRIER) + 0.72515, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float u = min(h * h, UNITVEC_HUGE);
+    float s = min(min(u * min(rings.a.x + min(u * min(rings.a.y + min(u * rings.a.z, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE) + min(min(0.95 * h, UNITVEC_HUGE) + 0.72515, UNITVEC_HUGE),
+        UNITVEC_HUGE);
     return s;
 }
 
 // From i to i + 2 for the indices of ring i.
 float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
-    float low = min(rings.q.x + min(index * rings.q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(min(index * index, UNITVEC_BARRIER) * rings.q4, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float low = min(rings.q.x + min(index * rings.q.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(min(index * index, UNITVEC_HUGE) * rings.q4, UNITVEC_HUGE), UNITVEC_HUGE);
     float high = rings.q4 != 0.0 ? both_high : rings.q.z;
-    float whole_factor = min(low + min(min(index * index, UNITVEC_BARRIER) * high, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     float factor = rings.q.z != 0.0 ? whole_factor : low;
-    float i = min(min(sqrt(index) * factor, UNITVEC_BARRIER) + rings.offset, UNITVEC_BARRIER);
+    float i = min(min(sqrt(index) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
     return i;
 }
 
@@ -102,18 +100,18 @@ uint unitvec_latlong_patch_encode(vec3 v, UnitvecLatlongRings rings, uint index_
     bool usable = unitvec_is_usable(norm);
     vec3 p = unitvec_angles_scaled(v, norm);
     float colatitude = unitvec_angles_quarter(unitvec_horizontal_length(p), p.z);
-    float ring = min(min((usable ? colatitude : 0.0) * rings.n, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    float ring = min(min((usable ? colatitude : 0.0) * rings.n, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     float i = floor(ring);
-    vec2 h = vec2(min(i - 0.5, UNITVEC_BARRIER), min(i + 0.5, UNITVEC_BARRIER));
+    vec2 h = vec2(min(i - 0.5, UNITVEC_HUGE), min(i + 0.5, UNITVEC_HUGE));
     float start = floor(unitvec_latlong_border(rings, h.x));
-    float count = min(floor(unitvec_latlong_border(rings, h.y)) - start, UNITVEC_BARRIER);
-    float position = min(min(unitvec_angles_quarter(p.y, p.x) * count, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    float count = min(floor(unitvec_latlong_border(rings, h.y)) - start, UNITVEC_HUGE);
+    float position = min(min(unitvec_angles_quarter(p.y, p.x) * count, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     float j = floor(position);
 
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
     bool left = unitvec_is_negative(v.x);
     bool back = unitvec_is_negative(v.y);
-    float against = min(count - j, UNITVEC_BARRIER);
+    float against = min(count - j, UNITVEC_HUGE);
     float along = left != back ? against : j;
     uint quarter = (back ? 2u : 0u) + (left != back ? 1u : 0u);
     bool carries = along >= count;
@@ -130,28 +128,28 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     vec2 parts = unitvec_latlong_in_parts(index, index_bits);
 
     float nearest = floor(unitvec_latlong_inverse(rings, float(int(index))));
-    vec3 h = min(nearest - vec3(1.5, 0.5, -0.5), UNITVEC_BARRIER);
+    vec3 h = min(nearest - vec3(1.5, 0.5, -0.5), UNITVEC_HUGE);
     float border = unitvec_latlong_border(rings, h.y);
-    float from_index = min(border - parts.x, UNITVEC_BARRIER);
-    float to_next = min(parts.y + 1.0, UNITVEC_BARRIER);
+    float from_index = min(border - parts.x, UNITVEC_HUGE);
+    float to_next = min(parts.y + 1.0, UNITVEC_HUGE);
     bool before = from_index >= to_next;
     float other = unitvec_latlong_border(rings, before ? h.x : h.z);
-    float ring_before = min(nearest - 1.0, UNITVEC_BARRIER);
+    float ring_before = min(nearest - 1.0, UNITVEC_HUGE);
     float ring = before ? ring_before : nearest;
     float start = floor(min(border, other));
-    float count = min(floor(max(border, other)) - start, UNITVEC_BARRIER);
+    float count = min(floor(max(border, other)) - start, UNITVEC_HUGE);
     // Exact: start is near.
-    float from_high = min(parts.x - start, UNITVEC_BARRIER);
-    float from_both = min(from_high + parts.y, UNITVEC_BARRIER);
+    float from_high = min(parts.x - start, UNITVEC_HUGE);
+    float from_both = min(from_high + parts.y, UNITVEC_HUGE);
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    float divided = min(along - 0.5 * count, UNITVEC_BARRIER) / count;
+    float divided = min(along - 0.5 * count, UNITVEC_HUGE) / count;
     vec2 equator = unitvec_from_diagonal(along > 0.0 ? divided : -0.5);
     // At either end the product is 1/2 exactly.
-    float latitude = min(min(ring - 0.5 * rings.n, UNITVEC_BARRIER) * (1.0 / rings.n), UNITVEC_BARRIER);
+    float latitude = min(min(ring - 0.5 * rings.n, UNITVEC_HUGE) * (1.0 / rings.n), UNITVEC_HUGE);
     vec2 meridian = unitvec_from_diagonal(latitude);
-    float radius = min(meridian.x + meridian.y, UNITVEC_BARRIER);
+    float radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
 
     // Turns by quarters, but for the pole, where a turned 0 would become -0: from quarter to quarter (a, b) goes to
     // (-b, a).
@@ -163,8 +161,8 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     a = unitvec_flip_sign(a, ((quarter + (1u << index_bits)) << to_sign) & UNITVEC_SIGN_BIT);
     b = unitvec_flip_sign(b, (quarter << to_sign) & UNITVEC_SIGN_BIT);
     uint below = (code << (29u - index_bits)) & UNITVEC_SIGN_BIT;
-    float z = min(unitvec_flip_sign(meridian.x, below) - unitvec_flip_sign(meridian.y, below), UNITVEC_BARRIER);
-    vec2 p = min(vec2(min(a - b, UNITVEC_BARRIER), min(a + b, UNITVEC_BARRIER)) * radius, UNITVEC_BARRIER);
+    float z = min(unitvec_flip_sign(meridian.x, below) - unitvec_flip_sign(meridian.y, below), UNITVEC_HUGE);
+    vec2 p = min(vec2(min(a - b, UNITVEC_HUGE), min(a + b, UNITVEC_HUGE)) * radius, UNITVEC_HUGE);
     return vec3(p, z);
 }
 

@@ -34,7 +34,7 @@ precision highp int;
 // Moves a point of the positive octant, scaled to x + y + z = m, to where the lower half of the octahedron is folded
 // out if z is negative.
 vec2 unitvec_oct_fold(float z, vec2 p, float m) {
-    vec2 folded = min(m - p.yx, UNITVEC_BARRIER);
+    vec2 folded = min(m - p.yx, UNITVEC_HUGE);
     return unitvec_is_negative(z) ? folded : p;
 }
 
@@ -47,37 +47,37 @@ vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
 // m / norm, which is (|x| + |z|) s.
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    vec2 p = min(min(abs(v.xy) + below, UNITVEC_BARRIER) * (m / norm), UNITVEC_BARRIER);
+    vec2 p = min(min(abs(v.xy) + below, UNITVEC_HUGE) * (m / norm), UNITVEC_HUGE);
     return unitvec_oct_mirror(v, p);
 }
 
 // q of where the ray of p meets the plane x + y + z = m.
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
-    float missing = min(min(min(min(m - middle.x, UNITVEC_BARRIER) - middle.y, UNITVEC_BARRIER) - p.z, UNITVEC_BARRIER)
-        - min(q.x + q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float stretch = min(missing * (1.0 / m), UNITVEC_BARRIER);
-    vec2 moved = min(q + min(stretch * p.xy, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
+        - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float stretch = min(missing * (1.0 / m), UNITVEC_HUGE);
+    vec2 moved = min(q + min(stretch * p.xy, UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
 
 // A and B with the denominators (c . p)^2 taken into account: as if q were q + u (X, Y), with u = 3 / m N /
 // (3 + X^2 + Y^2 + Z^2), Z = -X - Y, and N that of two corners where they tie.
 vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
-    float minus_z = min(at.x + at.y, UNITVEC_BARRIER);
-    float z_squared = min(minus_z * minus_z, UNITVEC_BARRIER);
-    float over = max(min(abs(min(ab.x + ab.y, UNITVEC_BARRIER)) - cross_term, UNITVEC_BARRIER), 0.0);
-    float n = min(min(min(min(ab.x * q.x, UNITVEC_BARRIER) + min(ab.y * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(0.25 * z_squared + 0.5, UNITVEC_BARRIER), UNITVEC_BARRIER) - over, UNITVEC_BARRIER);
-    float half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float u = min(n * ((1.5 / m) / half_s), UNITVEC_BARRIER);
-    vec2 moved = min(ab + min(u * min(at + minus_z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float minus_z = min(at.x + at.y, UNITVEC_HUGE);
+    float z_squared = min(minus_z * minus_z, UNITVEC_HUGE);
+    float over = max(min(abs(min(ab.x + ab.y, UNITVEC_HUGE)) - cross_term, UNITVEC_HUGE), 0.0);
+    float n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(0.25 * z_squared + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
+    float half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
+    float u = min(n * ((1.5 / m) / half_s), UNITVEC_HUGE);
+    vec2 moved = min(ab + min(u * min(at + minus_z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
-    vec2 moved = min(q + min(at * (0.3795 / m), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec2 moved = min(q + min(at * (0.3795 / m), UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
 
@@ -89,52 +89,52 @@ vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
 // (1 - X Y) q.y, B = (1 - X Y) q.x + (2 + X^2) q.y and H = (1 - X Y) / 2, the right corner is nearer than the upper one
 // where A > B; then the near one loses to it where A > -H, the far one wins where B > H. Else likewise.
 vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
-    vec2 middle = min(floor(p.xy) + 0.5, UNITVEC_BARRIER);
-    vec2 q = min(p.xy - middle, UNITVEC_BARRIER);
-    vec2 at = min(min(p.xy * (3.0 / m), UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER);
+    vec2 middle = min(floor(p.xy) + 0.5, UNITVEC_HUGE);
+    vec2 q = min(p.xy - middle, UNITVEC_HUGE);
+    vec2 at = min(min(p.xy * (3.0 / m), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
-    float turn = min(min(at.y * q.x, UNITVEC_BARRIER) - min(at.x * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sum = min(q.x + q.y, UNITVEC_BARRIER);
-    float a = min(min(q.x + sum, UNITVEC_BARRIER) + min(at.y * turn, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float b = min(min(q.y + sum, UNITVEC_BARRIER) - min(at.x * turn, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cross_term = min(1.0 - min(at.x * at.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float turn = min(min(at.y * q.x, UNITVEC_HUGE) - min(at.x * q.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sum = min(q.x + q.y, UNITVEC_HUGE);
+    float a = min(min(q.x + sum, UNITVEC_HUGE) + min(at.y * turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    float b = min(min(q.y + sum, UNITVEC_HUGE) - min(at.x * turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cross_term = min(1.0 - min(at.x * at.y, UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 ab = vec2(a, b);
     if (m < 256.0) ab = unitvec_oct_weighed(ab, cross_term, q, at, m);
 
     float half_cross = 0.5 * cross_term;
     float least_b = ab.x >= ab.y ? half_cross : -half_cross;
-    vec2 corner = min(middle + vec2(ab.x > -least_b ? 0.5 : -0.5, ab.y > least_b ? 0.5 : -0.5), UNITVEC_BARRIER);
+    vec2 corner = min(middle + vec2(ab.x > -least_b ? 0.5 : -0.5, ab.y > least_b ? 0.5 : -0.5), UNITVEC_HUGE);
     return corner;
 }
 
 // A corner of a lattice cell: x, y, and the square of the tangent of its angle from p as a fraction, z / w. One beyond the
 // edge z = 0 of the octant is farther than any.
 vec4 unitvec_oct_corner(float x, float y, vec3 p, float m) {
-    float z = min(min(m - x, UNITVEC_BARRIER) - y, UNITVEC_BARRIER);
-    float a = min(min(y * p.z, UNITVEC_BARRIER) - min(z * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float b = min(min(z * p.x, UNITVEC_BARRIER) - min(x * p.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float c = min(min(x * p.y, UNITVEC_BARRIER) - min(y * p.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float across = min(min(min(a * a, UNITVEC_BARRIER) + min(b * b, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(c * c, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float along = min(min(min(x * p.x, UNITVEC_BARRIER) + min(y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(z * p.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float squared = min(along * along, UNITVEC_BARRIER);
+    float z = min(min(m - x, UNITVEC_HUGE) - y, UNITVEC_HUGE);
+    float a = min(min(y * p.z, UNITVEC_HUGE) - min(z * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float b = min(min(z * p.x, UNITVEC_HUGE) - min(x * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float c = min(min(x * p.y, UNITVEC_HUGE) - min(y * p.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float across = min(min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(c * c, UNITVEC_HUGE), UNITVEC_HUGE);
+    float along = min(min(min(x * p.x, UNITVEC_HUGE) + min(y * p.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(z * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float squared = min(along * along, UNITVEC_HUGE);
     return vec4(x, y, across, z < 0.0 ? 0.0 : squared);
 }
 
 // b where it is nearer, else a.
 vec4 unitvec_oct_nearer(vec4 a, vec4 b) {
-    float of_b = min(b.z * a.w, UNITVEC_BARRIER);
-    float of_a = min(a.z * b.w, UNITVEC_BARRIER);
+    float of_b = min(b.z * a.w, UNITVEC_HUGE);
+    float of_a = min(a.z * b.w, UNITVEC_HUGE);
     return of_b < of_a ? b : a;
 }
 
 // As unitvec_oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
 vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec2 low = floor(p.xy);
-    vec2 high = min(low + 1.0, UNITVEC_BARRIER);
+    vec2 high = min(low + 1.0, UNITVEC_HUGE);
     vec4 near = unitvec_oct_corner(low.x, low.y, p, m);
     vec4 right = unitvec_oct_corner(high.x, low.y, p, m);
     vec4 up = unitvec_oct_corner(low.x, high.y, p, m);
@@ -144,7 +144,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
-    vec3 p = min(abs(v) * (m / norm), UNITVEC_BARRIER);
+    vec3 p = min(abs(v) * (m / norm), UNITVEC_HUGE);
     // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
     // break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -162,10 +162,10 @@ vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
 
 // Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.
 vec3 unitvec_oct_from_lattice(vec2 e, float m) {
-    float z = min(min(m - abs(e.x), UNITVEC_BARRIER) - abs(e.y), UNITVEC_BARRIER);
+    float z = min(min(m - abs(e.x), UNITVEC_HUGE) - abs(e.y), UNITVEC_HUGE);
     float below = max(-z, 0.0);
-    float x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_BARRIER);
-    float y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_BARRIER);
+    float x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_HUGE);
+    float y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_HUGE);
     return unitvec_normalize(vec3(x, y, z));
 }
 
@@ -190,22 +190,22 @@ vec2 float32x3_to_octn_precise(vec3 v, int n) {
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target. Ties go up.
 vec3 snorm12x2_to_unorm8x3(vec2 f) {
-    vec2 u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, UNITVEC_BARRIER) + 2047.5, UNITVEC_BARRIER));
+    vec2 u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, UNITVEC_HUGE) + 2047.5, UNITVEC_HUGE));
     float high = floor(u.x / 16.0);
     float carry = floor(u.y / 256.0);
-    vec3 bytes = vec3(high, min(min(u.x - high * 16.0, UNITVEC_BARRIER) * 16.0 + carry, UNITVEC_BARRIER),
-        min(u.y - carry * 256.0, UNITVEC_BARRIER));
+    vec3 bytes = vec3(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
+        min(u.y - carry * 256.0, UNITVEC_HUGE));
     vec3 parts = bytes / 255.0;
     return parts;
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.
 vec2 unorm8x3_to_snorm12x2(vec3 u) {
-    vec3 bytes = floor(min(min(clamp(u, 0.0, 1.0) * 255.0, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER));
+    vec3 bytes = floor(min(min(clamp(u, 0.0, 1.0) * 255.0, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE));
     float high = floor(bytes.y / 16.0);
-    vec2 biased = vec2(min(bytes.x * 16.0 + high, UNITVEC_BARRIER),
-        min(min(bytes.y - high * 16.0, UNITVEC_BARRIER) * 256.0 + bytes.z, UNITVEC_BARRIER));
-    vec2 s = min(biased - 2047.0, UNITVEC_BARRIER) / 2047.0;
+    vec2 biased = vec2(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
+        min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
+    vec2 s = min(biased - 2047.0, UNITVEC_HUGE) / 2047.0;
     return unitvec_is_nan(unitvec_l1_norm(u)) ? vec2(0.0) : clamp(s, -1.0, 1.0);
 }
 
@@ -214,7 +214,7 @@ const float UNITVEC_OCT_BIAS = 8390655.0;
 
 // Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
 uint unitvec_oct_pack_unorm8x3(vec2 e) {
-    vec2 sum = min(e + UNITVEC_OCT_BIAS, UNITVEC_BARRIER);
+    vec2 sum = min(e + UNITVEC_OCT_BIAS, UNITVEC_HUGE);
     uint both = (floatBitsToUint(sum.x) << 12u) + floatBitsToUint(sum.y);
     return ((both >> 16u) & 255u) | (both & 0xff00u) | ((both & 255u) << 16u);
 }
@@ -223,7 +223,7 @@ uint unitvec_oct_pack_unorm8x3(vec2 e) {
 vec2 unitvec_oct_unpack_unorm8x3(uint code) {
     uint both = ((code & 255u) << 16u) | (code & 0xff00u) | ((code >> 16u) & 255u);
     uvec2 sum = uvec2(both >> 12u, both & 0xfffu) | floatBitsToUint(UNITVEC_2_23);
-    vec2 e = min(uintBitsToFloat(sum) - UNITVEC_OCT_BIAS, UNITVEC_BARRIER);
+    vec2 e = min(uintBitsToFloat(sum) - UNITVEC_OCT_BIAS, UNITVEC_HUGE);
     return min(e, 2047.0);
 }
 

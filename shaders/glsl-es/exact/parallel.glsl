@@ -47,7 +47,7 @@ UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
 
 UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
-    vec2 steps = min(m * 1.4142135, UNITVEC_BARRIER);
+    vec2 steps = min(m * 1.4142135, UNITVEC_HUGE);
     UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
         u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
     return plane;
@@ -56,7 +56,7 @@ UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
 // e in units of the plane, without a division of floats, so that all devices agree on what is inside.
 vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
     vec2 reciprocal = vec2(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
-    vec2 in_sextant = min(e * min(reciprocal * 0.70710677, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec2 in_sextant = min(e * min(reciprocal * 0.70710677, UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 on_disk = vec2(unitvec_snorm_part(e.x, plane.bits.x), unitvec_snorm_part(e.y, plane.bits.y));
     return plane.sextant ? in_sextant : on_disk;
 }
@@ -64,8 +64,8 @@ vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
 // 1 on the border.
 float unitvec_parallel_extent(UnitvecParallelPlane plane, vec2 p) {
     float larger = max(p.x, p.y);
-    float disk = min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sextant = min(disk + min(larger * larger, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float disk = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sextant = min(disk + min(larger * larger, UNITVEC_HUGE), UNITVEC_HUGE);
     return plane.sextant ? sextant : disk;
 }
 
@@ -76,24 +76,24 @@ bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, vec2 e) {
 // e with the component along which the border is sooner reached lessened by `by` steps.
 vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
     vec2 p = unitvec_parallel_parts(plane, e);
-    float x = min(p.x * plane.steps.y, UNITVEC_BARRIER);
-    float y = min(p.y * plane.steps.x, UNITVEC_BARRIER);
-    float weighed_x = min((p.x >= p.y ? 2.0 : 0.5) * x, UNITVEC_BARRIER);
+    float x = min(p.x * plane.steps.y, UNITVEC_HUGE);
+    float y = min(p.y * plane.steps.x, UNITVEC_HUGE);
+    float weighed_x = min((p.x >= p.y ? 2.0 : 0.5) * x, UNITVEC_HUGE);
     bool along_x = (plane.sextant ? weighed_x : x) >= y;
-    vec2 less = min(e - by, UNITVEC_BARRIER);
+    vec2 less = min(e - by, UNITVEC_HUGE);
     return along_x ? vec2(less.x, e.y) : vec2(e.x, less.y);
 }
 
 // What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
 // above it.
 float unitvec_parallel_onto_border(float extent) {
-    float factor = min(1.4999995 - 0.5 * extent, UNITVEC_BARRIER);
+    float factor = min(1.4999995 - 0.5 * extent, UNITVEC_HUGE);
     return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
 vec2 unitvec_parallel_round(UnitvecParallelPlane plane, vec2 p) {
-    vec2 position = min(min(p * plane.steps, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    vec2 position = min(min(p * plane.steps, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     vec2 e = min(floor(position), plane.m);
     // Variables, since `&&` and `?:` branch around calls.
     bool outside = unitvec_parallel_is_outside(plane, e);
@@ -107,25 +107,25 @@ vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
     vec2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
     vec2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
     float extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
-    vec2 projected = min(e * unitvec_parallel_onto_border(extent), UNITVEC_BARRIER);
+    vec2 projected = min(e * unitvec_parallel_onto_border(extent), UNITVEC_HUGE);
     vec2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
     return unitvec_parallel_parts(plane, chosen);
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
 vec3 unitvec_parallel_unit(vec3 v) {
-    float raised = min(unitvec_l1_norm(v) * 1.1, UNITVEC_BARRIER);
-    vec3 scaled = min(v * unitvec_scale_to_one(raised), UNITVEC_BARRIER);
+    float raised = min(unitvec_l1_norm(v) * 1.1, UNITVEC_HUGE);
+    vec3 scaled = min(v * unitvec_scale_to_one(raised), UNITVEC_HUGE);
     float square = unitvec_dot(scaled, scaled);
-    float off = min(square - 1.0, UNITVEC_BARRIER);
+    float off = min(square - 1.0, UNITVEC_HUGE);
     float inverse = 1.0 / sqrt(square);
-    vec3 n = min(scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse), UNITVEC_BARRIER);
+    vec3 n = min(scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse), UNITVEC_HUGE);
     return n;
 }
 
 float unitvec_parallel_third(vec2 p) {
-    float square = min(1.0 - min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float square =
+        min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float root = sqrt(max(square, 0.0));
     return root;
 }
@@ -166,8 +166,8 @@ uint unitvec_parallel_top(uvec2 code, uint components) {
 vec3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, vec2 e, bool negative) {
     vec2 p = unitvec_parallel_point(plane, abs(e));
     return vec3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
-        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
+        unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.
@@ -220,7 +220,7 @@ vec2 unitvec_xyonly32f_halves(uint a, uint b) {
 }
 
 bool unitvec_xyonly32f_is_off_disk(vec2 p) {
-    float square = min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float square = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return square > 1.0;
 }
 
@@ -228,7 +228,7 @@ bool unitvec_xyonly32f_is_off_disk(vec2 p) {
 vec2 unitvec_xyonly32f_halves_inset(uint a, uint b) {
     vec2 p = unitvec_xyonly32f_halves(a, b);
     vec2 inner = unitvec_xyonly32f_halves(a > 0u ? a - 1u : 0u, b > 0u ? b - 1u : 0u);
-    vec2 q = min(p - min(UNITVEC_PARALLEL_INSET * min(p - inner, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    vec2 q = min(p - min(UNITVEC_PARALLEL_INSET * min(p - inner, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return p.x >= p.y ? vec2(q.x, p.y) : vec2(p.x, q.y);
 }
 
@@ -259,8 +259,8 @@ vec3 xyonly32f_decode(uint code) {
     vec2 inner = unitvec_xyonly32f_halves_inset(a, b);
     vec2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
     vec2 unit = min(p, 1.0);
-    float square = min(min(unit.x * unit.x, UNITVEC_BARRIER) + min(unit.y * unit.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    vec2 projected = min(unit * unitvec_parallel_onto_border(square), UNITVEC_BARRIER);
+    float square = min(min(unit.x * unit.x, UNITVEC_HUGE) + min(unit.y * unit.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 projected = min(unit * unitvec_parallel_onto_border(square), UNITVEC_HUGE);
     vec2 below = vec2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     vec2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return vec3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x), unitvec_negate_positive((code >> 31u) != 0u, q.y),

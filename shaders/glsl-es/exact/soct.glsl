@@ -32,9 +32,8 @@ vec3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
     vec2 e = unitvec_snorm_integers(code, bits);
     float below = uintBitsToFloat(sign_bit & UNITVEC_SIGN_BIT);
     float across = 2.0 * max(abs(e.x), abs(e.y));
-    vec3 v = vec3(min(e.x + e.y, UNITVEC_BARRIER), min(e.x - e.y, UNITVEC_BARRIER),
-        min(unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below),
-        UNITVEC_BARRIER));
+    vec3 v = vec3(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
+        min(unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
     return unitvec_normalize(v);
 }
 

@@ -42,44 +42,43 @@ const float UNITVEC_SPHERICAL_WIDE_POLAR = 9.094947017729282e-13;
 // Numbers as sums of two floats are vec2: the second is what the first lacks. This one is a + b + low, where a is 0 or
 // no less than b in magnitude, and low is far less.
 vec2 unitvec_spherical_wide_sum(float a, float b, float low) {
-    float high = min(a + b, UNITVEC_BARRIER);
-    float rest = min(min(b - min(high - a, UNITVEC_BARRIER), UNITVEC_BARRIER) + low, UNITVEC_BARRIER);
+    float high = min(a + b, UNITVEC_HUGE);
+    float rest = min(min(b - min(high - a, UNITVEC_HUGE), UNITVEC_HUGE) + low, UNITVEC_HUGE);
     return vec2(high, rest);
 }
 
 vec2 unitvec_spherical_wide_product(vec2 a, vec2 b) {
-    float high = min(a.x * b.x, UNITVEC_BARRIER);
-    float crosswise = min(min(a.x * b.y, UNITVEC_BARRIER) + min(a.y * b.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float low = min(unitvec_product_rest(a.x, b.x, high) + crosswise, UNITVEC_BARRIER);
+    float high = min(a.x * b.x, UNITVEC_HUGE);
+    float crosswise = min(min(a.x * b.y, UNITVEC_HUGE) + min(a.y * b.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float low = min(unitvec_product_rest(a.x, b.x, high) + crosswise, UNITVEC_HUGE);
     return vec2(high, low);
 }
 
 // base + low + linear u + rest, in order of magnitude: base, linear u, rest, low.
 vec2 unitvec_spherical_wide_polynomial(float base, float low, float slope, float u, float rest) {
-    float product = min(slope * u, UNITVEC_BARRIER);
+    float product = min(slope * u, UNITVEC_HUGE);
     vec2 sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(slope, u, product));
-    float lows = min(sum.y + low, UNITVEC_BARRIER);
+    float lows = min(sum.y + low, UNITVEC_HUGE);
     return unitvec_spherical_wide_sum(base, sum.x, lows);
 }
 
 // Cosine and sine of n steps, up to an eighth of a turn.
 void unitvec_spherical_wide_octant(int n, UnitvecSphericalWideSteps steps, out vec2 cosine, out vec2 sine) {
-    float r = min(float(n) * steps.size, UNITVEC_BARRIER);
-    float u = min(r * r, UNITVEC_BARRIER);
-    float cosine_rest = min(min(u * u,
-        UNITVEC_BARRIER) * min(UNITVEC_COS_1
-        + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sine_rest = min(min(u * u, UNITVEC_BARRIER) * min(UNITVEC_SIN_2 + min(u * UNITVEC_SIN_3, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float r = min(float(n) * steps.size, UNITVEC_HUGE);
+    float u = min(r * r, UNITVEC_HUGE);
+    float cosine_rest = min(min(u * u, UNITVEC_HUGE) * min(UNITVEC_COS_1
+        + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    float sine_rest = min(min(u * u, UNITVEC_HUGE) * min(UNITVEC_SIN_2 + min(u * UNITVEC_SIN_3, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 c = unitvec_spherical_wide_polynomial(1.0, 0.0, UNITVEC_COS_0, u, cosine_rest);
     vec2 sine_over_r = unitvec_spherical_wide_polynomial(UNITVEC_PI, UNITVEC_SIN_0, UNITVEC_SIN_1, u, sine_rest);
     vec2 s = unitvec_spherical_wide_product(vec2(r, 0.0), sine_over_r);
 
     // The rest of the angle is so small that it is its own sine, and its cosine is 1.
-    float turn = min(r * min(UNITVEC_PI * steps.excess, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float along = -min(turn * s.x, UNITVEC_BARRIER);
-    float across = min(turn * c.x, UNITVEC_BARRIER);
+    float turn = min(r * min(UNITVEC_PI * steps.excess, UNITVEC_HUGE), UNITVEC_HUGE);
+    float along = -min(turn * s.x, UNITVEC_HUGE);
+    float across = min(turn * c.x, UNITVEC_HUGE);
     cosine = unitvec_spherical_wide_sum(c.x, c.y, along);
     sine = unitvec_spherical_wide_sum(s.x, s.y, across);
 }
@@ -101,8 +100,8 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
-    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size), UNITVEC_BARRIER) + 0.5,
-        UNITVEC_BARRIER);
+    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size), UNITVEC_HUGE) + 0.5,
+        UNITVEC_HUGE);
     int estimate = int(part);
 
     vec2 cosine;
@@ -110,13 +109,12 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     unitvec_spherical_wide_octant(estimate, steps, cosine, sine);
     vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
     vec2 back = unitvec_spherical_wide_product(longer, sine);
-    float across =
-        min(min(forth.x - back.x, UNITVEC_BARRIER) + min(forth.y - back.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float root = sqrt(min(min(longer.x * longer.x, UNITVEC_BARRIER) + min(shorter.x * shorter.x, UNITVEC_BARRIER),
-        UNITVEC_BARRIER));
+    float across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float root =
+        sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
     float radians =
-        min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float off = min(across / radians + 0.5, UNITVEC_BARRIER);
+        min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
+    float off = min(across / radians + 0.5, UNITVEC_HUGE);
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -125,14 +123,14 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
 vec2 unitvec_spherical_wide_length(float x, float y) {
     float longer = y > x ? y : x;
     float shorter = y > x ? x : y;
-    float a = min(longer * longer, UNITVEC_BARRIER);
-    float b = min(shorter * shorter, UNITVEC_BARRIER);
-    float first = sqrt(min(a + b, UNITVEC_BARRIER));
+    float a = min(longer * longer, UNITVEC_HUGE);
+    float b = min(shorter * shorter, UNITVEC_HUGE);
+    float first = sqrt(min(a + b, UNITVEC_HUGE));
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
-    float square = min(root * root, UNITVEC_BARRIER);
+    float square = min(root * root, UNITVEC_HUGE);
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
-        UNITVEC_BARRIER) + unitvec_product_rest(shorter, shorter, b), UNITVEC_BARRIER);
-    float low = min(min(min(a - square, UNITVEC_BARRIER) + b, UNITVEC_BARRIER) + rests, UNITVEC_BARRIER) / (2.0 * root);
+        UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
+    float low = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root);
     return vec2(root, low);
 }
 
@@ -165,7 +163,7 @@ vec3 spherical48_decode(uvec2 code) {
     unitvec_spherical_wide_quarter(left ? 8388608 - longitude : longitude, UNITVEC_SPHERICAL_WIDE_PHI, x, y);
     x = unitvec_spherical_wide_product(radius, x);
     y = unitvec_spherical_wide_product(radius, y);
-    vec3 v = vec3(min(x.x + x.y, UNITVEC_BARRIER), min(y.x + y.y, UNITVEC_BARRIER), min(z.x + z.y, UNITVEC_BARRIER));
+    vec3 v = vec3(min(x.x + x.y, UNITVEC_HUGE), min(y.x + y.y, UNITVEC_HUGE), min(z.x + z.y, UNITVEC_HUGE));
     return vec3(unitvec_negate_positive(left, v.x), unitvec_negate_positive(j < 0, v.y), unitvec_negate_if(i > 0, v.z));
 }
 

@@ -23,13 +23,13 @@ precision highp int;
 const uint UNITVEC_UNORM8X3_Z = 0xff8080u;
 
 uint unitvec_unorm8x3_encode_component(float r) {
-    float biased = min(r * 0.5 + 0.5, UNITVEC_BARRIER);
+    float biased = min(r * 0.5 + 0.5, UNITVEC_HUGE);
     return unitvec_unorm_code(biased, 8u);
 }
 
 // 255 times the component of the low byte of a code.
 float unitvec_unorm8x3_decode_component(uint code) {
-    float whole = min(2.0 * float(code & unitvec_mask(8u)) - 255.0, UNITVEC_BARRIER);
+    float whole = min(2.0 * float(code & unitvec_mask(8u)) - 255.0, UNITVEC_HUGE);
     return whole;
 }
 

@@ -37,15 +37,15 @@ constant int UNITVEC_ELLIPSE = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 inline float4 unitvec_stereo_to_disk(float3 v) {
-    float scale = 1.0f / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_BARRIER);
-    float2 at = min(v.xy * scale, float2(UNITVEC_BARRIER));
-    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_BARRIER);
-    float rim = min(2.0f * v.z * scale, UNITVEC_BARRIER);
+    float scale = 1.0f / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
+    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
+    float rim = min(2.0f * v.z * scale, UNITVEC_HUGE);
     return float4(at, radius, rim);
 }
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
-    float sum = min(2.0f - rim, UNITVEC_BARRIER);
+    float sum = min(2.0f - rim, UNITVEC_HUGE);
     float2 horizontal = 2.0f * at / sum;
     float z = rim / sum;
     return float3(horizontal, z);
@@ -53,16 +53,16 @@ inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
     float norm = sqrt(unitvec_dot(v, v));
-    float scale = 1.0f / sqrt(min(norm * min(norm + v.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    float2 at = min(v.xy * scale, float2(UNITVEC_BARRIER));
-    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_BARRIER);
+    float scale = 1.0f / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
+    float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = v.z / norm;
     return float4(at, radius, rim);
 }
 
 inline float3 unitvec_disk_to_eqarea(float2 at, float rim) {
-    float scale = sqrt(min(1.0f + rim, UNITVEC_BARRIER));
-    float2 horizontal = min(at * scale, float2(UNITVEC_BARRIER));
+    float scale = sqrt(min(1.0f + rim, UNITVEC_HUGE));
+    float2 horizontal = min(at * scale, float2(UNITVEC_HUGE));
     return float3(horizontal, rim);
 }
 
@@ -73,13 +73,13 @@ inline float4 unitvec_eqdist_to_disk(float3 v) {
     float shorter = low ? v.z : rho;
     float longer = low ? rho : v.z;
     float part = 0.5f * unitvec_atan_octant_ratio(shorter, longer);
-    float rest = min(1.0f - part, UNITVEC_BARRIER);
+    float rest = min(1.0f - part, UNITVEC_HUGE);
     float radius = low ? rest : part;
     float inside = low ? part : rest;
     float quotient = radius / rho;
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0f;
-    float2 at = min(v.xy * scale, float2(UNITVEC_BARRIER));
-    float rim = min(inside * min(1.0f + radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
+    float rim = min(inside * min(1.0f + radius, UNITVEC_HUGE), UNITVEC_HUGE);
     return float4(at, radius, rim);
 }
 
@@ -95,18 +95,15 @@ constant float UNITVEC_COSC_2 = -0.0008935995f;
 constant float UNITVEC_COSC_3 = 2.3629505e-5f;
 
 inline float3 unitvec_disk_to_eqdist(float2 at, float c) {
-    float scale = min(1.0f
-        + min(c * min(UNITVEC_SINC_0
-        + min(c * min(UNITVEC_SINC_1
-        + min(c * min(UNITVEC_SINC_2 + min(c * UNITVEC_SINC_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float w = min(1.0f - c, UNITVEC_BARRIER);
-    float low = min(UNITVEC_COSC_0
-        + min(w * min(UNITVEC_COSC_1
-        + min(w * min(UNITVEC_COSC_2 + min(w * UNITVEC_COSC_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float z = min(c + min(c * min(w * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float2 horizontal = min(at * scale, float2(UNITVEC_BARRIER));
+    float scale = min(1.0f + min(c * min(UNITVEC_SINC_0 + min(c * min(UNITVEC_SINC_1
+        + min(c * min(UNITVEC_SINC_2 + min(c * UNITVEC_SINC_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float w = min(1.0f - c, UNITVEC_HUGE);
+    float low = min(UNITVEC_COSC_0 + min(w * min(UNITVEC_COSC_1
+        + min(w * min(UNITVEC_COSC_2 + min(w * UNITVEC_COSC_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float z = min(c + min(c * min(w * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float2 horizontal = min(at * scale, float2(UNITVEC_HUGE));
     return float3(horizontal, z);
 }
 
@@ -121,23 +118,22 @@ inline float2 unitvec_azimuthal_largest(uint bits) {
 // e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
 // rounded for whole e.
 inline float2 unitvec_azimuthal_parts(float2 e, uint bits) {
-    float v = min(e.y * unitvec_exp2(2 - int(bits / 2u)), UNITVEC_BARRIER);
+    float v = min(e.y * unitvec_exp2(2 - int(bits / 2u)), UNITVEC_HUGE);
     return float2(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
 // True for lattice points e of whose cell the disk covers nothing, or next to nothing.
 inline bool unitvec_plain_is_remote(float2 e, uint bits) {
-    float2 nearest = min(e - UNITVEC_AZIMUTHAL_REACH, float2(UNITVEC_BARRIER));
+    float2 nearest = min(e - UNITVEC_AZIMUTHAL_REACH, float2(UNITVEC_HUGE));
     float2 corner = unitvec_azimuthal_parts(nearest, bits);
-    float square =
-        min(min(corner.x * corner.x, UNITVEC_BARRIER) + min(corner.y * corner.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float square = min(min(corner.x * corner.x, UNITVEC_HUGE) + min(corner.y * corner.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return square > 1.0f;
 }
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 inline float2 unitvec_plain_settle(float2 e, uint bits) {
     float2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
-    float2 settled = min(e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f)), float2(UNITVEC_BARRIER));
+    float2 settled = min(e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f)), float2(UNITVEC_HUGE));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
@@ -148,26 +144,25 @@ inline float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
     float alone = excess / steep;
-    float remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_BARRIER), UNITVEC_BARRIER) / gentle;
+    float remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle;
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0f : remainder;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    float2 on_rim = min(p - moved / m, float2(UNITVEC_BARRIER));
+    float2 on_rim = min(p - moved / m, float2(UNITVEC_HUGE));
     return on_rim;
 }
 
 // Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
 inline float4 unitvec_plain_to_disk(float2 e, uint bits) {
     float2 p = unitvec_azimuthal_parts(e, bits);
-    float rim = min(1.0f - min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    float excess = min(-0.5f * rim, UNITVEC_BARRIER);
+    float rim =
+        min(1.0f - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float excess = min(-0.5f * rim, UNITVEC_HUGE);
     float2 moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
     float2 axis = p.x > p.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f);
     float2 on_rim = unitvec_plain_is_remote(e, bits) ? axis : moved;
-    float rest = min(1.0f
-        - min(min(on_rim.x * on_rim.x, UNITVEC_BARRIER) + min(on_rim.y * on_rim.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float rest = min(1.0f - min(min(on_rim.x * on_rim.x, UNITVEC_HUGE) + min(on_rim.y * on_rim.y, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return rim > 0.0f ? float4(p, 0.0f, rim) : float4(on_rim, 0.0f, rest < 0.0f ? rest : 0.0f);
 }
 
@@ -175,7 +170,7 @@ inline float2 unitvec_concentric_to_square(float4 disk) {
     bool steep = disk.y > disk.x;
     float shorter = steep ? disk.x : disk.y;
     float longer = steep ? disk.y : disk.x;
-    float across = min(disk.z * unitvec_atan_octant_ratio(shorter, longer), UNITVEC_BARRIER);
+    float across = min(disk.z * unitvec_atan_octant_ratio(shorter, longer), UNITVEC_HUGE);
     return steep ? float2(across, disk.z) : float2(disk.z, across);
 }
 
@@ -187,30 +182,29 @@ inline float4 unitvec_concentric_to_disk(float2 e, uint bits) {
     float quotient = shorter / radius;
     float octant = radius > 0.0f ? quotient : 0.0f;
     float angle = 0.25f * octant;
-    float2 p = min(radius * unitvec_sin_cos_half_turns(angle), float2(UNITVEC_BARRIER));
-    float rim = min(1.0f - min(radius * radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float2 p = min(radius * unitvec_sin_cos_half_turns(angle), float2(UNITVEC_HUGE));
+    float rim = min(1.0f - min(radius * radius, UNITVEC_HUGE), UNITVEC_HUGE);
     return float4(steep ? p.yx : p, 0.0f, rim);
 }
 
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 inline float2 unitvec_ellipse_to_square(float4 disk) {
-    float difference =
-        min(min(disk.x - disk.y, UNITVEC_BARRIER) * min(disk.x + disk.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sum = min(2.0f + sqrt(min(min(difference * difference, UNITVEC_BARRIER) + 4.0f * disk.w, UNITVEC_BARRIER)),
-        UNITVEC_BARRIER);
-    float2 s = 2.0f * disk.xy / float2(sqrt(min(sum + difference, UNITVEC_BARRIER)),
-        sqrt(min(sum - difference, UNITVEC_BARRIER)));
+    float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sum =
+        min(2.0f + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float2 s =
+        2.0f * disk.xy / float2(sqrt(min(sum + difference, UNITVEC_HUGE)), sqrt(min(sum - difference, UNITVEC_HUGE)));
     return s;
 }
 
 inline float4 unitvec_ellipse_to_disk(float2 e, uint bits) {
     float2 s = unitvec_azimuthal_parts(e, bits);
-    float2 root = float2(sqrt(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_BARRIER), UNITVEC_BARRIER)),
-        sqrt(min(1.0f - min(0.5f * s.x * s.x, UNITVEC_BARRIER), UNITVEC_BARRIER)));
-    float2 at = min(s * root, float2(UNITVEC_BARRIER));
+    float2 root = float2(sqrt(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)),
+        sqrt(min(1.0f - min(0.5f * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)));
+    float2 at = min(s * root, float2(UNITVEC_HUGE));
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
-    float factor = min(1.0f - min(s.x * s.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float rim = min(factor - min(factor * min(s.y * s.y, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float factor = min(1.0f - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float rim = min(factor - min(factor * min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return float4(at, 0.0f, rim);
 }
 
@@ -222,13 +216,13 @@ inline float unitvec_azimuthal_signed(bool negative, float x) {
 // Code of the direction of v at any width, for one of the projections and one of the maps.
 inline uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
     v = unitvec_or_z(v);
-    float3 octant = min(abs(v) * (1.0f / unitvec_l1_norm(v)), float3(UNITVEC_BARRIER));
+    float3 octant = min(abs(v) * (1.0f / unitvec_l1_norm(v)), float3(UNITVEC_HUGE));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
-    float2 s = map == UNITVEC_PLAIN ? disk.xy
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk) : unitvec_ellipse_to_square(disk));
+    float2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
+        : unitvec_ellipse_to_square(disk));
     float2 m = unitvec_azimuthal_largest(bits);
-    float2 position = min(min(s * m, float2(UNITVEC_BARRIER)) + 0.5f, float2(UNITVEC_BARRIER));
+    float2 position = min(min(s * m, float2(UNITVEC_HUGE)) + 0.5f, float2(UNITVEC_HUGE));
     float2 e = floor(position);
     if (map == UNITVEC_PLAIN) e = unitvec_plain_settle(e, bits);
 
@@ -261,11 +255,21 @@ inline uint stereo22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITV
 inline uint stereo24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 inline uint stereo32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-inline float3 stereo16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-inline float3 stereo20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-inline float3 stereo22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-inline float3 stereo24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-inline float3 stereo32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+inline float3 stereo16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+inline float3 stereo20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+inline float3 stereo22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+inline float3 stereo24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+inline float3 stereo32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
 inline uint stereo_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -337,11 +341,21 @@ inline uint eqarea22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITV
 inline uint eqarea24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 inline uint eqarea32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-inline float3 eqarea16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-inline float3 eqarea20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-inline float3 eqarea22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-inline float3 eqarea24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-inline float3 eqarea32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+inline float3 eqarea16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+inline float3 eqarea20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+inline float3 eqarea22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+inline float3 eqarea24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+inline float3 eqarea32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
 inline uint eqarea_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -413,11 +427,21 @@ inline uint eqdist22_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITV
 inline uint eqdist24_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 inline uint eqdist32_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-inline float3 eqdist16_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-inline float3 eqdist20_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-inline float3 eqdist22_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-inline float3 eqdist24_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-inline float3 eqdist32_decode(uint code) { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+inline float3 eqdist16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+inline float3 eqdist20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+inline float3 eqdist22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+inline float3 eqdist24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+inline float3 eqdist32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
 inline uint eqdist_concentric16_encode(float3 v) {
     return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);

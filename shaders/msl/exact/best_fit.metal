@@ -64,42 +64,42 @@ inline float2 unitvec_best_fit_by_size(float3 u) {
 // The vector whose largest component is k, a whole number. It is off by d = (0, dy, dz), and its angle to u has the
 // sine |d x u| / (|q| |u|).
 inline float3 unitvec_best_fit_of_length(float2 u, float k) {
-    float2 p = min(u * k, float2(UNITVEC_BARRIER));
-    float2 q = floor(min(p + 0.5f, float2(UNITVEC_BARRIER)));
-    float2 d = min(q - p, float2(UNITVEC_BARRIER));
-    float cx = min(min(d.x * u.y, UNITVEC_BARRIER) - min(d.y * u.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float numerator = min(min(min(cx * cx, UNITVEC_BARRIER) + min(d.x * d.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float denominator = min(min(min(k * k, UNITVEC_BARRIER) + min(q.x * q.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(q.y * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float2 p = min(u * k, float2(UNITVEC_HUGE));
+    float2 q = floor(min(p + 0.5f, float2(UNITVEC_HUGE)));
+    float2 d = min(q - p, float2(UNITVEC_HUGE));
+    float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float numerator = min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float denominator = min(min(min(k * k, UNITVEC_HUGE) + min(q.x * q.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(q.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return float3(k, numerator, denominator);
 }
 
 // The vector u times `scale`, rounded; any scale.
 inline float3 unitvec_best_fit_of_scale(float2 u, float scale) {
-    float3 p = float3(scale, min(u.x * scale, UNITVEC_BARRIER), min(u.y * scale, UNITVEC_BARRIER));
-    float3 q = floor(min(p + 0.5f, float3(UNITVEC_BARRIER)));
-    float3 d = min(q - p, float3(UNITVEC_BARRIER));
-    float cx = min(min(d.y * u.y, UNITVEC_BARRIER) - min(d.z * u.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cy = min(d.z - min(d.x * u.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cz = min(min(d.x * u.x, UNITVEC_BARRIER) - d.y, UNITVEC_BARRIER);
-    float numerator = min(min(min(cx * cx, UNITVEC_BARRIER) + min(cy * cy, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(cz * cz, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float denominator = min(min(min(q.x * q.x, UNITVEC_BARRIER) + min(q.y * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(q.z * q.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float3 p = float3(scale, min(u.x * scale, UNITVEC_HUGE), min(u.y * scale, UNITVEC_HUGE));
+    float3 q = floor(min(p + 0.5f, float3(UNITVEC_HUGE)));
+    float3 d = min(q - p, float3(UNITVEC_HUGE));
+    float cx = min(min(d.y * u.y, UNITVEC_HUGE) - min(d.z * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cy = min(d.z - min(d.x * u.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cz = min(min(d.x * u.x, UNITVEC_HUGE) - d.y, UNITVEC_HUGE);
+    float numerator = min(min(min(cx * cx, UNITVEC_HUGE) + min(cy * cy, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(cz * cz, UNITVEC_HUGE), UNITVEC_HUGE);
+    float denominator = min(min(min(q.x * q.x, UNITVEC_HUGE) + min(q.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(q.z * q.z, UNITVEC_HUGE), UNITVEC_HUGE);
     return float3(scale, numerator, denominator);
 }
 
 // b where it points nearer, else a.
 inline float3 unitvec_best_fit_nearer(float3 a, float3 b) {
-    float cost_a = min(a.y * b.z, UNITVEC_BARRIER);
-    float cost_b = min(b.y * a.z, UNITVEC_BARRIER);
+    float cost_a = min(a.y * b.z, UNITVEC_HUGE);
+    float cost_b = min(b.y * a.z, UNITVEC_HUGE);
     return cost_b < cost_a ? b : a;
 }
 
 // The best of `best` and the 64 lengths from `longest` down; of equals the first.
 inline float3 unitvec_best_fit_scan(float3 best, float2 u, float longest) {
-    for (float k = longest; k > longest - UNITVEC_BEST_FIT_SCANNED; k = min(k - 1.0f, UNITVEC_BARRIER)) {
+    for (float k = longest; k > longest - UNITVEC_BEST_FIT_SCANNED; k = min(k - 1.0f, UNITVEC_HUGE)) {
         best = unitvec_best_fit_nearer(best, unitvec_best_fit_of_length(u, k));
     }
     return best;
@@ -110,7 +110,7 @@ inline float3 unitvec_best_fit_scan(float3 best, float2 u, float longest) {
 inline float unitvec_best_fit_best_scale(float2 u) {
     float3 best = unitvec_best_fit_scan(unitvec_best_fit_of_length(u, 127.0f), u, 127.0f);
     float end = u.y > UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT ? 111.5f : 123.5f;
-    for (float scale = 127.25f; scale > end; scale = min(scale - 0.5f, UNITVEC_BARRIER)) {
+    for (float scale = 127.25f; scale > end; scale = min(scale - 0.5f, UNITVEC_HUGE)) {
         best = unitvec_best_fit_nearer(best, unitvec_best_fit_of_scale(u, scale));
     }
     return best.x;
@@ -118,7 +118,7 @@ inline float unitvec_best_fit_best_scale(float2 u) {
 
 // Whole vector of a scale: magnitudes rounded, with the signs of v.
 inline float3 unitvec_best_fit_at_scale(float3 v, float3 u, float scale) {
-    float3 q = floor(min(min(u * scale, float3(UNITVEC_BARRIER)) + 0.5f, float3(UNITVEC_BARRIER)));
+    float3 q = floor(min(min(u * scale, float3(UNITVEC_HUGE)) + 0.5f, float3(UNITVEC_HUGE)));
     return float3(unitvec_negate_if(unitvec_is_negative(v.x), q.x), unitvec_negate_if(unitvec_is_negative(v.y), q.y),
         unitvec_negate_if(unitvec_is_negative(v.z), q.z));
 }
@@ -129,7 +129,7 @@ inline uint unitvec_best_fit_pack8(float3 q) {
 
 // The low byte of the two's complement of the nearest whole number, the even one of two.
 inline uint unitvec_best_fit_nearest_byte(float x) {
-    float sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_BARRIER);
+    float sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
     return as_type<uint>(sum) & unitvec_mask(8u);
 }
 
@@ -139,16 +139,16 @@ inline float3 unitvec_best_fit_parts_and_reciprocal(float3 v) {
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
     float reciprocal = 1.0f / max(high, a.z);
-    float mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_BARRIER);
-    float least = min(min(low, a.z) * reciprocal, UNITVEC_BARRIER);
+    float mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
+    float least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return float3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : least,
         reciprocal);
 }
 
 // The code of v scaled to a largest component of `size` and rounded.
 inline uint unitvec_best_fit_code_at_length(float3 v, float reciprocal, float size) {
-    float scale = min(size * reciprocal, UNITVEC_BARRIER);
-    float3 p = min(v * scale, float3(UNITVEC_BARRIER));
+    float scale = min(size * reciprocal, UNITVEC_HUGE);
+    float3 p = min(v * scale, float3(UNITVEC_HUGE));
     return unitvec_best_fit_nearest_byte(p.x) | (unitvec_best_fit_nearest_byte(p.y) << 8u)
         | (unitvec_best_fit_nearest_byte(p.z) << 16u);
 }
@@ -157,23 +157,23 @@ inline uint unitvec_best_fit_code_at_length(float3 v, float reciprocal, float si
 // the vector counts as `size` long, and the square of d x u as dy^2 - least dy dz + (1 + mid - least) dz^2, times a
 // factor.
 inline float2 unitvec_best_fit_candidate(float2 u, float weight, float size) {
-    float2 p = min(u * size, float2(UNITVEC_BARRIER));
-    float2 d = min(unitvec_nearest_whole(p) - p, float2(UNITVEC_BARRIER));
-    float cost = min(min(min(d.x - min(u.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER) * d.x, UNITVEC_BARRIER)
-        + min(weight * min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float2 p = min(u * size, float2(UNITVEC_HUGE));
+    float2 d = min(unitvec_nearest_whole(p) - p, float2(UNITVEC_HUGE));
+    float cost = min(min(min(d.x - min(u.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * d.x, UNITVEC_HUGE)
+        + min(weight * min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return float2(size, cost);
 }
 
 // b where it points nearer, else a.
 inline float2 unitvec_best_fit_nearer_candidate(float2 a, float2 b) {
-    float cost_a = min(a.y * min(b.x * b.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cost_b = min(b.y * min(a.x * a.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float cost_a = min(a.y * min(b.x * b.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cost_b = min(b.y * min(a.x * a.x, UNITVEC_HUGE), UNITVEC_HUGE);
     return cost_b < cost_a ? b : a;
 }
 
 // The one of a cell's lengths that fits best.
 inline float unitvec_best_fit_best_of(float2 u, float4 lengths) {
-    float weight = min(1.0f + min(u.x - u.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float weight = min(1.0f + min(u.x - u.y, UNITVEC_HUGE), UNITVEC_HUGE);
     float2 first = unitvec_best_fit_nearer_candidate(unitvec_best_fit_candidate(u, weight, lengths.x),
         unitvec_best_fit_candidate(u, weight, lengths.y));
     float2 second = unitvec_best_fit_nearer_candidate(unitvec_best_fit_candidate(u, weight, lengths.z),
@@ -183,24 +183,22 @@ inline float unitvec_best_fit_best_of(float2 u, float4 lengths) {
 
 // The column and the row of a direction's cell.
 inline uint2 unitvec_best_fit_cell_of(float2 u) {
-    float2 cell = min(u * UNITVEC_BEST_FIT_CELLS, float2(UNITVEC_BARRIER));
+    float2 cell = min(u * UNITVEC_BEST_FIT_CELLS, float2(UNITVEC_HUGE));
     return uint2(unitvec_whole_to_u32(cell.x), unitvec_whole_to_u32(cell.y));
 }
 
 // The sine of the error that a length leaves, up to a factor that is nearly the same for all lengths.
 inline float unitvec_best_fit_sine(float2 u, float size) {
-    float2 p = min(u * size, float2(UNITVEC_BARRIER));
-    float2 d = min(unitvec_nearest_whole(p) - p, float2(UNITVEC_BARRIER));
-    float cx = min(min(d.x * u.y, UNITVEC_BARRIER) - min(d.y * u.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sine = sqrt(min(min(min(min(cx * cx, UNITVEC_BARRIER) + min(d.x * d.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER) * (1.0f / min(size * size, UNITVEC_BARRIER)),
-        UNITVEC_BARRIER));
+    float2 p = min(u * size, float2(UNITVEC_HUGE));
+    float2 d = min(unitvec_nearest_whole(p) - p, float2(UNITVEC_HUGE));
+    float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * (1.0f / min(size * size, UNITVEC_HUGE)), UNITVEC_HUGE));
     return sine;
 }
 
 inline float unitvec_best_fit_sample_part(uint cell, int i) {
-    float part =
-        min(float(cell) + min(float(i) + 0.5f, UNITVEC_BARRIER) / 3.0f, UNITVEC_BARRIER) / UNITVEC_BEST_FIT_CELLS;
+    float part = min(float(cell) + min(float(i) + 0.5f, UNITVEC_HUGE) / 3.0f, UNITVEC_HUGE) / UNITVEC_BEST_FIT_CELLS;
     return part;
 }
 
@@ -220,13 +218,13 @@ inline float4 unitvec_best_fit_cell_lengths(uint2 cell) {
     for (int n = 0; n < 4; n += 1) {
         float best = 0.0f;
         float least = 0.0f;
-        for (float size = 127.0f; size > 127.0f - UNITVEC_BEST_FIT_SCANNED; size = min(size - 1.0f, UNITVEC_BARRIER)) {
+        for (float size = 127.0f; size > 127.0f - UNITVEC_BEST_FIT_SCANNED; size = min(size - 1.0f, UNITVEC_HUGE)) {
             float total = 0.0f;
             for (int i = 0; i < 9; i += 1) {
                 total = min(total + min(unitvec_best_fit_sine(unitvec_best_fit_sample(cell, i), size), left[i]),
-                    UNITVEC_BARRIER);
+                    UNITVEC_HUGE);
             }
-            float limit = min(least * UNITVEC_BEST_FIT_CLEARLY_LESS, UNITVEC_BARRIER);
+            float limit = min(least * UNITVEC_BEST_FIT_CLEARLY_LESS, UNITVEC_HUGE);
             if (size == 127.0f || total < limit) {
                 best = size;
                 least = total;
@@ -304,8 +302,8 @@ inline uint2 snorm16x3p_encode(float3 v) {
     float3 u = unitvec_best_fit_on_cube(v);
     float2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = longest / sqrt(min(min(1.0f + min(parts.x * parts.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(parts.y * parts.y, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    float unit = longest / sqrt(min(min(1.0f + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE));
     float3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     float3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uint2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -20,7 +20,7 @@
 #include "arith.metal"
 
 inline float unitvec_cube_round(bool negative, float magnitude, float m) {
-    float position = min(min(magnitude * min(m + 0.5f, UNITVEC_BARRIER), UNITVEC_BARRIER) + 0.5f, UNITVEC_BARRIER);
+    float position = min(min(magnitude * min(m + 0.5f, UNITVEC_HUGE), UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
     float rounded = floor(position);
     return unitvec_negate_if(negative, rounded > m ? m : rounded);
 }
@@ -35,7 +35,7 @@ inline uint unitvec_cube_encode_on_face(float3 v, uint bits, bool warped) {
     uint face = unitvec_face_of(v);
     float3 p = unitvec_to_face(v, face);
     float scale = 1.0f / abs(p.z);
-    float2 t = min(abs(p.xy) * scale, float2(UNITVEC_BARRIER));
+    float2 t = min(abs(p.xy) * scale, float2(UNITVEC_HUGE));
     if (warped) t = float2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
     uint2 widths = unitvec_cube_widths(bits);
     float x = unitvec_cube_round(unitvec_is_negative(p.x), t.x, unitvec_snorm_max(widths.x));
@@ -61,9 +61,9 @@ inline float3 unitvec_cube_decode(uint code, uint bits) {
     float2 e = unitvec_cube_unpack(code, bits);
     uint2 widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
-    float side = min(unitvec_snorm_max(widths.x) + 0.5f, UNITVEC_BARRIER);
-    float v_step = side / min(unitvec_snorm_max(widths.y) + 0.5f, UNITVEC_BARRIER);
-    float y = min(e.y * v_step, UNITVEC_BARRIER);
+    float side = min(unitvec_snorm_max(widths.x) + 0.5f, UNITVEC_HUGE);
+    float v_step = side / min(unitvec_snorm_max(widths.y) + 0.5f, UNITVEC_HUGE);
+    float y = min(e.y * v_step, UNITVEC_HUGE);
     return unitvec_from_face(unitvec_normalize(float3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
 
@@ -75,8 +75,8 @@ inline float3 unitvec_warpedcube_decode(uint code, uint bits) {
     uint face = unitvec_cube_unpack_face(code, bits);
     float2 e = unitvec_cube_unpack(code, bits);
     uint2 widths = unitvec_cube_widths(bits);
-    float s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5f, UNITVEC_BARRIER);
-    float t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5f, UNITVEC_BARRIER);
+    float s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5f, UNITVEC_HUGE);
+    float t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5f, UNITVEC_HUGE);
     float3 p = float3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0f));
     return unitvec_from_face(unitvec_normalize(p), face);
@@ -114,9 +114,9 @@ inline float3 cube48_decode(uint2 code) {
     uint face = (code.y >> 13u) & 7u;
     // Half a side is 2^23 - 1; then a step of u is 2, and one of v 4 + 2 / (2^22 - 1).
     int2 steps = int2(2, 4) * abs(int2(i, j));
-    float rest = min(float(abs(j)) * 4.768373e-7f, UNITVEC_BARRIER);
-    float3 lower = min(float3(float(steps.x & 4095), min(float(steps.y & 4095) + rest, UNITVEC_BARRIER),
-        4095.0f) * unitvec_exp2(-12), float3(UNITVEC_BARRIER));
+    float rest = min(float(abs(j)) * 4.768373e-7f, UNITVEC_HUGE);
+    float3 lower = min(float3(float(steps.x & 4095), min(float(steps.y & 4095) + rest, UNITVEC_HUGE),
+        4095.0f) * unitvec_exp2(-12), float3(UNITVEC_HUGE));
     float3 p = unitvec_normalize_parts(float3(float2(steps >> 12), 2047.0f), lower);
     p = float3(unitvec_negate_positive(i < 0, p.x), unitvec_negate_positive(j < 0, p.y),
         unitvec_negate_if((face & 1u) != 0u, p.z));

@@ -21,22 +21,22 @@
 inline float2 unitvec_cylindrical_lattice(float3 v, float m) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
-    float magnitude = min(p.z * (1.0f / sqrt(unitvec_dot(p, p))), UNITVEC_BARRIER);
+    float magnitude = min(p.z * (1.0f / sqrt(unitvec_dot(p, p))), UNITVEC_HUGE);
     float height = unitvec_with_sign(magnitude, v.z);
-    float steps = min((unitvec_is_usable(norm) ? height : 1.0f) * m, UNITVEC_BARRIER);
+    float steps = min((unitvec_is_usable(norm) ? height : 1.0f) * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
     float z = max(min(steps, m), -m);
-    float phi = min(unitvec_angles_azimuth(v, p) * (0.5f * m), UNITVEC_BARRIER);
+    float phi = min(unitvec_angles_azimuth(v, p) * (0.5f * m), UNITVEC_HUGE);
     return float2(abs(z) > m - 0.5f ? 0.0f : phi, z);
 }
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 inline float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
     float step_size = 1.0f / m;
-    float radius = min(sqrt(min(min(m - e.y, UNITVEC_BARRIER) * min(m + e.y, UNITVEC_BARRIER),
-        UNITVEC_BARRIER)) * step_size, UNITVEC_BARRIER);
-    float z = min(e.y * step_size, UNITVEC_BARRIER);
-    float quarters = min(e.x * (2.0f * step_size), UNITVEC_BARRIER);
+    float radius = min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)) * step_size,
+        UNITVEC_HUGE);
+    float z = min(e.y * step_size, UNITVEC_HUGE);
+    float quarters = min(e.x * (2.0f * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, radius > 0.0f ? quarters : 0.0f);
 }
 

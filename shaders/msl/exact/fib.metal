@@ -81,14 +81,14 @@ inline uint unitvec_fib_turn_of_step(uint i) {
 }
 
 inline float unitvec_fib_signed_turn(uint turn) {
-    float signed_turn = min(float(int(turn)) * unitvec_exp2(-32), UNITVEC_BARRIER);
+    float signed_turn = min(float(int(turn)) * unitvec_exp2(-32), UNITVEC_HUGE);
     return signed_turn;
 }
 
 // Integer part of a number from 0 to 2^31, and what is left.
 inline uint unitvec_fib_split(float x, thread float& rest) {
     int whole = int(x);
-    float left = min(x - float(whole), UNITVEC_BARRIER);
+    float left = min(x - float(whole), UNITVEC_HUGE);
     rest = left;
     return uint(whole);
 }
@@ -98,7 +98,7 @@ inline uint unitvec_fib_azimuth(float3 v, float3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
     float quotient = min(x, y) / max(x, y);
-    float part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_BARRIER);
+    float part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
     uint half_turn = unitvec_is_negative(v.x) ? 0x80000000u - quarter : quarter;
@@ -112,25 +112,25 @@ inline float unitvec_fib_golden_power(uint k) {
     float four = (k & 4u) != 0u ? 6.854102f : 1.0f;
     float eight = (k & 8u) != 0u ? 46.978714f : 1.0f;
     float sixteen = (k & 16u) != 0u ? 2206.9995f : 1.0f;
-    float power = min(min(min(one * two, UNITVEC_BARRIER) * min(four * eight, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) * sixteen, UNITVEC_BARRIER);
+    float power =
+        min(min(min(one * two, UNITVEC_HUGE) * min(four * eight, UNITVEC_HUGE), UNITVEC_HUGE) * sixteen, UNITVEC_HUGE);
     return power;
 }
 
 // Place of a vector with an L1 norm of 1 to 2.
 inline UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
-    float horizontal = min(min(v.x * v.x, UNITVEC_BARRIER) + min(v.y * v.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float reciprocal = 1.0f / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    float height = min(abs(v.z) * reciprocal, UNITVEC_BARRIER);
-    float radius_squared = min(min(horizontal * reciprocal, UNITVEC_BARRIER) * reciprocal, UNITVEC_BARRIER);
-    float from_pole = radius_squared / min(1.0f + height, UNITVEC_BARRIER);
-    float from_top = min(1.0f - height, UNITVEC_BARRIER);
+    float horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float reciprocal = 1.0f / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
+    float radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
+    float from_pole = radius_squared / min(1.0f + height, UNITVEC_HUGE);
+    float from_top = min(1.0f - height, UNITVEC_HUGE);
     bool is_polar = height > 0.5f;
 
-    float position = min((is_polar ? from_pole : height) * unitvec_exp2(int(bits) - 1), UNITVEC_BARRIER);
+    float position = min((is_polar ? from_pole : height) * unitvec_exp2(int(bits) - 1), UNITVEC_HUGE);
     float rest;
     uint whole = unitvec_fib_split(position, rest);
-    float fraction = min(unitvec_negate_if(!is_polar, rest) - 0.5f, UNITVEC_BARRIER);
+    float fraction = min(unitvec_negate_if(!is_polar, rest) - 0.5f, UNITVEC_HUGE);
     UnitvecFibPlace place = { is_polar ? from_pole : from_top, height, radius_squared,
         is_polar ? whole : (1u << (bits - 1u)) - whole, fraction };
     return place;
@@ -139,42 +139,39 @@ inline UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
 // Basis that is reduced where a horizontal circle has this radius. k is 2 to 25.
 inline UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     // The bits of a float, taken as a number, are about its logarithm.
-    float offset = min(float(bits) + -124.125f, UNITVEC_BARRIER);
-    float logarithm = min(min(float(as_type<uint>(radius_squared) >> 8u) * unitvec_exp2(-15), UNITVEC_BARRIER) + offset,
-        UNITVEC_BARRIER);
-    float zone = min(0.7202101f * logarithm, UNITVEC_BARRIER);
+    float offset = min(float(bits) + -124.125f, UNITVEC_HUGE);
+    float logarithm =
+        min(min(float(as_type<uint>(radius_squared) >> 8u) * unitvec_exp2(-15), UNITVEC_HUGE) + offset, UNITVEC_HUGE);
+    float zone = min(0.7202101f * logarithm, UNITVEC_HUGE);
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0f));
     float power = unitvec_fib_golden_power(k);
     float turn = 1.0f / power;
-    float next_turn = min(turn * 0.618034f, UNITVEC_BARRIER);
-    float step_size = min(min(power * 0.4472136f, UNITVEC_BARRIER) + 0.5f, UNITVEC_BARRIER);
-    float next_step = min(min(power * 0.7236068f, UNITVEC_BARRIER) + 0.5f, UNITVEC_BARRIER);
+    float next_turn = min(turn * 0.618034f, UNITVEC_HUGE);
+    float step_size = min(min(power * 0.4472136f, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
+    float next_step = min(min(power * 0.7236068f, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
     UnitvecFibBasis basis = { floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u };
     return basis;
 }
 
 // Point i, which the place is `turn` around from. The cost is half the square of the distance, without cancellation.
 inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint turn, uint bits) {
-    float steps = min(float(int(place.whole - i)) + place.fraction, UNITVEC_BARRIER);
-    float difference = min(steps * unitvec_exp2(1 - int(bits)), UNITVEC_BARRIER);
-    float signed_depth = min(place.depth - difference, UNITVEC_BARRIER);
+    float steps = min(float(int(place.whole - i)) + place.fraction, UNITVEC_HUGE);
+    float difference = min(steps * unitvec_exp2(1 - int(bits)), UNITVEC_HUGE);
+    float signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     bool is_point = signed_depth > 0.0f;
     float depth = abs(signed_depth);
-    float radii = sqrt(min(place.radius_squared * min(depth * min(2.0f - depth, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER));
+    float radii =
+        sqrt(min(place.radius_squared * min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
 
     float d = unitvec_fib_signed_turn(turn);
-    float u = min(d * d, UNITVEC_BARRIER);
-    float chord = min(u * min(UNITVEC_CHORD_0
-        + min(u * min(UNITVEC_CHORD_1
-        + min(u * min(UNITVEC_CHORD_2
-        + min(u * min(UNITVEC_CHORD_3 + min(u * UNITVEC_CHORD_4, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sum =
-        min(min(place.depth + min(depth * place.height, UNITVEC_BARRIER), UNITVEC_BARRIER) + radii, UNITVEC_BARRIER);
-    float cost = min(min(difference * difference, UNITVEC_BARRIER) / sum + min(radii * chord, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float u = min(d * d, UNITVEC_HUGE);
+    float chord = min(u * min(UNITVEC_CHORD_0 + min(u * min(UNITVEC_CHORD_1
+        + min(u * min(UNITVEC_CHORD_2 + min(u * min(UNITVEC_CHORD_3 + min(u * UNITVEC_CHORD_4, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    float sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
+    float cost = min(min(difference * difference, UNITVEC_HUGE) / sum + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     UnitvecFibCandidate candidate = { i, is_point ? cost : 4.0f };
     return candidate;
@@ -190,7 +187,7 @@ inline UnitvecFibCandidate unitvec_fib_cheaper(UnitvecFibCandidate a, UnitvecFib
 // Number of the point of 2^bits that is nearest to the direction of v.
 inline uint unitvec_fib_nearest(float3 v, uint bits) {
     float norm = unitvec_l1_norm(v);
-    float3 scaled = min(v * unitvec_scale_to_one(norm), float3(UNITVEC_BARRIER));
+    float3 scaled = min(v * unitvec_scale_to_one(norm), float3(UNITVEC_HUGE));
     bool is_mirrored = unitvec_is_negative(v.z);
     uint azimuth = unitvec_fib_azimuth(v, scaled);
     uint turn_to = is_mirrored ? unitvec_fib_turn(unitvec_fib_last(bits)) - azimuth : azimuth;
@@ -199,11 +196,10 @@ inline uint unitvec_fib_nearest(float3 v, uint bits) {
 
     // The coordinates of the place in the basis, whose determinant is 1 or -1.
     float across = unitvec_negate_if(basis.is_even, unitvec_fib_signed_turn(turn_to));
-    float number = min(min(place.depth * unitvec_exp2(int(bits) - 1), UNITVEC_BARRIER) - 0.5f, UNITVEC_BARRIER);
-    float a = min(min(across * basis.next_step, UNITVEC_BARRIER) + min(number * basis.next_turn, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    float b = min(min(number * basis.turn, UNITVEC_BARRIER) - min(across * basis.step_size, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float number = min(min(place.depth * unitvec_exp2(int(bits) - 1), UNITVEC_HUGE) - 0.5f, UNITVEC_HUGE);
+    float a =
+        min(min(across * basis.next_step, UNITVEC_HUGE) + min(number * basis.next_turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    float b = min(min(number * basis.turn, UNITVEC_HUGE) - min(across * basis.step_size, UNITVEC_HUGE), UNITVEC_HUGE);
 
     uint step_size = unitvec_whole_to_u32(basis.step_size);
     uint next_step = unitvec_whole_to_u32(basis.next_step);
@@ -230,16 +226,16 @@ inline float3 unitvec_fib_point(uint i, uint bits) {
     bool is_mirrored = (i >> (bits - 1u)) != 0u;
     uint from_pole = is_mirrored ? unitvec_fib_last(bits) - i : i;
     float unit = unitvec_exp2(1 - int(bits));
-    float depth = min(min(float(int(from_pole)) + 0.5f, UNITVEC_BARRIER) * unit, UNITVEC_BARRIER);
+    float depth = min(min(float(int(from_pole)) + 0.5f, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
     float height =
-        min(min(float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5f, UNITVEC_BARRIER) * unit, UNITVEC_BARRIER);
-    float radius = sqrt(min(depth * min(2.0f - depth, UNITVEC_BARRIER), UNITVEC_BARRIER));
+        min(min(float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5f, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
+    float radius = sqrt(min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE));
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;
-    float half_turns = min(float(2 * int(azimuth - (quarter << 30u)) + 1) * unitvec_exp2(-32), UNITVEC_BARRIER);
-    float sine = min(radius * unitvec_sin_eighth(half_turns), UNITVEC_BARRIER);
-    float cosine = min(radius * unitvec_cos_eighth(half_turns), UNITVEC_BARRIER);
+    float half_turns = min(float(2 * int(azimuth - (quarter << 30u)) + 1) * unitvec_exp2(-32), UNITVEC_HUGE);
+    float sine = min(radius * unitvec_sin_eighth(half_turns), UNITVEC_HUGE);
+    float cosine = min(radius * unitvec_cos_eighth(half_turns), UNITVEC_HUGE);
     bool is_odd = (quarter & 1u) != 0u;
     bool is_turned = (quarter & 2u) != 0u;
     return float3(unitvec_negate_if(is_turned, is_odd ? -sine : cosine),

@@ -37,37 +37,33 @@ constant float UNITVEC_UNWARP_2 = 0.0392082f;
 // second, n).
 inline void unitvec_frame_basis(float3 n, thread float3& first, thread float3& second) {
     float s = unitvec_with_sign(1.0f, n.z);
-    float a = -1.0f / min(s + n.z, UNITVEC_BARRIER);
-    float b = min(min(n.x * n.y, UNITVEC_BARRIER) * a, UNITVEC_BARRIER);
-    float3 e = float3(min(1.0f + min(s * min(min(n.x * n.x, UNITVEC_BARRIER) * a, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), min(s * b, UNITVEC_BARRIER), -min(s * n.x, UNITVEC_BARRIER));
-    float3 f = float3(b, min(s + min(min(n.y * n.y, UNITVEC_BARRIER) * a, UNITVEC_BARRIER), UNITVEC_BARRIER), -n.y);
+    float a = -1.0f / min(s + n.z, UNITVEC_HUGE);
+    float b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
+    float3 e = float3(min(1.0f + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
+    float3 f = float3(b, min(s + min(min(n.y * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), -n.y);
     first = e;
     second = f;
 }
 
 // The place on a side of the diamond, -1 to 1, for v of -1 to 1.
 inline float unitvec_frame_warp(float v) {
-    float u = min(v * v, UNITVEC_BARRIER);
-    float w = min(v * min(UNITVEC_WARP_0
-        + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(v * v, UNITVEC_HUGE);
+    float w = min(v * min(UNITVEC_WARP_0 + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return w;
 }
 
 // The inverse; for more than 9 bits of angle, with a step of Newton's method.
 inline float unitvec_frame_unwarp(float w, uint angle_bits) {
-    float u = min(w * w, UNITVEC_BARRIER);
-    float v = min(w
-        + min(w * min(min(1.0f - u,
-        UNITVEC_BARRIER) * min(UNITVEC_UNWARP_0
-        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float u = min(w * w, UNITVEC_HUGE);
+    float v = min(w + min(w * min(min(1.0f - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0
+        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float nearer = min(v
-        + min(min(w - unitvec_frame_warp(v), UNITVEC_BARRIER) * 1.2732395f, UNITVEC_BARRIER) / min(1.0f + u,
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float nearer = min(v + min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395f, UNITVEC_HUGE) / min(1.0f + u,
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -80,19 +76,19 @@ inline uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, 
     float x = unitvec_dot(tangent, first);
     float y = unitvec_dot(tangent, second);
     float norm = unitvec_l1_norm(tangent);
-    float sum = min(abs(x) + abs(y), UNITVEC_BARRIER);
-    float least = min(parallel * norm, UNITVEC_BARRIER);
+    float sum = min(abs(x) + abs(y), UNITVEC_HUGE);
+    float least = min(parallel * norm, UNITVEC_HUGE);
     bool usable = unitvec_is_usable(norm) && sum > least;
 
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
     uint below = as_type<uint>(y) & UNITVEC_SIGN_BIT;
     uint odd = (as_type<uint>(x) & UNITVEC_SIGN_BIT) ^ below;
-    float difference = min(abs(y) - abs(x), UNITVEC_BARRIER);
+    float difference = min(abs(y) - abs(x), UNITVEC_HUGE);
     float w = unitvec_flip_sign(difference, odd) / sum;
 
     float half_places = float(1u << (angle_bits - 3u));
-    float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0f, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) + UNITVEC_2_23, UNITVEC_BARRIER);
+    float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0f, UNITVEC_HUGE), UNITVEC_HUGE)
+        + UNITVEC_2_23, UNITVEC_HUGE);
     uint quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
     uint code = (quarters + as_type<uint>(place)) & unitvec_mask(angle_bits);
@@ -102,13 +98,13 @@ inline uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, 
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 inline float2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v = min(min(place * (1.0f / float(1u << (angle_bits - 3u))), UNITVEC_BARRIER) - 1.0f, UNITVEC_BARRIER);
+    float v = min(min(place * (1.0f / float(1u << (angle_bits - 3u))), UNITVEC_HUGE) - 1.0f, UNITVEC_HUGE);
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
     float w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
-    float x = min(1.0f - w, UNITVEC_BARRIER);
-    float y = min(1.0f + w, UNITVEC_BARRIER);
+    float x = min(1.0f - w, UNITVEC_HUGE);
+    float y = min(1.0f + w, UNITVEC_HUGE);
     return float2(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
@@ -118,8 +114,8 @@ inline float3 unitvec_frame_tangent(float3 n, uint code, uint angle_bits) {
     float3 second;
     unitvec_frame_basis(n, first, second);
     float2 p = unitvec_frame_diamond_point(code, angle_bits);
-    float3 t = min(min(first * p.x, float3(UNITVEC_BARRIER)) + min(second * p.y, float3(UNITVEC_BARRIER)),
-        float3(UNITVEC_BARRIER));
+    float3 t =
+        min(min(first * p.x, float3(UNITVEC_HUGE)) + min(second * p.y, float3(UNITVEC_HUGE)), float3(UNITVEC_HUGE));
     return unitvec_normalize(t);
 }
 

@@ -21,15 +21,15 @@
 
 // Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
 inline float2 unitvec_hemioct_position(float3 v, float norm, float m) {
-    float2 e = min(float2(min(v.x + v.y, UNITVEC_BARRIER), min(v.x - v.y, UNITVEC_BARRIER)) * (m / norm),
-        float2(UNITVEC_BARRIER));
+    float2 e =
+        min(float2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * (m / norm), float2(UNITVEC_HUGE));
     return e;
 }
 
 // The L1 norms of v, and of v with what is below the equator moved up to it.
 inline float2 unitvec_hemioct_norms(float3 v) {
-    float across = min(abs(v.x) + abs(v.y), UNITVEC_BARRIER);
-    float2 norms = float2(min(across + abs(v.z), UNITVEC_BARRIER), min(across + max(v.z, 0.0f), UNITVEC_BARRIER));
+    float across = min(abs(v.x) + abs(v.y), UNITVEC_HUGE);
+    float2 norms = float2(min(across + abs(v.z), UNITVEC_HUGE), min(across + max(v.z, 0.0f), UNITVEC_HUGE));
     return norms;
 }
 
@@ -42,8 +42,8 @@ inline bool unitvec_hemioct_is_usable(float2 norms) {
 // Direction of a lattice point (listing 6), unit length to within 2 ULP. |p.x| + |p.y| is twice the larger of |e.x| and
 // |e.y|, so that z is not negative.
 inline float3 unitvec_hemioct_from_lattice(float2 e, float m) {
-    float2 p = float2(min(e.x + e.y, UNITVEC_BARRIER), min(e.x - e.y, UNITVEC_BARRIER));
-    float z = 2.0f * min(m - max(abs(e.x), abs(e.y)), UNITVEC_BARRIER);
+    float2 p = float2(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE));
+    float z = 2.0f * min(m - max(abs(e.x), abs(e.y)), UNITVEC_HUGE);
     return unitvec_normalize(float3(p, z));
 }
 

@@ -40,7 +40,7 @@ inline UnitvecOctWidePosition unitvec_oct_wide_position(float3 v, uint bits) {
     float3 scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
     float2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     float2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
-    float2 sum = float2(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_BARRIER));
+    float2 sum = float2(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_HUGE));
     float reciprocal = 1.0f / sum.x;
 
     UnitvecOctWidePosition p;
@@ -50,7 +50,7 @@ inline UnitvecOctWidePosition unitvec_oct_wide_position(float3 v, uint bits) {
     float fraction_y;
     float part_x = unitvec_coordinate(scaled.x, sum, reciprocal, bits, x, fraction_x);
     float part_y = unitvec_coordinate(scaled.y, sum, reciprocal, bits, y, fraction_y);
-    float part_z = min(scaled.z * reciprocal, UNITVEC_BARRIER);
+    float part_z = min(scaled.z * reciprocal, UNITVEC_HUGE);
     p.whole = int2(x, y);
     p.fraction = float2(fraction_x, fraction_y);
     p.part = float3(part_x, part_y, part_z);
@@ -61,20 +61,20 @@ inline UnitvecOctWidePosition unitvec_oct_wide_position(float3 v, uint bits) {
 // Unit vector of the lattice point p of the positive octant.
 inline float3 unitvec_oct_wide_decode_octant(int3 p, uint bits) {
     uint low_bits = bits - 13u;
-    float3 lower = min(float3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits)), float3(UNITVEC_BARRIER));
+    float3 lower = min(float3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits)), float3(UNITVEC_HUGE));
     return unitvec_normalize_parts(float3(p >> low_bits), lower);
 }
 
 // Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the
 // vector itself costs least, so that what was decoded once keeps its code's vector.
 inline float unitvec_oct_wide_cost(UnitvecOctWidePosition p, int2 corner, uint bits) {
-    float2 d = min(float2(corner) - p.fraction, float2(UNITVEC_BARRIER));
-    float along = min(min(d.x * min(p.part.x - p.part.z, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * min(p.part.y - p.part.z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float squared = 2.0f * min(min(min(d.x * d.x, UNITVEC_BARRIER) + min(d.x * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float cost = min(min(squared * unitvec_dot(p.part, p.part), UNITVEC_BARRIER) - min(along * along, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float2 d = min(float2(corner) - p.fraction, float2(UNITVEC_HUGE));
+    float along = min(min(d.x * min(p.part.x - p.part.z, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * min(p.part.y - p.part.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float squared = 2.0f * min(min(min(d.x * d.x, UNITVEC_HUGE) + min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cost =
+        min(min(squared * unitvec_dot(p.part, p.part), UNITVEC_HUGE) - min(along * along, UNITVEC_HUGE), UNITVEC_HUGE);
     if (bits != 26u) return cost;
 
     int2 e = p.whole + corner;

@@ -44,7 +44,7 @@ inline UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
 
 inline UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     float2 m = float2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
-    float2 steps = min(m * 1.4142135f, float2(UNITVEC_BARRIER));
+    float2 steps = min(m * 1.4142135f, float2(UNITVEC_HUGE));
     UnitvecParallelPlane plane = { uint2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
         u_bits > 22u ? 0.0f : UNITVEC_PARALLEL_INSET, true };
     return plane;
@@ -53,7 +53,7 @@ inline UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
 // e in units of the plane, without a division of floats, so that all devices agree on what is inside.
 inline float2 unitvec_parallel_parts(UnitvecParallelPlane plane, float2 e) {
     float2 reciprocal = float2(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
-    float2 in_sextant = min(e * min(reciprocal * 0.70710677f, float2(UNITVEC_BARRIER)), float2(UNITVEC_BARRIER));
+    float2 in_sextant = min(e * min(reciprocal * 0.70710677f, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     float2 on_disk = float2(unitvec_snorm_part(e.x, plane.bits.x), unitvec_snorm_part(e.y, plane.bits.y));
     return plane.sextant ? in_sextant : on_disk;
 }
@@ -61,8 +61,8 @@ inline float2 unitvec_parallel_parts(UnitvecParallelPlane plane, float2 e) {
 // 1 on the border.
 inline float unitvec_parallel_extent(UnitvecParallelPlane plane, float2 p) {
     float larger = max(p.x, p.y);
-    float disk = min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float sextant = min(disk + min(larger * larger, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float disk = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sextant = min(disk + min(larger * larger, UNITVEC_HUGE), UNITVEC_HUGE);
     return plane.sextant ? sextant : disk;
 }
 
@@ -73,24 +73,24 @@ inline bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, float2 e) {
 // e with the component along which the border is sooner reached lessened by `by` steps.
 inline float2 unitvec_parallel_inwards(UnitvecParallelPlane plane, float2 e, float by) {
     float2 p = unitvec_parallel_parts(plane, e);
-    float x = min(p.x * plane.steps.y, UNITVEC_BARRIER);
-    float y = min(p.y * plane.steps.x, UNITVEC_BARRIER);
-    float weighed_x = min((p.x >= p.y ? 2.0f : 0.5f) * x, UNITVEC_BARRIER);
+    float x = min(p.x * plane.steps.y, UNITVEC_HUGE);
+    float y = min(p.y * plane.steps.x, UNITVEC_HUGE);
+    float weighed_x = min((p.x >= p.y ? 2.0f : 0.5f) * x, UNITVEC_HUGE);
     bool along_x = (plane.sextant ? weighed_x : x) >= y;
-    float2 less = min(e - by, float2(UNITVEC_BARRIER));
+    float2 less = min(e - by, float2(UNITVEC_HUGE));
     return along_x ? float2(less.x, e.y) : float2(e.x, less.y);
 }
 
 // What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
 // above it.
 inline float unitvec_parallel_onto_border(float extent) {
-    float factor = min(1.4999995f - 0.5f * extent, UNITVEC_BARRIER);
+    float factor = min(1.4999995f - 0.5f * extent, UNITVEC_HUGE);
     return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
 inline float2 unitvec_parallel_round(UnitvecParallelPlane plane, float2 p) {
-    float2 position = min(min(p * plane.steps, float2(UNITVEC_BARRIER)) + 0.5f, float2(UNITVEC_BARRIER));
+    float2 position = min(min(p * plane.steps, float2(UNITVEC_HUGE)) + 0.5f, float2(UNITVEC_HUGE));
     float2 e = min(floor(position), plane.m);
     // Variables, since `&&` and `?:` branch around calls.
     bool outside = unitvec_parallel_is_outside(plane, e);
@@ -104,25 +104,25 @@ inline float2 unitvec_parallel_point(UnitvecParallelPlane plane, float2 e) {
     float2 inner = unitvec_parallel_inwards(plane, e, plane.inset);
     float2 inset = unitvec_parallel_is_outside(plane, e) ? inner : e;
     float extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
-    float2 projected = min(e * unitvec_parallel_onto_border(extent), float2(UNITVEC_BARRIER));
+    float2 projected = min(e * unitvec_parallel_onto_border(extent), float2(UNITVEC_HUGE));
     float2 chosen = unitvec_parallel_is_outside(plane, inset) ? floor(projected) : inset;
     return unitvec_parallel_parts(plane, chosen);
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
 inline float3 unitvec_parallel_unit(float3 v) {
-    float raised = min(unitvec_l1_norm(v) * 1.1f, UNITVEC_BARRIER);
-    float3 scaled = min(v * unitvec_scale_to_one(raised), float3(UNITVEC_BARRIER));
+    float raised = min(unitvec_l1_norm(v) * 1.1f, UNITVEC_HUGE);
+    float3 scaled = min(v * unitvec_scale_to_one(raised), float3(UNITVEC_HUGE));
     float square = unitvec_dot(scaled, scaled);
-    float off = min(square - 1.0f, UNITVEC_BARRIER);
+    float off = min(square - 1.0f, UNITVEC_HUGE);
     float inverse = 1.0f / sqrt(square);
-    float3 n = min(scaled * (abs(off) <= 9.536743e-7f ? 1.0f : inverse), float3(UNITVEC_BARRIER));
+    float3 n = min(scaled * (abs(off) <= 9.536743e-7f ? 1.0f : inverse), float3(UNITVEC_HUGE));
     return n;
 }
 
 inline float unitvec_parallel_third(float2 p) {
-    float square = min(1.0f - min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    float square =
+        min(1.0f - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float root = sqrt(max(square, 0.0f));
     return root;
 }
@@ -163,8 +163,8 @@ inline uint unitvec_parallel_top(uint2 code, uint components) {
 inline float3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, float2 e, bool negative) {
     float2 p = unitvec_parallel_point(plane, abs(e));
     return float3(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
-        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
+        unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.
@@ -217,7 +217,7 @@ inline float2 unitvec_xyonly32f_halves(uint a, uint b) {
 }
 
 inline bool unitvec_xyonly32f_is_off_disk(float2 p) {
-    float square = min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    float square = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return square > 1.0f;
 }
 
@@ -225,8 +225,8 @@ inline bool unitvec_xyonly32f_is_off_disk(float2 p) {
 inline float2 unitvec_xyonly32f_halves_inset(uint a, uint b) {
     float2 p = unitvec_xyonly32f_halves(a, b);
     float2 inner = unitvec_xyonly32f_halves(a > 0u ? a - 1u : 0u, b > 0u ? b - 1u : 0u);
-    float2 q = min(p - min(UNITVEC_PARALLEL_INSET * min(p - inner, float2(UNITVEC_BARRIER)), float2(UNITVEC_BARRIER)),
-        float2(UNITVEC_BARRIER));
+    float2 q = min(p - min(UNITVEC_PARALLEL_INSET * min(p - inner, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE)),
+        float2(UNITVEC_HUGE));
     return p.x >= p.y ? float2(q.x, p.y) : float2(p.x, q.y);
 }
 
@@ -257,8 +257,8 @@ inline float3 xyonly32f_decode(uint code) {
     float2 inner = unitvec_xyonly32f_halves_inset(a, b);
     float2 inset = unitvec_xyonly32f_is_off_disk(p) ? inner : p;
     float2 unit = min(p, float2(1.0f));
-    float square = min(min(unit.x * unit.x, UNITVEC_BARRIER) + min(unit.y * unit.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    float2 projected = min(unit * unitvec_parallel_onto_border(square), float2(UNITVEC_BARRIER));
+    float square = min(min(unit.x * unit.x, UNITVEC_HUGE) + min(unit.y * unit.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float2 projected = min(unit * unitvec_parallel_onto_border(square), float2(UNITVEC_HUGE));
     float2 below = float2(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     float2 q = unitvec_xyonly32f_is_off_disk(inset) ? below : inset;
     return float3(unitvec_negate_positive((code & 0x8000u) != 0u, q.x),

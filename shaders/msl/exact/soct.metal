@@ -29,9 +29,8 @@ inline float3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
     float2 e = unitvec_snorm_integers(code, bits);
     float below = as_type<float>(sign_bit & UNITVEC_SIGN_BIT);
     float across = 2.0f * max(abs(e.x), abs(e.y));
-    float3 v = float3(min(e.x + e.y, UNITVEC_BARRIER), min(e.x - e.y, UNITVEC_BARRIER),
-        min(unitvec_with_sign(2.0f * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below),
-        UNITVEC_BARRIER));
+    float3 v = float3(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
+        min(unitvec_with_sign(2.0f * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
     return unitvec_normalize(v);
 }
 

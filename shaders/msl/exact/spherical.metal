@@ -23,8 +23,8 @@ inline float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
     float latitude = unitvec_with_sign(unitvec_angles_quarter(p.z, unitvec_horizontal_length(p)), v.z);
-    float i = min((unitvec_is_usable(norm) ? latitude : 1.0f) * -m, UNITVEC_BARRIER);
-    float j = min(unitvec_angles_azimuth(v, p) * (0.5f * half_turn), UNITVEC_BARRIER);
+    float i = min((unitvec_is_usable(norm) ? latitude : 1.0f) * -m, UNITVEC_HUGE);
+    float j = min(unitvec_angles_azimuth(v, p) * (0.5f * half_turn), UNITVEC_HUGE);
     // Half a step from a pole, i rounds to the even integer, which is not the pole's.
     return float2(i, abs(i) > m - 0.5f ? 0.0f : j);
 }
@@ -32,12 +32,12 @@ inline float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
 // Direction of a pair of integers, unit length to within 2 ULP.
 inline float3 unitvec_spherical_from_lattice(float2 e, float m, float half_turn) {
     // The product of m is 1 exactly.
-    float latitude = min(abs(e.x) * (1.0f / m), UNITVEC_BARRIER);
-    float diagonal = min(latitude - 0.5f, UNITVEC_BARRIER);
+    float latitude = min(abs(e.x) * (1.0f / m), UNITVEC_HUGE);
+    float diagonal = min(latitude - 0.5f, UNITVEC_HUGE);
     float2 meridian = unitvec_from_diagonal(diagonal);
-    float radius = min(meridian.x - meridian.y, UNITVEC_BARRIER);
-    float z = min(meridian.x + meridian.y, UNITVEC_BARRIER);
-    float quarters = min(e.y * (2.0f / half_turn), UNITVEC_BARRIER);
+    float radius = min(meridian.x - meridian.y, UNITVEC_HUGE);
+    float z = min(meridian.x + meridian.y, UNITVEC_HUGE);
+    float quarters = min(e.y * (2.0f / half_turn), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0f, z), latitude < 1.0f ? quarters : 0.0f);
 }
 

@@ -20,13 +20,13 @@
 constant uint UNITVEC_UNORM8X3_Z = 0xff8080u;
 
 inline uint unitvec_unorm8x3_encode_component(float r) {
-    float biased = min(r * 0.5f + 0.5f, UNITVEC_BARRIER);
+    float biased = min(r * 0.5f + 0.5f, UNITVEC_HUGE);
     return unitvec_unorm_code(biased, 8u);
 }
 
 // 255 times the component of the low byte of a code.
 inline float unitvec_unorm8x3_decode_component(uint code) {
-    float whole = min(2.0f * float(code & unitvec_mask(8u)) - 255.0f, UNITVEC_BARRIER);
+    float whole = min(2.0f * float(code & unitvec_mask(8u)) - 255.0f, UNITVEC_HUGE);
     return whole;
 }
 

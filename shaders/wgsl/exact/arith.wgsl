@@ -25,7 +25,7 @@
 // documentation has the errors, and what becomes of bad input.
 
 // No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.
-const UNITVEC_BARRIER: f32 = 3e38;
+const UNITVEC_HUGE: f32 = 3e38;
 
 // The least normal number, 2^-126.
 const UNITVEC_MIN_POSITIVE: f32 = 1.1754943508222875e-38;
@@ -74,8 +74,8 @@ fn unitvec_whole_to_u32(whole: f32) -> u32 {
 
 // The nearest whole numbers, the even one of two, for magnitudes up to 2^21.
 fn unitvec_nearest_whole(x: vec2f) -> vec2f {
-    let whole = min(min(x + UNITVEC_ONE_AND_A_HALF_2_23, vec2f(UNITVEC_BARRIER)) - UNITVEC_ONE_AND_A_HALF_2_23,
-        vec2f(UNITVEC_BARRIER));
+    let whole = min(min(x + UNITVEC_ONE_AND_A_HALF_2_23, vec2f(UNITVEC_HUGE)) - UNITVEC_ONE_AND_A_HALF_2_23,
+        vec2f(UNITVEC_HUGE));
     return whole;
 }
 
@@ -115,7 +115,7 @@ fn unitvec_without_denormals(v: vec3f) -> vec3f {
 
 // v, denormal components as 0, scaled by a power of two that takes its L1 norm to 1 to 2.
 fn unitvec_scaled_to_one(v: vec3f, l1_norm: f32) -> vec3f {
-    let scaled = min(unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm), vec3f(UNITVEC_BARRIER));
+    let scaled = min(unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm), vec3f(UNITVEC_HUGE));
     return scaled;
 }
 
@@ -134,7 +134,7 @@ fn unitvec_signed_code(whole: f32, bits: u32) -> u32 {
 // Two's complement, in `bits` bits (at most 22), of the whole number nearest to x, the even one of two: one addition rounds
 // and converts. Magnitudes up to 2^21; for others, and NaN, any code.
 fn unitvec_nearest_code(x: f32, bits: u32) -> u32 {
-    let sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_BARRIER);
+    let sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
     return bitcast<u32>(sum) & unitvec_mask(bits);
 }
 
@@ -172,8 +172,7 @@ fn unitvec_is_nan(x: f32) -> bool {
 
 // Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
 fn unitvec_unorm_code(r: f32, bits: u32) -> u32 {
-    let sum =
-        min(min(min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits), UNITVEC_BARRIER) + UNITVEC_2_23, UNITVEC_BARRIER);
+    let sum = min(min(min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits), UNITVEC_HUGE) + UNITVEC_2_23, UNITVEC_HUGE);
     return bitcast<u32>(sum) & unitvec_mask(bits);
 }
 
@@ -191,7 +190,7 @@ fn unitvec_unorm_decode(code: u32, bits: u32) -> f32 {
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
 // code. Ties go to the even integer.
 fn unitvec_snorm_code(r: f32, bits: u32) -> u32 {
-    let position = min(min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits), UNITVEC_BARRIER);
+    let position = min(min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits), UNITVEC_HUGE);
     return unitvec_nearest_code(position, bits);
 }
 
@@ -238,9 +237,9 @@ fn unitvec_snorm_reciprocal(bits: u32) -> f32 {
 fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     let h = unitvec_exp2(1 - i32(bits));
     let few = bits <= 11u;
-    let high = select(h, min(h + min(h * h, UNITVEC_BARRIER), UNITVEC_BARRIER), few);
-    let low = min(select(h, min(h * h, UNITVEC_BARRIER), few) * unitvec_snorm_reciprocal(bits), UNITVEC_BARRIER);
-    let quotient = min(min(x * high, UNITVEC_BARRIER) + min(x * low, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let high = select(h, min(h + min(h * h, UNITVEC_HUGE), UNITVEC_HUGE), few);
+    let low = min(select(h, min(h * h, UNITVEC_HUGE), few) * unitvec_snorm_reciprocal(bits), UNITVEC_HUGE);
+    let quotient = min(min(x * high, UNITVEC_HUGE) + min(x * low, UNITVEC_HUGE), UNITVEC_HUGE);
     return quotient;
 }
 
@@ -299,20 +298,20 @@ fn unitvec_half_decode(code: u32) -> f32 {
 // vector: vectors, with sums in a stated order.
 
 fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
-    let d = min(min(min(a.x * b.x, UNITVEC_BARRIER) + min(a.y * b.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(a.z * b.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let d = min(min(min(a.x * b.x, UNITVEC_HUGE) + min(a.y * b.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(a.z * b.z, UNITVEC_HUGE), UNITVEC_HUGE);
     return d;
 }
 
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
-    let n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), vec3f(UNITVEC_BARRIER));
+    let n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), vec3f(UNITVEC_HUGE));
     return n;
 }
 
 // Distance of v from the z axis.
 fn unitvec_horizontal_length(v: vec3f) -> f32 {
-    let distance_from_z = sqrt(min(min(v.x * v.x, UNITVEC_BARRIER) + min(v.y * v.y, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    let distance_from_z = sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE));
     return distance_from_z;
 }
 
@@ -350,10 +349,10 @@ fn unitvec_upper_half(x: f32) -> f32 {
 
 // a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
 fn unitvec_two_sum(a: f32, b: f32) -> vec2f {
-    let sum = min(a + b, UNITVEC_BARRIER);
-    let b_in_sum = min(sum - a, UNITVEC_BARRIER);
-    let rest = min(min(a - min(sum - b_in_sum, UNITVEC_BARRIER), UNITVEC_BARRIER) + min(b - b_in_sum, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let sum = min(a + b, UNITVEC_HUGE);
+    let b_in_sum = min(sum - a, UNITVEC_HUGE);
+    let rest =
+        min(min(a - min(sum - b_in_sum, UNITVEC_HUGE), UNITVEC_HUGE) + min(b - b_in_sum, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec2f(sum, rest);
 }
 
@@ -361,30 +360,30 @@ fn unitvec_two_sum(a: f32, b: f32) -> vec2f {
 fn unitvec_product_rest(a: f32, b: f32, product: f32) -> f32 {
     let a_upper = unitvec_upper_half(a);
     let b_upper = unitvec_upper_half(b);
-    let a_lower = min(a - a_upper, UNITVEC_BARRIER);
-    let b_lower = min(b - b_upper, UNITVEC_BARRIER);
-    let rest = min(min(min(min(min(a_upper * b_upper, UNITVEC_BARRIER) - product, UNITVEC_BARRIER)
-        + min(a_upper * b_lower, UNITVEC_BARRIER), UNITVEC_BARRIER) + min(a_lower * b_upper, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) + min(a_lower * b_lower, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let a_lower = min(a - a_upper, UNITVEC_HUGE);
+    let b_lower = min(b - b_upper, UNITVEC_HUGE);
+    let rest = min(min(min(min(min(a_upper * b_upper, UNITVEC_HUGE) - product, UNITVEC_HUGE)
+        + min(a_upper * b_lower, UNITVEC_HUGE), UNITVEC_HUGE) + min(a_lower * b_upper, UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(a_lower * b_lower, UNITVEC_HUGE), UNITVEC_HUGE);
     return rest;
 }
 
 // The coordinate (2^(bits-1) - 1) x / (sum.x + sum.y), 0 <= x <= sum.x; the quotient's first float is returned.
 fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: ptr<function, i32>,
     fraction: ptr<function, f32>) -> f32 {
-    let quotient = min(x * reciprocal, UNITVEC_BARRIER);
-    let product = min(quotient * sum.x, UNITVEC_BARRIER);
+    let quotient = min(x * reciprocal, UNITVEC_HUGE);
+    let product = min(quotient * sum.x, UNITVEC_HUGE);
     let product_rest = unitvec_product_rest(quotient, sum.x, product);
-    let remainder = min(min(min(x - product, UNITVEC_BARRIER) - product_rest, UNITVEC_BARRIER)
-        - min(quotient * sum.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let remainder = min(min(min(x - product, UNITVEC_HUGE) - product_rest, UNITVEC_HUGE)
+        - min(quotient * sum.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let steps = unitvec_exp2(i32(bits) - 1);
 
-    let first = min(quotient * steps, UNITVEC_BARRIER);
+    let first = min(quotient * steps, UNITVEC_HUGE);
     let whole = i32(first);
-    let beyond = min(min(min(first - f32(whole), UNITVEC_BARRIER) - quotient, UNITVEC_BARRIER)
-        + min(min(remainder * reciprocal, UNITVEC_BARRIER) * steps, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let beyond = min(min(min(first - f32(whole), UNITVEC_HUGE) - quotient, UNITVEC_HUGE)
+        + min(min(remainder * reciprocal, UNITVEC_HUGE) * steps, UNITVEC_HUGE), UNITVEC_HUGE);
     let carry = floor(beyond);
-    let rest = min(beyond - carry, UNITVEC_BARRIER);
+    let rest = min(beyond - carry, UNITVEC_HUGE);
 
     *integer = whole + i32(carry);
     *fraction = rest;
@@ -396,28 +395,25 @@ fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: p
 // those of lower are at most 1. All products with a reciprocal length of 12 bits are exact, or as good as it.
 fn unitvec_normalize_parts(upper: vec3f, lower: vec3f) -> vec3f {
     let squares = unitvec_dot(upper, upper);
-    let other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_BARRIER);
-    let estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_BARRIER));
+    let other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
+    let estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE));
     let reciprocal = bitcast<f32>((bitcast<u32>(estimate) + 0x800u) & 0xfffff000u);
 
-    let scale = min(reciprocal * reciprocal, UNITVEC_BARRIER);
+    let scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
     let scale_upper = unitvec_upper_half(scale);
     let squares_upper = unitvec_upper_half(squares);
-    let scale_lower = min(scale - scale_upper, UNITVEC_BARRIER);
-    let squares_lower = min(squares - squares_upper, UNITVEC_BARRIER);
-    let t = min(min(min(min(squares_upper * scale_upper, UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER)
-        + min(min(squares_upper * scale_lower, UNITVEC_BARRIER) + min(squares_lower * scale_upper, UNITVEC_BARRIER),
-        UNITVEC_BARRIER),
-        UNITVEC_BARRIER)
-        + min(min(squares_lower * scale_lower, UNITVEC_BARRIER) + min(other_squares * scale, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let correction = min(t * min(min(t * 0.375, UNITVEC_BARRIER) - 0.5, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let scale_lower = min(scale - scale_upper, UNITVEC_HUGE);
+    let squares_lower = min(squares - squares_upper, UNITVEC_HUGE);
+    let t = min(min(min(min(squares_upper * scale_upper, UNITVEC_HUGE) - 1.0, UNITVEC_HUGE)
+        + min(min(squares_upper * scale_lower, UNITVEC_HUGE) + min(squares_lower * scale_upper, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE) + min(min(squares_lower * scale_lower, UNITVEC_HUGE)
+        + min(other_squares * scale, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let correction = min(t * min(min(t * 0.375, UNITVEC_HUGE) - 0.5, UNITVEC_HUGE), UNITVEC_HUGE);
 
-    let first = min(upper * reciprocal, vec3f(UNITVEC_BARRIER));
-    let second = min(lower * reciprocal, vec3f(UNITVEC_BARRIER));
-    let v = min(first
-        + min(second + min(min(first + second, vec3f(UNITVEC_BARRIER)) * correction, vec3f(UNITVEC_BARRIER)),
-        vec3f(UNITVEC_BARRIER)), vec3f(UNITVEC_BARRIER));
+    let first = min(upper * reciprocal, vec3f(UNITVEC_HUGE));
+    let second = min(lower * reciprocal, vec3f(UNITVEC_HUGE));
+    let v = min(first + min(second + min(min(first + second, vec3f(UNITVEC_HUGE)) * correction, vec3f(UNITVEC_HUGE)),
+        vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
     return v;
 }
 
@@ -489,35 +485,33 @@ const UNITVEC_MAX_RADIANS: f32 = 8192.0;
 
 // sin(pi r), r in [0, 1/4].
 fn unitvec_sin_eighth(r: f32) -> f32 {
-    let u = min(r * r, UNITVEC_BARRIER);
-    let low = min(UNITVEC_SIN_0
-        + min(u * min(UNITVEC_SIN_1
-        + min(u * min(UNITVEC_SIN_2 + min(u * UNITVEC_SIN_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sine = min(r * min(UNITVEC_PI + low, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let u = min(r * r, UNITVEC_HUGE);
+    let low = min(UNITVEC_SIN_0 + min(u * min(UNITVEC_SIN_1 + min(u * min(UNITVEC_SIN_2
+        + min(u * UNITVEC_SIN_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let sine = min(r * min(UNITVEC_PI + low, UNITVEC_HUGE), UNITVEC_HUGE);
     return sine;
 }
 
 // cos(pi r), r in [0, 1/4].
 fn unitvec_cos_eighth(r: f32) -> f32 {
-    let u = min(r * r, UNITVEC_BARRIER);
-    let low = min(UNITVEC_COS_0
-        + min(u * min(UNITVEC_COS_1
-        + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cosine = min(1.0 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let u = min(r * r, UNITVEC_HUGE);
+    let low = min(UNITVEC_COS_0 + min(u * min(UNITVEC_COS_1 + min(u * min(UNITVEC_COS_2
+        + min(u * UNITVEC_COS_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let cosine = min(1.0 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE);
     return cosine;
 }
 
 // (cos(pi t), sin(pi t)). Infinity and NaN count as 0.
 fn unitvec_sin_cos_half_turns(t: f32) -> vec2f {
     let a = select(0.0, abs(t), unitvec_is_within(abs(t), UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS));
-    let turn = min(a - 2.0 * floor(0.5 * a), UNITVEC_BARRIER);
-    let rest_of_turn = min(2.0 - turn, UNITVEC_BARRIER);
+    let turn = min(a - 2.0 * floor(0.5 * a), UNITVEC_HUGE);
+    let rest_of_turn = min(2.0 - turn, UNITVEC_HUGE);
     let halved = select(turn, rest_of_turn, turn > 1.0);
-    let rest_of_half = min(1.0 - halved, UNITVEC_BARRIER);
+    let rest_of_half = min(1.0 - halved, UNITVEC_HUGE);
     let quarter = select(halved, rest_of_half, halved > 0.5);
-    let rest_of_quarter = min(0.5 - quarter, UNITVEC_BARRIER);
+    let rest_of_quarter = min(0.5 - quarter, UNITVEC_HUGE);
     let swapped = quarter > 0.25;
     let eighth = select(quarter, rest_of_quarter, swapped);
 
@@ -531,34 +525,28 @@ fn unitvec_sin_cos_half_turns(t: f32) -> vec2f {
 
 // x - y and x + y are cosine and sine of pi/4 + d pi/2, d in [-1/2, 1/2]. Both ends are exact.
 fn unitvec_from_diagonal(d: f32) -> vec2f {
-    let w = min(0.25 - min(d * d, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cosine = min(UNITVEC_DIAGONAL_COS_0
-        + min(w * min(UNITVEC_DIAGONAL_COS_1
-        + min(w * min(UNITVEC_DIAGONAL_COS_2 + min(w * UNITVEC_DIAGONAL_COS_3, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sine = min(UNITVEC_DIAGONAL_SIN_0
-        + min(w * min(UNITVEC_DIAGONAL_SIN_1 + min(w * UNITVEC_DIAGONAL_SIN_2, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let halves = vec2f(min(0.5 + min(w * cosine, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(d + min(min(d * w, UNITVEC_BARRIER) * sine, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    let w = min(0.25 - min(d * d, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cosine = min(UNITVEC_DIAGONAL_COS_0 + min(w * min(UNITVEC_DIAGONAL_COS_1
+        + min(w * min(UNITVEC_DIAGONAL_COS_2 + min(w * UNITVEC_DIAGONAL_COS_3, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let sine = min(UNITVEC_DIAGONAL_SIN_0 + min(w * min(UNITVEC_DIAGONAL_SIN_1
+        + min(w * UNITVEC_DIAGONAL_SIN_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let halves = vec2f(min(0.5 + min(w * cosine, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(d + min(min(d * w, UNITVEC_HUGE) * sine, UNITVEC_HUGE), UNITVEC_HUGE));
     return halves;
 }
 
 // 4/pi atan(r), r 0 or in [2^-100, 1]. Both ends are exact.
 fn unitvec_atan_octant_of_normal(r: f32) -> f32 {
-    let u = min(r * r, UNITVEC_BARRIER);
-    let low = min(UNITVEC_ATAN_4
-        + min(u * min(UNITVEC_ATAN_5
-        + min(u * min(UNITVEC_ATAN_6
-        + min(u * min(UNITVEC_ATAN_7 + min(u * UNITVEC_ATAN_8, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let polynomial = min(UNITVEC_ATAN_0
-        + min(u * min(UNITVEC_ATAN_1
-        + min(u * min(UNITVEC_ATAN_2
-        + min(u * min(UNITVEC_ATAN_3 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let octants = min(r + min(r * min(min(1.0 - u, UNITVEC_BARRIER) * polynomial, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let u = min(r * r, UNITVEC_HUGE);
+    let low = min(UNITVEC_ATAN_4 + min(u * min(UNITVEC_ATAN_5 + min(u * min(UNITVEC_ATAN_6
+        + min(u * min(UNITVEC_ATAN_7 + min(u * UNITVEC_ATAN_8, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let polynomial = min(UNITVEC_ATAN_0 + min(u * min(UNITVEC_ATAN_1
+        + min(u * min(UNITVEC_ATAN_2 + min(u * min(UNITVEC_ATAN_3 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let octants =
+        min(r + min(r * min(min(1.0 - u, UNITVEC_HUGE) * polynomial, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return octants;
 }
 
@@ -576,17 +564,15 @@ fn unitvec_atan_octant_ratio(y: f32, x: f32) -> f32 {
 
 // 2/pi atan(q), q in [0, 1], for the codecs of up to 32 bits.
 fn unitvec_atan_quarter(q: f32) -> f32 {
-    let u = min(q * q, UNITVEC_BARRIER);
-    let w = min(u * u, UNITVEC_BARRIER);
-    let even = min(UNITVEC_TURN_0
-        + min(w * min(UNITVEC_TURN_2
-        + min(w * min(UNITVEC_TURN_4 + min(w * UNITVEC_TURN_6, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let odd = min(UNITVEC_TURN_1
-        + min(w * min(UNITVEC_TURN_3
-        + min(w * min(UNITVEC_TURN_5 + min(w * UNITVEC_TURN_7, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let turn = min(q * min(even + min(u * odd, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let u = min(q * q, UNITVEC_HUGE);
+    let w = min(u * u, UNITVEC_HUGE);
+    let even = min(UNITVEC_TURN_0 + min(w * min(UNITVEC_TURN_2
+        + min(w * min(UNITVEC_TURN_4 + min(w * UNITVEC_TURN_6, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let odd = min(UNITVEC_TURN_1 + min(w * min(UNITVEC_TURN_3 + min(w * min(UNITVEC_TURN_5
+        + min(w * UNITVEC_TURN_7, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let turn = min(q * min(even + min(u * odd, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return turn;
 }
 
@@ -594,17 +580,15 @@ fn unitvec_atan_quarter(q: f32) -> f32 {
 fn unitvec_tan_octant(t_in: f32) -> f32 {
     var t = t_in;
     t = select(t, 0.0, t < UNITVEC_NEGLIGIBLE);
-    let u = min(t * t, UNITVEC_BARRIER);
-    let low = min(UNITVEC_TAN_3
-        + min(u * min(UNITVEC_TAN_4
-        + min(u * min(UNITVEC_TAN_5 + min(u * UNITVEC_TAN_6, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let polynomial = min(UNITVEC_TAN_0
-        + min(u * min(UNITVEC_TAN_1
-        + min(u * min(UNITVEC_TAN_2 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let tangent = min(t + min(t * min(min(1.0 - u, UNITVEC_BARRIER) * polynomial, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let u = min(t * t, UNITVEC_HUGE);
+    let low = min(UNITVEC_TAN_3 + min(u * min(UNITVEC_TAN_4 + min(u * min(UNITVEC_TAN_5
+        + min(u * UNITVEC_TAN_6, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let polynomial = min(UNITVEC_TAN_0 + min(u * min(UNITVEC_TAN_1
+        + min(u * min(UNITVEC_TAN_2 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    let tangent =
+        min(t + min(t * min(min(1.0 - u, UNITVEC_HUGE) * polynomial, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return tangent;
 }
 
@@ -612,7 +596,7 @@ fn unitvec_tan_octant(t_in: f32) -> f32 {
 fn unitvec_atan2_half_turns(y_in: f32, x_in: f32) -> f32 {
     var y = y_in;
     var x = x_in;
-    let norm = min(abs(x) + abs(y), UNITVEC_BARRIER);
+    let norm = min(abs(x) + abs(y), UNITVEC_HUGE);
     let usable = unitvec_is_within(norm, UNITVEC_NEGLIGIBLE, UNITVEC_ENORMOUS);
     x = select(1.0, x, usable);
     y = select(0.0, y, usable);
@@ -624,7 +608,7 @@ fn unitvec_atan2_half_turns(y_in: f32, x_in: f32) -> f32 {
     let left = unitvec_is_negative(x);
     let flat_base = select(0.0, 1.0, left);
     let base = select(flat_base, 0.5, steep);
-    let angle = min(base + unitvec_negate_if(steep != left, part), UNITVEC_BARRIER);
+    let angle = min(base + unitvec_negate_if(steep != left, part), UNITVEC_HUGE);
     return unitvec_negate_positive(unitvec_is_negative(y), angle);
 }
 
@@ -637,19 +621,17 @@ fn unitvec_clamped_magnitude(x: f32) -> f32 {
 // asin(a)/pi for a in [0, 1/2], half of acos(a)/pi for a in (1/2, 1].
 fn unitvec_asin_small(a: f32) -> f32 {
     let outer_part = a > 0.5;
-    let half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_BARRIER);
-    let squared = min(a * a, UNITVEC_BARRIER);
+    let half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_HUGE);
+    let squared = min(a * a, UNITVEC_HUGE);
     let u = select(squared, half_chord_squared, outer_part);
     let root = sqrt(u);
     let w = select(a, root, outer_part);
-    let low = min(UNITVEC_ASIN_2
-        + min(u * min(UNITVEC_ASIN_3
-        + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let angle = min(w * min(UNITVEC_FRAC_1_PI
-        + min(UNITVEC_ASIN_0
-        + min(u * min(UNITVEC_ASIN_1 + min(u * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3 + min(u * min(UNITVEC_ASIN_4
+        + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let angle = min(w * min(UNITVEC_FRAC_1_PI + min(UNITVEC_ASIN_0
+        + min(u * min(UNITVEC_ASIN_1 + min(u * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return angle;
 }
 
@@ -658,7 +640,7 @@ fn unitvec_asin_half_turns(x: f32) -> f32 {
     let magnitude = unitvec_clamped_magnitude(x);
     let a = select(magnitude, 0.0, magnitude < UNITVEC_NEGLIGIBLE);
     let part = unitvec_asin_small(a);
-    let outer_angle = min(0.5 - 2.0 * part, UNITVEC_BARRIER);
+    let outer_angle = min(0.5 - 2.0 * part, UNITVEC_HUGE);
     let angle = select(part, outer_angle, a > 0.5);
     return unitvec_negate_positive(unitvec_is_negative(x), angle);
 }
@@ -672,8 +654,7 @@ fn unitvec_acos_half_turns(x: f32) -> f32 {
     let base = select(0.5, outer_base, outer_part);
     let part = unitvec_asin_small(a);
     let doubled = 2.0 * part;
-    let angle =
-        min(base + unitvec_negate_if(outer_part == negative, select(part, doubled, outer_part)), UNITVEC_BARRIER);
+    let angle = min(base + unitvec_negate_if(outer_part == negative, select(part, doubled, outer_part)), UNITVEC_HUGE);
     return angle;
 }
 
@@ -682,11 +663,11 @@ fn unitvec_sin_cos(x: f32) -> vec2f {
     let usable = unitvec_is_within(abs(x), UNITVEC_NEGLIGIBLE, UNITVEC_MAX_RADIANS);
     let a = select(0.0, abs(x), usable);
     // Cody and Waite 1980: all but the last product is exact.
-    let k = floor(min(min(a * UNITVEC_FRAC_2_PI, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER));
-    let rest = min(min(min(a - min(k * UNITVEC_HALF_PI_HIGH, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        - min(k * UNITVEC_HALF_PI_MIDDLE, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) - min(k * UNITVEC_HALF_PI_LOW, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let r = min(rest * UNITVEC_FRAC_1_PI, UNITVEC_BARRIER);
+    let k = floor(min(min(a * UNITVEC_FRAC_2_PI, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE));
+    let rest = min(min(min(a - min(k * UNITVEC_HALF_PI_HIGH, UNITVEC_HUGE), UNITVEC_HUGE)
+        - min(k * UNITVEC_HALF_PI_MIDDLE, UNITVEC_HUGE), UNITVEC_HUGE) - min(k * UNITVEC_HALF_PI_LOW, UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let r = min(rest * UNITVEC_FRAC_1_PI, UNITVEC_HUGE);
     let quadrant = unitvec_whole_to_u32(k);
 
     let sine = unitvec_sin_eighth(r);
@@ -703,17 +684,17 @@ fn unitvec_sin(x: f32) -> f32 { return unitvec_sin_cos(x).y; }
 fn unitvec_cos(x: f32) -> f32 { return unitvec_sin_cos(x).x; }
 
 fn unitvec_atan2(y: f32, x: f32) -> f32 {
-    let angle = min(unitvec_atan2_half_turns(y, x) * UNITVEC_PI, UNITVEC_BARRIER);
+    let angle = min(unitvec_atan2_half_turns(y, x) * UNITVEC_PI, UNITVEC_HUGE);
     return angle;
 }
 
 fn unitvec_asin(x: f32) -> f32 {
-    let angle = min(unitvec_asin_half_turns(x) * UNITVEC_PI, UNITVEC_BARRIER);
+    let angle = min(unitvec_asin_half_turns(x) * UNITVEC_PI, UNITVEC_HUGE);
     return angle;
 }
 
 fn unitvec_acos(x: f32) -> f32 {
-    let angle = min(unitvec_acos_half_turns(x) * UNITVEC_PI, UNITVEC_BARRIER);
+    let angle = min(unitvec_acos_half_turns(x) * UNITVEC_PI, UNITVEC_HUGE);
     return angle;
 }
 
@@ -726,7 +707,7 @@ const UNITVEC_MIN_NORM: f32 = 5.421010862427522e-20;
 const UNITVEC_MAX_NORM: f32 = 1.2676506002282294e30;
 
 fn unitvec_l1_norm(v: vec3f) -> f32 {
-    let norm = min(min(abs(v.x) + abs(v.y), UNITVEC_BARRIER) + abs(v.z), UNITVEC_BARRIER);
+    let norm = min(min(abs(v.x) + abs(v.y), UNITVEC_HUGE) + abs(v.z), UNITVEC_HUGE);
     return norm;
 }
 
@@ -755,7 +736,7 @@ const UNITVEC_ANGLES_LEAST_Y: f32 = 4.336808689942018e-19;
 
 // The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Without a usable direction, anything.
 fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
-    let p = min(abs(v) * unitvec_scale_to_one(norm), vec3f(UNITVEC_BARRIER));
+    let p = min(abs(v) * unitvec_scale_to_one(norm), vec3f(UNITVEC_HUGE));
     return vec3f(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
 }
 
@@ -763,14 +744,14 @@ fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
 fn unitvec_angles_quarter(y: f32, x: f32) -> f32 {
     let q = min(x, y) / max(x, y);
     let part = unitvec_atan_quarter(q);
-    let rest = min(1.0 - part, UNITVEC_BARRIER);
+    let rest = min(1.0 - part, UNITVEC_HUGE);
     return select(part, rest, y > x);
 }
 
 // The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
 fn unitvec_angles_half_turn(y: f32, x: f32, left: bool) -> f32 {
     let angle = unitvec_angles_quarter(y, x);
-    let rest = min(2.0 - angle, UNITVEC_BARRIER);
+    let rest = min(2.0 - angle, UNITVEC_HUGE);
     return select(angle, rest, left);
 }
 
@@ -782,10 +763,10 @@ fn unitvec_angles_azimuth(v: vec3f, p: vec3f) -> f32 {
 
 // Unit vector of a cylinder's radius and height at the angle of so many quarter turns, -2 to 2, about +Z.
 fn unitvec_angles_around_z(radius: f32, z: f32, quarters: f32) -> vec3f {
-    let ahead = min(1.0 - abs(quarters), UNITVEC_BARRIER);
-    let diagonal = min(0.5 - abs(ahead), UNITVEC_BARRIER);
+    let ahead = min(1.0 - abs(quarters), UNITVEC_HUGE);
+    let diagonal = min(0.5 - abs(ahead), UNITVEC_HUGE);
     let e = unitvec_from_diagonal(diagonal);
-    let x = min(min(e.x - e.y, UNITVEC_BARRIER) * radius, UNITVEC_BARRIER);
-    let y = min(min(e.x + e.y, UNITVEC_BARRIER) * radius, UNITVEC_BARRIER);
+    let x = min(min(e.x - e.y, UNITVEC_HUGE) * radius, UNITVEC_HUGE);
+    let y = min(min(e.x + e.y, UNITVEC_HUGE) * radius, UNITVEC_HUGE);
     return vec3f(unitvec_with_sign(x, ahead), unitvec_negate_positive(quarters < 0.0, y), z);
 }

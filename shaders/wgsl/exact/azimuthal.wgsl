@@ -34,15 +34,15 @@ const UNITVEC_ELLIPSE: i32 = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
-    let scale = 1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_BARRIER);
-    let at = min(v.xy * scale, vec2f(UNITVEC_BARRIER));
-    let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_BARRIER);
-    let rim = min(2.0 * v.z * scale, UNITVEC_BARRIER);
+    let scale = 1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
+    let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
+    let rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
     return vec4f(at, radius, rim);
 }
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
-    let sum = min(2.0 - rim, UNITVEC_BARRIER);
+    let sum = min(2.0 - rim, UNITVEC_HUGE);
     let horizontal = 2.0 * at / sum;
     let z = rim / sum;
     return vec3f(horizontal, z);
@@ -50,16 +50,16 @@ fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
     let norm = sqrt(unitvec_dot(v, v));
-    let scale = 1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    let at = min(v.xy * scale, vec2f(UNITVEC_BARRIER));
-    let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_BARRIER);
+    let scale = 1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
+    let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     let rim = v.z / norm;
     return vec4f(at, radius, rim);
 }
 
 fn unitvec_disk_to_eqarea(at: vec2f, rim: f32) -> vec3f {
-    let scale = sqrt(min(1.0 + rim, UNITVEC_BARRIER));
-    let horizontal = min(at * scale, vec2f(UNITVEC_BARRIER));
+    let scale = sqrt(min(1.0 + rim, UNITVEC_HUGE));
+    let horizontal = min(at * scale, vec2f(UNITVEC_HUGE));
     return vec3f(horizontal, rim);
 }
 
@@ -70,13 +70,13 @@ fn unitvec_eqdist_to_disk(v: vec3f) -> vec4f {
     let shorter = select(rho, v.z, low);
     let longer = select(v.z, rho, low);
     let part = 0.5 * unitvec_atan_octant_ratio(shorter, longer);
-    let rest = min(1.0 - part, UNITVEC_BARRIER);
+    let rest = min(1.0 - part, UNITVEC_HUGE);
     let radius = select(part, rest, low);
     let inside = select(rest, part, low);
     let quotient = radius / rho;
     let scale = select(0.0, quotient, rho > UNITVEC_NEGLIGIBLE);
-    let at = min(v.xy * scale, vec2f(UNITVEC_BARRIER));
-    let rim = min(inside * min(1.0 + radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
+    let rim = min(inside * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec4f(at, radius, rim);
 }
 
@@ -92,18 +92,15 @@ const UNITVEC_COSC_2: f32 = -0.0008935995;
 const UNITVEC_COSC_3: f32 = 2.3629505e-5;
 
 fn unitvec_disk_to_eqdist(at: vec2f, c: f32) -> vec3f {
-    let scale = min(1.0
-        + min(c * min(UNITVEC_SINC_0
-        + min(c * min(UNITVEC_SINC_1
-        + min(c * min(UNITVEC_SINC_2 + min(c * UNITVEC_SINC_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let w = min(1.0 - c, UNITVEC_BARRIER);
-    let low = min(UNITVEC_COSC_0
-        + min(w * min(UNITVEC_COSC_1
-        + min(w * min(UNITVEC_COSC_2 + min(w * UNITVEC_COSC_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let z = min(c + min(c * min(w * low, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let horizontal = min(at * scale, vec2f(UNITVEC_BARRIER));
+    let scale = min(1.0 + min(c * min(UNITVEC_SINC_0 + min(c * min(UNITVEC_SINC_1
+        + min(c * min(UNITVEC_SINC_2 + min(c * UNITVEC_SINC_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let w = min(1.0 - c, UNITVEC_HUGE);
+    let low = min(UNITVEC_COSC_0 + min(w * min(UNITVEC_COSC_1 + min(w * min(UNITVEC_COSC_2
+        + min(w * UNITVEC_COSC_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let z = min(c + min(c * min(w * low, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let horizontal = min(at * scale, vec2f(UNITVEC_HUGE));
     return vec3f(horizontal, z);
 }
 
@@ -118,23 +115,22 @@ fn unitvec_azimuthal_largest(bits: u32) -> vec2f {
 // e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
 // rounded for whole e.
 fn unitvec_azimuthal_parts(e: vec2f, bits: u32) -> vec2f {
-    let v = min(e.y * unitvec_exp2(2 - i32(bits / 2u)), UNITVEC_BARRIER);
+    let v = min(e.y * unitvec_exp2(2 - i32(bits / 2u)), UNITVEC_HUGE);
     return vec2f(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
 // True for lattice points e of whose cell the disk covers nothing, or next to nothing.
 fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
-    let nearest = min(e - UNITVEC_AZIMUTHAL_REACH, vec2f(UNITVEC_BARRIER));
+    let nearest = min(e - UNITVEC_AZIMUTHAL_REACH, vec2f(UNITVEC_HUGE));
     let corner = unitvec_azimuthal_parts(nearest, bits);
-    let square =
-        min(min(corner.x * corner.x, UNITVEC_BARRIER) + min(corner.y * corner.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let square = min(min(corner.x * corner.x, UNITVEC_HUGE) + min(corner.y * corner.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return square > 1.0;
 }
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 fn unitvec_plain_settle(e: vec2f, bits: u32) -> vec2f {
     let slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
-    let settled = min(e - select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), slope.x > slope.y), vec2f(UNITVEC_BARRIER));
+    let settled = min(e - select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), slope.x > slope.y), vec2f(UNITVEC_HUGE));
     return select(e, settled, unitvec_plain_is_remote(e, bits));
 }
 
@@ -145,26 +141,24 @@ fn unitvec_plain_move_to_rim(p: vec2f, m: vec2f, excess: f32) -> vec2f {
     let steep = select(slope.y, slope.x, along_u);
     let gentle = select(slope.x, slope.y, along_u);
     let alone = excess / steep;
-    let remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_BARRIER), UNITVEC_BARRIER) / gentle;
+    let remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle;
     let first = select(UNITVEC_AZIMUTHAL_REACH, alone, alone < UNITVEC_AZIMUTHAL_REACH);
     let second = select(remainder, 0.0, alone < UNITVEC_AZIMUTHAL_REACH);
     let moved = select(vec2f(second, first), vec2f(first, second), along_u);
-    let on_rim = min(p - moved / m, vec2f(UNITVEC_BARRIER));
+    let on_rim = min(p - moved / m, vec2f(UNITVEC_HUGE));
     return on_rim;
 }
 
 // Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
 fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
     let p = unitvec_azimuthal_parts(e, bits);
-    let rim = min(1.0 - min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    let excess = min(-0.5 * rim, UNITVEC_BARRIER);
+    let rim = min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let excess = min(-0.5 * rim, UNITVEC_HUGE);
     let moved = unitvec_plain_move_to_rim(p, unitvec_azimuthal_largest(bits), excess);
     let axis = select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), p.x > p.y);
     let on_rim = select(moved, axis, unitvec_plain_is_remote(e, bits));
-    let rest = min(1.0
-        - min(min(on_rim.x * on_rim.x, UNITVEC_BARRIER) + min(on_rim.y * on_rim.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let rest = min(1.0 - min(min(on_rim.x * on_rim.x, UNITVEC_HUGE) + min(on_rim.y * on_rim.y, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return select(vec4f(on_rim, 0.0, select(0.0, rest, rest < 0.0)), vec4f(p, 0.0, rim), rim > 0.0);
 }
 
@@ -172,7 +166,7 @@ fn unitvec_concentric_to_square(disk: vec4f) -> vec2f {
     let steep = disk.y > disk.x;
     let shorter = select(disk.y, disk.x, steep);
     let longer = select(disk.x, disk.y, steep);
-    let across = min(disk.z * unitvec_atan_octant_ratio(shorter, longer), UNITVEC_BARRIER);
+    let across = min(disk.z * unitvec_atan_octant_ratio(shorter, longer), UNITVEC_HUGE);
     return select(vec2f(disk.z, across), vec2f(across, disk.z), steep);
 }
 
@@ -184,30 +178,28 @@ fn unitvec_concentric_to_disk(e: vec2f, bits: u32) -> vec4f {
     let quotient = shorter / radius;
     let octant = select(0.0, quotient, radius > 0.0);
     let angle = 0.25 * octant;
-    let p = min(radius * unitvec_sin_cos_half_turns(angle), vec2f(UNITVEC_BARRIER));
-    let rim = min(1.0 - min(radius * radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let p = min(radius * unitvec_sin_cos_half_turns(angle), vec2f(UNITVEC_HUGE));
+    let rim = min(1.0 - min(radius * radius, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec4f(select(p, p.yx, steep), 0.0, rim);
 }
 
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
-    let difference =
-        min(min(disk.x - disk.y, UNITVEC_BARRIER) * min(disk.x + disk.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sum = min(2.0 + sqrt(min(min(difference * difference, UNITVEC_BARRIER) + 4.0 * disk.w, UNITVEC_BARRIER)),
-        UNITVEC_BARRIER);
-    let s = 2.0 * disk.xy / vec2f(sqrt(min(sum + difference, UNITVEC_BARRIER)),
-        sqrt(min(sum - difference, UNITVEC_BARRIER)));
+    let difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let sum =
+        min(2.0 + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
+    let s = 2.0 * disk.xy / vec2f(sqrt(min(sum + difference, UNITVEC_HUGE)), sqrt(min(sum - difference, UNITVEC_HUGE)));
     return s;
 }
 
 fn unitvec_ellipse_to_disk(e: vec2f, bits: u32) -> vec4f {
     let s = unitvec_azimuthal_parts(e, bits);
-    let root = vec2f(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_BARRIER), UNITVEC_BARRIER)),
-        sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_BARRIER), UNITVEC_BARRIER)));
-    let at = min(s * root, vec2f(UNITVEC_BARRIER));
+    let root = vec2f(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)),
+        sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)));
+    let at = min(s * root, vec2f(UNITVEC_HUGE));
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
-    let factor = min(1.0 - min(s.x * s.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let rim = min(factor - min(factor * min(s.y * s.y, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let factor = min(1.0 - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let rim = min(factor - min(factor * min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return vec4f(at, 0.0, rim);
 }
 
@@ -220,13 +212,13 @@ fn unitvec_azimuthal_signed(negative: bool, x: f32) -> f32 {
 fn unitvec_azimuthal_encode(v_in: vec3f, projection: i32, map: i32, bits: u32) -> u32 {
     var v = v_in;
     v = unitvec_or_z(v);
-    let octant = min(abs(v) * (1.0 / unitvec_l1_norm(v)), vec3f(UNITVEC_BARRIER));
+    let octant = min(abs(v) * (1.0 / unitvec_l1_norm(v)), vec3f(UNITVEC_HUGE));
     let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),
         projection == UNITVEC_EQAREA), unitvec_stereo_to_disk(octant), projection == UNITVEC_STEREO);
     let s = select(select(unitvec_ellipse_to_square(disk), unitvec_concentric_to_square(disk),
         map == UNITVEC_CONCENTRIC), disk.xy, map == UNITVEC_PLAIN);
     let m = unitvec_azimuthal_largest(bits);
-    let position = min(min(s * m, vec2f(UNITVEC_BARRIER)) + 0.5, vec2f(UNITVEC_BARRIER));
+    let position = min(min(s * m, vec2f(UNITVEC_HUGE)) + 0.5, vec2f(UNITVEC_HUGE));
     var e = floor(position);
     if map == UNITVEC_PLAIN { e = unitvec_plain_settle(e, bits); }
 
@@ -256,11 +248,21 @@ fn stereo22_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC
 fn stereo24_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
 fn stereo32_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-fn stereo16_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
-fn stereo20_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
-fn stereo22_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
-fn stereo24_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
-fn stereo32_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
+fn stereo16_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+fn stereo20_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+fn stereo22_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+fn stereo24_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+fn stereo32_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
 fn stereo_concentric16_encode(v: vec3f) -> u32 {
     return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
@@ -332,11 +334,21 @@ fn eqarea22_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC
 fn eqarea24_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
 fn eqarea32_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-fn eqarea16_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
-fn eqarea20_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
-fn eqarea22_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
-fn eqarea24_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
-fn eqarea32_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
+fn eqarea16_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+fn eqarea20_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+fn eqarea22_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+fn eqarea24_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+fn eqarea32_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
 fn eqarea_concentric16_encode(v: vec3f) -> u32 {
     return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
@@ -408,11 +420,21 @@ fn eqdist22_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC
 fn eqdist24_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
 fn eqdist32_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
 
-fn eqdist16_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
-fn eqdist20_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
-fn eqdist22_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
-fn eqdist24_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
-fn eqdist32_decode(code: u32) -> vec3f { return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+fn eqdist16_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+fn eqdist20_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+fn eqdist22_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+fn eqdist24_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+fn eqdist32_decode(code: u32) -> vec3f {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
 
 fn eqdist_concentric16_encode(v: vec3f) -> u32 {
     return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);

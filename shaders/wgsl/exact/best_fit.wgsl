@@ -61,43 +61,43 @@ fn unitvec_best_fit_by_size(u: vec3f) -> vec2f {
 // The vector whose largest component is k, a whole number. It is off by d = (0, dy, dz), and its angle to u has the
 // sine |d x u| / (|q| |u|).
 fn unitvec_best_fit_of_length(u: vec2f, k: f32) -> vec3f {
-    let p = min(u * k, vec2f(UNITVEC_BARRIER));
-    let q = floor(min(p + 0.5, vec2f(UNITVEC_BARRIER)));
-    let d = min(q - p, vec2f(UNITVEC_BARRIER));
-    let cx = min(min(d.x * u.y, UNITVEC_BARRIER) - min(d.y * u.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let numerator = min(min(min(cx * cx, UNITVEC_BARRIER) + min(d.x * d.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let denominator = min(min(min(k * k, UNITVEC_BARRIER) + min(q.x * q.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(q.y * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let p = min(u * k, vec2f(UNITVEC_HUGE));
+    let q = floor(min(p + 0.5, vec2f(UNITVEC_HUGE)));
+    let d = min(q - p, vec2f(UNITVEC_HUGE));
+    let cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let numerator = min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let denominator = min(min(min(k * k, UNITVEC_HUGE) + min(q.x * q.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(q.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec3f(k, numerator, denominator);
 }
 
 // The vector u times `scale`, rounded; any scale.
 fn unitvec_best_fit_of_scale(u: vec2f, scale: f32) -> vec3f {
-    let p = vec3f(scale, min(u.x * scale, UNITVEC_BARRIER), min(u.y * scale, UNITVEC_BARRIER));
-    let q = floor(min(p + 0.5, vec3f(UNITVEC_BARRIER)));
-    let d = min(q - p, vec3f(UNITVEC_BARRIER));
-    let cx = min(min(d.y * u.y, UNITVEC_BARRIER) - min(d.z * u.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cy = min(d.z - min(d.x * u.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cz = min(min(d.x * u.x, UNITVEC_BARRIER) - d.y, UNITVEC_BARRIER);
-    let numerator = min(min(min(cx * cx, UNITVEC_BARRIER) + min(cy * cy, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(cz * cz, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let denominator = min(min(min(q.x * q.x, UNITVEC_BARRIER) + min(q.y * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(q.z * q.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let p = vec3f(scale, min(u.x * scale, UNITVEC_HUGE), min(u.y * scale, UNITVEC_HUGE));
+    let q = floor(min(p + 0.5, vec3f(UNITVEC_HUGE)));
+    let d = min(q - p, vec3f(UNITVEC_HUGE));
+    let cx = min(min(d.y * u.y, UNITVEC_HUGE) - min(d.z * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cy = min(d.z - min(d.x * u.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cz = min(min(d.x * u.x, UNITVEC_HUGE) - d.y, UNITVEC_HUGE);
+    let numerator = min(min(min(cx * cx, UNITVEC_HUGE) + min(cy * cy, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(cz * cz, UNITVEC_HUGE), UNITVEC_HUGE);
+    let denominator = min(min(min(q.x * q.x, UNITVEC_HUGE) + min(q.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(q.z * q.z, UNITVEC_HUGE), UNITVEC_HUGE);
     return vec3f(scale, numerator, denominator);
 }
 
 // b where it points nearer, else a.
 fn unitvec_best_fit_nearer(a: vec3f, b: vec3f) -> vec3f {
-    let cost_a = min(a.y * b.z, UNITVEC_BARRIER);
-    let cost_b = min(b.y * a.z, UNITVEC_BARRIER);
+    let cost_a = min(a.y * b.z, UNITVEC_HUGE);
+    let cost_b = min(b.y * a.z, UNITVEC_HUGE);
     return select(a, b, cost_b < cost_a);
 }
 
 // The best of `best` and the 64 lengths from `longest` down; of equals the first.
 fn unitvec_best_fit_scan(best_in: vec3f, u: vec2f, longest: f32) -> vec3f {
     var best = best_in;
-    for (var k = longest; k > longest - UNITVEC_BEST_FIT_SCANNED; k = min(k - 1.0, UNITVEC_BARRIER)) {
+    for (var k = longest; k > longest - UNITVEC_BEST_FIT_SCANNED; k = min(k - 1.0, UNITVEC_HUGE)) {
         best = unitvec_best_fit_nearer(best, unitvec_best_fit_of_length(u, k));
     }
     return best;
@@ -108,7 +108,7 @@ fn unitvec_best_fit_scan(best_in: vec3f, u: vec2f, longest: f32) -> vec3f {
 fn unitvec_best_fit_best_scale(u: vec2f) -> f32 {
     var best = unitvec_best_fit_scan(unitvec_best_fit_of_length(u, 127.0), u, 127.0);
     let end = select(123.5, 111.5, u.y > UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT);
-    for (var scale = 127.25; scale > end; scale = min(scale - 0.5, UNITVEC_BARRIER)) {
+    for (var scale = 127.25; scale > end; scale = min(scale - 0.5, UNITVEC_HUGE)) {
         best = unitvec_best_fit_nearer(best, unitvec_best_fit_of_scale(u, scale));
     }
     return best.x;
@@ -116,7 +116,7 @@ fn unitvec_best_fit_best_scale(u: vec2f) -> f32 {
 
 // Whole vector of a scale: magnitudes rounded, with the signs of v.
 fn unitvec_best_fit_at_scale(v: vec3f, u: vec3f, scale: f32) -> vec3f {
-    let q = floor(min(min(u * scale, vec3f(UNITVEC_BARRIER)) + 0.5, vec3f(UNITVEC_BARRIER)));
+    let q = floor(min(min(u * scale, vec3f(UNITVEC_HUGE)) + 0.5, vec3f(UNITVEC_HUGE)));
     return vec3f(unitvec_negate_if(unitvec_is_negative(v.x), q.x), unitvec_negate_if(unitvec_is_negative(v.y), q.y),
         unitvec_negate_if(unitvec_is_negative(v.z), q.z));
 }
@@ -127,7 +127,7 @@ fn unitvec_best_fit_pack8(q: vec3f) -> u32 {
 
 // The low byte of the two's complement of the nearest whole number, the even one of two.
 fn unitvec_best_fit_nearest_byte(x: f32) -> u32 {
-    let sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_BARRIER);
+    let sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
     return bitcast<u32>(sum) & unitvec_mask(8u);
 }
 
@@ -137,16 +137,16 @@ fn unitvec_best_fit_parts_and_reciprocal(v: vec3f) -> vec3f {
     let low = min(a.x, a.y);
     let high = max(a.x, a.y);
     let reciprocal = 1.0 / max(high, a.z);
-    let mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_BARRIER);
-    let least = min(min(low, a.z) * reciprocal, UNITVEC_BARRIER);
+    let mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
+    let least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return vec3f(select(mid, 0.0, mid < UNITVEC_BEST_FIT_LEAST_PART),
         select(least, 0.0, least < UNITVEC_BEST_FIT_LEAST_PART), reciprocal);
 }
 
 // The code of v scaled to a largest component of `size` and rounded.
 fn unitvec_best_fit_code_at_length(v: vec3f, reciprocal: f32, size: f32) -> u32 {
-    let scale = min(size * reciprocal, UNITVEC_BARRIER);
-    let p = min(v * scale, vec3f(UNITVEC_BARRIER));
+    let scale = min(size * reciprocal, UNITVEC_HUGE);
+    let p = min(v * scale, vec3f(UNITVEC_HUGE));
     return unitvec_best_fit_nearest_byte(p.x) | (unitvec_best_fit_nearest_byte(p.y) << 8u)
         | (unitvec_best_fit_nearest_byte(p.z) << 16u);
 }
@@ -155,23 +155,23 @@ fn unitvec_best_fit_code_at_length(v: vec3f, reciprocal: f32, size: f32) -> u32 
 // the vector counts as `size` long, and the square of d x u as dy^2 - least dy dz + (1 + mid - least) dz^2, times a
 // factor.
 fn unitvec_best_fit_candidate(u: vec2f, weight: f32, size: f32) -> vec2f {
-    let p = min(u * size, vec2f(UNITVEC_BARRIER));
-    let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_BARRIER));
-    let cost = min(min(min(d.x - min(u.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER) * d.x, UNITVEC_BARRIER)
-        + min(weight * min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let p = min(u * size, vec2f(UNITVEC_HUGE));
+    let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_HUGE));
+    let cost = min(min(min(d.x - min(u.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * d.x, UNITVEC_HUGE)
+        + min(weight * min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return vec2f(size, cost);
 }
 
 // b where it points nearer, else a.
 fn unitvec_best_fit_nearer_candidate(a: vec2f, b: vec2f) -> vec2f {
-    let cost_a = min(a.y * min(b.x * b.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cost_b = min(b.y * min(a.x * a.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let cost_a = min(a.y * min(b.x * b.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cost_b = min(b.y * min(a.x * a.x, UNITVEC_HUGE), UNITVEC_HUGE);
     return select(a, b, cost_b < cost_a);
 }
 
 // The one of a cell's lengths that fits best.
 fn unitvec_best_fit_best_of(u: vec2f, lengths: vec4f) -> f32 {
-    let weight = min(1.0 + min(u.x - u.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let weight = min(1.0 + min(u.x - u.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let first = unitvec_best_fit_nearer_candidate(unitvec_best_fit_candidate(u, weight, lengths.x),
         unitvec_best_fit_candidate(u, weight, lengths.y));
     let second = unitvec_best_fit_nearer_candidate(unitvec_best_fit_candidate(u, weight, lengths.z),
@@ -181,23 +181,22 @@ fn unitvec_best_fit_best_of(u: vec2f, lengths: vec4f) -> f32 {
 
 // The column and the row of a direction's cell.
 fn unitvec_best_fit_cell_of(u: vec2f) -> vec2u {
-    let cell = min(u * UNITVEC_BEST_FIT_CELLS, vec2f(UNITVEC_BARRIER));
+    let cell = min(u * UNITVEC_BEST_FIT_CELLS, vec2f(UNITVEC_HUGE));
     return vec2u(unitvec_whole_to_u32(cell.x), unitvec_whole_to_u32(cell.y));
 }
 
 // The sine of the error that a length leaves, up to a factor that is nearly the same for all lengths.
 fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
-    let p = min(u * size, vec2f(UNITVEC_BARRIER));
-    let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_BARRIER));
-    let cx = min(min(d.x * u.y, UNITVEC_BARRIER) - min(d.y * u.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sine = sqrt(min(min(min(min(cx * cx, UNITVEC_BARRIER) + min(d.x * d.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER) * (1.0 / min(size * size, UNITVEC_BARRIER)),
-        UNITVEC_BARRIER));
+    let p = min(u * size, vec2f(UNITVEC_HUGE));
+    let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_HUGE));
+    let cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * (1.0 / min(size * size, UNITVEC_HUGE)), UNITVEC_HUGE));
     return sine;
 }
 
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
-    let part = min(f32(cell) + min(f32(i) + 0.5, UNITVEC_BARRIER) / 3.0, UNITVEC_BARRIER) / UNITVEC_BEST_FIT_CELLS;
+    let part = min(f32(cell) + min(f32(i) + 0.5, UNITVEC_HUGE) / 3.0, UNITVEC_HUGE) / UNITVEC_BEST_FIT_CELLS;
     return part;
 }
 
@@ -217,13 +216,13 @@ fn unitvec_best_fit_cell_lengths(cell: vec2u) -> vec4f {
     for (var n = 0; n < 4; n += 1) {
         var best = 0.0;
         var least = 0.0;
-        for (var size = 127.0; size > 127.0 - UNITVEC_BEST_FIT_SCANNED; size = min(size - 1.0, UNITVEC_BARRIER)) {
+        for (var size = 127.0; size > 127.0 - UNITVEC_BEST_FIT_SCANNED; size = min(size - 1.0, UNITVEC_HUGE)) {
             var total = 0.0;
             for (var i = 0; i < 9; i += 1) {
                 total = min(total + min(unitvec_best_fit_sine(unitvec_best_fit_sample(cell, i), size), left[i]),
-                    UNITVEC_BARRIER);
+                    UNITVEC_HUGE);
             }
-            let limit = min(least * UNITVEC_BEST_FIT_CLEARLY_LESS, UNITVEC_BARRIER);
+            let limit = min(least * UNITVEC_BEST_FIT_CLEARLY_LESS, UNITVEC_HUGE);
             if size == 127.0 || total < limit {
                 best = size;
                 least = total;
@@ -301,8 +300,8 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
     let u = unitvec_best_fit_on_cube(v);
     let parts = unitvec_best_fit_by_size(u);
     let longest = unitvec_snorm_max(16u);
-    let unit = longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(parts.y * parts.y, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    let unit = longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE));
     let best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     let q = unitvec_best_fit_at_scale(v, u, best.x);
     return vec2u(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

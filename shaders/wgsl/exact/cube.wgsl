@@ -17,7 +17,7 @@
 // (y, z), (z, x), (x, y) on the faces of x, y, z. The warped cube stores 4/pi atan(u) in place of u.
 
 fn unitvec_cube_round(negative: bool, magnitude: f32, m: f32) -> f32 {
-    let position = min(min(magnitude * min(m + 0.5, UNITVEC_BARRIER), UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    let position = min(min(magnitude * min(m + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let rounded = floor(position);
     return unitvec_negate_if(negative, select(rounded, m, rounded > m));
 }
@@ -33,7 +33,7 @@ fn unitvec_cube_encode_on_face(v_in: vec3f, bits: u32, warped: bool) -> u32 {
     let face = unitvec_face_of(v);
     let p = unitvec_to_face(v, face);
     let scale = 1.0 / abs(p.z);
-    var t = min(abs(p.xy) * scale, vec2f(UNITVEC_BARRIER));
+    var t = min(abs(p.xy) * scale, vec2f(UNITVEC_HUGE));
     if warped { t = vec2f(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y)); }
     let widths = unitvec_cube_widths(bits);
     let x = unitvec_cube_round(unitvec_is_negative(p.x), t.x, unitvec_snorm_max(widths.x));
@@ -59,9 +59,9 @@ fn unitvec_cube_decode(code: u32, bits: u32) -> vec3f {
     let e = unitvec_cube_unpack(code, bits);
     let widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
-    let side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_BARRIER);
-    let v_step = side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_BARRIER);
-    let y = min(e.y * v_step, UNITVEC_BARRIER);
+    let side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
+    let v_step = side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
+    let y = min(e.y * v_step, UNITVEC_HUGE);
     return unitvec_from_face(unitvec_normalize(vec3f(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
 
@@ -73,8 +73,8 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
     let face = unitvec_cube_unpack_face(code, bits);
     let e = unitvec_cube_unpack(code, bits);
     let widths = unitvec_cube_widths(bits);
-    let s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_BARRIER);
-    let t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_BARRIER);
+    let s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
+    let t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
     let p = vec3f(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);
@@ -113,9 +113,9 @@ fn cube48_decode(code: vec2u) -> vec3f {
     let face = (code.y >> 13u) & 7u;
     // Half a side is 2^23 - 1; then a step of u is 2, and one of v 4 + 2 / (2^22 - 1).
     let steps = vec2i(2, 4) * abs(vec2i(i, j));
-    let rest = min(f32(abs(j)) * 4.768373e-7, UNITVEC_BARRIER);
-    let lower = min(vec3f(f32(steps.x & 4095), min(f32(steps.y & 4095) + rest, UNITVEC_BARRIER),
-        4095.0) * unitvec_exp2(-12), vec3f(UNITVEC_BARRIER));
+    let rest = min(f32(abs(j)) * 4.768373e-7, UNITVEC_HUGE);
+    let lower = min(vec3f(f32(steps.x & 4095), min(f32(steps.y & 4095) + rest, UNITVEC_HUGE),
+        4095.0) * unitvec_exp2(-12), vec3f(UNITVEC_HUGE));
     var p = unitvec_normalize_parts(vec3f(vec2f(steps >> vec2u(12u)), 2047.0), lower);
     p = vec3f(unitvec_negate_positive(i < 0, p.x), unitvec_negate_positive(j < 0, p.y),
         unitvec_negate_if((face & 1u) != 0u, p.z));

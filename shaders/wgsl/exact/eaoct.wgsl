@@ -32,15 +32,15 @@ struct UnitvecEaoctPolar {
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
 // Without a usable direction, anything.
 fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
-    let p = min(abs(v) * unitvec_scale_to_one(norm), vec3f(UNITVEC_BARRIER));
+    let p = min(abs(v) * unitvec_scale_to_one(norm), vec3f(UNITVEC_HUGE));
     let x = max(p.x, UNITVEC_EAOCT_LEAST);
     let y = max(p.y, UNITVEC_EAOCT_LEAST);
     let a = max(x, y);
     let b = min(x, y);
 
-    let horizontal = min(min(a * a, UNITVEC_BARRIER) + min(b * b, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    let radius = sqrt(horizontal / min(len * min(len + p.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    let horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
+    let len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    let radius = sqrt(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE));
     let q = b / a;
     let polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
@@ -49,21 +49,21 @@ fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
 // Moves a lattice point of that half octant to where the direction of v is. With m the largest coordinate, (x, y) is folded
 // out to (m - y, m - x), which is as far away along both axes.
 fn unitvec_eaoct_unfolded(v: vec3f, swapped: bool, ring: f32, place: f32, m: f32) -> vec2f {
-    let other = min(ring - place, UNITVEC_BARRIER);
+    let other = min(ring - place, UNITVEC_HUGE);
     let x = select(other, place, swapped);
     let y = select(place, other, swapped);
-    let rest = min(m - ring, UNITVEC_BARRIER);
+    let rest = min(m - ring, UNITVEC_HUGE);
     let folded = select(0.0, rest, unitvec_is_negative(v.z));
-    let e = min(vec2f(x, y) + folded, vec2f(UNITVEC_BARRIER));
+    let e = min(vec2f(x, y) + folded, vec2f(UNITVEC_HUGE));
     return vec2f(unitvec_with_sign(e.x, v.x), unitvec_with_sign(e.y, v.y));
 }
 
 // Lattice point of the direction of v: on the nearest ring the nearest point. Without a usable direction, anything.
 fn unitvec_eaoct_lattice(v: vec3f, norm: f32, m: f32) -> vec2f {
     let p = unitvec_eaoct_polar(v, norm);
-    let steps = min(min(p.radius * m, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    let steps = min(min(p.radius * m, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let ring = floor(steps);
-    let along = min(min(p.turn * ring, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    let along = min(min(p.turn * ring, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     return unitvec_eaoct_unfolded(v, p.swapped, ring, floor(along), m);
 }
 
@@ -72,29 +72,28 @@ fn unitvec_eaoct_lattice(v: vec3f, norm: f32, m: f32) -> vec2f {
 fn unitvec_eaoct_candidate(p: UnitvecEaoctPolar, ring: f32, m: f32) -> vec3f {
     const PI_2_16 = 0.61685026;
     const PI_2_16_TIMES_PI_2_48 = 0.12683475;
-    let steps = min(p.radius * m, UNITVEC_BARRIER);
-    let along = min(p.turn * ring, UNITVEC_BARRIER);
-    let place = floor(min(along + 0.5, UNITVEC_BARRIER));
-    let across = min(ring - steps, UNITVEC_BARRIER);
-    let q = min(along - place, UNITVEC_BARRIER) / max(ring, 1.0);
+    let steps = min(p.radius * m, UNITVEC_HUGE);
+    let along = min(p.turn * ring, UNITVEC_HUGE);
+    let place = floor(min(along + 0.5, UNITVEC_HUGE));
+    let across = min(ring - steps, UNITVEC_HUGE);
+    let q = min(along - place, UNITVEC_HUGE) / max(ring, 1.0);
 
-    let c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let change = min(across * min(p.radius * (1.0 / m), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let turned = min(min(min(steps * ring, UNITVEC_BARRIER) * min(q * q, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cost = min(min(min(across * across, UNITVEC_BARRIER) * min(c_squared + change, UNITVEC_BARRIER),
-        UNITVEC_BARRIER)
-        + min(turned * min(min(c_squared * c_squared, UNITVEC_BARRIER) * min(c_squared - change, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
+    let change = min(across * min(p.radius * (1.0 / m), UNITVEC_HUGE), UNITVEC_HUGE);
+    let turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
+        UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    let cost = min(min(min(across * across, UNITVEC_HUGE) * min(c_squared + change, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(turned * min(min(c_squared * c_squared, UNITVEC_HUGE) * min(c_squared - change, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return vec3f(ring, place, cost);
 }
 
 // Lattice point of the direction of v that is nearest in angle: the nearest one of the ring below or above.
 fn unitvec_eaoct_lattice_precise(v: vec3f, norm: f32, m: f32) -> vec2f {
     let p = unitvec_eaoct_polar(v, norm);
-    let below = floor(min(p.radius * m, UNITVEC_BARRIER));
-    let above = min(below + 1.0, UNITVEC_BARRIER);
+    let below = floor(min(p.radius * m, UNITVEC_HUGE));
+    let above = min(below + 1.0, UNITVEC_HUGE);
     let inner = unitvec_eaoct_candidate(p, below, m);
     let outer = unitvec_eaoct_candidate(p, above, m);
     let nearest = select(inner, outer, outer.z < inner.z);
@@ -104,11 +103,11 @@ fn unitvec_eaoct_lattice_precise(v: vec3f, norm: f32, m: f32) -> vec2f {
 // Direction of a lattice point, unit length to within 2 ULP.
 fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let a = abs(e);
-    let sum = min(a.x + a.y, UNITVEC_BARRIER);
-    let above = min(m - sum, UNITVEC_BARRIER);
-    let folded_ring = min(2.0 * m - sum, UNITVEC_BARRIER);
+    let sum = min(a.x + a.y, UNITVEC_HUGE);
+    let above = min(m - sum, UNITVEC_HUGE);
+    let folded_ring = min(2.0 * m - sum, UNITVEC_HUGE);
     let ring = min(sum, folded_ring);
-    let folded_place = min(m - max(a.x, a.y), UNITVEC_BARRIER);
+    let folded_place = min(m - max(a.x, a.y), UNITVEC_HUGE);
     let place = min(min(a.x, a.y), folded_place);
     let swapped = a.y > a.x;
 
@@ -116,11 +115,11 @@ fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let eighth = 0.5 * turn;
     let sine = unitvec_sin_eighth(eighth);
     let cosine = unitvec_cos_eighth(eighth);
-    let radius = min(ring * (1.0 / m), UNITVEC_BARRIER);
-    let z = min(min(1.0 - radius, UNITVEC_BARRIER) * min(1.0 + radius, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_BARRIER)), UNITVEC_BARRIER);
-    let near_axis = min(horizontal * cosine, UNITVEC_BARRIER);
-    let off_axis = min(horizontal * sine, UNITVEC_BARRIER);
+    let radius = min(ring * (1.0 / m), UNITVEC_HUGE);
+    let z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
+    let horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE);
+    let near_axis = min(horizontal * cosine, UNITVEC_HUGE);
+    let off_axis = min(horizontal * sine, UNITVEC_HUGE);
     let x = select(near_axis, off_axis, swapped);
     let y = select(off_axis, near_axis, swapped);
     return vec3f(unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y),
@@ -132,7 +131,7 @@ fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
 fn float32x3_to_eaoct(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_eaoct_polar(v, norm);
-    let place = min(p.radius * p.turn, UNITVEC_BARRIER);
+    let place = min(p.radius * p.turn, UNITVEC_HUGE);
     let e = unitvec_eaoct_unfolded(v, p.swapped, p.radius, place, 1.0);
     return select(vec2f(0.0), e, unitvec_is_usable(norm));
 }

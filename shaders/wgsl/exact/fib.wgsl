@@ -78,14 +78,14 @@ fn unitvec_fib_turn_of_step(i: u32) -> u32 {
 }
 
 fn unitvec_fib_signed_turn(turn: u32) -> f32 {
-    let signed_turn = min(f32(i32(turn)) * unitvec_exp2(-32), UNITVEC_BARRIER);
+    let signed_turn = min(f32(i32(turn)) * unitvec_exp2(-32), UNITVEC_HUGE);
     return signed_turn;
 }
 
 // Integer part of a number from 0 to 2^31, and what is left.
 fn unitvec_fib_split(x: f32, rest: ptr<function, f32>) -> u32 {
     let whole = i32(x);
-    let left = min(x - f32(whole), UNITVEC_BARRIER);
+    let left = min(x - f32(whole), UNITVEC_HUGE);
     *rest = left;
     return u32(whole);
 }
@@ -95,7 +95,7 @@ fn unitvec_fib_azimuth(v: vec3f, scaled: vec3f) -> u32 {
     let x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     let y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
     let quotient = min(x, y) / max(x, y);
-    let part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_BARRIER);
+    let part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     let octant = u32(i32(part));
     let quarter = select(octant, 0x40000000u - octant, y > x);
     let half_turn = select(quarter, 0x80000000u - quarter, unitvec_is_negative(v.x));
@@ -109,25 +109,25 @@ fn unitvec_fib_golden_power(k: u32) -> f32 {
     let four = select(1.0, 6.854102, (k & 4u) != 0u);
     let eight = select(1.0, 46.978714, (k & 8u) != 0u);
     let sixteen = select(1.0, 2206.9995, (k & 16u) != 0u);
-    let power = min(min(min(one * two, UNITVEC_BARRIER) * min(four * eight, UNITVEC_BARRIER),
-        UNITVEC_BARRIER) * sixteen, UNITVEC_BARRIER);
+    let power =
+        min(min(min(one * two, UNITVEC_HUGE) * min(four * eight, UNITVEC_HUGE), UNITVEC_HUGE) * sixteen, UNITVEC_HUGE);
     return power;
 }
 
 // Place of a vector with an L1 norm of 1 to 2.
 fn unitvec_fib_place(v: vec3f, bits: u32) -> UnitvecFibPlace {
-    let horizontal = min(min(v.x * v.x, UNITVEC_BARRIER) + min(v.y * v.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let reciprocal = 1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_BARRIER), UNITVEC_BARRIER));
-    let height = min(abs(v.z) * reciprocal, UNITVEC_BARRIER);
-    let radius_squared = min(min(horizontal * reciprocal, UNITVEC_BARRIER) * reciprocal, UNITVEC_BARRIER);
-    let from_pole = radius_squared / min(1.0 + height, UNITVEC_BARRIER);
-    let from_top = min(1.0 - height, UNITVEC_BARRIER);
+    let horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let reciprocal = 1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    let height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
+    let radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
+    let from_pole = radius_squared / min(1.0 + height, UNITVEC_HUGE);
+    let from_top = min(1.0 - height, UNITVEC_HUGE);
     let is_polar = height > 0.5;
 
-    let position = min(select(height, from_pole, is_polar) * unitvec_exp2(i32(bits) - 1), UNITVEC_BARRIER);
+    let position = min(select(height, from_pole, is_polar) * unitvec_exp2(i32(bits) - 1), UNITVEC_HUGE);
     var rest: f32;
     let whole = unitvec_fib_split(position, &rest);
-    let fraction = min(unitvec_negate_if(!is_polar, rest) - 0.5, UNITVEC_BARRIER);
+    let fraction = min(unitvec_negate_if(!is_polar, rest) - 0.5, UNITVEC_HUGE);
     let place = UnitvecFibPlace(select(from_top, from_pole, is_polar), height, radius_squared,
         select((1u << (bits - 1u)) - whole, whole, is_polar), fraction);
     return place;
@@ -136,42 +136,39 @@ fn unitvec_fib_place(v: vec3f, bits: u32) -> UnitvecFibPlace {
 // Basis that is reduced where a horizontal circle has this radius. k is 2 to 25.
 fn unitvec_fib_basis(radius_squared: f32, bits: u32) -> UnitvecFibBasis {
     // The bits of a float, taken as a number, are about its logarithm.
-    let offset = min(f32(bits) + -124.125, UNITVEC_BARRIER);
-    let logarithm = min(min(f32(bitcast<u32>(radius_squared) >> 8u) * unitvec_exp2(-15), UNITVEC_BARRIER) + offset,
-        UNITVEC_BARRIER);
-    let zone = min(0.7202101 * logarithm, UNITVEC_BARRIER);
+    let offset = min(f32(bits) + -124.125, UNITVEC_HUGE);
+    let logarithm =
+        min(min(f32(bitcast<u32>(radius_squared) >> 8u) * unitvec_exp2(-15), UNITVEC_HUGE) + offset, UNITVEC_HUGE);
+    let zone = min(0.7202101 * logarithm, UNITVEC_HUGE);
     let lower = floor(zone);
     let k = unitvec_whole_to_u32(max(lower, 2.0));
     let power = unitvec_fib_golden_power(k);
     let turn = 1.0 / power;
-    let next_turn = min(turn * 0.618034, UNITVEC_BARRIER);
-    let step_size = min(min(power * 0.4472136, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
-    let next_step = min(min(power * 0.7236068, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    let next_turn = min(turn * 0.618034, UNITVEC_HUGE);
+    let step_size = min(min(power * 0.4472136, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
+    let next_step = min(min(power * 0.7236068, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let basis = UnitvecFibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
     return basis;
 }
 
 // Point i, which the place is `turn` around from. The cost is half the square of the distance, without cancellation.
 fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -> UnitvecFibCandidate {
-    let steps = min(f32(i32(place.whole - i)) + place.fraction, UNITVEC_BARRIER);
-    let difference = min(steps * unitvec_exp2(1 - i32(bits)), UNITVEC_BARRIER);
-    let signed_depth = min(place.depth - difference, UNITVEC_BARRIER);
+    let steps = min(f32(i32(place.whole - i)) + place.fraction, UNITVEC_HUGE);
+    let difference = min(steps * unitvec_exp2(1 - i32(bits)), UNITVEC_HUGE);
+    let signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     let is_point = signed_depth > 0.0;
     let depth = abs(signed_depth);
-    let radii = sqrt(min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER));
+    let radii =
+        sqrt(min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
 
     let d = unitvec_fib_signed_turn(turn);
-    let u = min(d * d, UNITVEC_BARRIER);
-    let chord = min(u * min(UNITVEC_CHORD_0
-        + min(u * min(UNITVEC_CHORD_1
-        + min(u * min(UNITVEC_CHORD_2
-        + min(u * min(UNITVEC_CHORD_3 + min(u * UNITVEC_CHORD_4, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sum =
-        min(min(place.depth + min(depth * place.height, UNITVEC_BARRIER), UNITVEC_BARRIER) + radii, UNITVEC_BARRIER);
-    let cost = min(min(difference * difference, UNITVEC_BARRIER) / sum + min(radii * chord, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let u = min(d * d, UNITVEC_HUGE);
+    let chord = min(u * min(UNITVEC_CHORD_0 + min(u * min(UNITVEC_CHORD_1
+        + min(u * min(UNITVEC_CHORD_2 + min(u * min(UNITVEC_CHORD_3 + min(u * UNITVEC_CHORD_4, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
+    let cost = min(min(difference * difference, UNITVEC_HUGE) / sum + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     let candidate = UnitvecFibCandidate(i, select(4.0, cost, is_point));
     return candidate;
@@ -187,7 +184,7 @@ fn unitvec_fib_cheaper(a: UnitvecFibCandidate, b: UnitvecFibCandidate) -> Unitve
 // Number of the point of 2^bits that is nearest to the direction of v.
 fn unitvec_fib_nearest(v: vec3f, bits: u32) -> u32 {
     let norm = unitvec_l1_norm(v);
-    let scaled = min(v * unitvec_scale_to_one(norm), vec3f(UNITVEC_BARRIER));
+    let scaled = min(v * unitvec_scale_to_one(norm), vec3f(UNITVEC_HUGE));
     let is_mirrored = unitvec_is_negative(v.z);
     let azimuth = unitvec_fib_azimuth(v, scaled);
     let turn_to = select(azimuth, unitvec_fib_turn(unitvec_fib_last(bits)) - azimuth, is_mirrored);
@@ -196,11 +193,10 @@ fn unitvec_fib_nearest(v: vec3f, bits: u32) -> u32 {
 
     // The coordinates of the place in the basis, whose determinant is 1 or -1.
     let across = unitvec_negate_if(basis.is_even, unitvec_fib_signed_turn(turn_to));
-    let number = min(min(place.depth * unitvec_exp2(i32(bits) - 1), UNITVEC_BARRIER) - 0.5, UNITVEC_BARRIER);
-    let a = min(min(across * basis.next_step, UNITVEC_BARRIER) + min(number * basis.next_turn, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    let b = min(min(number * basis.turn, UNITVEC_BARRIER) - min(across * basis.step_size, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let number = min(min(place.depth * unitvec_exp2(i32(bits) - 1), UNITVEC_HUGE) - 0.5, UNITVEC_HUGE);
+    let a =
+        min(min(across * basis.next_step, UNITVEC_HUGE) + min(number * basis.next_turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    let b = min(min(number * basis.turn, UNITVEC_HUGE) - min(across * basis.step_size, UNITVEC_HUGE), UNITVEC_HUGE);
 
     let step_size = unitvec_whole_to_u32(basis.step_size);
     let next_step = unitvec_whole_to_u32(basis.next_step);
@@ -228,16 +224,15 @@ fn unitvec_fib_point(i_in: u32, bits: u32) -> vec3f {
     let is_mirrored = (i >> (bits - 1u)) != 0u;
     let from_pole = select(i, unitvec_fib_last(bits) - i, is_mirrored);
     let unit = unitvec_exp2(1 - i32(bits));
-    let depth = min(min(f32(i32(from_pole)) + 0.5, UNITVEC_BARRIER) * unit, UNITVEC_BARRIER);
-    let height =
-        min(min(f32(i32(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5, UNITVEC_BARRIER) * unit, UNITVEC_BARRIER);
-    let radius = sqrt(min(depth * min(2.0 - depth, UNITVEC_BARRIER), UNITVEC_BARRIER));
+    let depth = min(min(f32(i32(from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
+    let height = min(min(f32(i32(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
+    let radius = sqrt(min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE));
 
     let azimuth = unitvec_fib_turn(i);
     let quarter = (azimuth + 0x20000000u) >> 30u;
-    let half_turns = min(f32(2 * i32(azimuth - (quarter << 30u)) + 1) * unitvec_exp2(-32), UNITVEC_BARRIER);
-    let sine = min(radius * unitvec_sin_eighth(half_turns), UNITVEC_BARRIER);
-    let cosine = min(radius * unitvec_cos_eighth(half_turns), UNITVEC_BARRIER);
+    let half_turns = min(f32(2 * i32(azimuth - (quarter << 30u)) + 1) * unitvec_exp2(-32), UNITVEC_HUGE);
+    let sine = min(radius * unitvec_sin_eighth(half_turns), UNITVEC_HUGE);
+    let cosine = min(radius * unitvec_cos_eighth(half_turns), UNITVEC_HUGE);
     let is_odd = (quarter & 1u) != 0u;
     let is_turned = (quarter & 2u) != 0u;
     return vec3f(unitvec_negate_if(is_turned, select(cosine, -sine, is_odd)),

@@ -34,37 +34,33 @@ const UNITVEC_UNWARP_2: f32 = 0.0392082;
 // second, n).
 fn unitvec_frame_basis(n: vec3f, first: ptr<function, vec3f>, second: ptr<function, vec3f>) {
     let s = unitvec_with_sign(1.0, n.z);
-    let a = -1.0 / min(s + n.z, UNITVEC_BARRIER);
-    let b = min(min(n.x * n.y, UNITVEC_BARRIER) * a, UNITVEC_BARRIER);
-    let e = vec3f(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_BARRIER) * a, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), min(s * b, UNITVEC_BARRIER), -min(s * n.x, UNITVEC_BARRIER));
-    let f = vec3f(b, min(s + min(min(n.y * n.y, UNITVEC_BARRIER) * a, UNITVEC_BARRIER), UNITVEC_BARRIER), -n.y);
+    let a = -1.0 / min(s + n.z, UNITVEC_HUGE);
+    let b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
+    let e = vec3f(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
+    let f = vec3f(b, min(s + min(min(n.y * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), -n.y);
     *first = e;
     *second = f;
 }
 
 // The place on a side of the diamond, -1 to 1, for v of -1 to 1.
 fn unitvec_frame_warp(v: f32) -> f32 {
-    let u = min(v * v, UNITVEC_BARRIER);
-    let w = min(v * min(UNITVEC_WARP_0
-        + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let u = min(v * v, UNITVEC_HUGE);
+    let w = min(v * min(UNITVEC_WARP_0 + min(u * min(UNITVEC_WARP_1 + min(u * UNITVEC_WARP_2, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return w;
 }
 
 // The inverse; for more than 9 bits of angle, with a step of Newton's method.
 fn unitvec_frame_unwarp(w: f32, angle_bits: u32) -> f32 {
-    let u = min(w * w, UNITVEC_BARRIER);
-    let v = min(w
-        + min(w * min(min(1.0 - u,
-        UNITVEC_BARRIER) * min(UNITVEC_UNWARP_0
-        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let u = min(w * w, UNITVEC_HUGE);
+    let v = min(w + min(w * min(min(1.0 - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0
+        + min(u * min(UNITVEC_UNWARP_1 + min(u * UNITVEC_UNWARP_2, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if angle_bits <= 9u { return v; }
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    let nearer = min(v
-        + min(min(w - unitvec_frame_warp(v), UNITVEC_BARRIER) * 1.2732395, UNITVEC_BARRIER) / min(1.0 + u,
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let nearer = min(v + min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE) / min(1.0 + u,
+        UNITVEC_HUGE), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -77,19 +73,19 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
     let x = unitvec_dot(tangent, first);
     let y = unitvec_dot(tangent, second);
     let norm = unitvec_l1_norm(tangent);
-    let sum = min(abs(x) + abs(y), UNITVEC_BARRIER);
-    let least = min(parallel * norm, UNITVEC_BARRIER);
+    let sum = min(abs(x) + abs(y), UNITVEC_HUGE);
+    let least = min(parallel * norm, UNITVEC_HUGE);
     let usable = unitvec_is_usable(norm) && sum > least;
 
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
     let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
     let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
-    let difference = min(abs(y) - abs(x), UNITVEC_BARRIER);
+    let difference = min(abs(y) - abs(x), UNITVEC_HUGE);
     let w = unitvec_flip_sign(difference, odd) / sum;
 
     let half_places = f32(1u << (angle_bits - 3u));
-    let place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + UNITVEC_2_23, UNITVEC_BARRIER);
+    let place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
+        + UNITVEC_2_23, UNITVEC_HUGE);
     let quarters = (below >> (32u - angle_bits)) | (odd >> (33u - angle_bits));
     // The last place of a quarter is the first one of the next, and that of the last quarter code 0.
     let code = (quarters + bitcast<u32>(place)) & unitvec_mask(angle_bits);
@@ -99,13 +95,13 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 fn unitvec_frame_diamond_point(code: u32, angle_bits: u32) -> vec2f {
     let place = f32(code & unitvec_mask(angle_bits - 2u));
-    let v = min(min(place * (1.0 / f32(1u << (angle_bits - 3u))), UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER);
+    let v = min(min(place * (1.0 / f32(1u << (angle_bits - 3u))), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
 
     let odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     let below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
     let w = unitvec_flip_sign(unitvec_frame_warp(v), odd);
-    let x = min(1.0 - w, UNITVEC_BARRIER);
-    let y = min(1.0 + w, UNITVEC_BARRIER);
+    let x = min(1.0 - w, UNITVEC_HUGE);
+    let y = min(1.0 + w, UNITVEC_HUGE);
     return vec2f(unitvec_flip_sign(x, odd ^ below), unitvec_flip_sign(y, below));
 }
 
@@ -115,8 +111,7 @@ fn unitvec_frame_tangent(n: vec3f, code: u32, angle_bits: u32) -> vec3f {
     var second: vec3f;
     unitvec_frame_basis(n, &first, &second);
     let p = unitvec_frame_diamond_point(code, angle_bits);
-    let t = min(min(first * p.x, vec3f(UNITVEC_BARRIER)) + min(second * p.y, vec3f(UNITVEC_BARRIER)),
-        vec3f(UNITVEC_BARRIER));
+    let t = min(min(first * p.x, vec3f(UNITVEC_HUGE)) + min(second * p.y, vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
     return unitvec_normalize(t);
 }
 

@@ -18,15 +18,14 @@
 
 // Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
 fn unitvec_hemioct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
-    let e = min(vec2f(min(v.x + v.y, UNITVEC_BARRIER), min(v.x - v.y, UNITVEC_BARRIER)) * (m / norm),
-        vec2f(UNITVEC_BARRIER));
+    let e = min(vec2f(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * (m / norm), vec2f(UNITVEC_HUGE));
     return e;
 }
 
 // The L1 norms of v, and of v with what is below the equator moved up to it.
 fn unitvec_hemioct_norms(v: vec3f) -> vec2f {
-    let across = min(abs(v.x) + abs(v.y), UNITVEC_BARRIER);
-    let norms = vec2f(min(across + abs(v.z), UNITVEC_BARRIER), min(across + max(v.z, 0.0), UNITVEC_BARRIER));
+    let across = min(abs(v.x) + abs(v.y), UNITVEC_HUGE);
+    let norms = vec2f(min(across + abs(v.z), UNITVEC_HUGE), min(across + max(v.z, 0.0), UNITVEC_HUGE));
     return norms;
 }
 
@@ -39,8 +38,8 @@ fn unitvec_hemioct_is_usable(norms: vec2f) -> bool {
 // Direction of a lattice point (listing 6), unit length to within 2 ULP. |p.x| + |p.y| is twice the larger of |e.x| and
 // |e.y|, so that z is not negative.
 fn unitvec_hemioct_from_lattice(e: vec2f, m: f32) -> vec3f {
-    let p = vec2f(min(e.x + e.y, UNITVEC_BARRIER), min(e.x - e.y, UNITVEC_BARRIER));
-    let z = 2.0 * min(m - max(abs(e.x), abs(e.y)), UNITVEC_BARRIER);
+    let p = vec2f(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE));
+    let z = 2.0 * min(m - max(abs(e.x), abs(e.y)), UNITVEC_HUGE);
     return unitvec_normalize(vec3f(p, z));
 }
 

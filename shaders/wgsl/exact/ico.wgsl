@@ -63,13 +63,13 @@ fn unitvec_ico_last(lattice: UnitvecIcoLattice) -> u32 {
 
 // The lattice point of the numbers x and z.
 fn unitvec_ico_point(lattice: UnitvecIcoLattice, x: f32, z: f32) -> vec3f {
-    let y = min(min(f32(lattice.n) - x, UNITVEC_BARRIER) - z, UNITVEC_BARRIER);
+    let y = min(min(f32(lattice.n) - x, UNITVEC_HUGE) - z, UNITVEC_HUGE);
     return vec3f(x, y, z);
 }
 
 // The weights of a lattice point.
 fn unitvec_ico_weights(lattice: UnitvecIcoLattice, i: vec3f) -> vec3f {
-    let w = min(i * min(lattice.warp - i, vec3f(UNITVEC_BARRIER)), vec3f(UNITVEC_BARRIER));
+    let w = min(i * min(lattice.warp - i, vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
     return w;
 }
 
@@ -81,79 +81,70 @@ fn unitvec_ico_turn(v: vec3f, of_z: bool, of_x: bool) -> vec3f {
 }
 
 fn unitvec_ico_sum(v: vec3f) -> f32 {
-    let s = min(min(v.x + v.y, UNITVEC_BARRIER) + v.z, UNITVEC_BARRIER);
+    let s = min(min(v.x + v.y, UNITVEC_HUGE) + v.z, UNITVEC_HUGE);
     return s;
 }
 
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3f {
     let n = f32(lattice.n);
-    let t = min(p * (1.0 / p_sum), vec3f(UNITVEC_BARRIER));
-    let t_squared = min(t * t, vec3f(UNITVEC_BARRIER));
+    let t = min(p * (1.0 / p_sum), vec3f(UNITVEC_HUGE));
+    let t_squared = min(t * t, vec3f(UNITVEC_HUGE));
     let squares = unitvec_ico_sum(t_squared);
     // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
-    let b_1 = min(min(UNITVEC_ICO_INVERSE_0 * n, UNITVEC_BARRIER)
-        + min(min(UNITVEC_ICO_INVERSE_1 * n, UNITVEC_BARRIER) * squares, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let b_0 = min(min(min(UNITVEC_ICO_INVERSE_3 * n, UNITVEC_BARRIER)
-        - min(squares * min(b_1 + min(UNITVEC_ICO_INVERSE_4 * n, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER)
-        - min(min(UNITVEC_ICO_INVERSE_5 * n, UNITVEC_BARRIER) * min(min(t.x * t.y, UNITVEC_BARRIER) * t.z,
-        UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let b_2 = min(UNITVEC_ICO_INVERSE_2 * n, UNITVEC_BARRIER);
-    let start_x = min(t.x * min(b_0
-        + min(t.x * min(b_1 + min(b_2 * t.x, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    let start_z = min(t.z * min(b_0
-        + min(t.z * min(b_1 + min(b_2 * t.z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let b_1 = min(min(UNITVEC_ICO_INVERSE_0 * n, UNITVEC_HUGE)
+        + min(min(UNITVEC_ICO_INVERSE_1 * n, UNITVEC_HUGE) * squares, UNITVEC_HUGE), UNITVEC_HUGE);
+    let b_0 = min(min(min(UNITVEC_ICO_INVERSE_3 * n, UNITVEC_HUGE)
+        - min(squares * min(b_1 + min(UNITVEC_ICO_INVERSE_4 * n, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) - min(min(UNITVEC_ICO_INVERSE_5 * n, UNITVEC_HUGE) * min(min(t.x * t.y, UNITVEC_HUGE) * t.z,
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let b_2 = min(UNITVEC_ICO_INVERSE_2 * n, UNITVEC_HUGE);
+    let start_x = min(t.x * min(b_0 + min(t.x * min(b_1 + min(b_2 * t.x, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    let start_z = min(t.z * min(b_0 + min(t.z * min(b_1 + min(b_2 * t.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     let start = unitvec_ico_point(lattice, start_x, start_z);
 
     // Newton's method for i and the factor of t, where the i keep their sum.
-    let rest = min(lattice.warp - start, vec3f(UNITVEC_BARRIER));
-    let w = min(start * rest, vec3f(UNITVEC_BARRIER));
-    let d = min(rest - start, vec3f(UNITVEC_BARRIER));
-    let turned = min(d * vec3f(min(min(t.y * w.z, UNITVEC_BARRIER) - min(t.z * w.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(min(t.z * w.x, UNITVEC_BARRIER) - min(t.x * w.z, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(min(t.x * w.y, UNITVEC_BARRIER) - min(t.y * w.x, UNITVEC_BARRIER), UNITVEC_BARRIER)),
-        vec3f(UNITVEC_BARRIER));
-    let factor = 1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_BARRIER) + min(t.y * d.x, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER) + min(t.z * min(d.x * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
-    let x = min(start.x + min(min(turned.z - turned.y, UNITVEC_BARRIER) * factor, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let z = min(start.z + min(min(turned.y - turned.x, UNITVEC_BARRIER) * factor, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let rest = min(lattice.warp - start, vec3f(UNITVEC_HUGE));
+    let w = min(start * rest, vec3f(UNITVEC_HUGE));
+    let d = min(rest - start, vec3f(UNITVEC_HUGE));
+    let turned = min(d * vec3f(min(min(t.y * w.z, UNITVEC_HUGE) - min(t.z * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(min(t.z * w.x, UNITVEC_HUGE) - min(t.x * w.z, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(min(t.x * w.y, UNITVEC_HUGE) - min(t.y * w.x, UNITVEC_HUGE), UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
+    let factor = 1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let x = min(start.x + min(min(turned.z - turned.y, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
+    let z = min(start.z + min(min(turned.y - turned.x, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
 
     // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
     let whole_x = floor(x);
     let whole_z = floor(z);
-    let lower_x = min(x - whole_x, UNITVEC_BARRIER);
-    let lower_z = min(z - whole_z, UNITVEC_BARRIER);
-    let upper_x = min(1.0 - lower_x, UNITVEC_BARRIER);
-    let upper_z = min(1.0 - lower_z, UNITVEC_BARRIER);
-    let lower_y = min(upper_x - lower_z, UNITVEC_BARRIER);
+    let lower_x = min(x - whole_x, UNITVEC_HUGE);
+    let lower_z = min(z - whole_z, UNITVEC_HUGE);
+    let upper_x = min(1.0 - lower_x, UNITVEC_HUGE);
+    let upper_z = min(1.0 - lower_z, UNITVEC_HUGE);
+    let lower_y = min(upper_x - lower_z, UNITVEC_HUGE);
     let is_upper = lower_y < 0.0;
     let in_x = select(lower_x, upper_x, is_upper);
     let in_z = select(lower_z, upper_z, is_upper);
     let in_corner = abs(lower_y);
     // The squares of the distances between neighbours along the sides opposite to the vertices.
-    let s_0 = min(1.0 + min(lattice.squares_s * squares, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let s_1 = min(lattice.squares_t + min(lattice.squares_ts * squares, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let square = min(s_0
-        + min(min(s_1 * t, vec3f(UNITVEC_BARRIER)) + min(lattice.squares_tt * t_squared, vec3f(UNITVEC_BARRIER)),
-        vec3f(UNITVEC_BARRIER)), vec3f(UNITVEC_BARRIER));
+    let s_0 = min(1.0 + min(lattice.squares_s * squares, UNITVEC_HUGE), UNITVEC_HUGE);
+    let s_1 = min(lattice.squares_t + min(lattice.squares_ts * squares, UNITVEC_HUGE), UNITVEC_HUGE);
+    let square = min(s_0 + min(min(s_1 * t, vec3f(UNITVEC_HUGE))
+        + min(lattice.squares_tt * t_squared, vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
 
     // The squares of the distances from the corners, less the same of each.
-    let from_corner =
-        min(min(in_x * square.z, UNITVEC_BARRIER) + min(in_z * square.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let from_x =
-        min(min(in_corner * square.z, UNITVEC_BARRIER) + min(in_z * square.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let from_z =
-        min(min(in_corner * square.x, UNITVEC_BARRIER) + min(in_x * square.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let from_corner = min(min(in_x * square.z, UNITVEC_HUGE) + min(in_z * square.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let from_x = min(min(in_corner * square.z, UNITVEC_HUGE) + min(in_z * square.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let from_z = min(min(in_corner * square.x, UNITVEC_HUGE) + min(in_x * square.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let is_x = from_x < from_corner;
     let is_z = from_z < select(from_corner, from_x, is_x);
     let is_next_x = (is_x && !is_z) != is_upper;
     let is_next_z = is_z != is_upper;
-    let nearest_x = min(whole_x + select(0.0, 1.0, is_next_x), UNITVEC_BARRIER);
-    let nearest_z = min(whole_z + select(0.0, 1.0, is_next_z), UNITVEC_BARRIER);
+    let nearest_x = min(whole_x + select(0.0, 1.0, is_next_x), UNITVEC_HUGE);
+    let nearest_z = min(whole_z + select(0.0, 1.0, is_next_z), UNITVEC_HUGE);
     return unitvec_ico_point(lattice, nearest_x, nearest_z);
 }
 
@@ -163,14 +154,14 @@ fn unitvec_ico_encode(v: vec3f, lattice: UnitvecIcoLattice) -> u32 {
     let n = f32(lattice.n);
     let a = abs(v);
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
-    let norm_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * norm, UNITVEC_BARRIER);
-    let flat_part = min(min(norm_part + a.zyx, vec3f(UNITVEC_BARRIER))
-        - min(UNITVEC_ICO_GOLDEN * a.xzy, vec3f(UNITVEC_BARRIER)), vec3f(UNITVEC_BARRIER));
+    let norm_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * norm, UNITVEC_HUGE);
+    let flat_part = min(min(norm_part + a.zyx, vec3f(UNITVEC_HUGE))
+        - min(UNITVEC_ICO_GOLDEN * a.xzy, vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
     // By reflection: the vertices across a side have the sum of the side's two, divided by p.
     let beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
-    let shared_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * beyond, UNITVEC_BARRIER);
-    let sum = min(2.0 * norm_part - min(UNITVEC_ICO_ADDED_BY_REFLECTION * beyond, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let on_side = min(flat_part + shared_part, vec3f(UNITVEC_BARRIER));
+    let shared_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * beyond, UNITVEC_HUGE);
+    let sum = min(2.0 * norm_part - min(UNITVEC_ICO_ADDED_BY_REFLECTION * beyond, UNITVEC_HUGE), UNITVEC_HUGE);
+    let on_side = min(flat_part + shared_part, vec3f(UNITVEC_HUGE));
     let i = unitvec_ico_nearest(max(on_side, -flat_part), sum, lattice);
 
     // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
@@ -206,12 +197,12 @@ fn unitvec_ico_encode(v: vec3f, lattice: UnitvecIcoLattice) -> u32 {
     first_row = select(first_row, UNITVEC_2_23 + 4.0 * n, of_x);
     first_row = select(first_row, UNITVEC_2_23 + 2.0 * n, of_z);
     let rows_before = select(n, 2.0 * (n - 2.0), is_octant);
-    let from_end = min(select(n, min(n - 1.0, UNITVEC_BARRIER), is_octant) - depth, UNITVEC_BARRIER);
-    let line_number = min(min(first_row + select(0.0, rows_before, base_side), UNITVEC_BARRIER)
-        + select(depth, from_end, is_second), UNITVEC_BARRIER);
+    let from_end = min(select(n, min(n - 1.0, UNITVEC_HUGE), is_octant) - depth, UNITVEC_HUGE);
+    let line_number = min(min(first_row + select(0.0, rows_before, base_side), UNITVEC_HUGE)
+        + select(depth, from_end, is_second), UNITVEC_HUGE);
     var first_column = select(UNITVEC_2_23, UNITVEC_2_23 + 1.0, is_second);
     first_column = select(first_column, UNITVEC_2_23 + 17.0, is_octant);
-    let column = min(min(across + select(0.0, depth, is_second), UNITVEC_BARRIER) + first_column, UNITVEC_BARRIER);
+    let column = min(min(across + select(0.0, depth, is_second), UNITVEC_HUGE) + first_column, UNITVEC_HUGE);
     let row_length = select(lattice.n + 2u, lattice.n - 1u, is_octant);
     let code = (bitcast<u32>(line_number) & 0x7fffffu) * row_length + (bitcast<u32>(column) & 0x7fffffu);
     // +Z is in the middle of the first row.
@@ -233,31 +224,31 @@ fn unitvec_ico_decode(code_in: u32, lattice: UnitvecIcoLattice) -> vec3f {
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.
     let index = code - first;
-    let quotient = min(min(f32(i32(index >> 1u)) * per_length, UNITVEC_BARRIER) + 0.05, UNITVEC_BARRIER);
+    let quotient = min(min(f32(i32(index >> 1u)) * per_length, UNITVEC_HUGE) + 0.05, UNITVEC_HUGE);
     var line_number = floor(quotient);
-    let counted = min(line_number + UNITVEC_2_23, UNITVEC_BARRIER);
+    let counted = min(line_number + UNITVEC_2_23, UNITVEC_HUGE);
     let rest = index - (bitcast<u32>(counted) & 0x7fffffu) * row_length;
     let is_next = rest >= row_length;
     line_number = select(line_number, line_number - 1.0, is_next);
     let column = f32(i32(select(rest, rest + row_length, is_next)));
-    let part = min(min(line_number + 0.5, UNITVEC_BARRIER) * per_rows, UNITVEC_BARRIER);
+    let part = min(min(line_number + 0.5, UNITVEC_HUGE) * per_rows, UNITVEC_HUGE);
     let block_number = floor(part);
-    let row = min(line_number - min(block_number * rows, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let row = min(line_number - min(block_number * rows, UNITVEC_HUGE), UNITVEC_HUGE);
 
     // All of these are whole.
     let least = select(0.0, 1.0, is_octant);
-    let second_depth = min(select(n, min(n - 3.0, UNITVEC_BARRIER), is_octant) - row, UNITVEC_BARRIER);
-    let second_across = min(min(column - second_depth, UNITVEC_BARRIER) - 1.0, UNITVEC_BARRIER);
+    let second_depth = min(select(n, min(n - 3.0, UNITVEC_HUGE), is_octant) - row, UNITVEC_HUGE);
+    let second_across = min(min(column - second_depth, UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
     let is_second = column > second_depth;
-    let x = min(select(column, second_across, is_second) + least, UNITVEC_BARRIER);
-    let z = min(select(row, second_depth, is_second) + least, UNITVEC_BARRIER);
+    let x = min(select(column, second_across, is_second) + least, UNITVEC_HUGE);
+    let z = min(select(row, second_depth, is_second) + least, UNITVEC_HUGE);
     let w = unitvec_ico_weights(lattice, unitvec_ico_point(lattice, x, z));
     let to_x = select(0.0, w.y, is_octant);
     let to_z = select(w.y, 0.0, is_octant);
     let y_of_y = select(-1.0, UNITVEC_ICO_GOLDEN, is_octant);
-    var v = vec3f(min(min(UNITVEC_ICO_GOLDEN * w.z, UNITVEC_BARRIER) + to_x, UNITVEC_BARRIER),
-        min(w.x + min(y_of_y * w.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        min(min(UNITVEC_ICO_GOLDEN * min(w.x + to_z, UNITVEC_BARRIER), UNITVEC_BARRIER) + w.z, UNITVEC_BARRIER));
+    var v = vec3f(min(min(UNITVEC_ICO_GOLDEN * w.z, UNITVEC_HUGE) + to_x, UNITVEC_HUGE),
+        min(w.x + min(y_of_y * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(min(UNITVEC_ICO_GOLDEN * min(w.x + to_z, UNITVEC_HUGE), UNITVEC_HUGE) + w.z, UNITVEC_HUGE));
     let block = unitvec_whole_to_u32(block_number);
     let odd = block << 31u;
     let upper = (block << 30u) & UNITVEC_SIGN_BIT;

@@ -22,8 +22,8 @@ fn unitvec_latlong_grid_encode(v: vec3f, half_bits: u32) -> u32 {
     let p = unitvec_angles_scaled(v, norm);
     let rings = f32(1u << half_bits);
     let colatitude = min(unitvec_angles_half_turn(unitvec_horizontal_length(p), p.z,
-        unitvec_is_negative(v.z)) * (0.5 * rings), UNITVEC_BARRIER);
-    let azimuth = min(unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x)) * (0.25 * rings), UNITVEC_BARRIER);
+        unitvec_is_negative(v.z)) * (0.5 * rings), UNITVEC_HUGE);
+    let azimuth = min(unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x)) * (0.25 * rings), UNITVEC_HUGE);
     // Patches at y < 0 are those at y > 0, mirrored: the number of one is the other's complement.
     var patch_number = unitvec_whole_to_u32(floor(azimuth));
     patch_number = select(patch_number, ~patch_number, unitvec_is_negative(v.y));
@@ -35,13 +35,13 @@ fn unitvec_latlong_grid_encode(v: vec3f, half_bits: u32) -> u32 {
 fn unitvec_latlong_grid_decode(code: u32, half_bits: u32) -> vec3f {
     let step_size = 1.0 / f32(1u << half_bits);
     let ring = f32(i32((code >> half_bits) & unitvec_mask(half_bits)));
-    let above = min(1.0 - min(min(ring + 0.5, UNITVEC_BARRIER) * (2.0 * step_size), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let diagonal = min(0.5 - abs(above), UNITVEC_BARRIER);
+    let above = min(1.0 - min(min(ring + 0.5, UNITVEC_HUGE) * (2.0 * step_size), UNITVEC_HUGE), UNITVEC_HUGE);
+    let diagonal = min(0.5 - abs(above), UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(diagonal);
-    let z = min(meridian.x - meridian.y, UNITVEC_BARRIER);
-    let radius = min(meridian.x + meridian.y, UNITVEC_BARRIER);
+    let z = min(meridian.x - meridian.y, UNITVEC_HUGE);
+    let radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
     let quarters =
-        min(min(unitvec_signed_integer(code, half_bits) + 0.5, UNITVEC_BARRIER) * (4.0 * step_size), UNITVEC_BARRIER);
+        min(min(unitvec_signed_integer(code, half_bits) + 0.5, UNITVEC_HUGE) * (4.0 * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_with_sign(z, above), quarters);
 }
 
@@ -65,23 +65,22 @@ const UNITVEC_LATLONG_RINGS_32: UnitvecLatlongRings = UnitvecLatlongRings(29225.
 
 // Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
 fn unitvec_latlong_border(rings: UnitvecLatlongRings, h: f32) -> f32 {
-    let u = min(h * h, UNITVEC_BARRIER);
-    let s = min(min(u * min(rings.a.x
-        + min(u * min(rings.a.y + min(u * rings.a.z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER) + min(min(0.95 * h, UNITVEC_BARRIER) + 0.72515, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let u = min(h * h, UNITVEC_HUGE);
+    let s = min(min(u * min(rings.a.x + min(u * min(rings.a.y + min(u * rings.a.z, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE) + min(min(0.95 * h, UNITVEC_HUGE) + 0.72515, UNITVEC_HUGE),
+        UNITVEC_HUGE);
     return s;
 }
 
 // From i to i + 2 for the indices of ring i.
 fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
-    let low = min(rings.q.x + min(index * rings.q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(min(index * index, UNITVEC_BARRIER) * rings.q4, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let low = min(rings.q.x + min(index * rings.q.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(min(index * index, UNITVEC_HUGE) * rings.q4, UNITVEC_HUGE), UNITVEC_HUGE);
     let high = select(rings.q.z, both_high, rings.q4 != 0.0);
-    let whole_factor = min(low + min(min(index * index, UNITVEC_BARRIER) * high, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     let factor = select(low, whole_factor, rings.q.z != 0.0);
-    let i = min(min(sqrt(index) * factor, UNITVEC_BARRIER) + rings.offset, UNITVEC_BARRIER);
+    let i = min(min(sqrt(index) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
     return i;
 }
 
@@ -96,18 +95,18 @@ fn unitvec_latlong_patch_encode(v: vec3f, rings: UnitvecLatlongRings, index_bits
     let usable = unitvec_is_usable(norm);
     let p = unitvec_angles_scaled(v, norm);
     let colatitude = unitvec_angles_quarter(unitvec_horizontal_length(p), p.z);
-    let ring = min(min(select(0.0, colatitude, usable) * rings.n, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    let ring = min(min(select(0.0, colatitude, usable) * rings.n, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let i = floor(ring);
-    let h = vec2f(min(i - 0.5, UNITVEC_BARRIER), min(i + 0.5, UNITVEC_BARRIER));
+    let h = vec2f(min(i - 0.5, UNITVEC_HUGE), min(i + 0.5, UNITVEC_HUGE));
     let start = floor(unitvec_latlong_border(rings, h.x));
-    let count = min(floor(unitvec_latlong_border(rings, h.y)) - start, UNITVEC_BARRIER);
-    let position = min(min(unitvec_angles_quarter(p.y, p.x) * count, UNITVEC_BARRIER) + 0.5, UNITVEC_BARRIER);
+    let count = min(floor(unitvec_latlong_border(rings, h.y)) - start, UNITVEC_HUGE);
+    let position = min(min(unitvec_angles_quarter(p.y, p.x) * count, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let j = floor(position);
 
     // In quarters 1 and 3 the angle from the x axis runs against j, and the last j is the next quarter's first.
     let left = unitvec_is_negative(v.x);
     let back = unitvec_is_negative(v.y);
-    let against = min(count - j, UNITVEC_BARRIER);
+    let against = min(count - j, UNITVEC_HUGE);
     let along = select(j, against, left != back);
     let quarter = select(0u, 2u, back) + select(0u, 1u, left != back);
     let carries = along >= count;
@@ -124,28 +123,28 @@ fn unitvec_latlong_patch_decode(code: u32, rings: UnitvecLatlongRings, index_bit
     let parts = unitvec_latlong_in_parts(index, index_bits);
 
     let nearest = floor(unitvec_latlong_inverse(rings, f32(i32(index))));
-    let h = min(nearest - vec3f(1.5, 0.5, -0.5), vec3f(UNITVEC_BARRIER));
+    let h = min(nearest - vec3f(1.5, 0.5, -0.5), vec3f(UNITVEC_HUGE));
     let border = unitvec_latlong_border(rings, h.y);
-    let from_index = min(border - parts.x, UNITVEC_BARRIER);
-    let to_next = min(parts.y + 1.0, UNITVEC_BARRIER);
+    let from_index = min(border - parts.x, UNITVEC_HUGE);
+    let to_next = min(parts.y + 1.0, UNITVEC_HUGE);
     let before = from_index >= to_next;
     let other = unitvec_latlong_border(rings, select(h.z, h.x, before));
-    let ring_before = min(nearest - 1.0, UNITVEC_BARRIER);
+    let ring_before = min(nearest - 1.0, UNITVEC_HUGE);
     let ring = select(nearest, ring_before, before);
     let start = floor(min(border, other));
-    let count = min(floor(max(border, other)) - start, UNITVEC_BARRIER);
+    let count = min(floor(max(border, other)) - start, UNITVEC_HUGE);
     // Exact: start is near.
-    let from_high = min(parts.x - start, UNITVEC_BARRIER);
-    let from_both = min(from_high + parts.y, UNITVEC_BARRIER);
+    let from_high = min(parts.x - start, UNITVEC_HUGE);
+    let from_both = min(from_high + parts.y, UNITVEC_HUGE);
     let along = select(from_both, from_high, index_bits <= 24u);
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    let divided = min(along - 0.5 * count, UNITVEC_BARRIER) / count;
+    let divided = min(along - 0.5 * count, UNITVEC_HUGE) / count;
     let equator = unitvec_from_diagonal(select(-0.5, divided, along > 0.0));
     // At either end the product is 1/2 exactly.
-    let latitude = min(min(ring - 0.5 * rings.n, UNITVEC_BARRIER) * (1.0 / rings.n), UNITVEC_BARRIER);
+    let latitude = min(min(ring - 0.5 * rings.n, UNITVEC_HUGE) * (1.0 / rings.n), UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(latitude);
-    let radius = min(meridian.x + meridian.y, UNITVEC_BARRIER);
+    let radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
 
     // Turns by quarters, but for the pole, where a turned 0 would become -0: from quarter to quarter (a, b) goes to
     // (-b, a).
@@ -157,8 +156,8 @@ fn unitvec_latlong_patch_decode(code: u32, rings: UnitvecLatlongRings, index_bit
     a = unitvec_flip_sign(a, ((quarter + (1u << index_bits)) << to_sign) & UNITVEC_SIGN_BIT);
     b = unitvec_flip_sign(b, (quarter << to_sign) & UNITVEC_SIGN_BIT);
     let below = (code << (29u - index_bits)) & UNITVEC_SIGN_BIT;
-    let z = min(unitvec_flip_sign(meridian.x, below) - unitvec_flip_sign(meridian.y, below), UNITVEC_BARRIER);
-    let p = min(vec2f(min(a - b, UNITVEC_BARRIER), min(a + b, UNITVEC_BARRIER)) * radius, vec2f(UNITVEC_BARRIER));
+    let z = min(unitvec_flip_sign(meridian.x, below) - unitvec_flip_sign(meridian.y, below), UNITVEC_HUGE);
+    let p = min(vec2f(min(a - b, UNITVEC_HUGE), min(a + b, UNITVEC_HUGE)) * radius, vec2f(UNITVEC_HUGE));
     return vec3f(p, z);
 }
 

@@ -28,7 +28,7 @@
 // Moves a point of the positive octant, scaled to x + y + z = m, to where the lower half of the octahedron is folded
 // out if z is negative.
 fn unitvec_oct_fold(z: f32, p: vec2f, m: f32) -> vec2f {
-    let folded = min(m - p.yx, vec2f(UNITVEC_BARRIER));
+    let folded = min(m - p.yx, vec2f(UNITVEC_HUGE));
     return select(p, folded, unitvec_is_negative(z));
 }
 
@@ -41,38 +41,37 @@ fn unitvec_oct_mirror(v: vec3f, p: vec2f) -> vec2f {
 // m / norm, which is (|x| + |z|) s.
 fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
     let below = max(-v.z, 0.0);
-    let p = min(min(abs(v.xy) + below, vec2f(UNITVEC_BARRIER)) * (m / norm), vec2f(UNITVEC_BARRIER));
+    let p = min(min(abs(v.xy) + below, vec2f(UNITVEC_HUGE)) * (m / norm), vec2f(UNITVEC_HUGE));
     return unitvec_oct_mirror(v, p);
 }
 
 // q of where the ray of p meets the plane x + y + z = m.
 fn unitvec_oct_projected(q: vec2f, p: vec3f, middle: vec2f, m: f32) -> vec2f {
-    let missing = min(min(min(min(m - middle.x, UNITVEC_BARRIER) - middle.y, UNITVEC_BARRIER) - p.z, UNITVEC_BARRIER)
-        - min(q.x + q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let stretch = min(missing * (1.0 / m), UNITVEC_BARRIER);
-    let moved = min(q + min(stretch * p.xy, vec2f(UNITVEC_BARRIER)), vec2f(UNITVEC_BARRIER));
+    let missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
+        - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let stretch = min(missing * (1.0 / m), UNITVEC_HUGE);
+    let moved = min(q + min(stretch * p.xy, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
 
 // A and B with the denominators (c . p)^2 taken into account: as if q were q + u (X, Y), with u = 3 / m N /
 // (3 + X^2 + Y^2 + Z^2), Z = -X - Y, and N that of two corners where they tie.
 fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) -> vec2f {
-    let minus_z = min(at.x + at.y, UNITVEC_BARRIER);
-    let z_squared = min(minus_z * minus_z, UNITVEC_BARRIER);
-    let over = max(min(abs(min(ab.x + ab.y, UNITVEC_BARRIER)) - cross_term, UNITVEC_BARRIER), 0.0);
-    let n = min(min(min(min(ab.x * q.x, UNITVEC_BARRIER) + min(ab.y * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(0.25 * z_squared + 0.5, UNITVEC_BARRIER), UNITVEC_BARRIER) - over, UNITVEC_BARRIER);
-    let half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let u = min(n * ((1.5 / m) / half_s), UNITVEC_BARRIER);
-    let moved =
-        min(ab + min(u * min(at + minus_z, vec2f(UNITVEC_BARRIER)), vec2f(UNITVEC_BARRIER)), vec2f(UNITVEC_BARRIER));
+    let minus_z = min(at.x + at.y, UNITVEC_HUGE);
+    let z_squared = min(minus_z * minus_z, UNITVEC_HUGE);
+    let over = max(min(abs(min(ab.x + ab.y, UNITVEC_HUGE)) - cross_term, UNITVEC_HUGE), 0.0);
+    let n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(0.25 * z_squared + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
+    let half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
+    let u = min(n * ((1.5 / m) / half_s), UNITVEC_HUGE);
+    let moved = min(ab + min(u * min(at + minus_z, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
-    let moved = min(q + min(at * (0.3795 / m), vec2f(UNITVEC_BARRIER)), vec2f(UNITVEC_BARRIER));
+    let moved = min(q + min(at * (0.3795 / m), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
 
@@ -84,53 +83,53 @@ fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
 // (1 - X Y) q.y, B = (1 - X Y) q.x + (2 + X^2) q.y and H = (1 - X Y) / 2, the right corner is nearer than the upper one
 // where A > B; then the near one loses to it where A > -H, the far one wins where B > H. Else likewise.
 fn unitvec_oct_nearest_corner(p: vec3f, m: f32) -> vec2f {
-    let middle = min(floor(p.xy) + 0.5, vec2f(UNITVEC_BARRIER));
-    var q = min(p.xy - middle, vec2f(UNITVEC_BARRIER));
-    let at = min(min(p.xy * (3.0 / m), vec2f(UNITVEC_BARRIER)) - 1.0, vec2f(UNITVEC_BARRIER));
+    let middle = min(floor(p.xy) + 0.5, vec2f(UNITVEC_HUGE));
+    var q = min(p.xy - middle, vec2f(UNITVEC_HUGE));
+    let at = min(min(p.xy * (3.0 / m), vec2f(UNITVEC_HUGE)) - 1.0, vec2f(UNITVEC_HUGE));
     if m >= 256.0 && m < 4096.0 { q = unitvec_oct_approached(q, at, m); }
     if m >= 65536.0 { q = unitvec_oct_projected(q, p, middle, m); }
 
-    let turn = min(min(at.y * q.x, UNITVEC_BARRIER) - min(at.x * q.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sum = min(q.x + q.y, UNITVEC_BARRIER);
-    let a = min(min(q.x + sum, UNITVEC_BARRIER) + min(at.y * turn, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let b = min(min(q.y + sum, UNITVEC_BARRIER) - min(at.x * turn, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cross_term = min(1.0 - min(at.x * at.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let turn = min(min(at.y * q.x, UNITVEC_HUGE) - min(at.x * q.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let sum = min(q.x + q.y, UNITVEC_HUGE);
+    let a = min(min(q.x + sum, UNITVEC_HUGE) + min(at.y * turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    let b = min(min(q.y + sum, UNITVEC_HUGE) - min(at.x * turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cross_term = min(1.0 - min(at.x * at.y, UNITVEC_HUGE), UNITVEC_HUGE);
     var ab = vec2f(a, b);
     if m < 256.0 { ab = unitvec_oct_weighed(ab, cross_term, q, at, m); }
 
     let half_cross = 0.5 * cross_term;
     let least_b = select(-half_cross, half_cross, ab.x >= ab.y);
     let corner = min(middle + vec2f(select(-0.5, 0.5, ab.x > -least_b), select(-0.5, 0.5, ab.y > least_b)),
-        vec2f(UNITVEC_BARRIER));
+        vec2f(UNITVEC_HUGE));
     return corner;
 }
 
 // A corner of a lattice cell: x, y, and the square of the tangent of its angle from p as a fraction, z / w. One beyond the
 // edge z = 0 of the octant is farther than any.
 fn unitvec_oct_corner(x: f32, y: f32, p: vec3f, m: f32) -> vec4f {
-    let z = min(min(m - x, UNITVEC_BARRIER) - y, UNITVEC_BARRIER);
-    let a = min(min(y * p.z, UNITVEC_BARRIER) - min(z * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let b = min(min(z * p.x, UNITVEC_BARRIER) - min(x * p.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let c = min(min(x * p.y, UNITVEC_BARRIER) - min(y * p.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let across = min(min(min(a * a, UNITVEC_BARRIER) + min(b * b, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(c * c, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let along = min(min(min(x * p.x, UNITVEC_BARRIER) + min(y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(z * p.z, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let squared = min(along * along, UNITVEC_BARRIER);
+    let z = min(min(m - x, UNITVEC_HUGE) - y, UNITVEC_HUGE);
+    let a = min(min(y * p.z, UNITVEC_HUGE) - min(z * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let b = min(min(z * p.x, UNITVEC_HUGE) - min(x * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let c = min(min(x * p.y, UNITVEC_HUGE) - min(y * p.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let across = min(min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE) + min(c * c, UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let along = min(min(min(x * p.x, UNITVEC_HUGE) + min(y * p.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(z * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let squared = min(along * along, UNITVEC_HUGE);
     return vec4f(x, y, across, select(squared, 0.0, z < 0.0));
 }
 
 // b where it is nearer, else a.
 fn unitvec_oct_nearer(a: vec4f, b: vec4f) -> vec4f {
-    let of_b = min(b.z * a.w, UNITVEC_BARRIER);
-    let of_a = min(a.z * b.w, UNITVEC_BARRIER);
+    let of_b = min(b.z * a.w, UNITVEC_HUGE);
+    let of_a = min(a.z * b.w, UNITVEC_HUGE);
     return select(a, b, of_b < of_a);
 }
 
 // As unitvec_oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
 fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
     let low = floor(p.xy);
-    let high = min(low + 1.0, vec2f(UNITVEC_BARRIER));
+    let high = min(low + 1.0, vec2f(UNITVEC_HUGE));
     let near = unitvec_oct_corner(low.x, low.y, p, m);
     let right = unitvec_oct_corner(high.x, low.y, p, m);
     let up = unitvec_oct_corner(low.x, high.y, p, m);
@@ -140,7 +139,7 @@ fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 fn unitvec_oct_precise_point(v: vec3f, norm: f32, m: f32) -> vec2f {
-    var p = min(abs(v) * (m / norm), vec3f(UNITVEC_BARRIER));
+    var p = min(abs(v) * (m / norm), vec3f(UNITVEC_HUGE));
     // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
     // break ties.
     if m >= 65536.0 { p = max(p, vec3f(m * 1.490116119384765625e-8)); }
@@ -158,10 +157,10 @@ fn unitvec_oct_lattice_precise(v: vec3f, m: f32) -> vec2f {
 
 // Direction of a lattice point (listing 2, in Stubbe's branch-light form), unit length to within 2 ULP.
 fn unitvec_oct_from_lattice(e: vec2f, m: f32) -> vec3f {
-    let z = min(min(m - abs(e.x), UNITVEC_BARRIER) - abs(e.y), UNITVEC_BARRIER);
+    let z = min(min(m - abs(e.x), UNITVEC_HUGE) - abs(e.y), UNITVEC_HUGE);
     let below = max(-z, 0.0);
-    let x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_BARRIER);
-    let y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_BARRIER);
+    let x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_HUGE);
+    let y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_HUGE);
     return unitvec_normalize(vec3f(x, y, z));
 }
 
@@ -186,23 +185,23 @@ fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target. Ties go up.
 fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
-    let u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, vec2f(UNITVEC_BARRIER)) + 2047.5, vec2f(UNITVEC_BARRIER)));
+    let u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, vec2f(UNITVEC_HUGE)) + 2047.5, vec2f(UNITVEC_HUGE)));
     let high = floor(u.x / 16.0);
     let carry = floor(u.y / 256.0);
-    let bytes = vec3f(high, min(min(u.x - high * 16.0, UNITVEC_BARRIER) * 16.0 + carry, UNITVEC_BARRIER),
-        min(u.y - carry * 256.0, UNITVEC_BARRIER));
+    let bytes = vec3f(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
+        min(u.y - carry * 256.0, UNITVEC_HUGE));
     let parts = bytes / 255.0;
     return parts;
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.
 fn unorm8x3_to_snorm12x2(u: vec3f) -> vec2f {
-    let bytes = floor(min(min(clamp(u, vec3f(0.0), vec3f(1.0)) * 255.0, vec3f(UNITVEC_BARRIER)) + 0.5,
-        vec3f(UNITVEC_BARRIER)));
+    let bytes =
+        floor(min(min(clamp(u, vec3f(0.0), vec3f(1.0)) * 255.0, vec3f(UNITVEC_HUGE)) + 0.5, vec3f(UNITVEC_HUGE)));
     let high = floor(bytes.y / 16.0);
-    let biased = vec2f(min(bytes.x * 16.0 + high, UNITVEC_BARRIER),
-        min(min(bytes.y - high * 16.0, UNITVEC_BARRIER) * 256.0 + bytes.z, UNITVEC_BARRIER));
-    let s = min(biased - 2047.0, vec2f(UNITVEC_BARRIER)) / 2047.0;
+    let biased = vec2f(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
+        min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
+    let s = min(biased - 2047.0, vec2f(UNITVEC_HUGE)) / 2047.0;
     return select(clamp(s, vec2f(-1.0), vec2f(1.0)), vec2f(0.0), unitvec_is_nan(unitvec_l1_norm(u)));
 }
 
@@ -211,7 +210,7 @@ const UNITVEC_OCT_BIAS: f32 = 8390655.0;
 
 // Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
 fn unitvec_oct_pack_unorm8x3(e: vec2f) -> u32 {
-    let sum = min(e + UNITVEC_OCT_BIAS, vec2f(UNITVEC_BARRIER));
+    let sum = min(e + UNITVEC_OCT_BIAS, vec2f(UNITVEC_HUGE));
     let both = (bitcast<u32>(sum.x) << 12u) + bitcast<u32>(sum.y);
     return ((both >> 16u) & 255u) | (both & 0xff00u) | ((both & 255u) << 16u);
 }
@@ -220,7 +219,7 @@ fn unitvec_oct_pack_unorm8x3(e: vec2f) -> u32 {
 fn unitvec_oct_unpack_unorm8x3(code: u32) -> vec2f {
     let both = ((code & 255u) << 16u) | (code & 0xff00u) | ((code >> 16u) & 255u);
     let sum = vec2u(both >> 12u, both & 0xfffu) | vec2u(bitcast<u32>(UNITVEC_2_23));
-    let e = min(bitcast<vec2f>(sum) - UNITVEC_OCT_BIAS, vec2f(UNITVEC_BARRIER));
+    let e = min(bitcast<vec2f>(sum) - UNITVEC_OCT_BIAS, vec2f(UNITVEC_HUGE));
     return min(e, vec2f(2047.0));
 }
 

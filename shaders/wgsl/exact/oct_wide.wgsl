@@ -37,7 +37,7 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
     let scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
     let sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     let sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
-    let sum = vec2f(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_BARRIER));
+    let sum = vec2f(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_HUGE));
     let reciprocal = 1.0 / sum.x;
 
     var p: UnitvecOctWidePosition;
@@ -47,7 +47,7 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
     var fraction_y: f32;
     let part_x = unitvec_coordinate(scaled.x, sum, reciprocal, bits, &x, &fraction_x);
     let part_y = unitvec_coordinate(scaled.y, sum, reciprocal, bits, &y, &fraction_y);
-    let part_z = min(scaled.z * reciprocal, UNITVEC_BARRIER);
+    let part_z = min(scaled.z * reciprocal, UNITVEC_HUGE);
     p.whole = vec2i(x, y);
     p.fraction = vec2f(fraction_x, fraction_y);
     p.part = vec3f(part_x, part_y, part_z);
@@ -58,20 +58,20 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
 // Unit vector of the lattice point p of the positive octant.
 fn unitvec_oct_wide_decode_octant(p: vec3i, bits: u32) -> vec3f {
     let low_bits = bits - 13u;
-    let lower = min(vec3f(p & vec3i(((1 << low_bits) - 1))) * unitvec_exp2(-i32(low_bits)), vec3f(UNITVEC_BARRIER));
+    let lower = min(vec3f(p & vec3i(((1 << low_bits) - 1))) * unitvec_exp2(-i32(low_bits)), vec3f(UNITVEC_HUGE));
     return unitvec_normalize_parts(vec3f(p >> vec3u(low_bits)), lower);
 }
 
 // Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the
 // vector itself costs least, so that what was decoded once keeps its code's vector.
 fn unitvec_oct_wide_cost(p: UnitvecOctWidePosition, corner: vec2i, bits: u32) -> f32 {
-    let d = min(vec2f(corner) - p.fraction, vec2f(UNITVEC_BARRIER));
-    let along = min(min(d.x * min(p.part.x - p.part.z, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * min(p.part.y - p.part.z, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let squared = 2.0 * min(min(min(d.x * d.x, UNITVEC_BARRIER) + min(d.x * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER)
-        + min(d.y * d.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let cost = min(min(squared * unitvec_dot(p.part, p.part), UNITVEC_BARRIER) - min(along * along, UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let d = min(vec2f(corner) - p.fraction, vec2f(UNITVEC_HUGE));
+    let along = min(min(d.x * min(p.part.x - p.part.z, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * min(p.part.y - p.part.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let squared = 2.0 * min(min(min(d.x * d.x, UNITVEC_HUGE) + min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cost =
+        min(min(squared * unitvec_dot(p.part, p.part), UNITVEC_HUGE) - min(along * along, UNITVEC_HUGE), UNITVEC_HUGE);
     if bits != 26u { return cost; }
 
     let e = p.whole + corner;

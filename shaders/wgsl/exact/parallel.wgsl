@@ -41,7 +41,7 @@ fn unitvec_parallel_disk(x_bits: u32, y_bits: u32) -> UnitvecParallelPlane {
 
 fn unitvec_parallel_sextant(u_bits: u32, v_bits: u32) -> UnitvecParallelPlane {
     let m = vec2f(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
-    let steps = min(m * 1.4142135, vec2f(UNITVEC_BARRIER));
+    let steps = min(m * 1.4142135, vec2f(UNITVEC_HUGE));
     let plane = UnitvecParallelPlane(vec2u(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
         select(UNITVEC_PARALLEL_INSET, 0.0, u_bits > 22u), true);
     return plane;
@@ -50,7 +50,7 @@ fn unitvec_parallel_sextant(u_bits: u32, v_bits: u32) -> UnitvecParallelPlane {
 // e in units of the plane, without a division of floats, so that all devices agree on what is inside.
 fn unitvec_parallel_parts(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
     let reciprocal = vec2f(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
-    let in_sextant = min(e * min(reciprocal * 0.70710677, vec2f(UNITVEC_BARRIER)), vec2f(UNITVEC_BARRIER));
+    let in_sextant = min(e * min(reciprocal * 0.70710677, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     let on_disk = vec2f(unitvec_snorm_part(e.x, plane.bits.x), unitvec_snorm_part(e.y, plane.bits.y));
     return select(on_disk, in_sextant, plane.sextant);
 }
@@ -58,8 +58,8 @@ fn unitvec_parallel_parts(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
 // 1 on the border.
 fn unitvec_parallel_extent(plane: UnitvecParallelPlane, p: vec2f) -> f32 {
     let larger = max(p.x, p.y);
-    let disk = min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sextant = min(disk + min(larger * larger, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let disk = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let sextant = min(disk + min(larger * larger, UNITVEC_HUGE), UNITVEC_HUGE);
     return select(disk, sextant, plane.sextant);
 }
 
@@ -70,24 +70,24 @@ fn unitvec_parallel_is_outside(plane: UnitvecParallelPlane, e: vec2f) -> bool {
 // e with the component along which the border is sooner reached lessened by `by` steps.
 fn unitvec_parallel_inwards(plane: UnitvecParallelPlane, e: vec2f, by: f32) -> vec2f {
     let p = unitvec_parallel_parts(plane, e);
-    let x = min(p.x * plane.steps.y, UNITVEC_BARRIER);
-    let y = min(p.y * plane.steps.x, UNITVEC_BARRIER);
-    let weighed_x = min(select(0.5, 2.0, p.x >= p.y) * x, UNITVEC_BARRIER);
+    let x = min(p.x * plane.steps.y, UNITVEC_HUGE);
+    let y = min(p.y * plane.steps.x, UNITVEC_HUGE);
+    let weighed_x = min(select(0.5, 2.0, p.x >= p.y) * x, UNITVEC_HUGE);
     let along_x = select(x, weighed_x, plane.sextant) >= y;
-    let less = min(e - by, vec2f(UNITVEC_BARRIER));
+    let less = min(e - by, vec2f(UNITVEC_HUGE));
     return select(vec2f(e.x, less.y), vec2f(less.x, e.y), along_x);
 }
 
 // What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
 // above it.
 fn unitvec_parallel_onto_border(extent: f32) -> f32 {
-    let factor = min(1.4999995 - 0.5 * extent, UNITVEC_BARRIER);
+    let factor = min(1.4999995 - 0.5 * extent, UNITVEC_HUGE);
     return factor;
 }
 
 // Whole numbers of a point of the positive quadrant.
 fn unitvec_parallel_round(plane: UnitvecParallelPlane, p: vec2f) -> vec2f {
-    let position = min(min(p * plane.steps, vec2f(UNITVEC_BARRIER)) + 0.5, vec2f(UNITVEC_BARRIER));
+    let position = min(min(p * plane.steps, vec2f(UNITVEC_HUGE)) + 0.5, vec2f(UNITVEC_HUGE));
     let e = min(floor(position), plane.m);
     // Variables, since `&&` and `?:` branch around calls.
     let outside = unitvec_parallel_is_outside(plane, e);
@@ -101,25 +101,25 @@ fn unitvec_parallel_point(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
     let inner = unitvec_parallel_inwards(plane, e, plane.inset);
     let inset = select(e, inner, unitvec_parallel_is_outside(plane, e));
     let extent = unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e));
-    let projected = min(e * unitvec_parallel_onto_border(extent), vec2f(UNITVEC_BARRIER));
+    let projected = min(e * unitvec_parallel_onto_border(extent), vec2f(UNITVEC_HUGE));
     let chosen = select(inset, floor(projected), unitvec_parallel_is_outside(plane, inset));
     return unitvec_parallel_parts(plane, chosen);
 }
 
 // v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
 fn unitvec_parallel_unit(v: vec3f) -> vec3f {
-    let raised = min(unitvec_l1_norm(v) * 1.1, UNITVEC_BARRIER);
-    let scaled = min(v * unitvec_scale_to_one(raised), vec3f(UNITVEC_BARRIER));
+    let raised = min(unitvec_l1_norm(v) * 1.1, UNITVEC_HUGE);
+    let scaled = min(v * unitvec_scale_to_one(raised), vec3f(UNITVEC_HUGE));
     let square = unitvec_dot(scaled, scaled);
-    let off = min(square - 1.0, UNITVEC_BARRIER);
+    let off = min(square - 1.0, UNITVEC_HUGE);
     let inverse = 1.0 / sqrt(square);
-    let n = min(scaled * select(inverse, 1.0, abs(off) <= 9.536743e-7), vec3f(UNITVEC_BARRIER));
+    let n = min(scaled * select(inverse, 1.0, abs(off) <= 9.536743e-7), vec3f(UNITVEC_HUGE));
     return n;
 }
 
 fn unitvec_parallel_third(p: vec2f) -> f32 {
-    let square = min(1.0 - min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER);
+    let square =
+        min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     let root = sqrt(max(square, 0.0));
     return root;
 }
@@ -160,8 +160,8 @@ fn unitvec_parallel_top(code: vec2u, components: u32) -> u32 {
 fn unitvec_parallel_from_plane(plane: UnitvecParallelPlane, e: vec2f, negative: bool) -> vec3f {
     let p = unitvec_parallel_point(plane, abs(e));
     return vec3f(unitvec_negate_positive(unitvec_is_negative(e.x), p.x),
-        unitvec_negate_positive(unitvec_is_negative(e.y), p.y),
-        unitvec_negate_positive(negative, unitvec_parallel_third(p)));
+        unitvec_negate_positive(unitvec_is_negative(e.y), p.y), unitvec_negate_positive(negative,
+        unitvec_parallel_third(p)));
 }
 
 // v with what is below the equator moved up to it, and at unit length.
@@ -216,7 +216,7 @@ fn unitvec_xyonly32f_halves(a: u32, b: u32) -> vec2f {
 }
 
 fn unitvec_xyonly32f_is_off_disk(p: vec2f) -> bool {
-    let square = min(min(p.x * p.x, UNITVEC_BARRIER) + min(p.y * p.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let square = min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE);
     return square > 1.0;
 }
 
@@ -224,8 +224,8 @@ fn unitvec_xyonly32f_is_off_disk(p: vec2f) -> bool {
 fn unitvec_xyonly32f_halves_inset(a: u32, b: u32) -> vec2f {
     let p = unitvec_xyonly32f_halves(a, b);
     let inner = unitvec_xyonly32f_halves(select(0u, a - 1u, a > 0u), select(0u, b - 1u, b > 0u));
-    let q = min(p - min(UNITVEC_PARALLEL_INSET * min(p - inner, vec2f(UNITVEC_BARRIER)), vec2f(UNITVEC_BARRIER)),
-        vec2f(UNITVEC_BARRIER));
+    let q = min(p - min(UNITVEC_PARALLEL_INSET * min(p - inner, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE)),
+        vec2f(UNITVEC_HUGE));
     return select(vec2f(p.x, q.y), vec2f(q.x, p.y), p.x >= p.y);
 }
 
@@ -256,8 +256,8 @@ fn xyonly32f_decode(code: u32) -> vec3f {
     let inner = unitvec_xyonly32f_halves_inset(a, b);
     let inset = select(p, inner, unitvec_xyonly32f_is_off_disk(p));
     let unit = min(p, vec2f(1.0));
-    let square = min(min(unit.x * unit.x, UNITVEC_BARRIER) + min(unit.y * unit.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let projected = min(unit * unitvec_parallel_onto_border(square), vec2f(UNITVEC_BARRIER));
+    let square = min(min(unit.x * unit.x, UNITVEC_HUGE) + min(unit.y * unit.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let projected = min(unit * unitvec_parallel_onto_border(square), vec2f(UNITVEC_HUGE));
     let below = vec2f(unitvec_xyonly32f_half_below(projected.x), unitvec_xyonly32f_half_below(projected.y));
     let q = select(inset, below, unitvec_xyonly32f_is_off_disk(inset));
     return vec3f(unitvec_negate_positive((code & 0x8000u) != 0u, q.x),

@@ -26,9 +26,8 @@ fn unitvec_soct_from_parts(code: u32, sign_bit: u32, bits: u32) -> vec3f {
     let e = unitvec_snorm_integers(code, bits);
     let below = bitcast<f32>(sign_bit & UNITVEC_SIGN_BIT);
     let across = 2.0 * max(abs(e.x), abs(e.y));
-    let v = vec3f(min(e.x + e.y, UNITVEC_BARRIER), min(e.x - e.y, UNITVEC_BARRIER),
-        min(unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below),
-        UNITVEC_BARRIER));
+    let v = vec3f(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
+        min(unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
     return unitvec_normalize(v);
 }
 

@@ -20,8 +20,8 @@ fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
     let latitude = unitvec_with_sign(unitvec_angles_quarter(p.z, unitvec_horizontal_length(p)), v.z);
-    let i = min(select(1.0, latitude, unitvec_is_usable(norm)) * -m, UNITVEC_BARRIER);
-    let j = min(unitvec_angles_azimuth(v, p) * (0.5 * half_turn), UNITVEC_BARRIER);
+    let i = min(select(1.0, latitude, unitvec_is_usable(norm)) * -m, UNITVEC_HUGE);
+    let j = min(unitvec_angles_azimuth(v, p) * (0.5 * half_turn), UNITVEC_HUGE);
     // Half a step from a pole, i rounds to the even integer, which is not the pole's.
     return vec2f(i, select(j, 0.0, abs(i) > m - 0.5));
 }
@@ -29,12 +29,12 @@ fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
 // Direction of a pair of integers, unit length to within 2 ULP.
 fn unitvec_spherical_from_lattice(e: vec2f, m: f32, half_turn: f32) -> vec3f {
     // The product of m is 1 exactly.
-    let latitude = min(abs(e.x) * (1.0 / m), UNITVEC_BARRIER);
-    let diagonal = min(latitude - 0.5, UNITVEC_BARRIER);
+    let latitude = min(abs(e.x) * (1.0 / m), UNITVEC_HUGE);
+    let diagonal = min(latitude - 0.5, UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(diagonal);
-    let radius = min(meridian.x - meridian.y, UNITVEC_BARRIER);
-    let z = min(meridian.x + meridian.y, UNITVEC_BARRIER);
-    let quarters = min(e.y * (2.0 / half_turn), UNITVEC_BARRIER);
+    let radius = min(meridian.x - meridian.y, UNITVEC_HUGE);
+    let z = min(meridian.x + meridian.y, UNITVEC_HUGE);
+    let quarters = min(e.y * (2.0 / half_turn), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), select(0.0, quarters, latitude < 1.0));
 }
 

@@ -36,45 +36,44 @@ const UNITVEC_SPHERICAL_WIDE_POLAR: f32 = 9.094947017729282e-13;
 // Numbers as sums of two floats are vec2f: the second is what the first lacks. This one is a + b + low, where a is 0 or
 // no less than b in magnitude, and low is far less.
 fn unitvec_spherical_wide_sum(a: f32, b: f32, low: f32) -> vec2f {
-    let high = min(a + b, UNITVEC_BARRIER);
-    let rest = min(min(b - min(high - a, UNITVEC_BARRIER), UNITVEC_BARRIER) + low, UNITVEC_BARRIER);
+    let high = min(a + b, UNITVEC_HUGE);
+    let rest = min(min(b - min(high - a, UNITVEC_HUGE), UNITVEC_HUGE) + low, UNITVEC_HUGE);
     return vec2f(high, rest);
 }
 
 fn unitvec_spherical_wide_product(a: vec2f, b: vec2f) -> vec2f {
-    let high = min(a.x * b.x, UNITVEC_BARRIER);
-    let crosswise = min(min(a.x * b.y, UNITVEC_BARRIER) + min(a.y * b.x, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let low = min(unitvec_product_rest(a.x, b.x, high) + crosswise, UNITVEC_BARRIER);
+    let high = min(a.x * b.x, UNITVEC_HUGE);
+    let crosswise = min(min(a.x * b.y, UNITVEC_HUGE) + min(a.y * b.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let low = min(unitvec_product_rest(a.x, b.x, high) + crosswise, UNITVEC_HUGE);
     return vec2f(high, low);
 }
 
 // base + low + linear u + rest, in order of magnitude: base, linear u, rest, low.
 fn unitvec_spherical_wide_polynomial(base: f32, low: f32, slope: f32, u: f32, rest: f32) -> vec2f {
-    let product = min(slope * u, UNITVEC_BARRIER);
+    let product = min(slope * u, UNITVEC_HUGE);
     let sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(slope, u, product));
-    let lows = min(sum.y + low, UNITVEC_BARRIER);
+    let lows = min(sum.y + low, UNITVEC_HUGE);
     return unitvec_spherical_wide_sum(base, sum.x, lows);
 }
 
 // Cosine and sine of n steps, up to an eighth of a turn.
 fn unitvec_spherical_wide_octant(n: i32, steps: UnitvecSphericalWideSteps, cosine: ptr<function, vec2f>,
     sine: ptr<function, vec2f>) {
-    let r = min(f32(n) * steps.size, UNITVEC_BARRIER);
-    let u = min(r * r, UNITVEC_BARRIER);
-    let cosine_rest = min(min(u * u,
-        UNITVEC_BARRIER) * min(UNITVEC_COS_1
-        + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_BARRIER), UNITVEC_BARRIER), UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let sine_rest = min(min(u * u, UNITVEC_BARRIER) * min(UNITVEC_SIN_2 + min(u * UNITVEC_SIN_3, UNITVEC_BARRIER),
-        UNITVEC_BARRIER), UNITVEC_BARRIER);
+    let r = min(f32(n) * steps.size, UNITVEC_HUGE);
+    let u = min(r * r, UNITVEC_HUGE);
+    let cosine_rest = min(min(u * u, UNITVEC_HUGE) * min(UNITVEC_COS_1
+        + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    let sine_rest = min(min(u * u, UNITVEC_HUGE) * min(UNITVEC_SIN_2 + min(u * UNITVEC_SIN_3, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     let c = unitvec_spherical_wide_polynomial(1.0, 0.0, UNITVEC_COS_0, u, cosine_rest);
     let sine_over_r = unitvec_spherical_wide_polynomial(UNITVEC_PI, UNITVEC_SIN_0, UNITVEC_SIN_1, u, sine_rest);
     let s = unitvec_spherical_wide_product(vec2f(r, 0.0), sine_over_r);
 
     // The rest of the angle is so small that it is its own sine, and its cosine is 1.
-    let turn = min(r * min(UNITVEC_PI * steps.excess, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let along = -min(turn * s.x, UNITVEC_BARRIER);
-    let across = min(turn * c.x, UNITVEC_BARRIER);
+    let turn = min(r * min(UNITVEC_PI * steps.excess, UNITVEC_HUGE), UNITVEC_HUGE);
+    let along = -min(turn * s.x, UNITVEC_HUGE);
+    let across = min(turn * c.x, UNITVEC_HUGE);
     *cosine = unitvec_spherical_wide_sum(c.x, c.y, along);
     *sine = unitvec_spherical_wide_sum(s.x, s.y, across);
 }
@@ -97,8 +96,8 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let steep = y.x > x.x;
     let longer = select(x, y, steep);
     let shorter = select(y, x, steep);
-    let part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size), UNITVEC_BARRIER) + 0.5,
-        UNITVEC_BARRIER);
+    let part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size), UNITVEC_HUGE) + 0.5,
+        UNITVEC_HUGE);
     let estimate = i32(part);
 
     var cosine: vec2f;
@@ -106,12 +105,12 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     unitvec_spherical_wide_octant(estimate, steps, &cosine, &sine);
     let forth = unitvec_spherical_wide_product(shorter, cosine);
     let back = unitvec_spherical_wide_product(longer, sine);
-    let across = min(min(forth.x - back.x, UNITVEC_BARRIER) + min(forth.y - back.y, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let root = sqrt(min(min(longer.x * longer.x, UNITVEC_BARRIER) + min(shorter.x * shorter.x, UNITVEC_BARRIER),
-        UNITVEC_BARRIER));
+    let across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let root =
+        sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
     let radians =
-        min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_BARRIER), UNITVEC_BARRIER);
-    let off = min(across / radians + 0.5, UNITVEC_BARRIER);
+        min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
+    let off = min(across / radians + 0.5, UNITVEC_HUGE);
     let n = estimate + i32(floor(off));
     return select(n, steps.in_quarter - n, steep);
 }
@@ -120,14 +119,14 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
 fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let longer = select(x, y, y > x);
     let shorter = select(y, x, y > x);
-    let a = min(longer * longer, UNITVEC_BARRIER);
-    let b = min(shorter * shorter, UNITVEC_BARRIER);
-    let first = sqrt(min(a + b, UNITVEC_BARRIER));
+    let a = min(longer * longer, UNITVEC_HUGE);
+    let b = min(shorter * shorter, UNITVEC_HUGE);
+    let first = sqrt(min(a + b, UNITVEC_HUGE));
     let root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
-    let square = min(root * root, UNITVEC_BARRIER);
+    let square = min(root * root, UNITVEC_HUGE);
     let rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
-        UNITVEC_BARRIER) + unitvec_product_rest(shorter, shorter, b), UNITVEC_BARRIER);
-    let low = min(min(min(a - square, UNITVEC_BARRIER) + b, UNITVEC_BARRIER) + rests, UNITVEC_BARRIER) / (2.0 * root);
+        UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
+    let low = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root);
     return vec2f(root, low);
 }
 
@@ -161,7 +160,7 @@ fn spherical48_decode(code: vec2u) -> vec3f {
     unitvec_spherical_wide_quarter(select(longitude, 8388608 - longitude, left), UNITVEC_SPHERICAL_WIDE_PHI, &x, &y);
     x = unitvec_spherical_wide_product(radius, x);
     y = unitvec_spherical_wide_product(radius, y);
-    let v = vec3f(min(x.x + x.y, UNITVEC_BARRIER), min(y.x + y.y, UNITVEC_BARRIER), min(z.x + z.y, UNITVEC_BARRIER));
+    let v = vec3f(min(x.x + x.y, UNITVEC_HUGE), min(y.x + y.y, UNITVEC_HUGE), min(z.x + z.y, UNITVEC_HUGE));
     return vec3f(unitvec_negate_positive(left, v.x), unitvec_negate_positive(j < 0, v.y),
         unitvec_negate_if(i > 0, v.z));
 }

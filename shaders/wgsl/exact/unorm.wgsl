@@ -17,13 +17,13 @@
 const UNITVEC_UNORM8X3_Z: u32 = 0xff8080u;
 
 fn unitvec_unorm8x3_encode_component(r: f32) -> u32 {
-    let biased = min(r * 0.5 + 0.5, UNITVEC_BARRIER);
+    let biased = min(r * 0.5 + 0.5, UNITVEC_HUGE);
     return unitvec_unorm_code(biased, 8u);
 }
 
 // 255 times the component of the low byte of a code.
 fn unitvec_unorm8x3_decode_component(code: u32) -> f32 {
-    let whole = min(2.0 * f32(code & unitvec_mask(8u)) - 255.0, UNITVEC_BARRIER);
+    let whole = min(2.0 * f32(code & unitvec_mask(8u)) - 255.0, UNITVEC_HUGE);
     return whole;
 }
 

@@ -1,0 +1,263 @@
+//! What the generator makes of the includes, and what it refuses.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+use unitvec_languages::{Edition, Error, Language, Library};
+
+fn glsl(path: &str) -> Option<&'static str> {
+    unitvec_shaders::glsl(path)
+}
+
+fn library() -> Library {
+    Library::parse(glsl).unwrap()
+}
+
+/// All languages and editions but GLSL.
+fn generated() -> impl Iterator<Item = (Language, Edition)> {
+    let others = Language::ALL.into_iter().filter(|language| *language != Language::Glsl);
+    others.flat_map(|language| language.editions().iter().map(move |edition| (language, *edition)))
+}
+
+/// The committed files are those that the includes give: a change to an include without `cargo xtask shaders` fails.
+#[test]
+fn committed_files_are_current() {
+    let shaders = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shaders");
+    for (path, text) in library().translations().unwrap() {
+        let committed = fs::read_to_string(shaders.join(&path)).unwrap_or_default();
+        assert!(
+            committed == text,
+            "shaders/{path} is not what glsl/unitvec gives: run `cargo xtask shaders`"
+        );
+    }
+}
+
+/// Printed as GLSL, each file is its source again, but for where lines break: the tree loses nothing.
+#[test]
+fn glsl_comes_back() {
+    let without_blanks = |text: &str| text.split_whitespace().collect::<String>();
+    let library = library();
+    for file in library.files() {
+        let printed = library.file(file, Language::Glsl, Edition::Plain).unwrap();
+        let source = glsl(&format!("unitvec/{file}")).unwrap();
+        assert!(without_blanks(&printed) == without_blanks(source), "{file}");
+    }
+}
+
+/// The lines of code and comment below a file's head, but for guards, includes and the like.
+fn lines(text: &str) -> Vec<&str> {
+    let body = text.lines().skip_while(|line| line.starts_with("//"));
+    let frame = ["#", "precision ", "module ", "implementing ", "__include ", "using "];
+    body.filter(|line| !line.is_empty() && !frame.iter().any(|start| line.starts_with(start))).collect()
+}
+
+/// Each file has as many lines as its source, to within a tenth, and none of code is longer than 120 columns.
+#[test]
+fn files_are_as_long_as_their_sources() {
+    let library = library();
+    for (language, edition) in generated() {
+        for file in library.files().filter(|file| *file != "unitvec.glsl") {
+            let source = lines(glsl(&format!("unitvec/{file}")).unwrap());
+            let text = library.file(file, language, edition).unwrap();
+            let text = lines(&text);
+            let ratio = text.len() as f64 / source.len() as f64;
+            assert!((0.9..=1.1).contains(&ratio), "{file} in {language}, {edition:?}: {ratio}");
+            let is_long = |line: &&&str| line.len() > 120 && !line.trim_start().starts_with("//");
+            assert_eq!(text.iter().find(is_long), None, "{file} in {language}");
+        }
+    }
+}
+
+/// The words of a comment that are the same in all languages.
+fn common_words(comment: &str) -> Vec<&str> {
+    let words =
+        comment.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty());
+    let of_language = |word: &&str| {
+        let is_type =
+            ["vec", "float", "uint", "int"].iter().any(|stem| word.contains(stem)) && word.len() <= 6;
+        is_type || Language::ALL.iter().any(|language| language.extension() == *word)
+    };
+    words.filter(|word| !of_language(word)).collect()
+}
+
+/// The comments below a file's head, in their order.
+fn comments(text: &str) -> Vec<Vec<&str>> {
+    let body = text.lines().skip_while(|line| line.starts_with("//")).map(str::trim);
+    body.filter(|line| line.starts_with("//")).map(common_words).collect()
+}
+
+/// Every comment of the source stands in every language, in the same order. Those that are left out or added are of
+/// `precise`, of Metal's pragma and of the barriers.
+#[test]
+fn comments_stay_in_their_places() {
+    let is_own = |words: &Vec<&str>| {
+        let text = words.join(" ");
+        ["precise keeps compilers", "No product and sum", "No result is larger"]
+            .iter()
+            .any(|start| text.starts_with(start))
+    };
+    let library = library();
+    for (language, edition) in generated() {
+        for file in library.files() {
+            let text = library.file(file, language, edition).unwrap();
+            let [source, text] = [glsl(&format!("unitvec/{file}")).unwrap(), &text]
+                .map(|text| comments(text).into_iter().filter(|words| !is_own(words)).collect::<Vec<_>>());
+            assert_eq!(text, source, "{file} in {language}");
+        }
+    }
+}
+
+/// The words of the code of all files.
+fn words(texts: impl Iterator<Item = String>) -> BTreeSet<String> {
+    let code = |text: String| {
+        let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let words = lines.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
+        words
+            .filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    texts.flat_map(code).collect()
+}
+
+/// No name is in a translation that is not in the source, but for words of the language, the barrier, and parameters that
+/// WGSL makes a function copy. So there are no temporaries.
+#[test]
+fn names_are_those_of_the_source() {
+    let library = library();
+    let source = words(library.files().map(|file| glsl(&format!("unitvec/{file}")).unwrap().to_owned()));
+    for (language, edition) in generated() {
+        let files = library.files().filter(|file| library.file_name(file, language).is_some());
+        let text = words(files.map(|file| library.file(file, language, edition).unwrap()));
+        let own = match language {
+            Language::Hlsl => {
+                "static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint asfloat all any"
+            }
+            Language::Wgsl => {
+                "fn let var f32 u32 i32 vec2f vec3f vec4f vec2u vec3u vec4u vec2i vec3i bitcast select array ptr function \
+                 all"
+            }
+            Language::Slang => {
+                "module unitvec implementing __include public static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint \
+                 asfloat all"
+            }
+            Language::Msl => {
+                "metal_stdlib using namespace metal pragma clang fp contract off constant inline thread float2 float3 \
+                 float4 uint2 uint3 uint4 int2 int3 as_type all"
+            }
+            _ => "",
+        };
+        let endings = ["HLSL", "METAL", "GDSHADERINC", "GLSL"];
+        let is_known = |word: &&String| {
+            let is_guard = word.starts_with("UNITVEC_") && endings.iter().any(|end| word.ends_with(end));
+            let copied = word.strip_suffix("_in").is_some_and(|name| source.contains(name));
+            own.split_whitespace().any(|own| own == word.as_str())
+                || source.contains(*word)
+                || is_guard
+                || *word == language.extension()
+                || (edition == Edition::Exact && *word == "UNITVEC_HUGE")
+                || (language == Language::Wgsl && copied)
+        };
+        let unknown: Vec<&String> = text.iter().filter(|word| !is_known(word)).collect();
+        assert!(unknown.is_empty(), "{language}: {unknown:?}");
+    }
+}
+
+/// An excerpt has the functions asked for and what they need, in the library's order, and nothing else.
+#[test]
+fn an_excerpt_has_what_it_needs() {
+    let text = library().excerpt(&["unitvec_negate_positive"], Language::Wgsl, Edition::Plain).unwrap();
+    let expected = "\
+fn unitvec_negate_if(negative: bool, x: f32) -> f32 {
+    return select(x, -x, negative);
+}
+
+// -x where negative, else x, for x of at least 0; 0 stays +0.
+fn unitvec_negate_positive(negative: bool, x: f32) -> f32 {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+";
+    assert_eq!(text, expected);
+    let unknown = library().excerpt(&["oct17_encode"], Language::Hlsl, Edition::Plain);
+    assert_eq!(unknown, Err(Error::NoFunction("oct17_encode".to_owned())));
+}
+
+/// Sums and products that are rounded pass through the barrier; those that are exact, and quotients, do not.
+#[test]
+fn the_exact_edition_has_barriers() {
+    let text = "float f(float a, float b) {\n    UNITVEC_PRECISE float r = (a * b + 2.0 * a) / b;\n    return r;\n}\n";
+    let printed = |language| of(text).excerpt(&["f"], language, Edition::Exact).unwrap();
+    let barriers = "min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / b;";
+    assert!(printed(Language::Wgsl).contains(&format!("let r = {barriers}")));
+    let in_metal = barriers.replace("2.0", "2.0f");
+    assert!(printed(Language::Msl).contains(&format!("float r = {in_metal}")));
+    let vectors = text.replace("float", "vec2");
+    let printed = of(&vectors).excerpt(&["f"], Language::Slang, Edition::Exact).unwrap();
+    assert!(printed.contains("float2 r = min(min(a * b, (float2)(UNITVEC_HUGE))"), "{printed}");
+}
+
+/// A library of one file.
+fn of(text: &str) -> Library {
+    parse(text).unwrap()
+}
+
+fn parse(text: &str) -> Result<Library, Error> {
+    Library::parse(|path| match path {
+        "unitvec/unitvec.glsl" => Some("#include \"a.glsl\"\n"),
+        "unitvec/a.glsl" => Some(text),
+        _ => None,
+    })
+}
+
+/// What the includes do not use is refused by file and line, and nothing panics.
+#[test]
+fn other_glsl_is_refused() {
+    let in_function = |line: &str| format!("float f(float x) {{\n    {line}\n}}\n");
+    let refused = [
+        ("float x;\n", 1, "`(` should stand in place of `;`"),
+        ("float f(float x) {\n", 1, "`}` should stand in place of the end of the file"),
+        ("#define A 1\n", 1, "what is `#define A 1` for?"),
+        ("float f() { return 1.0; }\nfloat f(float x) { return x; }\n", 2, "`f` is declared twice"),
+        (&in_function("return y;"), 2, "`y` is not declared"),
+        (&in_function("return sin(x);"), 2, "`sin` is not among the functions that the includes use"),
+        (&in_function("float y = 1;"), 2, "this is of another type, and needs a conversion"),
+        (&in_function("return x + 1;"), 2, "`+` needs operands of one type"),
+        (&in_function("float y, z;"), 2, "each variable needs a declaration of its own"),
+        (
+            &in_function("vec2 v = vec2(1.0, 2u);"),
+            2,
+            "`vec2` takes 2 components of its own type, or one to convert",
+        ),
+        (&in_function("return x.y;"), 2, "there is no `y` in this"),
+        (&in_function("return x; // why"), 2, "a comment has to stand on a line of its own, after //"),
+        (
+            &in_function("if (x > 0.0) { return x; } else { return -x; }"),
+            2,
+            "`else` is not among what the includes use",
+        ),
+        (&in_function("do { x = 1.0; } while (true);"), 2, "`do` is not declared"),
+        (&in_function("1.0 = x;"), 2, "this cannot be assigned to"),
+        (&in_function("f(x) = x;"), 2, "`f` is not among the functions that the includes use"),
+    ];
+    for (text, line, what) in refused {
+        let expected = Error::Refused { file: "a.glsl".to_owned(), line, what: what.to_owned() };
+        assert_eq!(parse(text).err(), Some(expected), "{text}");
+    }
+    let cut = glsl("unitvec/oct.glsl").unwrap();
+    for end in (0..cut.len()).filter(|end| cut.is_char_boundary(*end)) {
+        let _ = parse(&cut[..end]);
+    }
+}
+
+/// A name that a language keeps for itself is found where that language is printed.
+#[test]
+fn reserved_names_are_found() {
+    let library = of("float f(float point) { return point; }\n");
+    let printed = |language| library.excerpt(&["f"], language, Edition::Plain);
+    let error = printed(Language::Hlsl).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "glsl/unitvec/a.glsl: HLSL keeps the name `point` for itself; give it another"
+    );
+    assert!(printed(Language::Wgsl).is_ok());
+}
