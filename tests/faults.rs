@@ -461,3 +461,13 @@ fn meshes_are_not_overwritten() {
     assert!([mesh, other].iter().all(|file| std::fs::read(file).unwrap() == bunny));
     assert_eq!(std::fs::read(raw).unwrap(), [0; 12]);
 }
+
+/// `unitvec shader` names what it does not know, and what a language does not have.
+#[test]
+fn wrong_languages_are_told() {
+    assert_fails(&mut command(["shader"]), 2, &["--language"]);
+    assert_fails(&mut command(["shader", "--language", "cg"]), 2, &["no language `cg`", "wgsl"]);
+    let exact = ["shader", "--language", "hlsl", "--exact"];
+    assert_fails(&mut command(exact), 2, &["HLSL has no exact edition", "leave --exact out"]);
+    assert_fails(&mut command(["shader", "--language", "hlsl", "--codec", "oct17"]), 2, &["oct17"]);
+}

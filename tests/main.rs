@@ -33,6 +33,8 @@ mod modules;
 mod oct;
 mod oct_wide;
 mod parallel;
+#[cfg(feature = "glsl")]
+mod shaders;
 mod slices;
 mod soct;
 mod spherical;

@@ -30,8 +30,7 @@ fn identifiers(code: &str) -> impl Iterator<Item = &str> {
     code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
-/// What a line declares that is not indented: functions, constants, structs, macros. A macro that is called there gives
-/// functions the lower-case names among its arguments.
+/// What a line declares that is not indented: a function, constant, struct or macro.
 fn declared(line: &str) -> Vec<Name> {
     let words: Vec<&str> = identifiers(line).collect();
     let one = |prefix, name: &str| vec![(prefix, name.to_owned())];
@@ -45,11 +44,6 @@ fn declared(line: &str) -> Vec<Name> {
         }
         (_, ["struct", name]) => one("Unitvec", name),
         (_, ["const", _, name, ..]) => one("UNITVEC_", name),
-        (_, [called, arguments @ ..]) if line.starts_with(&format!("{called}(")) => {
-            let functions =
-                arguments.iter().filter(|word| word.starts_with(|c: char| c.is_ascii_lowercase()));
-            functions.map(|name| ("unitvec_", (*name).to_owned())).collect()
-        }
         (_, [kind, name, ..]) if line.starts_with(&format!("{kind} {name}(")) => one("unitvec_", name),
         _ => panic!("what does this declare? {line}"),
     }

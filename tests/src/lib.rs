@@ -16,9 +16,9 @@ use unitvec_host::manifest::{self, sha256_hex};
 use unitvec_host::modules::Modules;
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 
-/// The backends that the tested program has: that of the GLSL needs its compiler.
+/// The backends that the tested program has: those of GLSL and HLSL need their compiler.
 pub const BACKENDS: &[&str] =
-    if cfg!(feature = "glsl") { &["cpu", "rust", "glsl"] } else { &["cpu", "rust"] };
+    if cfg!(feature = "glsl") { &["cpu", "rust", "glsl", "hlsl", "wgsl"] } else { &["cpu", "rust", "wgsl"] };
 
 /// The repository's root.
 pub fn repository() -> PathBuf {

@@ -26,7 +26,7 @@ use unitvec_host::conform::Backends;
 use unitvec_host::glsl;
 use unitvec_host::imprecise::Gpus;
 use unitvec_host::modules::Modules;
-use unitvec_host::shader::{Language, LanguageGpu};
+use unitvec_host::shader::{Edition, Language, LanguageGpu};
 use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
 use unitvec_host::{Error, Result};
 
@@ -169,13 +169,15 @@ impl Vulkan {
         fill_output: bool,
     ) -> Result<Box<dyn Backend>> {
         let gpu = |source| Ok(Box::new(Gpu::new(device, source, fill_output)?) as Box<dyn Backend>);
-        let language = |language| Ok(Box::new(LanguageGpu::new(device, language)?) as Box<dyn Backend>);
+        let language = |language, edition| {
+            Ok(Box::new(LanguageGpu::new(device, language, edition)?) as Box<dyn Backend>)
+        };
         match kind {
             BackendKind::Cpu => Ok(Box::new(Cpu)),
             BackendKind::Rust => gpu(KernelSource::Rust(self.modules()?)),
             BackendKind::Glsl => gpu(KernelSource::Glsl(glsl::Compiler::new()?)),
-            BackendKind::Hlsl => language(Language::Hlsl),
-            BackendKind::Wgsl => language(Language::Wgsl),
+            BackendKind::Hlsl => language(Language::Hlsl, Edition::Plain),
+            BackendKind::Wgsl => language(Language::Wgsl, Edition::Exact),
         }
     }
 

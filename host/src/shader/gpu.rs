@@ -13,36 +13,32 @@ use std::sync::Arc;
 /// A backend that runs HLSL, compiled by glslang, or WGSL, compiled by naga.
 pub struct LanguageGpu {
     runner: Runner,
-    compiler: Compiler,
+    language: Language,
+    edition: Edition,
     kernels: HashMap<(&'static str, Operation), Kernel>,
     /// Codes as whole words, which is what the kernels take and give.
     words: Vec<u32>,
 }
 
-enum Compiler {
-    Hlsl(glsl::Compiler),
-    Wgsl,
-}
-
 impl LanguageGpu {
-    /// A backend on `device`.
+    /// A backend on `device`. What a kernel fails to write cannot pass for its result.
     ///
     /// # Errors
-    /// [`Error::NoCompiler`], [`glsl::Error`], or a failed Vulkan call.
-    pub fn new(device: &Arc<Device>, language: Language) -> Result<Self> {
-        let compiler = match language {
-            Language::Hlsl => Compiler::Hlsl(glsl::Compiler::new()?),
-            Language::Wgsl => Compiler::Wgsl,
-            other => return Err(Error::NoCompiler(other).into()),
-        };
+    /// A failed Vulkan call.
+    pub fn new(device: &Arc<Device>, language: Language, edition: Edition) -> Result<Self> {
         let runner = Runner::new(device, CHUNK, true)?;
-        Ok(Self { runner, compiler, kernels: HashMap::new(), words: Vec::new() })
+        Ok(Self { runner, language, edition, kernels: HashMap::new(), words: Vec::new() })
     }
 
     fn kernel(&mut self, format: Format, operation: Operation) -> Result<()> {
         let key = (format.id, operation);
         if !self.kernels.contains_key(&key) {
-            let module = self.compiler.compile(format, operation)?;
+            let name = format.function(operation);
+            let functions = library()
+                .and_then(|library| library.excerpt(&[&name], self.language, self.edition))
+                .map_err(Error::from)?;
+            let text = functions + &kernel(self.language, format, operation);
+            let module = compile(self.language, &name, &text)?;
             let kernel = self.runner.kernel(&module, ENTRY_POINT, None)?;
             self.kernels.insert(key, kernel);
         }
@@ -87,32 +83,17 @@ impl Backend for LanguageGpu {
     }
 }
 
-impl Compiler {
-    const fn language(&self) -> Language {
-        match self {
-            Self::Hlsl(_) => Language::Hlsl,
-            Self::Wgsl => Language::Wgsl,
-        }
-    }
-
-    /// The edition whose results are the CPU's.
-    const fn edition(&self) -> Edition {
-        match self {
-            Self::Hlsl(_) => Edition::Plain,
-            Self::Wgsl => Edition::Exact,
-        }
-    }
-
-    fn compile(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
-        let (language, name) = (self.language(), format.function(operation));
-        let functions = library()?.excerpt(&[&name], language, self.edition())?;
-        let text = functions + &kernel(language, format, operation);
-        let module = match self {
-            Self::Hlsl(compiler) => compiler.compile_hlsl(&name, &text),
-            Self::Wgsl => compile_wgsl(&text),
-        };
-        module.map_err(|error| Error::Rejected { language, kernel: name, error })
-    }
+/// The SPIR-V of a kernel's whole text in HLSL or WGSL, whose entry point is [`ENTRY_POINT`].
+///
+/// # Errors
+/// [`Error::Rejected`], [`Error::NoCompiler`], or that of a build without glslang.
+pub fn compile(language: Language, name: &str, text: &str) -> Result<Vec<u8>> {
+    let module = match language {
+        Language::Hlsl => glsl::Compiler::new()?.compile_hlsl(name, text),
+        Language::Wgsl => compile_wgsl(text),
+        other => return Err(Error::NoCompiler(other).into()),
+    };
+    Ok(module.map_err(|error| Error::Rejected { language, kernel: name.to_owned(), error })?)
 }
 
 /// The SPIR-V that naga makes of WGSL.

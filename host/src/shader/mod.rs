@@ -4,7 +4,7 @@ mod gpu;
 pub mod kernel;
 mod text;
 
-pub use gpu::LanguageGpu;
+pub use gpu::{LanguageGpu, compile};
 pub use text::text;
 pub use unitvec_languages::{Edition, Language, UnknownLanguage};
 

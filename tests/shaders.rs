@@ -1,0 +1,135 @@
+//! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and what `unitvec shader` writes.
+
+use std::sync::Arc;
+use unitvec_host::backend::{Backend, BackendKind};
+use unitvec_host::catalogue::{Format, Operation, find_format, formats};
+use unitvec_host::conform::{self, Backends, Options, Plan};
+use unitvec_host::shader::{Edition, Language, LanguageGpu, compile, kernel, text};
+use unitvec_host::vulkan::Device;
+use unitvec_tests::program::{run, stderr, stdout};
+use unitvec_tests::{assert_no_validation_messages, lavapipe};
+
+fn backends(device: &Arc<Device>, edition: Edition) -> Backends {
+    let gpu =
+        |language| -> Box<dyn Backend> { Box::new(LanguageGpu::new(device, language, edition).unwrap()) };
+    let mut backends = Backends::from([(BackendKind::Wgsl, gpu(Language::Wgsl))]);
+    if edition == Edition::Plain {
+        backends.insert(BackendKind::Hlsl, gpu(Language::Hlsl));
+    }
+    backends
+}
+
+/// 2^16 random directions, special and tied input, and 2^16 codes of every codec: the exact edition of WGSL, and HLSL, give the
+/// CPU's bits.
+#[test]
+fn hlsl_and_exact_wgsl_agree_to_the_bit() {
+    let device = lavapipe();
+    let options = Options { count: 1 << 16, seed: 15, normals: Vec::new(), all_codes_up_to: 16 };
+    for edition in [Edition::Plain, Edition::Exact] {
+        let plans: Vec<Plan<'_>> = formats().map(|format| Plan::new(format, &options)).collect();
+        let mut codecs = 0;
+        let open = || {
+            let mut backends = backends(&device, edition);
+            // Its compilers may round as they like.
+            backends.retain(|kind, _| edition == Edition::Exact || *kind != BackendKind::Wgsl);
+            Ok(backends)
+        };
+        conform::run(plans, open, &mut |_| {}, &mut |row| {
+            assert!(row.agrees(), "{row:#?}");
+            codecs += 1;
+            Ok(())
+        })
+        .unwrap();
+        assert_eq!(codecs, formats().count());
+    }
+    assert_no_validation_messages(device);
+}
+
+/// A kernel that fails to write is found: the backend's buffers hold no results of an earlier run.
+#[test]
+fn every_backend_has_the_codes_of_the_cpu() {
+    let device = lavapipe();
+    let format = find_format("oct48p").unwrap();
+    let vectors = [0.6, 0.0, -0.8, 0.0, 1.0, 0.0, f32::NAN, 1.0, 1.0];
+    let mut expected = [0; 18];
+    format.encode_cpu(&vectors, &mut expected).unwrap();
+    for (kind, mut backend) in backends(&device, Edition::Plain) {
+        let mut codes = [0xaa; 18];
+        backend.encode(format, &vectors, &mut codes).unwrap();
+        assert_eq!(codes, expected, "{kind}");
+        assert!(backend.encode(format, &vectors, &mut codes[..17]).is_err(), "{kind}");
+        backend.encode(format, &[], &mut []).unwrap();
+        backend.decode(format, &[], &mut []).unwrap();
+    }
+}
+
+/// What `unitvec shader` writes for each codec alone compiles, in both editions, with the entry point of a kernel below it.
+#[test]
+fn the_text_of_each_codec_compiles() {
+    for format in formats() {
+        for (language, edition) in [
+            (Language::Hlsl, Edition::Plain),
+            (Language::Wgsl, Edition::Plain),
+            (Language::Wgsl, Edition::Exact),
+        ] {
+            let functions = text(&[format], language, edition, "test").unwrap();
+            for operation in Operation::ALL {
+                let whole = functions.clone() + &kernel::kernel(language, format, operation);
+                let module = compile(language, format.id, &whole);
+                assert!(module.is_ok(), "{} in {language}: {:?}", format.id, module.err());
+            }
+        }
+    }
+}
+
+/// The head of a text says what the codec is, in the language's words.
+#[test]
+fn a_text_says_what_it_is() {
+    let output = run(["shader", "--language", "msl", "--exact", "--codec", "oct48p", "--codec", "frame32"]);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let text = stdout(&output);
+    let head: Vec<&str> = text.lines().take_while(|line| line.starts_with("//")).collect();
+    let head = head.join("\n");
+    for part in [
+        "codecs in MSL, exact edition",
+        "`unitvec shader --language msl --exact --codec oct48p --codec frame32`",
+        "MIT or Apache-2.0",
+        "oct48p   48 bits, error up to 0.0000",
+        "frame32  32 bits, error up to 0.",
+        "Layout: x in the low 24 or 26",
+        "Layout: the normal's x in the low 11 (21) bits",
+    ] {
+        assert!(head.contains(part), "{part} is not in\n{head}");
+    }
+    assert!(text.contains("\n#include <metal_stdlib>\nusing namespace metal;\n"), "{text}");
+    assert!(text.contains("\ninline uint2 oct48p_encode(float3 v) {"), "{text}");
+    assert!(text.contains(
+        "\ninline void frame32_decode(uint code, thread float3& normal, thread float4& tangent) {"
+    ));
+}
+
+/// Without a codec the text has all; a file gets what the standard output would.
+#[test]
+fn a_file_gets_the_text_of_all_codecs() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("unitvec.slang");
+    let output = run(["shader", "--language", "slang", "-o", file.to_str().unwrap()]);
+    assert!(output.status.success() && output.stdout.is_empty(), "{}", stderr(&output));
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert_eq!(text, stdout(&run(["shader", "--language", "slang"])));
+    let functions = formats().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
+    for function in functions {
+        assert!(text.contains(&format!(" {function}(")), "{function}");
+    }
+}
+
+/// All languages and codecs are in the list.
+#[test]
+fn the_list_has_all_languages_and_codecs() {
+    let text = stdout(&run(["shader", "--list"]));
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let listed = Language::ALL.map(Language::id).into_iter().chain(formats().map(|Format { id, .. }| id));
+    for id in listed {
+        assert!(words.contains(&id), "{id}");
+    }
+}
