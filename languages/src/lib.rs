@@ -189,10 +189,9 @@ impl Library {
             }
         }
         while let Some(name) = open.pop() {
-            if needed.insert(name)
-                && let Some(item) = by_name.get(name)
-            {
-                open.extend(item.kind.names_used().into_iter().filter(|name| by_name.contains_key(name)));
+            let Some(item) = by_name.get(name) else { continue };
+            if needed.insert(name) {
+                open.extend(item.kind.names_used());
             }
         }
         Ok(needed)

@@ -286,24 +286,27 @@ impl<'a> Printer<'a> {
 
     /// `head { … }`, in one line where the source has it so and there is room.
     fn block(&mut self, indent: usize, head: &str, block: &Block, first: Vec<String>) {
-        if let ([Statement { kind, lead }], true, true) =
-            (block.statements.as_slice(), block.is_one_line, first.is_empty())
-            && lead.is_empty()
-            && let Some(text) = self.simple(kind)
-        {
-            let line = match block.has_braces || self.language == Language::Wgsl {
-                true => format!("{head} {{ {text}; }}"),
-                false => format!("{head} {text};"),
-            };
-            if indent + line.len() <= 120 {
-                self.line(format!("{:indent$}{line}", ""));
-                return;
-            }
+        let one_line =
+            self.one_line(head, block).filter(|line| first.is_empty() && indent + line.len() <= 120);
+        if let Some(line) = one_line {
+            self.line(format!("{:indent$}{line}", ""));
+            return;
         }
         self.wrapped(indent, &format!("{head} {{"));
         self.lines.extend(first);
         self.statements(indent + 4, &block.statements);
         self.line(format!("{:indent$}}}", ""));
+    }
+
+    /// A block in one line, where the source has it so.
+    fn one_line(&mut self, head: &str, block: &Block) -> Option<String> {
+        let [Statement { kind, lead }] = block.statements.as_slice() else { return None };
+        if !block.is_one_line || !lead.is_empty() {
+            return None;
+        }
+        let text = self.simple(kind)?;
+        let has_braces = block.has_braces || self.language == Language::Wgsl;
+        Some(if has_braces { format!("{head} {{ {text}; }}") } else { format!("{head} {text};") })
     }
 
     fn statements(&mut self, indent: usize, statements: &[Statement]) {

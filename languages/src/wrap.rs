@@ -31,10 +31,10 @@ pub fn wrapped(indent: usize, text: &str) -> Vec<String> {
 /// The place to break a line at: after `=` where all that follows fits a line; else, of the places in the right half where
 /// the fewest brackets are open, the last; else one in the left half.
 fn break_at(text: &str, room: usize) -> Option<usize> {
-    if let Some(assigned) = text.find(" = ").map(|at| at + 2)
-        && text.len() - assigned <= room.saturating_sub(4)
-    {
-        return Some(assigned);
+    let assigned = text.find(" = ").map(|at| at + 2);
+    let fits = |at: &usize| text.len() - at <= room.saturating_sub(4);
+    if let Some(at) = assigned.filter(fits) {
+        return Some(at);
     }
     let mut depth = 0_usize;
     let mut best: Option<((usize, usize), usize)> = None;

@@ -6,8 +6,14 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What is published, in the order of the dependencies.
-const PACKAGES: [&str; 5] =
-    ["unitvec", "unitvec-shaders", "unitvec-oracle", "unitvec-catalogue", "unitvec-host"];
+const PACKAGES: [&str; 6] = [
+    "unitvec",
+    "unitvec-shaders",
+    "unitvec-languages",
+    "unitvec-oracle",
+    "unitvec-catalogue",
+    "unitvec-host",
+];
 
 /// Packages, unpacks and tests all of them, in a temporary folder.
 pub fn run(repository: &Path) -> Result<(), String> {
