@@ -284,6 +284,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -789,15 +800,15 @@ const int UNITVEC_ELLIPSE = 2;
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
     UNITVEC_PRECISE float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
-    UNITVEC_PRECISE vec2 point = v.xy * scale;
+    UNITVEC_PRECISE vec2 at = v.xy * scale;
     UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
     UNITVEC_PRECISE float rim = 2.0 * v.z * scale;
-    return vec4(point, radius, rim);
+    return vec4(at, radius, rim);
 }
 
-vec3 unitvec_disk_to_stereo(vec2 point, float rim) {
+vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     UNITVEC_PRECISE float sum = 2.0 - rim;
-    UNITVEC_PRECISE vec2 horizontal = 2.0 * point / sum;
+    UNITVEC_PRECISE vec2 horizontal = 2.0 * at / sum;
     UNITVEC_PRECISE float z = rim / sum;
     return vec3(horizontal, z);
 }
@@ -805,15 +816,15 @@ vec3 unitvec_disk_to_stereo(vec2 point, float rim) {
 vec4 unitvec_eqarea_to_disk(vec3 v) {
     UNITVEC_PRECISE float norm = sqrt(unitvec_dot(v, v));
     UNITVEC_PRECISE float scale = 1.0 / sqrt(norm * (norm + v.z));
-    UNITVEC_PRECISE vec2 point = v.xy * scale;
+    UNITVEC_PRECISE vec2 at = v.xy * scale;
     UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
     UNITVEC_PRECISE float rim = v.z / norm;
-    return vec4(point, radius, rim);
+    return vec4(at, radius, rim);
 }
 
-vec3 unitvec_disk_to_eqarea(vec2 point, float rim) {
+vec3 unitvec_disk_to_eqarea(vec2 at, float rim) {
     UNITVEC_PRECISE float scale = sqrt(1.0 + rim);
-    UNITVEC_PRECISE vec2 horizontal = point * scale;
+    UNITVEC_PRECISE vec2 horizontal = at * scale;
     return vec3(horizontal, rim);
 }
 
@@ -829,9 +840,9 @@ vec4 unitvec_eqdist_to_disk(vec3 v) {
     float inside = low ? part : rest;
     UNITVEC_PRECISE float quotient = radius / rho;
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
-    UNITVEC_PRECISE vec2 point = v.xy * scale;
+    UNITVEC_PRECISE vec2 at = v.xy * scale;
     UNITVEC_PRECISE float rim = inside * (1.0 + radius);
-    return vec4(point, radius, rim);
+    return vec4(at, radius, rim);
 }
 
 // Minimax polynomials of sin(pi r / 2) / r in c = 1 - r^2 and of cos(pi r / 2) / (1 - r^2) in w = r^2.
@@ -845,13 +856,13 @@ const float UNITVEC_COSC_1 = 0.019968653;
 const float UNITVEC_COSC_2 = -0.0008935995;
 const float UNITVEC_COSC_3 = 2.3629505e-5;
 
-vec3 unitvec_disk_to_eqdist(vec2 point, float c) {
+vec3 unitvec_disk_to_eqdist(vec2 at, float c) {
     UNITVEC_PRECISE float scale =
         1.0 + c * (UNITVEC_SINC_0 + c * (UNITVEC_SINC_1 + c * (UNITVEC_SINC_2 + c * UNITVEC_SINC_3)));
     UNITVEC_PRECISE float w = 1.0 - c;
     UNITVEC_PRECISE float low = UNITVEC_COSC_0 + w * (UNITVEC_COSC_1 + w * (UNITVEC_COSC_2 + w * UNITVEC_COSC_3));
     UNITVEC_PRECISE float z = c + c * (w * low);
-    UNITVEC_PRECISE vec2 horizontal = point * scale;
+    UNITVEC_PRECISE vec2 horizontal = at * scale;
     return vec3(horizontal, z);
 }
 
@@ -944,11 +955,11 @@ vec2 unitvec_ellipse_to_square(vec4 disk) {
 vec4 unitvec_ellipse_to_disk(vec2 e, uint bits) {
     vec2 s = unitvec_azimuthal_parts(e, bits);
     UNITVEC_PRECISE vec2 root = vec2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
-    UNITVEC_PRECISE vec2 point = s * root;
+    UNITVEC_PRECISE vec2 at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     UNITVEC_PRECISE float factor = 1.0 - s.x * s.x;
     UNITVEC_PRECISE float rim = factor - factor * (s.y * s.y);
-    return vec4(point, 0.0, rim);
+    return vec4(at, 0.0, rim);
 }
 
 // -x where negative; 0 where x is not positive.
@@ -978,7 +989,7 @@ uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
 
 vec3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
     // v without regard to the highest bit.
-    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), unitvec_signed_field(code, bits / 2u, bits / 2u - 1u));
+    vec2 e = vec2(unitvec_snorm_integer(code, bits / 2u), float(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
     vec4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
         : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(e), bits) : unitvec_ellipse_to_disk(abs(e), bits));
@@ -990,67 +1001,262 @@ vec3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
         unitvec_azimuthal_signed(flag, n.z));
 }
 
-// GLSL ES 3.00 cannot join names in a macro: hence both. GLSL before 4.20 cannot continue a line: hence three macros.
-#define UNITVEC_ENCODER(name, p, m, b) uint name(vec3 v) { return unitvec_azimuthal_encode(v, p, m, b); }
-#define UNITVEC_DECODER(name, p, m, b) vec3 name(uint code) { return unitvec_azimuthal_decode(code, p, m, b); }
-#define UNITVEC_AZIMUTHAL(encode, decode, p, m, b) UNITVEC_ENCODER(encode, p, m, b) UNITVEC_DECODER(decode, p, m, b)
+uint stereo16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }
+uint stereo20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 20u); }
+uint stereo22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 22u); }
+uint stereo24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 24u); }
+uint stereo32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 32u); }
 
-UNITVEC_AZIMUTHAL(stereo16_encode, stereo16_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 16u)
-UNITVEC_AZIMUTHAL(stereo20_encode, stereo20_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 20u)
-UNITVEC_AZIMUTHAL(stereo22_encode, stereo22_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 22u)
-UNITVEC_AZIMUTHAL(stereo24_encode, stereo24_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 24u)
-UNITVEC_AZIMUTHAL(stereo32_encode, stereo32_decode, UNITVEC_STEREO, UNITVEC_PLAIN, 32u)
+vec3 stereo16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 16u);
+}
+vec3 stereo20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 20u);
+}
+vec3 stereo22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 22u);
+}
+vec3 stereo24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 24u);
+}
+vec3 stereo32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_PLAIN, 32u);
+}
 
-UNITVEC_AZIMUTHAL(stereo_concentric16_encode, stereo_concentric16_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u)
-UNITVEC_AZIMUTHAL(stereo_concentric20_encode, stereo_concentric20_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u)
-UNITVEC_AZIMUTHAL(stereo_concentric22_encode, stereo_concentric22_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u)
-UNITVEC_AZIMUTHAL(stereo_concentric24_encode, stereo_concentric24_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u)
-UNITVEC_AZIMUTHAL(stereo_concentric32_encode, stereo_concentric32_decode, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u)
+uint stereo_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
+}
+uint stereo_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u);
+}
+uint stereo_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u);
+}
+uint stereo_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u);
+}
+uint stereo_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
+}
 
-UNITVEC_AZIMUTHAL(stereo_ellipse16_encode, stereo_ellipse16_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u)
-UNITVEC_AZIMUTHAL(stereo_ellipse20_encode, stereo_ellipse20_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u)
-UNITVEC_AZIMUTHAL(stereo_ellipse22_encode, stereo_ellipse22_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u)
-UNITVEC_AZIMUTHAL(stereo_ellipse24_encode, stereo_ellipse24_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u)
-UNITVEC_AZIMUTHAL(stereo_ellipse32_encode, stereo_ellipse32_decode, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u)
+vec3 stereo_concentric16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 16u);
+}
+vec3 stereo_concentric20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 20u);
+}
+vec3 stereo_concentric22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 22u);
+}
+vec3 stereo_concentric24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 24u);
+}
+vec3 stereo_concentric32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_CONCENTRIC, 32u);
+}
 
-UNITVEC_AZIMUTHAL(eqarea16_encode, eqarea16_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u)
-UNITVEC_AZIMUTHAL(eqarea20_encode, eqarea20_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u)
-UNITVEC_AZIMUTHAL(eqarea22_encode, eqarea22_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u)
-UNITVEC_AZIMUTHAL(eqarea24_encode, eqarea24_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u)
-UNITVEC_AZIMUTHAL(eqarea32_encode, eqarea32_decode, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u)
+uint stereo_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+uint stereo_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+uint stereo_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+uint stereo_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+uint stereo_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
-UNITVEC_AZIMUTHAL(eqarea_concentric16_encode, eqarea_concentric16_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u)
-UNITVEC_AZIMUTHAL(eqarea_concentric20_encode, eqarea_concentric20_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u)
-UNITVEC_AZIMUTHAL(eqarea_concentric22_encode, eqarea_concentric22_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u)
-UNITVEC_AZIMUTHAL(eqarea_concentric24_encode, eqarea_concentric24_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u)
-UNITVEC_AZIMUTHAL(eqarea_concentric32_encode, eqarea_concentric32_decode, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u)
+vec3 stereo_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 16u);
+}
+vec3 stereo_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 20u);
+}
+vec3 stereo_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 22u);
+}
+vec3 stereo_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 24u);
+}
+vec3 stereo_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_STEREO, UNITVEC_ELLIPSE, 32u);
+}
 
-UNITVEC_AZIMUTHAL(eqarea_ellipse16_encode, eqarea_ellipse16_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u)
-UNITVEC_AZIMUTHAL(eqarea_ellipse20_encode, eqarea_ellipse20_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u)
-UNITVEC_AZIMUTHAL(eqarea_ellipse22_encode, eqarea_ellipse22_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u)
-UNITVEC_AZIMUTHAL(eqarea_ellipse24_encode, eqarea_ellipse24_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u)
-UNITVEC_AZIMUTHAL(eqarea_ellipse32_encode, eqarea_ellipse32_decode, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u)
+uint eqarea16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u); }
+uint eqarea20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u); }
+uint eqarea22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u); }
+uint eqarea24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u); }
+uint eqarea32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u); }
 
-UNITVEC_AZIMUTHAL(eqdist16_encode, eqdist16_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u)
-UNITVEC_AZIMUTHAL(eqdist20_encode, eqdist20_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u)
-UNITVEC_AZIMUTHAL(eqdist22_encode, eqdist22_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u)
-UNITVEC_AZIMUTHAL(eqdist24_encode, eqdist24_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u)
-UNITVEC_AZIMUTHAL(eqdist32_encode, eqdist32_decode, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u)
+vec3 eqarea16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 16u);
+}
+vec3 eqarea20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 20u);
+}
+vec3 eqarea22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 22u);
+}
+vec3 eqarea24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 24u);
+}
+vec3 eqarea32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_PLAIN, 32u);
+}
 
-UNITVEC_AZIMUTHAL(eqdist_concentric16_encode, eqdist_concentric16_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u)
-UNITVEC_AZIMUTHAL(eqdist_concentric20_encode, eqdist_concentric20_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u)
-UNITVEC_AZIMUTHAL(eqdist_concentric22_encode, eqdist_concentric22_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u)
-UNITVEC_AZIMUTHAL(eqdist_concentric24_encode, eqdist_concentric24_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u)
-UNITVEC_AZIMUTHAL(eqdist_concentric32_encode, eqdist_concentric32_decode, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u)
+uint eqarea_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
+}
+uint eqarea_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u);
+}
+uint eqarea_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u);
+}
+uint eqarea_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u);
+}
+uint eqarea_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
+}
 
-UNITVEC_AZIMUTHAL(eqdist_ellipse16_encode, eqdist_ellipse16_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u)
-UNITVEC_AZIMUTHAL(eqdist_ellipse20_encode, eqdist_ellipse20_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u)
-UNITVEC_AZIMUTHAL(eqdist_ellipse22_encode, eqdist_ellipse22_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u)
-UNITVEC_AZIMUTHAL(eqdist_ellipse24_encode, eqdist_ellipse24_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u)
-UNITVEC_AZIMUTHAL(eqdist_ellipse32_encode, eqdist_ellipse32_decode, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u)
+vec3 eqarea_concentric16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 16u);
+}
+vec3 eqarea_concentric20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 20u);
+}
+vec3 eqarea_concentric22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 22u);
+}
+vec3 eqarea_concentric24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 24u);
+}
+vec3 eqarea_concentric32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_CONCENTRIC, 32u);
+}
 
-#undef UNITVEC_AZIMUTHAL
-#undef UNITVEC_ENCODER
-#undef UNITVEC_DECODER
+uint eqarea_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+uint eqarea_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+uint eqarea_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+uint eqarea_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+uint eqarea_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
+
+vec3 eqarea_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 16u);
+}
+vec3 eqarea_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 20u);
+}
+vec3 eqarea_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 22u);
+}
+vec3 eqarea_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 24u);
+}
+vec3 eqarea_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQAREA, UNITVEC_ELLIPSE, 32u);
+}
+
+uint eqdist16_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u); }
+uint eqdist20_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u); }
+uint eqdist22_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u); }
+uint eqdist24_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u); }
+uint eqdist32_encode(vec3 v) { return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u); }
+
+vec3 eqdist16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 16u);
+}
+vec3 eqdist20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 20u);
+}
+vec3 eqdist22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 22u);
+}
+vec3 eqdist24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 24u);
+}
+vec3 eqdist32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_PLAIN, 32u);
+}
+
+uint eqdist_concentric16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
+}
+uint eqdist_concentric20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u);
+}
+uint eqdist_concentric22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u);
+}
+uint eqdist_concentric24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u);
+}
+uint eqdist_concentric32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
+}
+
+vec3 eqdist_concentric16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 16u);
+}
+vec3 eqdist_concentric20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 20u);
+}
+vec3 eqdist_concentric22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 22u);
+}
+vec3 eqdist_concentric24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 24u);
+}
+vec3 eqdist_concentric32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_CONCENTRIC, 32u);
+}
+
+uint eqdist_ellipse16_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+uint eqdist_ellipse20_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+uint eqdist_ellipse22_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+uint eqdist_ellipse24_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+uint eqdist_ellipse32_encode(vec3 v) {
+    return unitvec_azimuthal_encode(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
+
+vec3 eqdist_ellipse16_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 16u);
+}
+vec3 eqdist_ellipse20_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 20u);
+}
+vec3 eqdist_ellipse22_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 22u);
+}
+vec3 eqdist_ellipse24_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 24u);
+}
+vec3 eqdist_ellipse32_decode(uint code) {
+    return unitvec_azimuthal_decode(code, UNITVEC_EQDIST, UNITVEC_ELLIPSE, 32u);
+}
 
 #endif

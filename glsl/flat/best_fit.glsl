@@ -288,6 +288,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -1060,8 +1071,7 @@ uvec2 snorm16x3p_encode(vec3 v) {
 vec3 snorm8x3p_decode(uint code) {
     vec3 e = vec3(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u),
         unitvec_snorm_field(code, 16u, 8u));
-    UNITVEC_PRECISE vec3 v = e / unitvec_snorm_max(8u);
-    return v;
+    return unitvec_snorm_parts(e, 8u, 8u);
 }
 
 vec3 snorm8x3_nearest_decode(uint code) {
@@ -1075,8 +1085,7 @@ vec3 crytek_bfn24_decode(uint code) {
 vec3 snorm16x3p_decode(uvec2 code) {
     vec3 e = vec3(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    UNITVEC_PRECISE vec3 v = e / unitvec_snorm_max(16u);
-    return v;
+    return unitvec_snorm_parts(e, 16u, 16u);
 }
 
 #endif

@@ -278,6 +278,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -881,8 +892,9 @@ UnitvecFibPlace unitvec_fib_place(vec3 v, uint bits) {
     float rest;
     uint whole = unitvec_fib_split(position, rest);
     UNITVEC_PRECISE float fraction = unitvec_negate_if(!is_polar, rest) - 0.5;
-    return UnitvecFibPlace(is_polar ? from_pole : from_top, height, radius_squared,
+    UnitvecFibPlace place = UnitvecFibPlace(is_polar ? from_pole : from_top, height, radius_squared,
         is_polar ? whole : (1u << (bits - 1u)) - whole, fraction);
+    return place;
 }
 
 // Basis that is reduced where a horizontal circle has this radius. k is 2 to 25.
@@ -898,7 +910,9 @@ UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     UNITVEC_PRECISE float next_turn = turn * 0.618034;
     UNITVEC_PRECISE float step_size = power * 0.4472136 + 0.5;
     UNITVEC_PRECISE float next_step = power * 0.7236068 + 0.5;
-    return UnitvecFibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
+    UnitvecFibBasis basis =
+        UnitvecFibBasis(floor(step_size), floor(next_step), turn, next_turn, (k & 1u) == 0u);
+    return basis;
 }
 
 // Point i, which the place is `turn` around from. The cost is half the square of the distance, without cancellation.
@@ -918,12 +932,15 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
     UNITVEC_PRECISE float sum = (place.depth + depth * place.height) + radii;
     UNITVEC_PRECISE float cost = (difference * difference) / sum + radii * chord;
     // More than any distance.
-    return UnitvecFibCandidate(i, is_point ? cost : 4.0);
+    UnitvecFibCandidate candidate = UnitvecFibCandidate(i, is_point ? cost : 4.0);
+    return candidate;
 }
 
 // b where it costs less, else a.
 UnitvecFibCandidate unitvec_fib_cheaper(UnitvecFibCandidate a, UnitvecFibCandidate b) {
-    return UnitvecFibCandidate(b.cost < a.cost ? b.i : a.i, b.cost < a.cost ? b.cost : a.cost);
+    bool is_b = b.cost < a.cost;
+    UnitvecFibCandidate cheaper = UnitvecFibCandidate(is_b ? b.i : a.i, is_b ? b.cost : a.cost);
+    return cheaper;
 }
 
 // Number of the point of 2^bits that is nearest to the direction of v.

@@ -277,6 +277,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -776,8 +787,8 @@ uvec2 float16x3_encode(vec3 v) {
 }
 
 vec3 float16x3_decode(uvec2 code) {
-    bool none = ((code.x & 0x7fff7fffu) | (code.y & 0x7fffu)) == 0u;
-    uint z = none ? UNITVEC_HALF_ONE : code.y;
+    bool is_zero = ((code.x & 0x7fff7fffu) | (code.y & 0x7fffu)) == 0u;
+    uint z = is_zero ? UNITVEC_HALF_ONE : code.y;
     return vec3(unitvec_half_decode(code.x), unitvec_half_decode(code.x >> 16u), unitvec_half_decode(z));
 }
 

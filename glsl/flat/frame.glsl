@@ -305,6 +305,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -955,8 +966,8 @@ vec3 snorm12x2_to_unorm8x3(vec2 f) {
     float high = floor(u.x / 16.0);
     float carry = floor(u.y / 256.0);
     UNITVEC_PRECISE vec3 bytes = vec3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
-    UNITVEC_PRECISE vec3 unorm = bytes / 255.0;
-    return unorm;
+    UNITVEC_PRECISE vec3 parts = bytes / 255.0;
+    return parts;
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -282,6 +282,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -942,12 +953,12 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     first_row = of_z ? UNITVEC_2_23 + 2.0 * n : first_row;
     float rows_before = is_octant ? 2.0 * (n - 2.0) : n;
     UNITVEC_PRECISE float from_end = (is_octant ? n - 1.0 : n) - depth;
-    UNITVEC_PRECISE float line = (first_row + (base_side ? rows_before : 0.0)) + (is_second ? from_end : depth);
+    UNITVEC_PRECISE float line_number = (first_row + (base_side ? rows_before : 0.0)) + (is_second ? from_end : depth);
     float first_column = is_second ? UNITVEC_2_23 + 1.0 : UNITVEC_2_23;
     first_column = is_octant ? UNITVEC_2_23 + 17.0 : first_column;
     UNITVEC_PRECISE float column = (across + (is_second ? depth : 0.0)) + first_column;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    uint code = (floatBitsToUint(line) & 0x7fffffu) * row_length + (floatBitsToUint(column) & 0x7fffffu);
+    uint code = (floatBitsToUint(line_number) & 0x7fffffu) * row_length + (floatBitsToUint(column) & 0x7fffffu);
     // +Z is in the middle of the first row.
     return usable ? code : lattice.n / 2u;
 }
@@ -964,18 +975,18 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     float per_rows = is_octant ? 1.0 / (n - 2.0) : 1.0 / n;
 
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
-    // than the exact one: so `line` is it or the next, and then the remainder wraps.
+    // than the exact one: so `line_number` is it or the next, and then the remainder wraps.
     uint index = code - first;
     UNITVEC_PRECISE float quotient = float(int(index >> 1u)) * per_length + 0.05;
-    float line = floor(quotient);
-    UNITVEC_PRECISE float counted = line + UNITVEC_2_23;
+    float line_number = floor(quotient);
+    UNITVEC_PRECISE float counted = line_number + UNITVEC_2_23;
     uint rest = index - (floatBitsToUint(counted) & 0x7fffffu) * row_length;
     bool is_next = rest >= row_length;
-    line = is_next ? line - 1.0 : line;
+    line_number = is_next ? line_number - 1.0 : line_number;
     float column = float(int(is_next ? rest + row_length : rest));
-    UNITVEC_PRECISE float part = (line + 0.5) * per_rows;
+    UNITVEC_PRECISE float part = (line_number + 0.5) * per_rows;
     float block_number = floor(part);
-    UNITVEC_PRECISE float row = line - block_number * rows;
+    UNITVEC_PRECISE float row = line_number - block_number * rows;
 
     // All of these are whole.
     float least = is_octant ? 1.0 : 0.0;

@@ -280,6 +280,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -778,7 +789,7 @@ struct UnitvecOctWidePosition {
     ivec2 whole;
     vec2 fraction;
     vec3 part;
-    vec3 vector;
+    vec3 scaled_vector;
 };
 
 // Largest integer of an snorm of `bits` bits (2 to 31).
@@ -805,7 +816,7 @@ UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
     p.whole = ivec2(x, y);
     p.fraction = vec2(fraction_x, fraction_y);
     p.part = vec3(part_x, part_y, part_z);
-    p.vector = scaled;
+    p.scaled_vector = scaled;
     return p;
 }
 
@@ -825,9 +836,9 @@ float unitvec_oct_wide_cost(UnitvecOctWidePosition p, ivec2 corner, uint bits) {
     UNITVEC_PRECISE float cost = squared * unitvec_dot(p.part, p.part) - along * along;
     if (bits != 26u) return cost;
 
-    ivec2 point = p.whole + corner;
-    vec3 decoded = unitvec_oct_wide_decode_octant(ivec3(point, unitvec_oct_wide_max(bits) - point.x - point.y), bits);
-    return decoded == p.vector ? -1.0 : cost;
+    ivec2 e = p.whole + corner;
+    vec3 decoded = unitvec_oct_wide_decode_octant(ivec3(e, unitvec_oct_wide_max(bits) - e.x - e.y), bits);
+    return decoded == p.scaled_vector ? -1.0 : cost;
 }
 
 // Lattice point nearest to p in angle, of the four corners of its cell. The far corner of a cell that the octant's edge

@@ -280,6 +280,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -788,13 +799,17 @@ struct UnitvecParallelPlane {
 UnitvecParallelPlane unitvec_parallel_disk(uint x_bits, uint y_bits) {
     vec2 m = vec2(unitvec_snorm_max(x_bits), unitvec_snorm_max(y_bits));
     bool fine = x_bits > 22u;
-    return UnitvecParallelPlane(uvec2(x_bits, y_bits), m, m, fine ? 1.0000004 : 1.0, fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
+    UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(x_bits, y_bits), m, m, fine ? 1.0000004 : 1.0,
+        fine ? 0.0 : UNITVEC_PARALLEL_INSET, false);
+    return plane;
 }
 
 UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     vec2 m = vec2(unitvec_snorm_max(u_bits), unitvec_snorm_max(v_bits));
     UNITVEC_PRECISE vec2 steps = m * 1.4142135;
-    return UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT, u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+    UnitvecParallelPlane plane = UnitvecParallelPlane(uvec2(u_bits, v_bits), m, steps, UNITVEC_PARALLEL_SEXTANT_LIMIT,
+        u_bits > 22u ? 0.0 : UNITVEC_PARALLEL_INSET, true);
+    return plane;
 }
 
 // e in units of the plane, without a division of floats, so that all devices agree on what is inside.

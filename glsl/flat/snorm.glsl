@@ -277,6 +277,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -780,8 +791,7 @@ vec3 unitvec_snorm3_decode(uint code, uint xy_bits, uint z_bits) {
     code = used == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
     vec3 e = vec3(unitvec_snorm_field(code, 0u, xy_bits), unitvec_snorm_field(code, xy_bits, xy_bits),
         unitvec_snorm_field(code, 2u * xy_bits, z_bits));
-    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
-    return v;
+    return unitvec_snorm_parts(e, xy_bits, z_bits);
 }
 
 uvec2 snorm16x3_encode(vec3 v) {
@@ -796,8 +806,7 @@ vec3 snorm16x3_decode(uvec2 code) {
     z = (code.x | z) == 0u ? unitvec_mask(15u) : z;
     vec3 e = vec3(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(z, 0u, 16u));
-    UNITVEC_PRECISE vec3 v = e / unitvec_snorm_max(16u);
-    return v;
+    return unitvec_snorm_parts(e, 16u, 16u);
 }
 
 uint snorm5x3_encode(vec3 v) { return unitvec_snorm3_encode(v, 5u, 5u); }

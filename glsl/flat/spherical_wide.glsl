@@ -279,6 +279,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -803,9 +814,9 @@ vec2 unitvec_spherical_wide_product(vec2 a, vec2 b) {
 }
 
 // base + low + linear u + rest, in order of magnitude: base, linear u, rest, low.
-vec2 unitvec_spherical_wide_polynomial(float base, float low, float linear, float u, float rest) {
-    UNITVEC_PRECISE float product = linear * u;
-    vec2 sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(linear, u, product));
+vec2 unitvec_spherical_wide_polynomial(float base, float low, float slope, float u, float rest) {
+    UNITVEC_PRECISE float product = slope * u;
+    vec2 sum = unitvec_spherical_wide_sum(product, rest, unitvec_product_rest(slope, u, product));
     UNITVEC_PRECISE float lows = sum.y + low;
     return unitvec_spherical_wide_sum(base, sum.x, lows);
 }

@@ -276,6 +276,17 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
+// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
+// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
+vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
+#ifdef UNITVEC_EXACT
+    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+#else
+    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
+    return v;
+#endif
+}
+
 // half: half floats (IEEE 754 binary16), converted with integers.
 
 // The half of 65504, the largest, and that of 1.0.
@@ -775,9 +786,10 @@ uint unitvec_unorm8x3_encode_component(float r) {
     return unitvec_unorm_code(biased, 8u);
 }
 
+// 255 times the component of the low byte of a code.
 float unitvec_unorm8x3_decode_component(uint code) {
-    UNITVEC_PRECISE float r = (2.0 * float(code & unitvec_mask(8u)) - 255.0) / 255.0;
-    return r;
+    UNITVEC_PRECISE float whole = 2.0 * float(code & unitvec_mask(8u)) - 255.0;
+    return whole;
 }
 
 uint unorm8x3_encode(vec3 v) {
@@ -787,8 +799,10 @@ uint unorm8x3_encode(vec3 v) {
 }
 
 vec3 unorm8x3_decode(uint code) {
-    return vec3(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
+    vec3 e = vec3(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
         unitvec_unorm8x3_decode_component(code >> 16u));
+    // 255 is the largest integer of an snorm of 9 bits.
+    return unitvec_snorm_parts(e, 9u, 9u);
 }
 
 #endif

@@ -188,8 +188,11 @@ inline float unitvec_best_fit_sine(float2 u, float size) {
     return sine;
 }
 
+// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 inline float unitvec_best_fit_sample_part(uint cell, int i) {
-    float part = (float(cell) + (float(i) + 0.5f) / 3.0f) / UNITVEC_BEST_FIT_CELLS;
+    float third = float(i);
+    float columns = float(cell) + (third + 0.5f) / max(third, 3.0f);
+    float part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
     return part;
 }
 
@@ -301,7 +304,7 @@ inline uint2 snorm16x3p_encode(float3 v) {
 inline float3 snorm8x3p_decode(uint code) {
     float3 e = float3(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u),
         unitvec_snorm_field(code, 16u, 8u));
-    return unitvec_snorm_parts(e, 8u, 8u);
+    return unitvec_snorm_quotients(e, 8u, 8u);
 }
 
 inline float3 snorm8x3_nearest_decode(uint code) {
@@ -315,7 +318,7 @@ inline float3 crytek_bfn24_decode(uint code) {
 inline float3 snorm16x3p_decode(uint2 code) {
     float3 e = float3(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }
 
 #endif

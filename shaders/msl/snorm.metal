@@ -26,7 +26,7 @@ inline float3 unitvec_snorm3_decode(uint code, uint xy_bits, uint z_bits) {
     code = used == 0u ? unitvec_mask(z_bits - 1u) << (2u * xy_bits) : code;
     float3 e = float3(unitvec_snorm_field(code, 0u, xy_bits), unitvec_snorm_field(code, xy_bits, xy_bits),
         unitvec_snorm_field(code, 2u * xy_bits, z_bits));
-    return unitvec_snorm_parts(e, xy_bits, z_bits);
+    return unitvec_snorm_quotients(e, xy_bits, z_bits);
 }
 
 inline uint2 snorm16x3_encode(float3 v) {
@@ -41,7 +41,7 @@ inline float3 snorm16x3_decode(uint2 code) {
     z = (code.x | z) == 0u ? unitvec_mask(15u) : z;
     float3 e = float3(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(z, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }
 
 inline uint snorm5x3_encode(float3 v) { return unitvec_snorm3_encode(v, 5u, 5u); }

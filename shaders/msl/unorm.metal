@@ -37,7 +37,7 @@ inline float3 unorm8x3_decode(uint code) {
     float3 e = float3(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
         unitvec_unorm8x3_decode_component(code >> 16u));
     // 255 is the largest integer of an snorm of 9 bits.
-    return unitvec_snorm_parts(e, 9u, 9u);
+    return unitvec_snorm_quotients(e, 9u, 9u);
 }
 
 #endif

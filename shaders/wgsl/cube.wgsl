@@ -70,8 +70,9 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
     let face = unitvec_cube_unpack_face(code, bits);
     let e = unitvec_cube_unpack(code, bits);
     let widths = unitvec_cube_widths(bits);
-    let s = abs(e.x) / (unitvec_snorm_max(widths.x) + 0.5);
-    let t = abs(e.y) / (unitvec_snorm_max(widths.y) + 0.5);
+    // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
+    let s = unitvec_snorm_quotient(2.0 * abs(e.x), widths.x + 1u);
+    let t = unitvec_snorm_quotient(2.0 * abs(e.y), widths.y + 1u);
     let p = vec3f(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);

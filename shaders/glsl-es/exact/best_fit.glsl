@@ -200,8 +200,11 @@ float unitvec_best_fit_sine(vec2 u, float size) {
     return sine;
 }
 
+// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 float unitvec_best_fit_sample_part(uint cell, int i) {
-    float part = min(float(cell) + min(float(i) + 0.5, UNITVEC_HUGE) / 3.0, UNITVEC_HUGE) / UNITVEC_BEST_FIT_CELLS;
+    float third = float(i);
+    float columns = min(float(cell) + min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE);
+    float part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
     return part;
 }
 
@@ -315,7 +318,7 @@ uvec2 snorm16x3p_encode(vec3 v) {
 vec3 snorm8x3p_decode(uint code) {
     vec3 e =
         vec3(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u), unitvec_snorm_field(code, 16u, 8u));
-    return unitvec_snorm_parts(e, 8u, 8u);
+    return unitvec_snorm_quotients(e, 8u, 8u);
 }
 
 vec3 snorm8x3_nearest_decode(uint code) {
@@ -329,7 +332,7 @@ vec3 crytek_bfn24_decode(uint code) {
 vec3 snorm16x3p_decode(uvec2 code) {
     vec3 e = vec3(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }
 
 #endif

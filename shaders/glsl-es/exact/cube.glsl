@@ -78,8 +78,9 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
     uint face = unitvec_cube_unpack_face(code, bits);
     vec2 e = unitvec_cube_unpack(code, bits);
     uvec2 widths = unitvec_cube_widths(bits);
-    float s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
-    float t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
+    // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
+    float s = unitvec_snorm_quotient(2.0 * abs(e.x), widths.x + 1u);
+    float t = unitvec_snorm_quotient(2.0 * abs(e.y), widths.y + 1u);
     vec3 p = vec3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);

@@ -75,8 +75,9 @@ inline float3 unitvec_warpedcube_decode(uint code, uint bits) {
     uint face = unitvec_cube_unpack_face(code, bits);
     float2 e = unitvec_cube_unpack(code, bits);
     uint2 widths = unitvec_cube_widths(bits);
-    float s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5f, UNITVEC_HUGE);
-    float t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5f, UNITVEC_HUGE);
+    // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
+    float s = unitvec_snorm_quotient(2.0f * abs(e.x), widths.x + 1u);
+    float t = unitvec_snorm_quotient(2.0f * abs(e.y), widths.y + 1u);
     float3 p = float3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0f));
     return unitvec_from_face(unitvec_normalize(p), face);

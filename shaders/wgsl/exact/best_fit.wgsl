@@ -195,8 +195,11 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     return sine;
 }
 
+// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
-    let part = min(f32(cell) + min(f32(i) + 0.5, UNITVEC_HUGE) / 3.0, UNITVEC_HUGE) / UNITVEC_BEST_FIT_CELLS;
+    let third = f32(i);
+    let columns = min(f32(cell) + min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE);
+    let part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
     return part;
 }
 
@@ -310,7 +313,7 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
 fn snorm8x3p_decode(code: u32) -> vec3f {
     let e = vec3f(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u),
         unitvec_snorm_field(code, 16u, 8u));
-    return unitvec_snorm_parts(e, 8u, 8u);
+    return unitvec_snorm_quotients(e, 8u, 8u);
 }
 
 fn snorm8x3_nearest_decode(code: u32) -> vec3f {
@@ -324,5 +327,5 @@ fn crytek_bfn24_decode(code: u32) -> vec3f {
 fn snorm16x3p_decode(code: vec2u) -> vec3f {
     let e = vec3f(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }
