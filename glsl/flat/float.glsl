@@ -199,6 +199,40 @@ float unitvec_snorm_max(uint bits) {
     return float(unitvec_mask(bits - 1u));
 }
 
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
+}
+
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
+// UNITVEC_EXACT, does not divide, and takes two more operations.
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
+}
+
+// That of vectors, of xy_bits and of z_bits.
+vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
+    return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
+        unitvec_snorm_quotient(e.z, z_bits));
+}
+
 // By comparing integers: see unitvec_is_within.
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
@@ -217,8 +251,7 @@ uint unitvec_unorm_encode(float r, uint bits) {
 
 // Eq. 2. Bits above `bits` are ignored.
 float unitvec_unorm_decode(uint code, uint bits) {
-    UNITVEC_PRECISE float r = float(code & unitvec_mask(bits)) / unitvec_unorm_max(bits);
-    return r;
+    return unitvec_snorm_quotient(float(code & unitvec_mask(bits)), bits + 1u);
 }
 
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
@@ -256,36 +289,7 @@ vec2 unitvec_snorm_clamp(vec2 e) {
 
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
 float unitvec_snorm_decode(uint code, uint bits) {
-    UNITVEC_PRECISE float r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
-    return r;
-}
-
-// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
-float unitvec_snorm_reciprocal(uint bits) {
-    uint m = unitvec_mask(bits - 1u);
-    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
-}
-
-// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
-// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
-float unitvec_snorm_part(float x, uint bits) {
-    float h = unitvec_exp2(1 - int(bits));
-    bool few = bits <= 11u;
-    UNITVEC_PRECISE float high = few ? h + h * h : h;
-    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
-    UNITVEC_PRECISE float quotient = x * high + x * low;
-    return quotient;
-}
-
-// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
-// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
-vec3 unitvec_snorm_parts(vec3 e, uint xy_bits, uint z_bits) {
-#ifdef UNITVEC_EXACT
-    return vec3(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
-#else
-    UNITVEC_PRECISE vec3 v = e / vec3(vec2(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
-    return v;
-#endif
+    return unitvec_snorm_quotient(unitvec_snorm_integer(code, bits), bits);
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
