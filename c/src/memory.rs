@@ -170,3 +170,15 @@ fn checked(
     }
     Ok(floats)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_becomes_a_status() {
+        assert_eq!(guarded(|| panic!("on purpose")), Status::UNITVEC_ERROR_INTERNAL);
+        assert_eq!(guarded(|| Err(Status::UNITVEC_ERROR_SIZE)), Status::UNITVEC_ERROR_SIZE);
+        assert_eq!(guarded(|| Ok(())), Status::UNITVEC_OK);
+    }
+}

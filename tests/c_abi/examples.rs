@@ -27,6 +27,7 @@ fn c() {
 
 /// C++17, with either library.
 #[test]
+#[cfg_attr(not(feature = "glsl"), ignore = "needs a C++ compiler, as that of GLSL does: `cargo xtask test`")]
 fn cpp() {
     for library in [Library::Static, Library::Shared] {
         let text = output("cpp/vertices.cpp", library);

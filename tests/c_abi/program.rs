@@ -21,7 +21,7 @@ fn libraries() -> &'static Path {
 /// Compiles a source, `.c` as C99 and `.cpp` as C++17, without any warning, and links it.
 pub fn compile(source: &Path, folder: &Path, library: Library) -> PathBuf {
     let is_c = source.extension().is_some_and(|extension| extension == "c");
-    let (compiler, standard) = if is_c { ("gcc", "-std=c99") } else { ("g++", "-std=c++17") };
+    let (compiler, standard) = if is_c { ("cc", "-std=c99") } else { ("c++", "-std=c++17") };
     let program = folder.join(source.file_stem().unwrap());
     let libraries = libraries();
     let mut command = Command::new(compiler);

@@ -17,6 +17,18 @@ fn sources_and_header_are_renewed() {
     expect("c/include/unitvec.h", &String::from_utf8(output.stdout).unwrap());
 }
 
+/// Of the files of the C library, only `memory.rs` has `unsafe` but for the names that are exported.
+#[test]
+fn unsafe_code_is_in_one_module() {
+    for entry in std::fs::read_dir(repository().join("c/src")).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap().replace("#[unsafe(no_mangle)]", "");
+        let code = text.split("#[cfg(test)]").next().unwrap().lines().filter(|line| !line.trim_start().starts_with("//"));
+        let has_unsafe = code.into_iter().any(|line| line.contains("unsafe"));
+        assert_eq!(has_unsafe, path.ends_with("memory.rs"), "{}", path.display());
+    }
+}
+
 /// Fails unless a file has this text, or writes it.
 fn expect(file: &str, text: &str) {
     let path = repository().join(file);
@@ -24,12 +36,12 @@ fn expect(file: &str, text: &str) {
         write_file(&path, text.as_bytes()).unwrap();
     }
     let committed = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(committed == text, "{file} is stale: BLESS=1 cargo test -p unitvec-tests c_abi");
+    assert!(committed == text, "{file} is stale: BLESS=1 cargo test -p unitvec-tests c_abi::text");
 }
 
 /// The functions of every codec. They are written out, since cbindgen does not expand macros.
 fn codecs() -> String {
-    let mut text = "//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi`.\n\n\
+    let mut text = "//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi::text`.\n\n\
                     use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};\n"
         .to_owned();
     for codec in CATALOGUE {

@@ -3,7 +3,7 @@
 use super::Case;
 use glam::Vec3;
 use unitvec_oracle::angle_deg;
-use unitvec_tests::checks::{assert_bounded, assert_is_vector_of};
+use unitvec_tests::checks::{assert_bounded, assert_is_vector_of, assert_unit};
 use unitvec_tests::directions::usable;
 use unitvec_tests::tested::{Tested, widen};
 
@@ -18,6 +18,7 @@ pub fn check(id: &str, cases: &[Case]) {
     for case in cases {
         let decoded = vector(&case.decoded);
         assert!(case.code & !codec.mask() == 0, "{id}: {case:x?}");
+        assert_unit(&codec, case.code, decoded);
         settled += usize::from(assert_is_vector_of(&codec, case.code, decoded).is_some());
         assert_is_code_of(&codec, vector(&case.input), case, z.code);
     }
