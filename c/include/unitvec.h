@@ -64,7 +64,7 @@ extern "C" {
 #endif // __cplusplus
 
 /// What a status means, in a line of English that lives as long as the program. Any number may be given.
-const char *unitvec_status_text(int32_t status);
+const char *unitvec_status_text(uint32_t status);
 
 /// The number of codecs.
 size_t unitvec_codec_count(void);

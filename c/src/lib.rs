@@ -4,7 +4,7 @@
 //! Functions of single vectors go by value and take any input: they cannot fail. Those of arrays give a [`Status`]. No panic
 //! crosses the interface: functions that could unwind catch it.
 //!
-//! All that takes a pointer to the caller's memory, and so all `unsafe` code, is in [`memory`].
+//! All that takes a pointer to the caller's memory, and so all `unsafe` code, is in `memory`.
 
 mod codec;
 mod codecs;

@@ -25,7 +25,7 @@ pub enum Status {
 
 /// What a status means, in a line of English that lives as long as the program. Any number may be given.
 #[unsafe(no_mangle)]
-pub extern "C" fn unitvec_status_text(status: i32) -> *const c_char {
+pub extern "C" fn unitvec_status_text(status: u32) -> *const c_char {
     let text = match status {
         0 => c"success",
         1 => c"unknown codec: pass what unitvec_find or unitvec_codec_at gave, unless it is NULL",

@@ -20,7 +20,7 @@ int main(void) {
     const size_t size = 3 * unitvec_codec_bytes(codec);
     unitvec_status status = unitvec_encode(codec, normals[0], 3, codes, size);
     if (status != UNITVEC_OK) {
-        fprintf(stderr, "encode: %s\n", unitvec_status_text((int32_t)status));
+        fprintf(stderr, "encode: %s\n", unitvec_status_text(status));
         return 1;
     }
     printf("%s: 3 normals in %u bytes, at most %.5f degrees off\n", unitvec_codec_id(codec), (unsigned)size,
@@ -28,6 +28,6 @@ int main(void) {
 
     /* What is not there is an error, and no crash. */
     status = unitvec_encode(unitvec_find("oct17"), normals[0], 3, codes, size);
-    printf("an unknown codec: %s\n", unitvec_status_text((int32_t)status));
+    printf("an unknown codec: %s\n", unitvec_status_text(status));
     return status == UNITVEC_ERROR_UNKNOWN_CODEC ? 0 : 1;
 }

@@ -85,10 +85,10 @@ static void what_is_known(void) {
 
 /* Every status has a text of its own, and any number has one. */
 static void texts(void) {
-    for (int status = UNITVEC_OK; status <= UNITVEC_ERROR_INTERNAL; status++) {
+    for (uint32_t status = UNITVEC_OK; status <= UNITVEC_ERROR_INTERNAL; status++) {
         EXPECT(strcmp(unitvec_status_text(status), unitvec_status_text(status + 1)) != 0);
     }
-    EXPECT(strcmp(unitvec_status_text(-1), unitvec_status_text(UNITVEC_ERROR_INTERNAL + 1)) == 0);
+    EXPECT(strcmp(unitvec_status_text(UINT32_MAX), unitvec_status_text(UNITVEC_ERROR_INTERNAL + 1)) == 0);
 }
 
 int main(int argc, char **argv) {
