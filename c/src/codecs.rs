@@ -1,4 +1,4 @@
-//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi`.
+//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi::text`.
 
 use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};
 

@@ -15,8 +15,7 @@ use unitvec_tests::repository;
 const RANDOM: usize = 1 << 16;
 
 /// All functions of each codec, called from C, give the bits of the catalogue's, of 2^16 random inputs and the special ones:
-/// those of single vectors, of arrays and of arrays on all cores. The special inputs of a frame are too many for an array
-/// at a time on all cores to be of one portion.
+/// those of single elements, of arrays, and of arrays on all cores, which are long enough to be cut.
 #[test]
 fn every_codec_gives_the_cpus_bits() {
     let folder = tempfile::tempdir().unwrap();

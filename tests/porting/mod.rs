@@ -47,6 +47,15 @@ fn test_vectors_are_the_released_ones() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// What the README shows of a file is what stands there.
+#[test]
+fn readme_shows_a_file() {
+    let [readme, file] = ["README.md", "oct16.json"]
+        .map(|name| std::fs::read_to_string(repository().join("vectors").join(name)).unwrap());
+    let shown = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap();
+    assert!(file.starts_with(shown) && shown.contains("cases"), "{shown}");
+}
+
 /// The first line in which a file differs from what the codec gives.
 fn difference(id: &str, committed: &str, text: &str) -> Option<String> {
     let lines = committed.lines().map(Some).chain(std::iter::repeat(None));
