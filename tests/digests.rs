@@ -1,4 +1,4 @@
-//! A code is a file format: once released, its bits never change. `tests/data/digests.csv` has, for each codec, digests of
+//! A code is a file format: once released, its bits never change. `vectors/digests.csv` has, for each codec, digests of
 //! the codes of fixed vectors and of the vectors of fixed codes. The file is the released format, not a measurement: a
 //! difference is a break of every file written so far.
 
@@ -7,7 +7,7 @@ use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
 use unitvec_processors::{COUNT, Coder};
 
 /// The format, as it was when each codec was first released.
-const RELEASED: &str = include_str!("data/digests.csv");
+const RELEASED: &str = include_str!("../vectors/digests.csv");
 
 /// The row of a codec: digests of what it encodes and of what it decodes, on all cores.
 fn row<const N: usize>(codec: &impl Coding<N>) -> String {
@@ -28,7 +28,7 @@ fn codes_are_the_released_ones() {
     for row in &rows {
         let id = row.split(',').next().unwrap_or_default();
         if let Some(released) = released.get(id) {
-            assert_eq!(released, row, "{id} has changed");
+            assert_eq!(released, row, "{id} has changed: this breaks files people have stored");
         } else {
             assert!(std::env::var_os("BLESS").is_some(), "{id} has no digest: BLESS=1 cargo test digests");
         }
@@ -36,7 +36,7 @@ fn codes_are_the_released_ones() {
     if std::env::var_os("BLESS").is_some() {
         let new = rows.iter().filter(|row| !RELEASED.contains(row.as_str()));
         let text = new.fold(RELEASED.to_owned(), |text, row| text + row + "\n");
-        let path = unitvec_tests::repository().join("tests/data/digests.csv");
+        let path = unitvec_tests::repository().join("vectors/digests.csv");
         unitvec_host::output::write_file(&path, text.as_bytes()).unwrap();
     }
 }

@@ -25,7 +25,7 @@ fn nothing_is_lacking() {
     let has: [(&str, Has); 6] = [
         ("SPIR-V kernels", has_kernels("")),
         ("SPIR-V kernels that measure", has_kernels("_cost")),
-        ("a digest in tests/data/digests.csv", is_among(digests())),
+        ("a digest in vectors/digests.csv", is_among(digests())),
         ("a row of `unitvec accuracy`", is_among(measured())),
         ("a measured error in docs/data/accuracy.csv", is_among(rows("docs/data/accuracy.csv"))),
         ("its name in README.md or docs/codecs.md", is_named_in(&["README.md", "docs/codecs.md"])),
@@ -89,7 +89,7 @@ fn has_kernels(suffix: &'static str) -> Has {
 }
 
 fn digests() -> BTreeSet<String> {
-    rows("tests/data/digests.csv")
+    rows("vectors/digests.csv")
 }
 
 /// The codecs that `unitvec accuracy` has rows for.

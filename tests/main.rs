@@ -3,6 +3,7 @@
 mod accuracy;
 mod azimuthal;
 mod best_fit;
+mod c_abi;
 mod catalogue;
 mod cli;
 mod client;
@@ -33,6 +34,7 @@ mod modules;
 mod oct;
 mod oct_wide;
 mod parallel;
+mod porting;
 #[cfg(feature = "glsl")]
 mod shaders;
 mod slices;

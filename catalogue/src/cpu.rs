@@ -67,6 +67,14 @@ impl<const N: usize> Functions<N> {
         expect_length(codes.len(), elements.len() * size)?;
         par_decode_with(codes, elements, size, self.decode_at)
     }
+
+    pub fn encode_here(&self, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        (self.encode)(Level::best(), elements, codes)
+    }
+
+    pub fn decode_here(&self, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch> {
+        (self.decode_at)(Level::best(), codes, elements)
+    }
 }
 
 /// The table of [`unitvec::best_fit`], computed once.

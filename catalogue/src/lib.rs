@@ -251,6 +251,30 @@ impl Format {
             AnyFunctions::Frame(codec) => codec.decode(self.bytes, codes, bytemuck::cast_slice_mut(elements)),
         }
     }
+
+    /// As [`encode_cpu`](Self::encode_cpu), on the calling thread alone.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn encode_here(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        match self.functions {
+            AnyFunctions::Vector(codec) => codec.encode_here(bytemuck::cast_slice(elements), codes),
+            AnyFunctions::Frame(codec) => codec.encode_here(bytemuck::cast_slice(elements), codes),
+        }
+    }
+
+    /// As [`decode_cpu`](Self::decode_cpu), on the calling thread alone.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn decode_here(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        match self.functions {
+            AnyFunctions::Vector(codec) => codec.decode_here(codes, bytemuck::cast_slice_mut(elements)),
+            AnyFunctions::Frame(codec) => codec.decode_here(codes, bytemuck::cast_slice_mut(elements)),
+        }
+    }
 }
 
 /// The formats of all codecs, of vectors and then of frames.

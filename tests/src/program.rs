@@ -13,27 +13,30 @@ use std::sync::OnceLock;
 /// If it does not build.
 pub fn path() -> &'static Path {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
-    PATH.get_or_init(|| {
-        let test = std::env::current_exe().unwrap_or_else(|error| panic!("{error}"));
-        // A test is target/<profile>/deps/<test>.
-        let folder =
-            test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
-        let mut build = Command::new(env!("CARGO"));
-        // With this package too, as `cargo xtask conform` does, so that both builds have the same features.
-        build
-            .args(["build", "--quiet", "--package", "unitvec-host", "--package", "unitvec-tests"])
-            .args(["--bin", "unitvec"])
-            .current_dir(repository());
-        if cfg!(feature = "glsl") {
-            build.args(["--features", "unitvec-tests/glsl"]);
-        }
-        if folder.ends_with("release") {
-            build.arg("--release");
-        }
-        let status = build.status().unwrap_or_else(|error| panic!("{error}"));
-        assert!(status.success(), "unitvec does not build");
-        folder.join("unitvec")
-    })
+    PATH.get_or_init(|| build(&["--package", "unitvec-host", "--bin", "unitvec"]).join("unitvec"))
+}
+
+/// Builds what cargo calls by these arguments in the profile of the tests, and gives the folder that it then lies in.
+///
+/// # Panics
+/// If it does not build.
+pub fn build(arguments: &[&str]) -> PathBuf {
+    let test = std::env::current_exe().unwrap_or_else(|error| panic!("{error}"));
+    // A test is target/<profile>/deps/<test>.
+    let folder =
+        test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
+    let mut build = Command::new(env!("CARGO"));
+    // With this package too, as `cargo xtask conform` does, so that both builds have the same features.
+    build.args(["build", "--quiet", "--package", "unitvec-tests"]).args(arguments).current_dir(repository());
+    if cfg!(feature = "glsl") {
+        build.args(["--features", "unitvec-tests/glsl"]);
+    }
+    if folder.ends_with("release") {
+        build.arg("--release");
+    }
+    let status = build.status().unwrap_or_else(|error| panic!("{error}"));
+    assert!(status.success(), "{arguments:?} do not build");
+    folder.to_owned()
 }
 
 /// A command that runs the program on lavapipe, with no UNITVEC_* setting of the caller's.

@@ -25,8 +25,8 @@ usage: cargo xtask <command>
        of `cargo test`]                      2^32 codes of the 32-bit codecs, minutes a codec; --fuzz adds 10^6 mutated
                                              files, minutes
   setup                                      install what is missing, and nothing else
-  spirv [--check]                            test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
-                                             instead
+  spirv [--check | --example]                test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
+                                             instead, and builds examples/rust-gpu; --example builds that alone
   shaders [--check]                          write shaders/ in all shading languages from glsl/unitvec/; --check compares
                                              instead
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
@@ -111,7 +111,8 @@ fn test(arguments: &[String]) -> Result<(), String> {
         arguments.iter().partition(|argument| *argument == "--exhaustive");
     let (fuzz, others): (Vec<_>, Vec<_>) = others.into_iter().partition(|argument| *argument == "--fuzz");
     let pending = setup::begin()?;
-    let selection = ["test", "--workspace", "--exclude", "xtask-spirv", "--exclude", "unitvec-bench"];
+    let selection =
+        ["test", "--workspace", "--exclude=xtask-spirv", "--exclude=xtask-header", "--exclude=unitvec-bench"];
     println!("xtask: building; the first build takes minutes");
     let of_cargo: Vec<_> = others.iter().take_while(|argument| **argument != "--").collect();
     let is_split = !of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(&argument.as_str()));
@@ -137,7 +138,9 @@ fn test(arguments: &[String]) -> Result<(), String> {
 
 fn spirv(arguments: &[String]) -> Result<(), String> {
     println!("xtask: the first run compiles the shader compiler's C++ tools, a few minutes");
-    run(&mut cargo(&["test", "--quiet", "--package", "xtask-spirv"]))?;
+    if arguments != ["--example"] {
+        run(&mut cargo(&["test", "--quiet", "--package", "xtask-spirv"]))?;
+    }
     run(cargo(&["run", "--package", "xtask-spirv", "--"]).args(arguments))
 }
 

@@ -13,7 +13,7 @@ struct Package {
 
 /// What the build links: small packages, so that compiling starts soon.
 const TO_BUILD: [Package; 4] = [
-    Package { name: "g++", purpose: "linking shaderc" },
+    Package { name: "g++", purpose: "linking shaderc; programs in C and C++ in tests" },
     Package { name: "libshaderc-dev", purpose: "compiling GLSL" },
     Package { name: "glslang-dev", purpose: "libraries that libshaderc-dev does not contain" },
     Package {

@@ -1,5 +1,5 @@
 //! What a processor makes of a codec, as digests: of the codes of fixed vectors and of the vectors of fixed codes, as
-//! `tests/data/digests.csv` has them, and of more input that is hard to round or has no direction.
+//! `vectors/digests.csv` has them, and of more input that is hard to round or has no direction.
 
 use sha2::{Digest, Sha256};
 
@@ -66,7 +66,7 @@ pub struct Coder<'a, const N: usize> {
 }
 
 impl<const N: usize> Coder<'_, N> {
-    /// The codec's row of `tests/data/digests.csv`, if `count` is [`COUNT`]: so many random vectors encoded, and so many
+    /// The codec's row of `vectors/digests.csv`, if `count` is [`COUNT`]: so many random vectors encoded, and so many
     /// random codes decoded.
     pub fn released(&self, count: usize) -> String {
         let (mut elements, mut rng) = (vec![[0.0; N]; count], Rng::new(1));

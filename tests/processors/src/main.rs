@@ -1,4 +1,4 @@
-//! Prints a line for each codec and each way of running it: the way, the codec's row of `tests/data/digests.csv` as this
+//! Prints a line for each codec and each way of running it: the way, the codec's row of `vectors/digests.csv` as this
 //! processor computes it, and digests of more input. Ways are `values`, the functions of single vectors, and the levels of
 //! the slice functions that this processor has. An argument says how many vectors and codes to take, instead of as many as the
 //! released digests are of.

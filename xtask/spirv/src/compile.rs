@@ -62,7 +62,7 @@ fn compile(
 }
 
 /// The words of a module's file.
-fn words(path: &Path) -> Result<Vec<u32>> {
+pub fn words(path: &Path) -> Result<Vec<u32>> {
     let bytes = fs::read(path).with_context(|| format!("reading {}", path.display()))?;
     Ok(bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect())
 }

@@ -1,7 +1,8 @@
-//! `cargo xtask spirv [--check]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with rust-gpu.
+//! `cargo xtask spirv [--check | --example]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with rust-gpu.
 
 mod compile;
 mod describe;
+mod example;
 mod kernel;
 mod passes;
 
@@ -27,15 +28,20 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<()> {
+    let repository = repository()?;
     let check = match env::args().skip(1).collect::<Vec<_>>().as_slice() {
         [] => false,
         [flag] if flag == "--check" => true,
-        other => bail!("unknown arguments {other:?}; usage: cargo xtask spirv [--check]"),
+        [flag] if flag == "--example" => return example::check(&repository),
+        other => bail!("unknown arguments {other:?}; usage: cargo xtask spirv [--check | --example]"),
     };
-    let repository = repository()?;
     let files = build(&repository)?;
     let folder = repository.join("spirv");
-    if check { compare(&folder, &files) } else { replace(&folder, &files) }
+    if check {
+        compare(&folder, &files).and_then(|()| example::check(&repository))
+    } else {
+        replace(&folder, &files)
+    }
 }
 
 fn repository() -> Result<PathBuf> {

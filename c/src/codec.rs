@@ -1,0 +1,102 @@
+//! Codecs that are chosen at run time.
+
+use std::ffi::{CString, c_char};
+use std::ptr;
+use std::sync::LazyLock;
+use unitvec_catalogue::{CATALOGUE, FRAMES, Format, formats};
+
+/// A codec, of vectors or of frames: see unitvec_find. It lives as long as the program.
+pub struct Codec {
+    pub(crate) format: Format,
+    pub(crate) id: CString,
+    vk_format: Option<CString>,
+    max_error_deg: f32,
+}
+
+/// All codecs, in the order of the list.
+static CODECS: LazyLock<Vec<Codec>> = LazyLock::new(|| {
+    let vectors = CATALOGUE.iter().map(|codec| codec.max_error_deg);
+    let frames = FRAMES.iter().map(|codec| codec.max_normal_error_deg.max(codec.max_tangent_error_deg));
+    formats().zip(vectors.chain(frames)).map(|(format, error)| Codec::new(format, error)).collect()
+});
+
+impl Codec {
+    fn new(format: Format, max_error_deg: f32) -> Self {
+        // Neither name has a zero in it.
+        let text = |name: &str| CString::new(name).unwrap_or_default();
+        Self { format, id: text(format.id), vk_format: format.vk_format.map(text), max_error_deg }
+    }
+
+    pub(crate) fn find(id: &[u8]) -> Option<&'static Self> {
+        CODECS.iter().find(|codec| codec.id.as_bytes() == id)
+    }
+
+    /// The codec at an address, if it is one of the list's: what is passed is compared, not read.
+    pub(crate) fn at(pointer: *const Self) -> Option<&'static Self> {
+        CODECS.iter().find(|codec| ptr::eq(*codec, pointer))
+    }
+}
+
+/// A pointer to what is found, or NULL.
+fn pointer<T>(found: Option<&'static T>) -> *const T {
+    found.map_or(ptr::null(), |value| value)
+}
+
+/// The number of codecs.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_count() -> usize {
+    CODECS.len()
+}
+
+/// The codec at an index less than unitvec_codec_count, or NULL. The order may differ between versions.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_at(index: usize) -> *const Codec {
+    pointer(CODECS.get(index))
+}
+
+/// The identifier, such as "oct32p". NULL for an unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_id(codec: *const Codec) -> *const c_char {
+    Codec::at(codec).map_or(ptr::null(), |codec| codec.id.as_ptr())
+}
+
+/// Significant bits of a code. 0 for an unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_bits(codec: *const Codec) -> u32 {
+    Codec::at(codec).map_or(0, |codec| codec.format.bits)
+}
+
+/// Bytes of a stored code: 1, 2, 3, 4, 6 or 8. 0 for an unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_bytes(codec: *const Codec) -> usize {
+    Codec::at(codec).map_or(0, |codec| codec.format.bytes)
+}
+
+/// Floats of an element: 3 for vectors, 7 for frames. 0 for an unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_floats(codec: *const Codec) -> usize {
+    Codec::at(codec).map_or(0, |codec| codec.format.element.floats())
+}
+
+/// Upper bound of the angle between a direction and what comes back of it, in degrees; of a frame, the greater of those of
+/// normal and tangent. 0 for an unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_max_error_deg(codec: *const Codec) -> f32 {
+    Codec::at(codec).map_or(0.0, |codec| codec.max_error_deg)
+}
+
+/// The Vulkan format with the layout of the code, such as "VK_FORMAT_R16G16_SNORM". NULL where there is none, and for an
+/// unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_vk_format(codec: *const Codec) -> *const c_char {
+    let name = Codec::at(codec).and_then(|codec| codec.vk_format.as_ref());
+    name.map_or(ptr::null(), |name| name.as_ptr())
+}
+
+/// The version of the library, such as "0.1.0".
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_version() -> *const c_char {
+    static VERSION: LazyLock<CString> =
+        LazyLock::new(|| CString::new(env!("CARGO_PKG_VERSION")).unwrap_or_default());
+    VERSION.as_ptr()
+}

@@ -1,0 +1,108 @@
+//! The texts that are made of the list, or of other files.
+
+use std::fmt::Write;
+use std::process::Command;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, Format, FrameInfo, formats};
+use unitvec_host::output::write_file;
+use unitvec_tests::repository;
+
+/// `c/src/codecs.rs` has the functions of every codec of the list, and `c/include/unitvec.h` is what cbindgen makes of the
+/// sources. `BLESS=1` writes both.
+#[test]
+fn sources_and_header_are_renewed() {
+    expect("c/src/codecs.rs", &codecs());
+    let arguments = ["run", "--quiet", "--package", "xtask-header"];
+    let output = Command::new(env!("CARGO")).args(arguments).current_dir(repository()).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    expect("c/include/unitvec.h", &String::from_utf8(output.stdout).unwrap());
+}
+
+/// Of the files of the C library, only `memory.rs` has `unsafe` but for the names that are exported.
+#[test]
+fn unsafe_code_is_in_one_module() {
+    for entry in std::fs::read_dir(repository().join("c/src")).unwrap() {
+        let path = entry.unwrap().path();
+        let text = std::fs::read_to_string(&path).unwrap().replace("#[unsafe(no_mangle)]", "");
+        let mut code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+        let has_unsafe = code.any(|line| line.contains("unsafe"));
+        assert_eq!(has_unsafe, path.ends_with("memory.rs"), "{}", path.display());
+    }
+}
+
+/// Fails unless a file has this text, or writes it.
+fn expect(file: &str, text: &str) {
+    let path = repository().join(file);
+    if std::env::var_os("BLESS").is_some() {
+        write_file(&path, text.as_bytes()).unwrap();
+    }
+    let committed = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(committed == text, "{file} is stale: BLESS=1 cargo test -p unitvec-tests c_abi::text");
+}
+
+/// The functions of every codec. They are written out, since cbindgen does not expand macros.
+fn codecs() -> String {
+    let mut text = "//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi::text`.\n\n\
+                    use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};\n"
+        .to_owned();
+    for codec in CATALOGUE {
+        write!(text, "{}", functions(codec.id, codec.bits, &about_vectors(codec), VECTOR)).unwrap();
+    }
+    for codec in FRAMES {
+        write!(text, "{}", functions(codec.id, codec.bits, &about_frames(codec), FRAME)).unwrap();
+    }
+    text
+}
+
+fn about_vectors(codec: &CodecInfo) -> String {
+    let domain = if codec.domain == Domain::Hemisphere { "directions with z >= 0, " } else { "" };
+    format!("{domain}at most {} degrees off", codec.max_error_deg)
+}
+
+fn about_frames(codec: &FrameInfo) -> String {
+    let FrameInfo { max_normal_error_deg, max_tangent_error_deg, .. } = codec;
+    format!("normal at most {max_normal_error_deg}, tangent {max_tangent_error_deg} degrees off")
+}
+
+/// What the functions of vectors, or of frames, are written with.
+#[derive(Clone, Copy)]
+struct Names {
+    element: &'static str,
+    r#type: &'static str,
+    list: &'static str,
+    suffix: &'static str,
+}
+
+const VECTOR: Names = Names { element: "vector", r#type: "Vec3", list: "Vectors", suffix: "" };
+const FRAME: Names = Names { element: "frame", r#type: "Frame", list: "Frames", suffix: "_frame" };
+
+fn functions(id: &str, bits: u32, about: &str, names: Names) -> String {
+    let Names { element, r#type, list, suffix } = names;
+    let (code, narrow, widened) =
+        if bits > 32 { ("u64", "", "code") } else { ("u32", " as u32", "code.into()") };
+    format!(
+        "
+/// The code of a {element} by {id}: {bits} bits, {about}.
+#[unsafe(no_mangle)]
+pub extern \"C\" fn unitvec_{id}_encode({element}: {type}) -> {code} {{
+    encode{suffix}({list}::{id}, {element}){narrow}
+}}
+
+/// The {element} of a code of {id}. Higher bits are ignored.
+#[unsafe(no_mangle)]
+pub extern \"C\" fn unitvec_{id}_decode(code: {code}) -> {type} {{
+    decode{suffix}({list}::{id}, {widened})
+}}
+"
+    )
+}
+
+/// A line of C a codec, for `codecs.c`.
+pub fn calls() -> String {
+    let kind = |format: &Format| match (format.element.floats(), format.bits) {
+        (3, ..=32) => "VECTOR32",
+        (3, _) => "VECTOR64",
+        (_, ..=32) => "FRAME32",
+        _ => "FRAME64",
+    };
+    formats().map(|format| format!("{}({})\n", kind(&format), format.id)).collect()
+}

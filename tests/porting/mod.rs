@@ -1,0 +1,151 @@
+//! `vectors/` has a file for each codec: inputs, their codes and what these decode to, for those who port a codec by hand. It
+//! is the released format, as `vectors/digests.csv` is.
+
+mod frames;
+mod inputs;
+mod vectors;
+
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use unitvec_catalogue::{CATALOGUE, Coding, Domain, FRAMES, Format, formats};
+use unitvec_host::output::write_file;
+use unitvec_tests::repository;
+
+/// Of all codecs. A codec with another layout would be another codec.
+const FORMAT_VERSION: u32 = 1;
+
+/// Cases in a file.
+const CASES: usize = 256;
+
+/// The committed files are what the codecs give, each that is missing or has no codec is named, and what they say is right:
+/// the oracle decodes each code to its vector, and each vector is as near to its input as the codec promises. `BLESS=1`
+/// writes files that are missing, if they are right, and changes no other.
+#[test]
+fn test_vectors_are_the_released_ones() {
+    let folder = repository().join("vectors");
+    let mut wrong = Vec::new();
+    let texts = CATALOGUE.iter().map(text_of_vectors).chain(FRAMES.iter().map(text_of_frames));
+    for (format, text) in formats().zip(texts) {
+        let path = folder.join(format.id).with_extension("json");
+        if !path.exists() && std::env::var_os("BLESS").is_some() {
+            check(&format, &text);
+            write_file(&path, text.as_bytes()).unwrap();
+        }
+        match std::fs::read_to_string(&path) {
+            Ok(committed) => {
+                check(&format, &committed);
+                wrong.extend(difference(format.id, &committed, &text));
+            }
+            Err(_) => {
+                wrong.push(format!("vectors/{}.json is missing: BLESS=1 cargo test porting", format.id))
+            }
+        }
+    }
+    wrong.extend(without_a_codec(&folder));
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What the README shows of a file is what stands there.
+#[test]
+fn readme_shows_a_file() {
+    let [readme, file] = ["README.md", "oct16.json"]
+        .map(|name| std::fs::read_to_string(repository().join("vectors").join(name)).unwrap());
+    let shown = readme.split("```json\n").nth(1).unwrap().split("```").next().unwrap();
+    assert!(file.starts_with(shown) && shown.contains("cases"), "{shown}");
+}
+
+/// The first line in which a file differs from what the codec gives.
+fn difference(id: &str, committed: &str, text: &str) -> Option<String> {
+    let lines = committed.lines().map(Some).chain(std::iter::repeat(None));
+    let (line, (old, new)) = lines.zip(text.lines()).enumerate().find(|(_, (old, new))| *old != Some(new))?;
+    let old = old.unwrap_or("nothing");
+    Some(format!(
+        "vectors/{id}.json, line {}, has {old}, but the codec gives {new}: this breaks files people have stored",
+        line + 1
+    ))
+}
+
+/// Files of codecs that the list does not have.
+fn without_a_codec(folder: &Path) -> Vec<String> {
+    let ids: BTreeSet<&str> = formats().map(|format| format.id).collect();
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let is_of_none = |path: &PathBuf| {
+        path.extension().is_some_and(|extension| extension == "json")
+            && !path.file_stem().is_some_and(|stem| ids.contains(&*stem.to_string_lossy()))
+    };
+    files
+        .filter(is_of_none)
+        .map(|path| format!("{} is of no codec: what was released stays", path.display()))
+        .collect()
+}
+
+/// Asserts that what a file says is right: see `test_vectors_are_the_released_ones`.
+fn check(format: &Format, text: &str) {
+    let value: Value = serde_json::from_str(text).unwrap();
+    let read: Vec<Case> = value["cases"].as_array().unwrap().iter().map(Case::read).collect();
+    assert_eq!(read.len(), CASES, "{}", format.id);
+    if format.element.floats() == 3 {
+        vectors::check(format.id, &read);
+    } else {
+        frames::check(format.id, &read);
+    }
+}
+
+/// An element, its code, and what that decodes to.
+#[derive(Debug)]
+struct Case {
+    input: Vec<f32>,
+    code: u64,
+    decoded: Vec<f32>,
+}
+
+impl Case {
+    fn of<const N: usize>(codec: &impl Coding<N>, input: [f32; N]) -> Self {
+        let words @ [low, high] = codec.encode_one(input);
+        let code = u64::from(low) | (u64::from(high) << 32);
+        Self { input: input.to_vec(), code, decoded: codec.decode_one(words).to_vec() }
+    }
+
+    fn read(value: &Value) -> Self {
+        let [input, code, decoded] = [0, 1, 2].map(|i| value[i].as_str().unwrap());
+        let floats = |text: &str| -> Vec<f32> {
+            text.split(' ').map(|bits| f32::from_bits(u32::from_str_radix(bits, 16).unwrap())).collect()
+        };
+        let code = u64::from_str_radix(code, 16).unwrap();
+        Self { input: floats(input), code, decoded: floats(decoded) }
+    }
+
+    /// A line of a file: the bits of the floats and the code, which has `digits`, in hexadecimal.
+    fn line(&self, digits: usize) -> String {
+        let bits = |floats: &[f32]| -> String {
+            let words: Vec<String> = floats.iter().map(|f| format!("{:08x}", f.to_bits())).collect();
+            words.join(" ")
+        };
+        format!("[\"{}\", \"{:0digits$x}\", \"{}\"]", bits(&self.input), self.code, bits(&self.decoded))
+    }
+}
+
+fn text_of_vectors(codec: &impl Coding<3>) -> String {
+    text(&codec.format(), "x y z", inputs::vectors().into_iter().map(|v| Case::of(codec, v)))
+}
+
+fn text_of_frames(codec: &impl Coding<7>) -> String {
+    let element = "normal.x normal.y normal.z tangent.x tangent.y tangent.z handedness";
+    text(&codec.format(), element, inputs::frames().into_iter().map(|frame| Case::of(codec, frame)))
+}
+
+/// The file of a codec.
+fn text(format: &Format, element: &str, cases: impl Iterator<Item = Case>) -> String {
+    let Format { id, bits, bytes, domain, .. } = *format;
+    let domain = if domain == Domain::Hemisphere { "hemisphere" } else { "sphere" };
+    let mut text = format!(
+        "{{\n\"codec\": \"{id}\",\n\"format_version\": {FORMAT_VERSION},\n\"bits\": {bits},\n\"bytes\": {bytes},\n\
+         \"words\": {},\n\"domain\": \"{domain}\",\n\"element\": \"{element}\",\n\"cases\": [\n",
+        bits.div_ceil(32),
+    );
+    let lines: Vec<String> = cases.map(|case| case.line(2 * bytes)).collect();
+    write!(text, "{}\n]\n}}\n", lines.join(",\n")).unwrap();
+    text
+}
