@@ -28,6 +28,7 @@ mod ico;
 mod imprecise;
 mod isa;
 mod latlong;
+mod link;
 mod list;
 mod loss;
 mod modules;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
 use unitvec_host::catalogue::{self, Operation, find_format, formats};
+use unitvec_host::link::{LIBRARY, Signature};
 use unitvec_host::manifest::{
     BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, schema, sha256_hex, sources_sha256,
 };
@@ -126,8 +127,9 @@ fn the_folder_holds_what_the_manifest_lists() {
     let manifest = manifest();
     let modules = manifest.modules.iter().map(|module| (&module.file, &module.sha256));
     let tables = manifest.tables.iter().map(|table| (&table.file, &table.sha256));
+    let library = [(&manifest.library.file, &manifest.library.sha256)];
     let mut expected = BTreeSet::from(["manifest.json", SCHEMA, "cost", "kernels"].map(str::to_owned));
-    for (file, sha256) in modules.chain(tables) {
+    for (file, sha256) in modules.chain(tables).chain(library) {
         assert_eq!(*sha256, sha256_hex(&std::fs::read(folder().join(file)).unwrap()), "{file}");
         expected.insert(file.clone());
     }
@@ -218,6 +220,47 @@ fn modules_need_vulkan_1_1_and_nothing_else() {
         assert_eq!(spirv.all(OP_EXTENSION).count(), 0, "{name}");
         assert_eq!(spirv.all(OP_MEMORY_MODEL).collect::<Vec<_>>(), [[LOGICAL, GLSL450]], "{name}");
     }
+}
+
+/// Every codec's two functions, under the names that the catalogue gives them, by which they are exported; no entry point; and
+/// what the kernels keep to.
+#[test]
+fn the_library_exports_the_functions_of_all_codecs() {
+    let library = manifest().library;
+    assert_eq!(
+        (library.file.as_str(), library.capabilities),
+        (LIBRARY, vec!["Linkage".into(), "Shader".into()])
+    );
+    let path = folder().join(LIBRARY);
+    let bytes = std::fs::read(&path).unwrap();
+    let spirv = Spirv::parse(&bytes);
+    let text = |words: &[u32]| {
+        let bytes = words.iter().flat_map(|word| word.to_le_bytes()).take_while(|byte| *byte != 0);
+        String::from_utf8(bytes.collect()).unwrap()
+    };
+    let named = |id: u32| spirv.all(OP_NAME).find(|operands| operands[0] == id).map(|name| text(&name[1..]));
+    let exports = spirv.all(OP_DECORATE).filter(|operands| operands[1] == LINKAGE_ATTRIBUTES);
+    let exports: BTreeSet<String> = exports
+        .map(|operands| {
+            assert_eq!(operands.last(), Some(&EXPORT));
+            let name = text(&operands[2..]);
+            assert_eq!(named(operands[0]), Some(name.clone()));
+            name
+        })
+        .collect();
+    let signatures: Vec<Signature> = Signature::all().collect();
+    assert_eq!(exports, signatures.iter().map(|signature| signature.name.clone()).collect());
+    assert_eq!(library.functions, signatures.iter().map(Signature::to_string).collect::<Vec<_>>());
+    assert_eq!(spirv.all(OP_FUNCTION).count(), signatures.len());
+
+    assert_eq!(bytes[4..8], 0x0001_0300_u32.to_le_bytes());
+    let capabilities: BTreeSet<u32> = spirv.all(OP_CAPABILITY).map(|operands| operands[0]).collect();
+    assert_eq!(capabilities, BTreeSet::from([SHADER, LINKAGE]));
+    assert_eq!((spirv.all(OP_EXTENSION).count(), spirv.all(OP_ENTRY_POINT).count()), (0, 0));
+    assert_eq!(spirv.all(OP_MEMORY_MODEL).collect::<Vec<_>>(), [[LOGICAL, GLSL450]]);
+    assert_eq!(unmarked_results(LIBRARY, &spirv, &FLOAT_ARITHMETIC, 1000), 0);
+    let validated = Command::new("spirv-val").args(["--target-env", "spv1.3"]).arg(&path).output().unwrap();
+    assert!(validated.status.success(), "{}", String::from_utf8_lossy(&validated.stderr));
 }
 
 /// What a host has to know: names, workgroups, and of each buffer whether it is only read, and its array's element:
@@ -413,6 +456,7 @@ impl Spirv {
 }
 
 // Numbers from the SPIR-V specification, section 3.
+const OP_NAME: u32 = 5;
 const OP_EXTENSION: u32 = 10;
 const OP_MEMORY_MODEL: u32 = 14;
 const OP_ENTRY_POINT: u32 = 15;
@@ -433,7 +477,10 @@ const NON_WRITABLE: u32 = 24;
 const BINDING: u32 = 33;
 const DESCRIPTOR_SET: u32 = 34;
 const NO_CONTRACTION: u32 = 42;
+const LINKAGE_ATTRIBUTES: u32 = 41;
+const EXPORT: u32 = 0;
 const SHADER: u32 = 1;
+const LINKAGE: u32 = 5;
 const LOGICAL: u32 = 0;
 const GLSL450: u32 = 1;
 const GL_COMPUTE: u32 = 5;

@@ -1,5 +1,5 @@
 use crate::isa::radv;
-use crate::{catalogue, glsl, imprecise, input, mesh, modules, shader, vulkan};
+use crate::{catalogue, glsl, imprecise, input, link, mesh, modules, shader, vulkan};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -33,6 +33,14 @@ pub enum Error {
     /// See [`mesh::MeshError`].
     #[error(transparent)]
     Mesh(#[from] mesh::MeshError),
+    /// See [`link::Error`].
+    #[error("{} cannot be linked: {error}", .path.display())]
+    Link {
+        /// Path of the module.
+        path: PathBuf,
+        /// Cause.
+        error: link::Error,
+    },
     /// The options do not go together.
     #[error("{0}")]
     Usage(String),

@@ -10,6 +10,7 @@
 //! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`isa`]: what compilers make of the
 //!   kernels. [`choose`]: what to take.
 //! * [`loss`]: errors over the vectors of files.
+//! * [`link`]: links shaders with the library of functions.
 //! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
 
 #![deny(unsafe_code)]
@@ -24,6 +25,7 @@ pub mod glsl;
 pub mod imprecise;
 pub mod input;
 pub mod isa;
+pub mod link;
 pub mod loss;
 pub mod manifest;
 pub mod measure;

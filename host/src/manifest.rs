@@ -44,6 +44,8 @@ pub struct Manifest {
     pub sources_sha256: String,
     /// How to call a kernel, by the names that entry points refer to.
     pub interfaces: BTreeMap<String, Interface>,
+    /// The module to link with.
+    pub library: Library,
     /// Tables that some kernels read.
     pub tables: Vec<Table>,
     /// The modules, sorted by file.
@@ -62,6 +64,21 @@ pub struct Module {
     pub sha256: String,
     /// Its kernels.
     pub entry_points: Vec<EntryPoint>,
+}
+
+/// A module of functions, without entry points, to link with.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Library {
+    /// Path relative to the manifest's folder.
+    pub file: String,
+    /// All SPIR-V capabilities that it declares.
+    pub capabilities: Vec<String>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+    /// The functions that it exports under their names, as GLSL would declare them. Parameters are passed by value; UnitvecFrame
+    /// is a struct of `vec3 normal` and `vec4 tangent`, whose fourth component is the handedness.
+    pub functions: Vec<String>,
 }
 
 /// A codec.

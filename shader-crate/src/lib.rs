@@ -83,8 +83,8 @@
 //! # Features
 //!
 //! `std` (default) takes square root and floor from the standard library, and picks the instruction set of slices at run
-//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `kernels` and `cost-kernels` are for the SPIR-V
-//! build.
+//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `kernels`, `cost-kernels` and `library` are for
+//! the SPIR-V build.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -100,7 +100,7 @@ pub mod codec;
 pub mod direction;
 mod families;
 pub mod frame;
-#[cfg(any(feature = "kernels", feature = "cost-kernels"))]
+#[cfg(any(feature = "kernels", feature = "cost-kernels", feature = "library"))]
 pub mod kernels;
 pub mod list;
 #[cfg(not(target_arch = "spirv"))]

@@ -12,6 +12,7 @@ mod imprecise;
 mod processors;
 mod prose;
 mod slices;
+mod stubs;
 mod tables;
 pub mod textbook;
 

@@ -19,6 +19,7 @@ use unitvec_host::backend::Cpu;
 use unitvec_host::catalogue::{Element, find_format};
 use unitvec_host::choose::Costs;
 use unitvec_host::input::{Elements, Input};
+use unitvec_host::link;
 use unitvec_host::mesh::{self, FileFormat};
 use unitvec_host::modules::{self, Modules};
 use unitvec_host::stream::{self, Named};
@@ -51,6 +52,9 @@ const LIST: usize = 8 << 16;
 /// Where glTF gives no bytes for an accessor, so many zeros: positions, sums and normals of 2^16 vertices.
 const ZEROS: usize = (12 + 24 + 12) << 16;
 
+/// The instructions of a module of the largest size that mutations make, twice, and the names of all functions.
+const INSTRUCTIONS: usize = 1 << 21;
+
 /// The stream's buffers, which are of fixed size: elements, and codes twice.
 const CHUNKS: usize = 40 << 20;
 
@@ -75,10 +79,11 @@ const GLTF: Target = target("a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZERO
 const GLB: Target = target("a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS);
 const RAW: Target = target("a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS);
 const CODES: Target = target("a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS);
-const COSTS: Target = target("costs.json", seeds::costs, read_costs, 5.0, FIXED);
-const MANIFEST: Target = target("manifest.json", seeds::manifest, read_manifest, 5.0, FIXED);
+const COSTS: Target = target("costs.json", seeds::costs, read_costs, 2.5, FIXED);
+const MANIFEST: Target = target("manifest.json", seeds::manifest, read_manifest, 2.5, FIXED);
 // With the manifest beside it.
 const MODULE: Target = target(seeds::MODULE_FILE, seeds::module, read_module, 5.0, 2 * FIXED);
+const SHADER: Target = target("shader.spv", seeds::shader, read_shader, 5.0, FIXED + INSTRUCTIONS);
 
 #[test]
 fn obj() {
@@ -135,11 +140,28 @@ fn module() {
     fuzz(&MODULE);
 }
 
+#[test]
+fn shader() {
+    fuzz(&SHADER);
+}
+
 /// No target is forgotten where the shares are given.
 #[test]
 fn the_shares_are_a_hundred() {
-    let all =
-        [&OBJ, &PLY_ASCII, &PLY_LITTLE, &PLY_BIG, &GLTF, &GLB, &RAW, &CODES, &COSTS, &MANIFEST, &MODULE];
+    let all = [
+        &OBJ,
+        &PLY_ASCII,
+        &PLY_LITTLE,
+        &PLY_BIG,
+        &GLTF,
+        &GLB,
+        &RAW,
+        &CODES,
+        &COSTS,
+        &MANIFEST,
+        &MODULE,
+        &SHADER,
+    ];
     assert_eq!(all.map(|target| target.share).iter().sum::<f64>(), 100.0);
 }
 
@@ -336,6 +358,15 @@ fn read_module(path: &Path, input: &[u8]) -> Result<usize, String> {
         assert_whole_instructions(input);
     }
     load_from(folder).map_err(text)?;
+    Ok(0)
+}
+
+/// A shader to be linked, as far as this program reads it. What it makes of it is whole instructions again.
+fn read_shader(path: &Path, input: &[u8]) -> Result<usize, String> {
+    let link = |error| unitvec_host::Error::Link { path: path.to_owned(), error };
+    let (importing, names) = link::imports(input).map_err(link).map_err(text)?;
+    assert!(!names.is_empty());
+    assert_whole_instructions(&importing);
     Ok(0)
 }
 

@@ -1,8 +1,8 @@
 //! Some hundreds of the same inputs through the program itself.
 
 use super::{
-    CODES, COSTS, GLB, GLTF, MANIFEST, MODULE, OBJ, PLY_ASCII, PLY_BIG, PLY_LITTLE, RAW, Target, keep,
-    mutate, names, prepare,
+    CODES, COSTS, GLB, GLTF, MANIFEST, MODULE, OBJ, PLY_ASCII, PLY_BIG, PLY_LITTLE, RAW, SHADER, Target,
+    keep, mutate, names, prepare,
 };
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngSeed, TestRunner};
@@ -102,4 +102,13 @@ fn spirv() {
             encode
         });
     }
+}
+
+#[test]
+fn shaders() {
+    run(&SHADER, |file, out| {
+        let mut link = command(["link"]);
+        link.arg(file).arg("-o").arg(out);
+        link
+    });
 }

@@ -1,7 +1,10 @@
 //! Small valid files of each format, which mutations start from.
 
+use crate::link;
 use base64::Engine;
 use std::fmt::Write;
+use unitvec_host::catalogue::find_format;
+use unitvec_host::link::stubs::Language;
 use unitvec_host::manifest::Manifest;
 use unitvec_host::modules::Modules;
 use unitvec_tests::repository;
@@ -246,4 +249,15 @@ pub fn manifest() -> Vec<Vec<u8>> {
 /// That module.
 pub fn module() -> Vec<Vec<u8>> {
     vec![Modules::open(None).unwrap().load(KERNEL).unwrap().into_owned()]
+}
+
+/// Shaders that call stubs, by value and by pointers.
+pub fn shader() -> Vec<Vec<u8>> {
+    let ids = ["oct16", "oct48", "frame32"];
+    let formats = ids.map(|id| find_format(id).unwrap());
+    let languages = [Language::Glsl, Language::Hlsl].into_iter();
+    let shaders = languages.flat_map(|language| {
+        formats.map(|format| link::with_stubs(language, &link::caller(language, &[format]), |text| text))
+    });
+    shaders.collect()
 }

@@ -10,6 +10,7 @@ mod devices;
 mod error;
 mod imprecise;
 mod isa;
+mod link;
 mod progress;
 mod shader;
 mod summary;
@@ -81,6 +82,13 @@ enum Command {
     Shader(shader::Arguments),
     /// Show that the backends agree to the bit: cpu, rust, wgsl and, in a build with a GLSL compiler, glsl and hlsl.
     Conform(conform::Arguments),
+    /// Link a shader's SPIR-V with the codecs' functions.
+    ///
+    /// The shader includes stubs, which --stubs prints, and calls them: `unitvec_oct16_encode(v)`. Linking puts the functions of
+    /// the library spirv/unitvec.spv in their place, removes what is not used, optimises and validates, by spirv-link,
+    /// spirv-opt and spirv-val of the Vulkan SDK or of Debian's package spirv-tools. The compiler has to leave the stubs' names
+    /// and calls in place: glslangValidator -V, glslc, dxc -spirv -fcgl, slangc -target spirv. docs/linking.md says more.
+    Link(link::Arguments),
 }
 
 impl Arguments {
@@ -98,6 +106,7 @@ impl Arguments {
             Command::Choose(arguments) => choose::run(&arguments),
             Command::Shader(arguments) => shader::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
+            Command::Link(arguments) => link::run(&arguments),
         }
     }
 }

@@ -1,11 +1,12 @@
-//! rust-gpu's part: `shader-crate` to one module for each kernel.
+//! rust-gpu's part: `shader-crate` to one module for each entry point.
 
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, name_of_path};
 use anyhow::{Context, Result, bail};
 use cargo_gpu_install::install::{Install, InstalledBackend};
 use cargo_gpu_install::spirv_builder::ModuleResult;
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// rust-gpu's name of Vulkan 1.1.
 pub const TARGET: &str = "spirv-unknown-vulkan1.1";
@@ -13,51 +14,73 @@ pub const TARGET: &str = "spirv-unknown-vulkan1.1";
 /// Version of rust-gpu.
 pub const RUST_GPU: &str = "0.10.0";
 
-/// Features of `shader-crate` that have kernels. rust-gpu holds a copy of all that it compiles for each kernel, so memory and
-/// time grow with the square of what is compiled at once.
-const FEATURES: [&str; 2] = ["kernels", "cost-kernels"];
+/// Features of `shader-crate` that have kernels. rust-gpu holds a copy of all that it compiles for each entry point, so memory
+/// and time grow with the square of what is compiled at once.
+const KERNELS: [&str; 2] = ["kernels", "cost-kernels"];
 
-/// Compiles the kernels to the words of a module each, not optimised.
-pub fn kernels(repository: &Path) -> Result<Vec<(Kernel, Vec<u32>)>> {
-    let shader_crate = repository.join("shader-crate");
-    eprintln!("spirv: installing rust-gpu {RUST_GPU}, if it is not there (takes minutes the first time)");
-    let mut install = Install::from_shader_crate(shader_crate.clone());
-    // Named here, since cargo-gpu does not see a `spirv-std` that is behind a feature.
-    install.spirv_builder_version = Some(RUST_GPU.to_owned());
-    let backend = install.run().context(
-        "rust-gpu could not be installed: it needs rustup and the nightly toolchain named in README.md",
-    )?;
-    let mut kernels = Vec::new();
-    for feature in FEATURES {
-        eprintln!("spirv: compiling the {feature} of {}", shader_crate.display());
-        kernels.extend(compile(&backend, &shader_crate, feature)?);
-    }
-    Ok(kernels)
+/// The feature that has the library's functions.
+const LIBRARY: &str = "library";
+
+/// rust-gpu, and the crate that it compiles.
+pub struct Compiler {
+    backend: InstalledBackend,
+    shader_crate: PathBuf,
 }
 
-fn compile(
-    backend: &InstalledBackend,
-    shader_crate: &Path,
-    feature: &str,
-) -> Result<Vec<(Kernel, Vec<u32>)>> {
-    let compiled = backend
-        .to_spirv_builder(shader_crate, TARGET)
-        .multimodule(true)
-        .release(true)
-        .deny_warnings(true)
-        .shader_crate_default_features(false)
-        .shader_crate_features([feature.to_owned()])
-        // rust-gpu's own run of the optimiser folds chains of float operations.
-        .extra_arg("--no-spirv-opt")
-        .target_dir_path("target/spirv-build")
-        .build()
-        .context("rust-gpu could not compile shader-crate")?;
-    match compiled.module {
-        ModuleResult::MultiModule(modules) => modules
-            .into_iter()
-            .map(|(entry, path)| Ok((Kernel::of_entry_point(&entry)?, words(&path)?)))
-            .collect(),
-        ModuleResult::SingleModule(path) => bail!("rust-gpu made one module, {}", path.display()),
+impl Compiler {
+    /// Installs rust-gpu, if it is not there.
+    pub fn install(repository: &Path) -> Result<Self> {
+        let shader_crate = repository.join("shader-crate");
+        eprintln!("spirv: installing rust-gpu {RUST_GPU}, if it is not there (takes minutes the first time)");
+        let mut install = Install::from_shader_crate(shader_crate.clone());
+        // Named here, since cargo-gpu does not see a `spirv-std` that is behind a feature.
+        install.spirv_builder_version = Some(RUST_GPU.to_owned());
+        let backend = install.run().context(
+            "rust-gpu could not be installed: it needs rustup and the nightly toolchain named in README.md",
+        )?;
+        Ok(Self { backend, shader_crate })
+    }
+
+    /// Compiles the kernels to the words of a module each, not optimised.
+    pub fn kernels(&self) -> Result<Vec<(Kernel, Vec<u32>)>> {
+        let mut kernels = Vec::new();
+        for feature in KERNELS {
+            for (entry_point, words) in self.compile(feature)? {
+                kernels.push((Kernel::of_entry_point(&entry_point)?, words));
+            }
+        }
+        Ok(kernels)
+    }
+
+    /// Compiles the library's functions, each as the entry point of a module, not optimised, by the name of codec and
+    /// operation.
+    pub fn library(&self) -> Result<BTreeMap<String, Vec<u32>>> {
+        let functions = self.compile(LIBRARY)?.into_iter();
+        Ok(functions.map(|(entry_point, words)| (name_of_path(&entry_point), words)).collect())
+    }
+
+    /// The names of the entry points behind a feature, and the words of the module of each.
+    fn compile(&self, feature: &str) -> Result<Vec<(String, Vec<u32>)>> {
+        eprintln!("spirv: compiling the {feature} of {}", self.shader_crate.display());
+        let compiled = self
+            .backend
+            .to_spirv_builder(&self.shader_crate, TARGET)
+            .multimodule(true)
+            .release(true)
+            .deny_warnings(true)
+            .shader_crate_default_features(false)
+            .shader_crate_features([feature.to_owned()])
+            // rust-gpu's own run of the optimiser folds chains of float operations.
+            .extra_arg("--no-spirv-opt")
+            .target_dir_path("target/spirv-build")
+            .build()
+            .context("rust-gpu could not compile shader-crate")?;
+        match compiled.module {
+            ModuleResult::MultiModule(modules) => {
+                modules.into_iter().map(|(entry, path)| Ok((entry, words(&path)?))).collect()
+            }
+            ModuleResult::SingleModule(path) => bail!("rust-gpu made one module, {}", path.display()),
+        }
     }
 }
 

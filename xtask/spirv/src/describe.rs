@@ -2,8 +2,9 @@
 
 use crate::kernel::Kernel;
 use unitvec_host::catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
+use unitvec_host::link::{LIBRARY, Signature};
 use unitvec_host::manifest::{
-    self, Binding, Codec, Constant, EntryPoint, Interface, Module, PushConstant, Role,
+    self, Binding, Codec, Constant, EntryPoint, Interface, Library, Module, PushConstant, Role,
     SpecializationConstant, Table,
 };
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
@@ -24,6 +25,16 @@ pub fn table(bytes: &[u8]) -> Table {
                  down; to be bound as u32 words, little endian"
             .to_owned(),
         sha256: manifest::sha256_hex(bytes),
+    }
+}
+
+/// The library of these bytes.
+pub fn library(bytes: &[u8]) -> Library {
+    Library {
+        file: LIBRARY.to_owned(),
+        capabilities: ["Linkage", "Shader"].map(str::to_owned).into(),
+        sha256: manifest::sha256_hex(bytes),
+        functions: Signature::all().map(|signature| signature.to_string()).collect(),
     }
 }
 

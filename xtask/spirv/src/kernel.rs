@@ -61,7 +61,7 @@ impl Kernel {
 }
 
 /// `oct16_encode` of `kernels::oct16::encode`; what is no path stays.
-fn name_of_path(entry_point: &str) -> String {
+pub fn name_of_path(entry_point: &str) -> String {
     let mut parts = entry_point.rsplit("::");
     match (parts.next(), parts.next()) {
         (Some(function), Some(module)) if function != DECODE_BY_TABLE => format!("{module}_{function}"),

@@ -13,7 +13,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
-use unitvec_host::catalogue::{best_fit_table, formats};
+use unitvec_host::catalogue::{Operation, best_fit_table, formats};
+use unitvec_host::link;
 use unitvec_host::manifest::{self, Manifest};
 use unitvec_host::output;
 
@@ -52,11 +53,13 @@ fn repository() -> Result<PathBuf> {
 
 /// Paths in `spirv/` and contents of its files, the manifest included.
 fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
-    let kernels = compile::kernels(repository)?;
+    let compiler = compile::Compiler::install(repository)?;
+    let kernels = compiler.kernels()?;
     let codecs = formats().count();
     ensure!(kernels.len() == 4 * codecs + 3, "{} kernels for {codecs} codecs", kernels.len());
     eprintln!("spirv: optimising {} kernels", kernels.len());
     let modules = modules(kernels)?;
+    let library = library(&compiler)?;
 
     let table: Vec<u8> = best_fit_table().iter().flat_map(|word| word.to_le_bytes()).collect();
     let mut manifest = Manifest {
@@ -69,12 +72,14 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         target: compile::TARGET.to_owned(),
         sources_sha256: manifest::sources_sha256(repository)?,
         interfaces: BTreeMap::new(),
+        library: describe::library(&library),
         modules: Vec::new(),
         tables: vec![describe::table(&table)],
     };
     let mut files = BTreeMap::from([
         (manifest::BEST_FIT_TABLE.to_owned(), table),
         (manifest::SCHEMA.to_owned(), manifest::schema().into_bytes()),
+        (link::LIBRARY.to_owned(), library),
     ]);
     for Built { file, kernels, bytes } in modules {
         for (name, interface) in kernels.iter().map(describe::interface) {
@@ -87,6 +92,21 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     let text = serde_json::to_string_pretty(&manifest)? + "\n";
     files.insert(manifest::FILE_NAME.to_owned(), text.into_bytes());
     Ok(files)
+}
+
+/// The module of all codecs' functions.
+fn library(compiler: &compile::Compiler) -> Result<Vec<u8>> {
+    let mut compiled = compiler.library()?;
+    let mut functions = Vec::new();
+    for (format, operation) in formats().flat_map(|format| Operation::ALL.map(|each| (format, each))) {
+        let name = format.function(operation);
+        let words = compiled.remove(&name).with_context(|| format!("the library lacks {name}"))?;
+        functions.push((link::Signature::of(format, operation), words));
+    }
+    ensure!(compiled.is_empty(), "{:?} belong to no codec of the catalogue", compiled.keys());
+    eprintln!("spirv: optimising {} functions", functions.len());
+    let words = passes::library(functions).context(link::LIBRARY)?;
+    Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
 }
 
 /// A module as it is shipped.

@@ -99,7 +99,7 @@ fn decorations(module: &Module) -> HashMap<Option<Word>, Vec<Vec<Operand>>> {
 }
 
 /// What an annotation is about.
-fn target(annotation: &Instruction) -> Option<Word> {
+pub fn target(annotation: &Instruction) -> Option<Word> {
     annotation.operands.first()?.id_ref_any()
 }
 

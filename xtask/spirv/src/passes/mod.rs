@@ -1,12 +1,14 @@
 //! From rust-gpu's modules to those that are shipped.
 //!
 //! Each kernel gets NoContraction on every float result and is optimised; branches become selects, some instructions one, and
-//! loops end at their condition; then the kernels of a codec join in one module, which is optimised once more.
+//! loops end at their condition; then the kernels of a codec join in one module, which is optimised once more. The functions
+//! of the library are made likewise of entry points, and join in one module that exports them.
 
 mod blocks;
 mod combine;
 mod decorate;
 mod exit;
+mod export;
 mod features;
 mod join;
 mod select;
@@ -14,13 +16,18 @@ mod select;
 mod snippet;
 
 use anyhow::{Context, Result, anyhow};
+use rayon::prelude::*;
 use rspirv::binary::Assemble;
 use rspirv::dr::Module;
 use spirv_tools::opt::{Optimizer, Passes};
 use spirv_tools::val::Validator;
 use spirv_tools::{TargetEnv, opt, val};
+use unitvec_host::link::Signature;
 
 const ENVIRONMENT: TargetEnv = TargetEnv::Vulkan_1_1;
+
+/// Vulkan takes no module with linkage.
+const LIBRARY_ENVIRONMENT: TargetEnv = TargetEnv::Universal_1_3;
 
 /// One module of kernels that are compiled each to a module of its own, with these names for entry points.
 pub fn run(kernels: Vec<(String, Vec<u32>)>) -> Result<Vec<u32>> {
@@ -29,6 +36,23 @@ pub fn run(kernels: Vec<(String, Vec<u32>)>) -> Result<Vec<u32>> {
     let words = optimize(&module.assemble())?;
     decorate::check_no_contraction(&parse(&words)?)?;
     val::create(Some(ENVIRONMENT)).validate(&words, None).context("spirv-val")?;
+    Ok(words)
+}
+
+/// The library of functions that are compiled each as the entry point of a module.
+pub fn library(functions: Vec<(Signature, Vec<u32>)>) -> Result<Vec<u32>> {
+    let functions = functions.into_par_iter().map(|(signature, words)| {
+        let named = || signature.name.clone();
+        let mut module = kernel("function", &words).with_context(named)?;
+        export::function(&mut module).with_context(named)?;
+        Ok((signature, module))
+    });
+    let library = export::library(functions.collect::<Result<_>>()?)?;
+    let mut optimizer = opt::create(Some(LIBRARY_ENVIRONMENT));
+    optimizer.register_pass(Passes::EliminateDeadConstant).register_pass(Passes::CompactIds);
+    let words = optimized(&optimizer, &library.assemble())?;
+    decorate::check_no_contraction(&parse(&words)?)?;
+    val::create(Some(LIBRARY_ENVIRONMENT)).validate(&words, None).context("spirv-val")?;
     Ok(words)
 }
 
@@ -56,6 +80,10 @@ fn optimize(words: &[u32]) -> Result<Vec<u32>> {
         .register_pass(Passes::StripNonSemanticInfo)
         .register_pass(Passes::EliminateDeadConstant)
         .register_pass(Passes::CompactIds);
+    optimized(&optimizer, words)
+}
+
+fn optimized(optimizer: &impl Optimizer, words: &[u32]) -> Result<Vec<u32>> {
     let mut print = |message| eprintln!("spirv-opt: {message:?}");
     let optimized = optimizer.optimize(words, &mut print, None).context("spirv-opt")?;
     Ok(optimized.as_words().to_vec())

@@ -57,6 +57,8 @@
 //!   with snorm8x3P and snorm16x3P. A mirrored or permuted vector gets the mirrored or permuted code.
 
 mod scan;
+#[cfg(any(target_arch = "spirv", test))]
+mod shader;
 mod table;
 
 #[cfg(not(target_arch = "spirv"))]
@@ -68,7 +70,11 @@ use crate::codec::Codec;
 use crate::direction::or_z;
 use glam::Vec3;
 use scan::{Fit, at_scale, best_scale, by_size, on_cube, pack8};
-use table::{best_of, cell_lengths, cell_of, code_at_length, lengths_in, parts_and_reciprocal, table_index};
+#[cfg(target_arch = "spirv")]
+use shader::cell_lengths;
+#[cfg(not(target_arch = "spirv"))]
+use table::cell_lengths;
+use table::{best_of, cell_of, code_at_length, lengths_in, parts_and_reciprocal, table_index};
 
 /// A codec whose encoder can look lengths up in the table of [`fill_table`]: a few operations in place of many, for the
 /// same codes.

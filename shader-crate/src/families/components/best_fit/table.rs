@@ -22,7 +22,7 @@ const SAMPLES: usize = SAMPLES_A_SIDE * SAMPLES_A_SIDE;
 
 /// A length counts as better than a longer one where it leaves less than this part of the error: else rounding would
 /// decide between lengths that fit alike, as all do beside an axis.
-const CLEARLY_LESS: f32 = 1.0 - 1.0 / 16_384.0;
+pub(super) const CLEARLY_LESS: f32 = 1.0 - 1.0 / 16_384.0;
 
 /// The low byte of the two's complement of the nearest whole number, the even one of two.
 #[inline(always)]
@@ -84,7 +84,7 @@ impl Candidate {
 }
 
 /// Lengths of a cell, the best alone first.
-type Lengths = [f32; LENGTHS];
+pub(super) type Lengths = [f32; LENGTHS];
 
 /// The one of a cell's lengths that fits best.
 #[inline(always)]
@@ -103,7 +103,7 @@ pub(super) fn cell_of(u: Parts) -> (u32, u32) {
 
 /// The sine of the error that a length leaves, up to a factor that is the same, to 1.2 %, for all lengths.
 #[inline(always)]
-fn sine(u: Parts, length: f32) -> f32 {
+pub(super) fn sine(u: Parts, length: f32) -> f32 {
     let (y, z) = (u.mid * length, u.min * length);
     let (dy, dz) = (nearest_whole(y) - y, nearest_whole(z) - z);
     let cx = dy * u.min - dz * u.mid;
@@ -117,11 +117,12 @@ fn sample_part(cell: u32, i: usize) -> f32 {
 
 /// One of the nine directions of a cell.
 #[inline(always)]
-fn sample(column: u32, row: u32, i: usize) -> Parts {
+pub(super) fn sample(column: u32, row: u32, i: usize) -> Parts {
     Parts { mid: sample_part(column, i / SAMPLES_A_SIDE), min: sample_part(row, i % SAMPLES_A_SIDE) }
 }
 
 /// The lengths of a cell, each the one that leaves least of the mean error of the ones before; the longest of equals.
+#[cfg_attr(target_arch = "spirv", allow(dead_code))]
 #[inline]
 pub(super) fn cell_lengths(column: u32, row: u32) -> Lengths {
     // By sample, then by length from 127 down: the compiler takes several lengths at a time.
@@ -188,7 +189,7 @@ pub fn table_word(index: u32) -> u32 {
         group += 1;
     }
     let within = index - 8 * group * (group + 1);
-    let [a, b, c, d] = cell_lengths(4 * group + within % 4, within / 4).map(whole_to_u32);
+    let [a, b, c, d] = super::cell_lengths(4 * group + within % 4, within / 4).map(whole_to_u32);
     a | (b << 8) | (c << 16) | (d << 24)
 }
 

@@ -1,0 +1,106 @@
+//! Entry points that the SPIR-V build turns into functions of a library to link with: what they read becomes parameters, what
+//! they write the result. They are vertex shaders because these read and write values as they are, integers too. (rust-gpu
+//! compiles entry points only: it has no linkage.)
+
+use crate::codec::{Code, Codec};
+use crate::frame::{Frame, FrameCodec};
+use crate::{for_each_codec, for_each_frame};
+use glam::{UVec2, Vec3, Vec4};
+use spirv_std::spirv;
+
+/// A code as shaders pass it.
+pub trait Passed: Code {
+    /// `u32`, or a vector of two.
+    type As: Copy;
+
+    /// The code, to pass.
+    fn pass(self) -> Self::As;
+
+    /// The code that was passed.
+    fn receive(passed: Self::As) -> Self;
+}
+
+impl Passed for u32 {
+    type As = u32;
+
+    #[inline(always)]
+    fn pass(self) -> u32 {
+        self
+    }
+
+    #[inline(always)]
+    fn receive(passed: u32) -> u32 {
+        passed
+    }
+}
+
+impl Passed for [u32; 2] {
+    type As = UVec2;
+
+    #[inline(always)]
+    fn pass(self) -> UVec2 {
+        UVec2::new(self[0], self[1])
+    }
+
+    #[inline(always)]
+    fn receive(passed: UVec2) -> Self {
+        [passed.x, passed.y]
+    }
+}
+
+/// A module of functions for each codec, named after it.
+macro_rules! functions {
+    ($([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*) => { $(
+        #[doc = concat!("Functions of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            /// The code as it is passed.
+            type PassedCode = <<crate::$codec as Codec>::Code as Passed>::As;
+
+            /// The code of a vector.
+            #[spirv(vertex)]
+            pub fn encode(v: Vec3, code: &mut PassedCode) {
+                *code = crate::$codec::encode_vec3(v).pass();
+            }
+
+            /// The vector of a code.
+            #[spirv(vertex)]
+            pub fn decode(code: PassedCode, v: &mut Vec3) {
+                *v = crate::$codec::decode_vec3(Passed::receive(code));
+            }
+        }
+    )* };
+}
+
+for_each_codec!(functions);
+
+/// A module of functions for each codec of frames, named after it.
+macro_rules! frame_functions {
+    ($([$id:ident $codec:ident, $($rest:tt)*])*) => { $(
+        #[doc = concat!("Functions of [`", stringify!($codec), "`](crate::", stringify!($codec), ").")]
+        pub mod $id {
+            use super::*;
+
+            /// The code as it is passed.
+            type PassedCode = <<crate::$codec as FrameCodec>::Code as Passed>::As;
+
+            /// The code of a frame; the tangent's w is the handedness.
+            #[spirv(vertex)]
+            pub fn encode(normal: Vec3, tangent: Vec4, code: &mut PassedCode) {
+                let frame = Frame { normal, tangent: tangent.truncate(), handedness: tangent.w };
+                *code = crate::$codec::encode(frame).pass();
+            }
+
+            /// The frame of a code.
+            #[spirv(vertex)]
+            pub fn decode(code: PassedCode, normal: &mut Vec3, tangent: &mut Vec4) {
+                let frame = crate::$codec::decode(Passed::receive(code));
+                *normal = frame.normal;
+                *tangent = frame.tangent.extend(frame.handedness);
+            }
+        }
+    )* };
+}
+
+for_each_frame!(frame_functions);

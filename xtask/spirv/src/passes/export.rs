@@ -1,0 +1,348 @@
+//! Exported functions of entry points: what they read becomes parameters, what they write the result.
+
+use super::join::{self, target};
+use anyhow::{Context, Result, ensure};
+use rspirv::binary::Assemble;
+use rspirv::dr::{Block, Function, Instruction, Module, Operand};
+use rspirv::spirv::{Capability, Decoration, FunctionControl, LinkageType, Op, StorageClass, Word};
+use std::collections::{BTreeMap, HashMap};
+use unitvec_host::link::{Signature, Type};
+
+/// Makes a function of the entry point of a module that has one, with one block that returns. It is not yet exported, so that
+/// equal functions make equal modules.
+pub fn function(module: &mut Module) -> Result<()> {
+    ensure!(module.entry_points.len() == 1, "the module has {} entry points", module.entry_points.len());
+    ensure!(module.functions.len() == 1, "the module has {} functions", module.functions.len());
+    let inputs = variables(module, StorageClass::Input)?;
+    let outputs = variables(module, StorageClass::Output)?;
+    let parameters =
+        inputs.iter().map(|input| Ok((input.of_type, fresh(module)?))).collect::<Result<Vec<_>>>()?;
+    let result = result_type(module, &outputs)?;
+    let of_type = function_type(module, result, &parameters)?;
+
+    read_parameters(module, &inputs, &parameters);
+    let mut values = Vec::new();
+    for (output, parts) in outputs.iter().zip(written(module, &outputs)?) {
+        values.push(construct(module, output.of_type, &parts)?);
+    }
+    let returned = construct(module, result, &values)?;
+    let function = &mut module.functions[0];
+    give_back(function, returned)?;
+    if let Some(definition) = &mut function.def {
+        definition.result_type = Some(result);
+        definition.operands = vec![Operand::FunctionControl(FunctionControl::NONE), Operand::IdRef(of_type)];
+    }
+    function.parameters = parameters
+        .iter()
+        .map(|(of_type, id)| Instruction::new(Op::FunctionParameter, Some(*of_type), Some(*id), Vec::new()))
+        .collect();
+    remove_interface(module, inputs.iter().chain(&outputs).map(|variable| variable.id).collect());
+    Ok(())
+}
+
+/// An input or an output of an entry point.
+struct Variable {
+    id: Word,
+    of_type: Word,
+}
+
+/// The variables of a storage class, by their locations.
+fn variables(module: &Module, class: StorageClass) -> Result<Vec<Variable>> {
+    let mut found = Vec::new();
+    for global in &module.types_global_values {
+        if global.class.opcode != Op::Variable || global.operands[0] != Operand::StorageClass(class) {
+            continue;
+        }
+        let (id, pointer) = (global.result_id.context("a variable without an id")?, global.result_type);
+        let location =
+            module.annotations.iter().find_map(|annotation| match annotation.operands.as_slice() {
+                [
+                    Operand::IdRef(of),
+                    Operand::Decoration(Decoration::Location),
+                    Operand::LiteralBit32(location),
+                ] if *of == id => Some(*location),
+                _ => None,
+            });
+        let pointer = module.types_global_values.iter().find(|other| other.result_id == pointer);
+        let of_type = pointer.and_then(|pointer| pointer.operands[1].id_ref_any());
+        let of_type = of_type.context("a variable whose type is no pointer")?;
+        found.push((location.context("a variable without a location")?, Variable { id, of_type }));
+    }
+    found.sort_by_key(|(location, _)| *location);
+    Ok(found.into_iter().map(|(_, variable)| variable).collect())
+}
+
+fn fresh(module: &mut Module) -> Result<Word> {
+    let header = module.header.as_mut().context("the module has no header")?;
+    header.bound += 1;
+    Ok(header.bound - 1)
+}
+
+/// The one output's type, or a struct of those of several.
+fn result_type(module: &mut Module, outputs: &[Variable]) -> Result<Word> {
+    if let [output] = outputs {
+        return Ok(output.of_type);
+    }
+    ensure!(!outputs.is_empty(), "the entry point writes nothing");
+    let id = fresh(module)?;
+    let members = outputs.iter().map(|output| Operand::IdRef(output.of_type)).collect();
+    module.types_global_values.push(Instruction::new(Op::TypeStruct, None, Some(id), members));
+    Ok(id)
+}
+
+fn function_type(module: &mut Module, result: Word, parameters: &[(Word, Word)]) -> Result<Word> {
+    let id = fresh(module)?;
+    let types = [result].into_iter().chain(parameters.iter().map(|(of_type, _)| *of_type));
+    let types = types.map(Operand::IdRef).collect();
+    module.types_global_values.push(Instruction::new(Op::TypeFunction, None, Some(id), types));
+    Ok(id)
+}
+
+/// Uses the parameters where the variables were loaded, whole or by components.
+fn read_parameters(module: &mut Module, inputs: &[Variable], parameters: &[(Word, Word)]) {
+    let components = take_components(module, inputs);
+    let function = &mut module.functions[0];
+    let mut loaded = HashMap::new();
+    for block in &mut function.blocks {
+        block.instructions.retain_mut(|instruction| {
+            let from = instruction.operands.first().and_then(Operand::id_ref_any);
+            let (Op::Load, Some(from)) = (instruction.class.opcode, from) else { return true };
+            let input = inputs.iter().position(|input| input.id == from);
+            match (input, components.get(&from), instruction.result_id) {
+                (Some(n), _, Some(result)) => {
+                    loaded.insert(result, parameters[n].1);
+                    false
+                }
+                (_, Some((n, component)), Some(_)) => {
+                    let operands = vec![Operand::IdRef(parameters[*n].1), Operand::LiteralBit32(*component)];
+                    let (of_type, result) = (instruction.result_type, instruction.result_id);
+                    *instruction = Instruction::new(Op::CompositeExtract, of_type, result, operands);
+                    true
+                }
+                _ => true,
+            }
+        });
+    }
+    for instruction in function.all_inst_iter_mut() {
+        for id in instruction.operands.iter_mut().filter_map(Operand::id_ref_any_mut) {
+            *id = loaded.get(id).copied().unwrap_or(*id);
+        }
+    }
+}
+
+/// Pointers to components of variables: which variable and which component. They are removed.
+fn take_components(module: &mut Module, variables: &[Variable]) -> HashMap<Word, (usize, u32)> {
+    let constants = constants(module);
+    let mut components = HashMap::new();
+    for block in &mut module.functions[0].blocks {
+        block.instructions.retain(|instruction| {
+            let [of, component] = instruction.operands.as_slice() else { return true };
+            let variable = variables.iter().position(|variable| of.id_ref_any() == Some(variable.id));
+            let component = component.id_ref_any().and_then(|id| constants.get(&id));
+            match (instruction.class.opcode, variable, component, instruction.result_id) {
+                (Op::AccessChain | Op::InBoundsAccessChain, Some(n), Some(component), Some(id)) => {
+                    components.insert(id, (n, *component));
+                    false
+                }
+                _ => true,
+            }
+        });
+    }
+    components
+}
+
+/// What is stored in each output, whole or by components, without the stores. They stand in the last block, which alone
+/// returns.
+fn written(module: &mut Module, outputs: &[Variable]) -> Result<Vec<Vec<Word>>> {
+    let components = take_components(module, outputs);
+    let function = &mut module.functions[0];
+    let mut values = vec![BTreeMap::new(); outputs.len()];
+    last_block(function)?.instructions.retain(|instruction| {
+        let [to, value, ..] = instruction.operands.as_slice() else { return true };
+        let (Op::Store, Some(to), Some(value)) =
+            (instruction.class.opcode, to.id_ref_any(), value.id_ref_any())
+        else {
+            return true;
+        };
+        let whole = || outputs.iter().position(|output| output.id == to).map(|n| (n, 0));
+        match components.get(&to).copied().or_else(whole) {
+            Some((n, component)) => {
+                values[n].insert(component, value);
+                false
+            }
+            None => true,
+        }
+    });
+    let is_written = values.iter().all(|parts| !parts.is_empty());
+    ensure!(is_written, "an output is not written where the entry point ends");
+    Ok(values.into_iter().map(|parts| parts.into_values().collect()).collect())
+}
+
+/// Integers that indices can be.
+fn constants(module: &Module) -> HashMap<Word, u32> {
+    let constants = module.types_global_values.iter().filter_map(|global| {
+        match (global.class.opcode, global.operands.as_slice()) {
+            (Op::Constant, [Operand::LiteralBit32(value)]) => Some((global.result_id?, *value)),
+            _ => None,
+        }
+    });
+    constants.collect()
+}
+
+/// The block that returns, if there is only one.
+fn last_block(function: &mut Function) -> Result<&mut Block> {
+    let returns = |block: &&mut Block| {
+        block
+            .instructions
+            .last()
+            .is_some_and(|last| matches!(last.class.opcode, Op::Return | Op::Kill | Op::Unreachable))
+    };
+    let mut blocks: Vec<&mut Block> = function.blocks.iter_mut().filter(returns).collect();
+    ensure!(blocks.len() == 1, "the entry point ends in {} places", blocks.len());
+    blocks.pop().context("the entry point does not end")
+}
+
+/// The value of this type with these parts, which one part is already.
+fn construct(module: &mut Module, of_type: Word, values: &[Word]) -> Result<Word> {
+    if let [value] = values {
+        return Ok(*value);
+    }
+    let id = fresh(module)?;
+    let values = values.iter().map(|value| Operand::IdRef(*value)).collect();
+    let last = last_block(&mut module.functions[0])?;
+    let before_end = last.instructions.len() - 1;
+    last.instructions
+        .insert(before_end, Instruction::new(Op::CompositeConstruct, Some(of_type), Some(id), values));
+    Ok(id)
+}
+
+fn give_back(function: &mut Function, value: Word) -> Result<()> {
+    let last = last_block(function)?;
+    last.instructions.pop();
+    last.instructions.push(Instruction::new(Op::ReturnValue, None, None, vec![Operand::IdRef(value)]));
+    Ok(())
+}
+
+/// Removes entry point, variables and their decorations. What else uses the variables is found by spirv-val.
+fn remove_interface(module: &mut Module, variables: Vec<Word>) {
+    module.entry_points.clear();
+    module.execution_modes.clear();
+    module.annotations.retain(|annotation| target(annotation).is_none_or(|id| !variables.contains(&id)));
+    module.types_global_values.retain(|global| global.result_id.is_none_or(|id| !variables.contains(&id)));
+}
+
+/// A library of such functions, by the name of codec and operation: those that are equal share one body.
+pub fn library(functions: Vec<(Signature, Module)>) -> Result<Module> {
+    let (mut modules, mut signatures) = (Vec::new(), Vec::<Vec<Signature>>::new());
+    let mut bodies = HashMap::new();
+    for (signature, module) in functions {
+        let body = *bodies.entry(module.assemble()).or_insert(modules.len());
+        if body == modules.len() {
+            modules.push(module);
+            signatures.push(Vec::new());
+        }
+        signatures[body].push(signature);
+    }
+    let mut library = join_in_pairs(modules)?;
+    ensure!(library.functions.len() == signatures.len(), "the modules have more than a function each");
+    let linkage = vec![Operand::Capability(Capability::Linkage)];
+    library.capabilities.push(Instruction::new(Op::Capability, None, None, linkage));
+    for (n, signatures) in signatures.iter().enumerate() {
+        let [first, others @ ..] = signatures.as_slice() else { continue };
+        export(&mut library, n, first)?;
+        for other in others {
+            let at = library.functions.len();
+            let forwarding = forwarding(&mut library, n)?;
+            library.functions.push(forwarding);
+            export(&mut library, at, other)?;
+        }
+    }
+    Ok(library)
+}
+
+/// Joins neighbours until one is left: each join looks at all that is joined.
+fn join_in_pairs(mut modules: Vec<Module>) -> Result<Module> {
+    while modules.len() > 1 {
+        let mut joined = Vec::new();
+        let mut rest = modules.into_iter();
+        while let Some(first) = rest.next() {
+            joined.push(join::join(std::iter::once(first).chain(rest.next()).collect())?);
+        }
+        modules = joined;
+    }
+    modules.pop().context("no function for the library")
+}
+
+/// A function that does nothing but call the one with this number.
+fn forwarding(library: &mut Module, callee: usize) -> Result<Function> {
+    let [function, label, result] = [fresh(library)?, fresh(library)?, fresh(library)?];
+    let mut forwarding = library.functions[callee].clone();
+    let definition = forwarding.def.as_mut().context("a function without a definition")?;
+    let mut operands = vec![Operand::IdRef(definition.result_id.context("a function without an id")?)];
+    definition.result_id = Some(function);
+    let of_type = definition.result_type;
+    for parameter in &mut forwarding.parameters {
+        let id = fresh(library)?;
+        parameter.result_id = Some(id);
+        operands.push(Operand::IdRef(id));
+    }
+    forwarding.blocks = vec![Block {
+        label: Some(Instruction::new(Op::Label, None, Some(label), Vec::new())),
+        instructions: vec![
+            Instruction::new(Op::FunctionCall, of_type, Some(result), operands),
+            Instruction::new(Op::ReturnValue, None, None, vec![Operand::IdRef(result)]),
+        ],
+    }];
+    Ok(forwarding)
+}
+
+/// Exports a function under its name, and names what belongs to it.
+fn export(library: &mut Module, n: usize, signature: &Signature) -> Result<()> {
+    let function = &library.functions[n];
+    let id = function.def_id().context("a function without an id")?;
+    let mut names = vec![(id, signature.name.as_str())];
+    ensure!(
+        function.parameters.len() == signature.parameters.len(),
+        "{} has other parameters",
+        signature.name
+    );
+    for (parameter, (name, _)) in function.parameters.iter().zip(&signature.parameters) {
+        names.push((parameter.result_id.context("a parameter without an id")?, name));
+    }
+    let names = names.into_iter().map(|(id, name)| {
+        let operands = vec![Operand::IdRef(id), Operand::LiteralString(name.to_owned())];
+        Instruction::new(Op::Name, None, None, operands)
+    });
+    library.debug_names.extend(names);
+    if signature.result == Type::Frame {
+        name_frame(library, n)?;
+    }
+    library.annotations.push(Instruction::new(
+        Op::Decorate,
+        None,
+        None,
+        vec![
+            Operand::IdRef(id),
+            Operand::Decoration(Decoration::LinkageAttributes),
+            Operand::LiteralString(signature.name.clone()),
+            Operand::LinkageType(LinkageType::Export),
+        ],
+    ));
+    Ok(())
+}
+
+/// Names the struct that a function returns, once.
+fn name_frame(library: &mut Module, n: usize) -> Result<()> {
+    let definition = library.functions[n].def.as_ref().context("a function without a definition")?;
+    let id = Operand::IdRef(definition.result_type.context("a function without a type")?);
+    if library.debug_names.iter().any(|name| name.operands[0] == id) {
+        return Ok(());
+    }
+    let text = |text: &str| Operand::LiteralString(text.to_owned());
+    library.debug_names.push(Instruction::new(Op::Name, None, None, vec![id.clone(), text("UnitvecFrame")]));
+    for (n, member) in ["normal", "tangent"].into_iter().enumerate() {
+        let operands = vec![id.clone(), Operand::LiteralBit32(n as u32), text(member)];
+        library.debug_names.push(Instruction::new(Op::MemberName, None, None, operands));
+    }
+    Ok(())
+}
