@@ -39,8 +39,8 @@ pub fn shader(path: &str) -> Option<&'static str> {
     path.contains('/').then(|| SHADERS.get_file(path)?.contents_utf8()).flatten()
 }
 
-/// A file of `spirv/`: `kernels/oct16.spv`; `manifest.json` and its schema, `manifest.schema.json`; `best_fit_table.bin`,
-/// which two kernels read. The kernels in `cost/` are for measuring.
+/// A file of `spirv/`: `kernels/oct16.spv`; `unitvec.spv`, all codecs as functions to link with; `manifest.json` and its
+/// schema, `manifest.schema.json`; `best_fit_table.bin`, which two kernels read. The kernels in `cost/` are for measuring.
 pub fn spirv(path: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(path)?.contents())
 }

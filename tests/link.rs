@@ -17,32 +17,89 @@ const CODECS: usize = 10;
 /// Random vectors, and as many random codes.
 const RANDOM: usize = 1 << 16;
 
-/// What GLSL says otherwise than HLSL.
-const GLSL_WORDS: &str = "#version 450
+/// A compiler, and how a shader is written for it.
+pub struct FrontEnd {
+    name: &'static str,
+    language: Language,
+    /// Lines before the stubs.
+    words: &'static str,
+    /// Buffers, and the beginning of `main`.
+    interface: &'static str,
+    /// The command but for the source and `-o` or what stands for it; `None` where it has to be named.
+    command: fn() -> Option<String>,
+    output: &'static str,
+}
+
+/// Part of the packages that tests need.
+pub const GLSL: FrontEnd = FrontEnd {
+    name: "GLSL by glslang",
+    language: Language::Glsl,
+    words: "#version 450
 #define uint2 uvec2
 #define float3 vec3
 #define float4 vec4
 #define asuint floatBitsToUint
 #define asfloat uintBitsToFloat
-";
-
-const GLSL_INTERFACE: &str = "
+",
+    interface: "
 layout(local_size_x = 64) in;
 layout(push_constant) uniform Count { uint count; };
 layout(set = 0, binding = 0) readonly buffer In { uint words_in[]; };
 layout(set = 0, binding = 1) writeonly buffer Out { uint words_out[]; };
 void main() {
     uint n = gl_GlobalInvocationID.x;
-";
+",
+    command: || Some("glslangValidator -V --target-env vulkan1.1 -S comp".to_owned()),
+    output: "-o",
+};
 
-const HLSL_INTERFACE: &str = "
+/// Arguments are pointers.
+pub const HLSL: FrontEnd = FrontEnd {
+    name: "HLSL by glslang",
+    language: Language::Hlsl,
+    words: "",
+    interface: "
 [[vk::push_constant]] cbuffer Count { uint count; };
 [[vk::binding(0)]] StructuredBuffer<uint> words_in;
 [[vk::binding(1)]] RWStructuredBuffer<uint> words_out;
 [numthreads(64, 1, 1)]
 void main(uint3 id : SV_DispatchThreadID) {
     uint n = id.x;
-";
+",
+    command: || Some("glslangValidator -V -D -Od --target-env vulkan1.1 -S comp -e main".to_owned()),
+    output: "-o",
+};
+
+const DXC: FrontEnd = FrontEnd {
+    name: "HLSL by DXC",
+    interface: "
+struct Count { uint count; };
+[[vk::push_constant]] ConstantBuffer<Count> constants;
+[[vk::binding(0)]] StructuredBuffer<uint> words_in;
+[[vk::binding(1)]] RWStructuredBuffer<uint> words_out;
+[numthreads(64, 1, 1)]
+void main(uint3 id : SV_DispatchThreadID) {
+    uint n = id.x;
+    uint count = constants.count;
+",
+    command: || {
+        let dxc = std::env::var("UNITVEC_DXC").ok()?;
+        Some(format!("{dxc} -spirv -fcgl -fspv-target-env=vulkan1.1 -T cs_6_0 -E main"))
+    },
+    output: "-Fo",
+    ..HLSL
+};
+
+const SLANG: FrontEnd = FrontEnd {
+    name: "Slang",
+    language: Language::Slang,
+    command: || {
+        let slangc = std::env::var("UNITVEC_SLANGC").ok()?;
+        Some(format!("{slangc} -target spirv -profile spirv_1_3 -entry main -stage compute"))
+    },
+    output: "-o",
+    ..DXC
+};
 
 /// Words that an invocation reads: an element and a code; and writes for each codec: a code and an element.
 fn words(element: Element) -> usize {
@@ -68,9 +125,8 @@ fn write(value: &str, of_type: Type, at: &str) -> String {
 }
 
 /// A compute shader that encodes an element and decodes a code by each of these codecs, without the stubs.
-pub fn caller(language: Language, formats: &[Format]) -> String {
-    let element = formats[0].element;
-    let interface = if language == Language::Glsl { GLSL_INTERFACE } else { HLSL_INTERFACE };
+pub fn caller(front_end: &FrontEnd, formats: &[Format]) -> String {
+    let (element, interface) = (formats[0].element, front_end.interface);
     let words = words(element);
     let float = |k: usize| format!("asfloat(words_in[first + {k}u])");
     let vector = |from: usize, n: usize| (from..from + n).map(float).collect::<Vec<_>>().join(", ");
@@ -106,44 +162,45 @@ pub fn caller(language: Language, formats: &[Format]) -> String {
     text + "}\n"
 }
 
-/// SPIR-V by glslang, which reads both languages.
-fn compile(language: Language, text: &str) -> Vec<u8> {
+fn compile(front_end: &FrontEnd, text: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
-    let [source, module] = ["shader", "shader.spv"].map(|name| folder.path().join(name));
+    let ending = front_end.language.ending();
+    let [source, module] = [format!("shader.{ending}"), "shader.spv".to_owned()].map(|name| folder.path().join(name));
     std::fs::write(&source, text).unwrap();
-    let mut glslang = Command::new("glslangValidator");
-    glslang.args(["-V", "--target-env", "vulkan1.1", "-S", "comp", "-e", "main"]);
-    if language != Language::Glsl {
-        glslang.args(["-D", "-Od"]);
-    }
-    glslang.arg(&source).arg("-o").arg(&module);
-    let output = glslang.output().expect("glslangValidator is missing: `cargo xtask setup` installs it");
-    assert!(output.status.success(), "{}\n{text}", String::from_utf8_lossy(&output.stdout));
+    let command =
+        (front_end.command)().expect("UNITVEC_DXC or UNITVEC_SLANGC has to be the compiler's command");
+    let mut words = command.split(' ');
+    let mut compiler = Command::new(words.next().unwrap());
+    compiler.args(words).arg(&source).arg(front_end.output).arg(&module);
+    let output =
+        compiler.output().unwrap_or_else(|error| panic!("{command}: {error}; see `cargo xtask setup`"));
+    let said = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned());
+    assert!(output.status.success(), "{said:?}\n{text}");
     std::fs::read(module).unwrap()
 }
 
 /// A shader with the stubs, which `change` may change.
-pub fn with_stubs(language: Language, caller: &str, change: impl Fn(String) -> String) -> Vec<u8> {
-    let words = if language == Language::Glsl { GLSL_WORDS } else { "" };
-    compile(language, &format!("{words}{}{caller}", change(stubs::text(language))))
+pub fn with_stubs(front_end: &FrontEnd, caller: &str, change: impl Fn(String) -> String) -> Vec<u8> {
+    let stubs = change(stubs::text(front_end.language));
+    compile(front_end, &format!("{}{stubs}{caller}", front_end.words))
 }
 
 /// Elements and codes: the special ones, then random ones.
-fn inputs(element: Element, random: usize) -> (Vec<f32>, Vec<u64>) {
+fn inputs(element: Element) -> (Vec<f32>, Vec<u64>) {
     let special = sampling::special_elements(element);
-    let count = special.len() / element.floats() + random;
-    let more = sampling::random_elements(element, Domain::Sphere, 21).take(random * element.floats());
+    let count = special.len() / element.floats() + RANDOM;
+    let more = sampling::random_elements(element, Domain::Sphere, 21).take(RANDOM * element.floats());
     let codes = sampling::special_codes().into_iter().chain(sampling::random_codes(22)).take(count);
     (special.iter().copied().chain(more).collect(), codes.collect())
 }
 
 /// Runs modules of all codecs, linked, beside the CPU; the number of inputs of a codec that were compared.
-fn agree(language: Language, random: usize) {
+fn agree(front_end: &FrontEnd) {
     let device = lavapipe();
     let (mut compared, mut mismatches) = (0, Vec::new());
     for element in Element::ALL {
         let formats: Vec<Format> = formats().filter(|format| format.element == element).collect();
-        let (elements, codes) = inputs(element, random);
+        let (elements, codes) = inputs(element);
         let count = codes.len();
         let given: Vec<u8> = elements
             .chunks(element.floats())
@@ -156,7 +213,7 @@ fn agree(language: Language, random: usize) {
         // The runner's buffers have 28 bytes a vector.
         let mut runner = Runner::new(&device, count * words(element) * CODECS / 7 + 1, true).unwrap();
         for formats in formats.chunks(CODECS) {
-            let module = with_stubs(language, &caller(language, formats), |text| text);
+            let module = with_stubs(front_end, &caller(front_end, formats), |text| text);
             let linked = link::link(&module).unwrap_or_else(|error| panic!("{error}"));
             let kernel = runner.kernel(&linked, "main", None).unwrap();
             let mut actual = vec![0; count * formats.len() * words(element) * 4];
@@ -174,7 +231,8 @@ fn agree(language: Language, random: usize) {
         }
     }
     println!(
-        "link: {compared} encodings and as many decodings from {language:?}: {} mismatches",
+        "link: {compared} encodings and as many decodings from {}: {} mismatches",
+        front_end.name,
         mismatches.len()
     );
     assert_eq!(mismatches.len(), 0, "{:#?}", &mismatches[..mismatches.len().min(20)]);
@@ -209,12 +267,24 @@ fn expected(format: Format, elements: &[f32], codes: &[u64]) -> Vec<u8> {
 
 #[test]
 fn linked_glsl_computes_what_the_cpu_does() {
-    agree(Language::Glsl, RANDOM);
+    agree(&GLSL);
 }
 
 #[test]
 fn linked_hlsl_computes_what_the_cpu_does() {
-    agree(Language::Hlsl, RANDOM);
+    agree(&HLSL);
+}
+
+#[test]
+#[ignore = "needs DXC: UNITVEC_DXC is its command"]
+fn linked_hlsl_of_dxc_computes_what_the_cpu_does() {
+    agree(&DXC);
+}
+
+#[test]
+#[ignore = "needs Slang: UNITVEC_SLANGC is the command of slangc"]
+fn linked_slang_computes_what_the_cpu_does() {
+    agree(&SLANG);
 }
 
 /// A shader that calls one stub.
@@ -234,14 +304,14 @@ fn refused(spirv: &[u8]) -> Error {
 #[test]
 fn what_cannot_be_linked_is_refused() {
     let stub = |from: &str, to: &str| {
-        with_stubs(Language::Glsl, CALLER, |text| {
+        with_stubs(&GLSL, CALLER, |text| {
             assert!(text.contains(from), "{from}");
             text.replace(from, to)
         })
     };
     let whole = stub("unitvec", "unitvec");
     link::link(&whole).unwrap_or_else(|error| panic!("{error}"));
-    let plain = compile(Language::Glsl, "#version 450\nvoid main() {}\n");
+    let plain = compile(&GLSL, "#version 450\nvoid main() {}\n");
     assert!(matches!(refused(&plain), Error::NoStubs));
     let marker = format!("{}{}", stubs::MARKER, stubs::VERSION.replace('.', "_"));
     assert!(matches!(refused(&stub(&marker, "another_name")), Error::NoVersion));
@@ -274,7 +344,7 @@ fn what_cannot_be_linked_is_refused() {
 fn the_program_links_files() {
     let folder = tempfile::tempdir().unwrap();
     let [module, linked] = ["shader.spv", "linked.spv"].map(|name| folder.path().join(name));
-    let spirv = with_stubs(Language::Glsl, CALLER, |text| text);
+    let spirv = with_stubs(&GLSL, CALLER, |text| text);
     std::fs::write(&module, &spirv).unwrap();
     let link = || command([Path::new("link"), &module, Path::new("-o"), &linked]);
     let output = link().output().unwrap();
@@ -298,7 +368,7 @@ fn the_program_links_files() {
 /// What is linked has the functions that it calls, without linkage and without the others.
 #[test]
 fn what_is_not_used_is_removed() {
-    let linked = link::link(&with_stubs(Language::Glsl, CALLER, |text| text)).unwrap();
+    let linked = link::link(&with_stubs(&GLSL, CALLER, |text| text)).unwrap();
     let library = std::fs::read(repository().join("spirv").join(link::LIBRARY)).unwrap();
     assert!(linked.len() * 20 < library.len(), "{} bytes of {}", linked.len(), library.len());
     let text = String::from_utf8_lossy(&linked);
@@ -312,7 +382,7 @@ fn stubs_become_imports_by_the_script_of_the_docs() {
     let docs = std::fs::read_to_string(repository().join("docs/linking.md")).unwrap();
     let script = docs.split("```awk\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
     let formats: Vec<Format> = formats().filter(|format| format.element == Element::Frame).collect();
-    let module = with_stubs(Language::Glsl, &caller(Language::Glsl, &formats), |text| text);
+    let module = with_stubs(&GLSL, &caller(&GLSL, &formats), |text| text);
     std::fs::write(folder.path().join("shader.spv"), module).unwrap();
     std::fs::write(folder.path().join("imports.awk"), script).unwrap();
     std::fs::copy(repository().join("spirv").join(link::LIBRARY), folder.path().join(link::LIBRARY)).unwrap();

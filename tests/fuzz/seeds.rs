@@ -4,7 +4,6 @@ use crate::link;
 use base64::Engine;
 use std::fmt::Write;
 use unitvec_host::catalogue::find_format;
-use unitvec_host::link::stubs::Language;
 use unitvec_host::manifest::Manifest;
 use unitvec_host::modules::Modules;
 use unitvec_tests::repository;
@@ -255,9 +254,8 @@ pub fn module() -> Vec<Vec<u8>> {
 pub fn shader() -> Vec<Vec<u8>> {
     let ids = ["oct16", "oct48", "frame32"];
     let formats = ids.map(|id| find_format(id).unwrap());
-    let languages = [Language::Glsl, Language::Hlsl].into_iter();
-    let shaders = languages.flat_map(|language| {
-        formats.map(|format| link::with_stubs(language, &link::caller(language, &[format]), |text| text))
+    let shaders = [link::GLSL, link::HLSL].into_iter().flat_map(|front_end| {
+        formats.map(|format| link::with_stubs(&front_end, &link::caller(&front_end, &[format]), |text| text))
     });
     shaders.collect()
 }

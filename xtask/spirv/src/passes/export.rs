@@ -346,3 +346,129 @@ fn name_frame(library: &mut Module, n: usize) -> Result<()> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{LIBRARY_ENVIRONMENT, parse};
+    use super::*;
+    use spirv_tools::assembler::{self, Assembler, AssemblerOptions};
+    use spirv_tools::val::{self, Validator};
+    use unitvec_host::catalogue::{Operation, find_format};
+
+    /// A vertex shader that reads a code of two words, and writes a vector %8 and another, %9, with these lines at its end.
+    fn entry_point(end: &str) -> Module {
+        let text = format!(
+            r#"OpCapability Shader
+            OpMemoryModel Logical GLSL450
+            OpEntryPoint Vertex %1 "main" %7 %9 %8
+            OpDecorate %7 Location 0
+            OpDecorate %8 Location 0
+            OpDecorate %9 Location 1
+            %void = OpTypeVoid
+            %procedure = OpTypeFunction %void
+            %bool = OpTypeBool
+            %uint = OpTypeInt 32 0
+            %float = OpTypeFloat 32
+            %code = OpTypeVector %uint 2
+            %vector = OpTypeVector %float 3
+            %pointer_in = OpTypePointer Input %uint
+            %code_in = OpTypePointer Input %code
+            %pointer_out = OpTypePointer Output %float
+            %vector_out = OpTypePointer Output %vector
+            %u0 = OpConstant %uint 0
+            %u1 = OpConstant %uint 1
+            %u2 = OpConstant %uint 2
+            %7 = OpVariable %code_in Input
+            %8 = OpVariable %vector_out Output
+            %9 = OpVariable %vector_out Output
+            %1 = OpFunction %void None %procedure
+            %10 = OpLabel
+            %11 = OpInBoundsAccessChain %pointer_in %7 %u1
+            %12 = OpLoad %uint %11
+            %13 = OpConvertUToF %float %12
+            %14 = OpCompositeConstruct %vector %13 %13 %13
+            {end}
+            OpFunctionEnd"#
+        );
+        let options = AssemblerOptions { preserve_numeric_ids: true };
+        let binary = assembler::create(Some(LIBRARY_ENVIRONMENT)).assemble(&text, options).unwrap();
+        parse(binary.as_words()).unwrap()
+    }
+
+    /// One vector whole, the other by components.
+    const WRITES: &str = "OpStore %9 %14
+        %20 = OpAccessChain %pointer_out %8 %u0
+        %21 = OpAccessChain %pointer_out %8 %u1
+        %22 = OpAccessChain %pointer_out %8 %u2
+        OpStore %22 %13
+        OpStore %20 %13
+        OpStore %21 %13
+        OpReturn";
+
+    fn signature(id: &str) -> Signature {
+        Signature::of(find_format(id).unwrap(), Operation::Decode)
+    }
+
+    /// What was read is a parameter, what was written a struct in the order of locations.
+    #[test]
+    fn entry_points_become_functions() {
+        let mut module = entry_point(WRITES);
+        function(&mut module).unwrap();
+        assert_eq!((module.entry_points.len(), module.annotations.len()), (0, 0));
+        let function = &module.functions[0];
+        let parameter = function.parameters[0].result_id.unwrap();
+        let opcodes: Vec<Op> = function.blocks[0].instructions.iter().map(|line| line.class.opcode).collect();
+        use Op::*;
+        let expected =
+            [CompositeExtract, ConvertUToF, CompositeConstruct, CompositeConstruct, CompositeConstruct];
+        assert_eq!(opcodes, [&expected[..], &[ReturnValue]].concat());
+        let [extract, _, whole, parts, result, _] = function.blocks[0].instructions.as_slice() else {
+            panic!()
+        };
+        assert_eq!(extract.operands, [Operand::IdRef(parameter), Operand::LiteralBit32(1)]);
+        let members = [parts, whole].map(|line| Operand::IdRef(line.result_id.unwrap()));
+        assert_eq!(result.operands, members);
+    }
+
+    /// Both are exported under their names; the second calls the first.
+    #[test]
+    fn equal_functions_share_a_body() {
+        let functions = ["frame64", "oct48"].map(|id| {
+            let mut module = entry_point(WRITES);
+            function(&mut module).unwrap();
+            (signature(id), module)
+        });
+        let library = library(functions.into()).unwrap();
+        val::create(Some(LIBRARY_ENVIRONMENT)).validate(library.assemble(), None).unwrap();
+        let sizes = library.functions.iter().map(|function| function.blocks[0].instructions.len());
+        assert_eq!(sizes.collect::<Vec<_>>(), [6, 2]);
+        let exports = library.annotations.iter().filter_map(|line| match line.operands.as_slice() {
+            [_, Operand::Decoration(Decoration::LinkageAttributes), Operand::LiteralString(name), kind] => {
+                assert_eq!(*kind, Operand::LinkageType(LinkageType::Export));
+                Some(name.as_str())
+            }
+            _ => None,
+        });
+        assert_eq!(exports.collect::<Vec<_>>(), ["unitvec_frame64_decode", "unitvec_oct48_decode"]);
+    }
+
+    #[test]
+    fn entry_points_that_do_not_write_all_at_their_end_are_refused() {
+        let twice = "%15 = OpIEqual %bool %12 %u0
+            OpSelectionMerge %17 None
+            OpBranchConditional %15 %16 %17
+            %16 = OpLabel
+            OpReturn
+            %17 = OpLabel
+            OpStore %8 %14
+            OpStore %9 %14
+            OpReturn";
+        for (lines, reason) in [
+            ("OpStore %8 %14 OpReturn", "an output is not written"),
+            (twice, "the entry point ends in 2 places"),
+        ] {
+            let error = function(&mut entry_point(lines)).unwrap_err();
+            assert!(error.to_string().starts_with(reason), "{error}");
+        }
+    }
+}
