@@ -165,7 +165,8 @@ pub fn caller(front_end: &FrontEnd, formats: &[Format]) -> String {
 fn compile(front_end: &FrontEnd, text: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let ending = front_end.language.ending();
-    let [source, module] = [format!("shader.{ending}"), "shader.spv".to_owned()].map(|name| folder.path().join(name));
+    let [source, module] =
+        [format!("shader.{ending}"), "shader.spv".to_owned()].map(|name| folder.path().join(name));
     std::fs::write(&source, text).unwrap();
     let command =
         (front_end.command)().expect("UNITVEC_DXC or UNITVEC_SLANGC has to be the compiler's command");
@@ -317,7 +318,8 @@ fn what_cannot_be_linked_is_refused() {
     assert!(matches!(refused(&stub(&marker, "another_name")), Error::NoVersion));
     let other = refused(&stub(&marker, "unitvec_stubs_9_8_7"));
     assert!(matches!(&other, Error::OtherVersion { found } if found == "9.8.7"), "{other}");
-    let int = stub("uint unitvec_oct16_encode(const vec3 v) {", "int unitvec_oct16_encode(const vec3 v) {");
+    let begins = |of_type: &str| format!("{of_type} unitvec_oct16_encode(const vec3 v) {{ return {of_type}(");
+    let int = stub(&begins("uint"), &begins("int"));
     let wrong = refused(&int);
     assert!(
         matches!(&wrong, Error::WrongTypes { signature } if signature == "uint unitvec_oct16_encode(vec3 v)"),
