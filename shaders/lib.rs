@@ -33,7 +33,8 @@ pub fn glsl(path: &str) -> Option<&'static str> {
 }
 
 /// The text of a file of `shaders/`: `hlsl/oct.hlsl`. The folders are named after the languages, `hlsl`, `wgsl`, `slang`, `msl`,
-/// `glsl-es` and `godot`; those of languages without `precise` have a folder `exact` with the exact edition.
+/// `glsl-es` and `godot`; those of languages without `precise` have a folder `exact` with the exact edition. `stubs` has what
+/// shaders include that are linked with `unitvec.spv`.
 pub fn shader(path: &str) -> Option<&'static str> {
     // What lies beside the folders is this crate's own.
     path.contains('/').then(|| SHADERS.get_file(path)?.contents_utf8()).flatten()

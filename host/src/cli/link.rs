@@ -11,18 +11,18 @@ use unitvec_host::{Error, Result};
 #[derive(Args)]
 pub struct Arguments {
     /// Print the stubs that shaders of this language include, and link nothing.
-    #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with_all = ["module", "out"])]
+    #[arg(long, value_enum, value_name = "LANGUAGE", conflicts_with_all = ["module", "output"])]
     stubs: Option<stubs::Language>,
     /// SPIR-V module that calls stubs, - for the standard input.
     #[arg(required_unless_present = "stubs")]
     module: Option<PathBuf>,
     /// Linked module, - for the standard output. A file is replaced only once the new one is complete.
     #[arg(short, long, value_name = "FILE", required_unless_present = "stubs")]
-    out: Option<PathBuf>,
+    output: Option<PathBuf>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    match (arguments.stubs, &arguments.module, &arguments.out) {
+    match (arguments.stubs, &arguments.module, &arguments.output) {
         (None, Some(module), Some(out)) => link(module, out),
         (Some(language), ..) => print(&stubs::text(language)),
         // clap lets nothing else through.
