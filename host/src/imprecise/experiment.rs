@@ -1,12 +1,12 @@
 //! What one codec does on devices of each model.
 
-use super::{Model, Options, Outcome, Row, error_bounds, merged};
+use super::difference::{bits_differ, of_codes, of_elements};
+use super::{Model, Options, Outcome, Row, merged};
 use crate::backend::{Backend, BackendKind, CHUNK, Cpu, Gpu};
-use crate::catalogue::{Element, Format};
+use crate::catalogue::Format;
 use crate::sampling;
 use crate::{Error, Result};
 use std::collections::BTreeMap;
-use unitvec::angle_deg;
 
 /// Kernels on a device, by their source.
 pub type Gpus = BTreeMap<BackendKind, Gpu>;
@@ -89,37 +89,12 @@ impl Run<'_> {
         let mut expected = vec![0; elements.len() / format.element.floats() * format.bytes];
         Cpu.encode(format, elements, &mut expected)?;
         let mut codes = expected.clone();
-        let bounds = error_bounds(format);
         for model in &self.options.models {
             self.encode(Some(*model), elements, &mut codes)?;
-            let (differ, decoded) = self.decoded_where_different(elements, &codes, &expected)?;
-            let errors = angles(format.element, differ.as_slice(), &decoded);
-            let parts = errors.flat_map(|angles| [angles[0] / bounds[0], angles[1] / bounds[1]]);
-            let worst = parts.fold(0.0, f64::max);
-            let count = differ.len() / format.element.floats();
-            self.row.models.entry(*model).or_default().add(outcome(count as u64, worst));
+            let (differ, error) = of_codes(format, elements, &codes, &expected)?;
+            self.row.models.entry(*model).or_default().add(outcome(differ, error));
         }
         Ok(expected)
-    }
-
-    /// The elements whose codes differ from those expected, and what these codes are decoded to.
-    fn decoded_where_different(
-        &self,
-        elements: &[f32],
-        codes: &[u8],
-        expected: &[u8],
-    ) -> Result<(Vec<f32>, Vec<f32>)> {
-        let format = self.format;
-        let pairs = codes.chunks_exact(format.bytes).zip(expected.chunks_exact(format.bytes));
-        let all = elements.chunks_exact(format.element.floats()).zip(pairs);
-        let (mut differ, mut different) = (Vec::new(), Vec::new());
-        for (element, (code, _)) in all.filter(|(_, (code, expected))| code != expected) {
-            differ.extend_from_slice(element);
-            different.extend_from_slice(code);
-        }
-        let mut decoded = vec![0.0; differ.len()];
-        Cpu.decode(format, &different, &mut decoded)?;
-        Ok((differ, decoded))
     }
 
     /// Decodes codes on each device, and encodes on each what each decoded. Of codes that another seed had, only what
@@ -134,16 +109,7 @@ impl Run<'_> {
         for model in &self.options.models {
             let mut decoded = vec![0.0; expected.len()];
             self.decode(Some(*model), codes, &mut decoded)?;
-            let differences = decoded.iter().zip(&expected).map(|(a, b)| difference(*a, *b));
-            let differ = decoded.chunks_exact(floats).zip(expected.chunks_exact(floats));
-            let differ = differ.filter(|(decoded, expected)| bits_differ(decoded, expected)).count();
-            let angles = angles(format.element, &decoded, &expected);
-            self.row.models.entry(*model).or_default().add(Outcome {
-                elements_differ: differ as u64,
-                component_ulp: differences.fold(0.0, f64::max) * f64::from(1 << 24),
-                angle_deg: angles.flatten().fold(0.0, f64::max),
-                ..Outcome::default()
-            });
+            self.row.models.entry(*model).or_default().add(of_elements(self.format, &decoded, &expected));
             if model.rounds_to_nearest() {
                 devices.push((Some(*model), decoded));
             }
@@ -210,30 +176,4 @@ impl Run<'_> {
 
 fn name(model: Option<Model>) -> String {
     model.map_or_else(|| "exact".to_owned(), |model| model.to_string())
-}
-
-/// The difference of two numbers; infinite where one of them is NaN.
-fn difference(a: f32, b: f32) -> f64 {
-    let difference = (f64::from(a) - f64::from(b)).abs();
-    if difference.is_nan() { f64::INFINITY } else { difference }
-}
-
-fn bits_differ(a: &[f32], b: &[f32]) -> bool {
-    a.iter().zip(b).any(|(a, b)| a.to_bits() != b.to_bits())
-}
-
-/// The angles between elements, degrees: of vectors, and 0; of normals, and of tangents.
-fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = [f64; 2]> + 'a {
-    let vector = |of: &[f32], at: usize| [of[at], of[at + 1], of[at + 2]];
-    let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
-    pairs.map(move |(a, b)| {
-        let angle = |at| if bits_differ(a, b) { angle_or_all(vector(a, at), vector(b, at)) } else { 0.0 };
-        [angle(0), if element == Element::Frame { angle(3) } else { 0.0 }]
-    })
-}
-
-/// The angle in degrees; 180 where there is none.
-fn angle_or_all(a: [f32; 3], b: [f32; 3]) -> f64 {
-    let angle = angle_deg(a, b);
-    if angle.is_nan() { 180.0 } else { angle }
 }

@@ -2,12 +2,14 @@
 //! rounds well.
 
 mod bounds;
+mod difference;
 mod experiment;
 mod model;
 mod rewrite;
 mod summary;
 
 pub use bounds::Bounds;
+pub use difference::{of_codes, of_elements};
 pub use experiment::Gpus;
 pub use model::Model;
 pub use rewrite::{Error, rewrite};
@@ -79,7 +81,7 @@ pub struct Outcome {
 
 impl Outcome {
     /// Both, where they are of different elements.
-    fn add(&mut self, other: Self) {
+    pub fn add(&mut self, other: Self) {
         self.codes_differ += other.codes_differ;
         self.special_differ += other.special_differ;
         self.elements_differ += other.elements_differ;

@@ -1,0 +1,51 @@
+//! Compilers that are libraries of C or C++, which scripts in Python call: Microsoft's of HLSL, and that of Slang.
+
+use crate::job::{Each, Job};
+use crate::vulkan::Vulkan;
+use crate::{Result, told, tool};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+use std::process::Command;
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/python");
+
+/// A library, and the script that calls it.
+pub struct Compiler<'a> {
+    pub script: &'static str,
+    pub library: &'a Path,
+    pub arguments: &'static [&'static str],
+}
+
+impl Compiler<'_> {
+    /// Compiles, and runs on the device. Without one, what is handed on for a text that compiles are the words expected.
+    /// Warnings are errors. Returns the compiler's version.
+    pub fn run(&self, mut vulkan: Option<&mut Vulkan>, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
+        let texts: Vec<(String, &str)> =
+            jobs.iter().map(|job| (job.case.name(), job.text.as_str())).collect();
+        let texts = serde_json::to_vec(&texts).map_err(told)?;
+        let mut command = Command::new("python3");
+        command.arg(Path::new(FOLDER).join(self.script)).arg(self.library).args(self.arguments);
+        command.env("PYTHONDONTWRITEBYTECODE", "1");
+        tool::converse(&mut command, texts, |output| {
+            let mut lines = BufReader::new(output).lines();
+            let mut line = || match lines.next() {
+                Some(line) => line.map_err(told),
+                None => Err(format!("{} ended too soon", self.script)),
+            };
+            let version: String = serde_json::from_str(&line()?).map_err(told)?;
+            for job in jobs {
+                let (_, said, code): (String, String, String) =
+                    serde_json::from_str(&line()?).map_err(told)?;
+                let result = match &mut vulkan {
+                    _ if !said.is_empty() || code.is_empty() => Err(said),
+                    Some(vulkan) => vulkan.run(&STANDARD.decode(code).map_err(told)?, job.case),
+                    None => Ok(job.case.expected.clone()),
+                };
+                each(job.case, result)?;
+            }
+            Ok(version)
+        })
+    }
+}
