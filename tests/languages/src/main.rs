@@ -14,7 +14,7 @@ mod wgpu;
 
 use cases::Case;
 use clap::Parser;
-use job::{Each, Edition, Job};
+use job::{Each, Job};
 use report::{Row, Subject};
 use spirv::Compiler;
 use std::path::{Path, PathBuf};
@@ -22,8 +22,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 use tally::Tally;
 use unitvec_host::catalogue::{find_format, formats};
-use unitvec_host::shader::Language;
 use unitvec_host::vulkan::DeviceChoice;
+use unitvec_languages::{Edition, Language, Library};
 use vulkan::Vulkan;
 
 /// A result with what went wrong in words.
@@ -86,7 +86,11 @@ fn run(options: &Options) -> Result<()> {
         options.codec.iter().map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?
     };
     let cases = cases::cases(&formats).map_err(told)?;
-    let mut rows = Rows { cases: &cases, rows: Vec::new() };
+    let mut rows = Rows {
+        library: Library::parse(unitvec_shaders::glsl).map_err(told)?,
+        cases: &cases,
+        rows: Vec::new(),
+    };
     if let Some(library) = &options.dxc {
         rows.hlsl(library);
     }
@@ -118,6 +122,7 @@ const EDITIONS: [Edition; 2] = [Edition::Plain, Edition::Exact];
 
 /// What came of the compilers so far.
 struct Rows<'a> {
+    library: Library,
     cases: &'a [Case],
     rows: Vec<Row>,
 }
@@ -201,7 +206,7 @@ impl Rows<'_> {
     ) {
         let started = Instant::now();
         let mut tally = Tally::default();
-        let outcome = job::jobs(self.cases, subject.language, subject.edition)
+        let outcome = job::jobs(&self.library, self.cases, subject.language, subject.edition)
             .and_then(|jobs| run(&mut subject, &jobs, &mut |case, result| tally.add(case, result)));
         if let Err(error) = outcome {
             tally.faults.insert(0, error);

@@ -1,11 +1,10 @@
 //! The results, for the screen and for the docs.
 
-use crate::job::Edition;
 use crate::tally::Tally;
 use crate::{Result, told};
 use serde::Serialize;
 use std::path::Path;
-use unitvec_host::shader::Language;
+use unitvec_languages::{Edition, Language};
 
 /// A compiler and a driver.
 pub struct Subject {
@@ -34,7 +33,7 @@ impl Subject {
         match self.language {
             Language::Glsl | Language::Hlsl => true,
             Language::Msl => self.edition == Edition::Exact || !self.is_hostile,
-            Language::Wgsl | Language::Slang | Language::GlslEs => self.edition == Edition::Exact,
+            _ => self.edition == Edition::Exact,
         }
     }
 }
@@ -55,7 +54,7 @@ impl Row {
         let Subject { language, edition, compiler, driver, .. } = &self.subject;
         let o = &self.tally.outcome;
         let mut text = format!(
-            "{} {language:?} {edition}, {compiler}, {driver}: {} kernels, codes {} + {}, error {:.6}, vectors {}, 2^-24 {}, {:.2e} deg, {:.1} s",
+            "{} {language:?} {edition:?}, {compiler}, {driver}: {} kernels, codes {} + {}, error {:.6}, vectors {}, 2^-24 {}, {:.2e} deg, {:.1} s",
             if self.passed() { "PASS" } else { "FAIL" },
             self.tally.kernels,
             o.codes_differ,
@@ -73,7 +72,7 @@ impl Row {
             );
         }
         for fault in self.tally.faults.iter().take(5) {
-            text += &format!("\n    {fault}");
+            text += &format!("\n    {}", fault.lines().take(3).collect::<Vec<_>>().join(" "));
         }
         text
     }
