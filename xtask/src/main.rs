@@ -3,6 +3,7 @@
 //! No dependencies, so that it starts at once on a fresh machine.
 
 mod drivers;
+mod languages;
 mod packages;
 mod processors;
 mod setup;
@@ -24,6 +25,9 @@ usage: cargo xtask <command>
   test [--exhaustive] [--fuzz] [arguments    install what is missing, then run all tests; --exhaustive adds those of all
        of `cargo test`]                      2^32 codes of the 32-bit codecs, minutes a codec; --fuzz adds 10^6 mutated
                                              files, minutes
+  test --languages [--all] [--record]        fetch the compilers of all shading languages, run what they make of the
+       [--codec ID]...                       codecs, and compare with the CPU; --all fails where one cannot be had, as
+                                             with CI set; --record writes what the docs say of it
   setup                                      install what is missing, and nothing else
   spirv [--check | --example]                test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
                                              instead, and builds examples/rust-gpu; --example builds that alone
@@ -50,6 +54,9 @@ fn main() -> ExitCode {
     let started = Instant::now();
     let outcome = match command.as_str() {
         "conform" => conform(rest),
+        "test" if rest.iter().any(|argument| argument == "--languages") => {
+            languages::run(&repository(), rest)
+        }
         "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
@@ -111,8 +118,13 @@ fn test(arguments: &[String]) -> Result<(), String> {
         arguments.iter().partition(|argument| *argument == "--exhaustive");
     let (fuzz, others): (Vec<_>, Vec<_>) = others.into_iter().partition(|argument| *argument == "--fuzz");
     let pending = setup::begin()?;
-    let selection =
-        ["test", "--workspace", "--exclude=xtask-spirv", "--exclude=xtask-header", "--exclude=unitvec-bench"];
+    let left_out = [
+        "--exclude=xtask-spirv",
+        "--exclude=xtask-header",
+        "--exclude=unitvec-bench",
+        "--exclude=unitvec-language-tests",
+    ];
+    let selection = ["test", "--workspace"].into_iter().chain(left_out).collect::<Vec<_>>();
     println!("xtask: building; the first build takes minutes");
     let of_cargo: Vec<_> = others.iter().take_while(|argument| **argument != "--").collect();
     let is_split = !of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(&argument.as_str()));

@@ -2,7 +2,7 @@
 
 use crate::{Result, told};
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::Arc;
 use unitvec_host::catalogue::{Domain, Format, Operation};
 use unitvec_host::sampling;
 use unitvec_host::shader::kernel;
@@ -20,7 +20,7 @@ const SEED: u64 = 15;
 pub struct Case {
     pub format: Format,
     pub operation: Operation,
-    pub input: Rc<[u32]>,
+    pub input: Arc<[u32]>,
     pub expected: Vec<u32>,
 }
 
@@ -90,7 +90,7 @@ pub fn stored(format: &Format, words: &[u32]) -> Vec<u8> {
 }
 
 /// Random elements of the domain, and some of the special ones, evenly taken.
-fn elements_of(format: &Format) -> Rc<[u32]> {
+fn elements_of(format: &Format) -> Arc<[u32]> {
     let floats = format.element.floats();
     let random = sampling::random_elements(format.element, format.domain, SEED).take(RANDOM * floats);
     let special: Vec<&[f32]> = sampling::special_elements(format.element).chunks_exact(floats).collect();
@@ -99,7 +99,7 @@ fn elements_of(format: &Format) -> Rc<[u32]> {
 }
 
 /// Random codes, and special ones.
-fn codes_of(format: &Format) -> Rc<[u32]> {
+fn codes_of(format: &Format) -> Arc<[u32]> {
     let special = sampling::special_codes();
     let special = (0..SPECIAL).map(|n| special[n * special.len() / SPECIAL]);
     let codes: Vec<u64> = sampling::random_codes(SEED).take(RANDOM).chain(special).collect();

@@ -18,12 +18,14 @@ use job::{Each, Job};
 use report::{Row, Subject};
 use spirv::Compiler;
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
+use std::sync::{Mutex, PoisonError};
+use std::thread;
 use std::time::Instant;
 use tally::Tally;
 use unitvec_host::catalogue::{find_format, formats};
+use unitvec_host::shader::{Edition, Language};
 use unitvec_host::vulkan::DeviceChoice;
-use unitvec_languages::{Edition, Language, Library};
 use vulkan::Vulkan;
 
 /// A result with what went wrong in words.
@@ -86,74 +88,90 @@ fn run(options: &Options) -> Result<()> {
         options.codec.iter().map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?
     };
     let cases = cases::cases(&formats).map_err(told)?;
-    let mut rows = Rows {
-        library: Library::parse(unitvec_shaders::glsl).map_err(told)?,
-        cases: &cases,
-        rows: Vec::new(),
-    };
-    if let Some(library) = &options.dxc {
-        rows.hlsl(library);
+    let rows = Rows { cases: &cases, rows: Mutex::default() };
+    // Clients of the web wait half of the time.
+    thread::scope(|scope| {
+        scope.spawn(|| rows.of_clients(options));
+        rows.of_libraries(options);
+    });
+    let mut rows = rows.rows.into_inner().unwrap_or_else(PoisonError::into_inner);
+    rows.sort_by_key(Row::order);
+    println!("\n{}", report::table(&rows));
+    // What failed is recorded too: a test says so.
+    if let Some(path) = &options.record {
+        report::record(&rows, path)?;
     }
-    if let Some(library) = &options.slang {
-        rows.slang(library);
-    }
-    if options.wgpu {
-        rows.wgpu();
-    }
-    if let Some(addon) = &options.dawn {
-        rows.dawn(addon, &options.icd);
-    }
-    if let Some(root) = &options.chromium {
-        rows.chromium(root, &options.scratch);
-    }
-    if options.clang {
-        rows.msl(&options.scratch);
-    }
-    let rows = rows.rows;
-    print!("{}", report::table(&rows));
-    report::verdict(&rows)?;
-    match &options.record {
-        Some(path) => report::record(&rows, path),
-        None => Ok(()),
-    }
+    report::verdict(&rows)
 }
 
 const EDITIONS: [Edition; 2] = [Edition::Plain, Edition::Exact];
 
 /// What came of the compilers so far.
 struct Rows<'a> {
-    library: Library,
     cases: &'a [Case],
-    rows: Vec<Row>,
+    rows: Mutex<Vec<Row>>,
 }
 
 impl Rows<'_> {
-    fn hlsl(&mut self, library: &Path) {
+    /// Compilers whose code this program runs, or starts.
+    fn of_libraries(&self, options: &Options) {
+        if let Some(library) = &options.dxc {
+            self.hlsl(library);
+        }
+        if let Some(library) = &options.slang {
+            self.slang(library);
+        }
+        if options.wgpu {
+            self.wgpu();
+        }
+        if options.clang {
+            self.msl(&options.scratch.join("msl"));
+        }
+    }
+
+    /// Programs that compile and run by themselves.
+    fn of_clients(&self, options: &Options) {
+        if let Some(addon) = &options.dawn {
+            for icd in &options.icd {
+                let client = web::Client::Dawn { addon: addon.clone(), icd: icd.clone() };
+                self.browse(&client, Language::Wgsl);
+            }
+        }
+        if let Some(root) = &options.chromium {
+            for (language, script) in [(Language::Wgsl, "webgpu"), (Language::GlslEs, "webgl")] {
+                let (root, profile) = (root.clone(), options.scratch.join("profile"));
+                self.browse(&web::Client::Chromium { root, script, profile }, language);
+            }
+        }
+    }
+
+    fn hlsl(&self, library: &Path) {
         let compiler = |arguments| Compiler { script: "dxc.py", library, arguments };
         let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC");
         self.spirv(subject, &compiler(&["-spirv", "-fspv-target-env=vulkan1.1"]));
+        // Not checked: the library that does is Windows'.
         let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").only_compiled();
-        self.spirv(subject, &compiler(&[]));
+        self.spirv(subject, &compiler(&["-Vd"]));
     }
 
-    fn slang(&mut self, library: &Path) {
+    fn slang(&self, library: &Path) {
         for edition in EDITIONS {
             let compiler = Compiler { script: "slang.py", library, arguments: &[] };
             self.spirv(Subject::new(Language::Slang, edition, "Slang"), &compiler);
         }
     }
 
-    fn spirv(&mut self, subject: Subject, compiler: &Compiler<'_>) {
+    fn spirv(&self, subject: Subject, compiler: &Compiler<'_>) {
         self.add(subject, |subject, jobs, each| {
             let mut vulkan = if subject.is_run { Some(Vulkan::new(&lavapipe())?) } else { None };
-            subject.driver = vulkan.as_ref().map(Vulkan::driver).unwrap_or_default();
             let version = compiler.run(vulkan.as_mut(), jobs, each)?;
             subject.compiler = format!("{} {version}", subject.compiler);
+            subject.driver = vulkan.as_ref().map(Vulkan::driver).unwrap_or_default();
             Ok(())
         });
     }
 
-    fn wgpu(&mut self) {
+    fn wgpu(&self) {
         let name = format!("wgpu {}", report::locked("wgpu"));
         for edition in EDITIONS {
             self.add(Subject::new(Language::Wgsl, edition, &name), |subject, jobs, each| {
@@ -164,56 +182,39 @@ impl Rows<'_> {
         }
     }
 
-    fn dawn(&mut self, addon: &Path, icds: &[PathBuf]) {
-        for icd in icds {
-            let client = web::Client::Dawn { addon: addon.to_owned(), icd: icd.clone() };
-            self.browse(&client, Language::Wgsl, "Dawn");
-        }
-    }
-
-    fn chromium(&mut self, root: &Path, scratch: &Path) {
-        for (language, script) in [(Language::Wgsl, "webgpu"), (Language::GlslEs, "webgl")] {
-            let (root, profile) = (root.to_owned(), scratch.join("profile"));
-            self.browse(&web::Client::Chromium { root, script, profile }, language, "Chromium");
-        }
-    }
-
-    fn browse(&mut self, client: &web::Client, language: Language, name: &str) {
+    fn browse(&self, client: &web::Client, language: Language) {
         for edition in EDITIONS {
-            self.add(Subject::new(language, edition, name), |subject, jobs, each| {
+            self.add(Subject::new(language, edition, &client.name()), |subject, jobs, each| {
                 subject.driver = web::run(client, jobs, each)?;
                 Ok(())
             });
         }
     }
 
-    fn msl(&mut self, scratch: &Path) {
-        let hostile = &metal::HOSTILE[..];
-        for (edition, options) in
-            [(Edition::Plain, &[][..]), (Edition::Plain, hostile), (Edition::Exact, hostile)]
+    fn msl(&self, scratch: &Path) {
+        let version = tool::output(Command::new("clang++").arg("-dumpversion")).unwrap_or_default();
+        let name = format!("clang {}", version.trim());
+        for (edition, is_hostile) in [(Edition::Plain, false), (Edition::Plain, true), (Edition::Exact, true)]
         {
-            let mut subject = Subject::new(Language::Msl, edition, "clang");
-            subject.is_hostile = !options.is_empty();
-            self.add(subject, |_, jobs, each| metal::run(options, &scratch.join("msl"), jobs, each));
+            let subject = Subject::new(Language::Msl, edition, &name).hostile(is_hostile);
+            let options: &[&str] = if is_hostile { &metal::HOSTILE } else { &[] };
+            self.add(subject, |_, jobs, each| metal::run(options, scratch, jobs, each));
         }
     }
 
     /// Runs all cases.
-    fn add(
-        &mut self,
-        mut subject: Subject,
-        run: impl FnOnce(&mut Subject, &[Job<'_>], Each<'_>) -> Result<()>,
-    ) {
+    fn add(&self, mut subject: Subject, run: impl FnOnce(&mut Subject, &[Job<'_>], Each<'_>) -> Result<()>) {
         let started = Instant::now();
         let mut tally = Tally::default();
-        let outcome = job::jobs(&self.library, self.cases, subject.language, subject.edition)
+        let outcome = job::jobs(self.cases, subject.language, subject.edition)
             .and_then(|jobs| run(&mut subject, &jobs, &mut |case, result| tally.add(case, result)));
         if let Err(error) = outcome {
             tally.faults.insert(0, error);
         }
+        subject.driver = report::short_driver(&subject.driver);
         let row = Row { subject, tally, seconds: started.elapsed().as_secs_f64() };
-        println!("{}", row.line());
-        self.rows.push(row);
+        print!("{}", row.told());
+        self.rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
     }
 }
 

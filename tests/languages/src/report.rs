@@ -1,21 +1,36 @@
 //! The results, for the screen and for the docs.
 
+use crate::cases::{RANDOM, SPECIAL};
 use crate::tally::Tally;
 use crate::{Result, told};
 use serde::Serialize;
 use std::path::Path;
-use unitvec_languages::{Edition, Language};
+use unitvec_host::imprecise::Outcome;
+use unitvec_host::shader::{Edition, Language};
 
 /// A compiler and a driver.
 pub struct Subject {
     pub language: Language,
     pub edition: Edition,
+    /// Name and version.
     pub compiler: String,
     pub driver: String,
     /// True where the compiler may take arithmetic for that of real numbers.
     pub is_hostile: bool,
     /// False where there is nothing to run the code on.
     pub is_run: bool,
+}
+
+/// What results are promised to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Promise {
+    /// Those of the CPU, to the bit.
+    Equal,
+    /// As good as the codec's error bound says: see [`crate::tally::Bounds`].
+    Bounded,
+    /// Anything.
+    None,
 }
 
 impl Subject {
@@ -28,13 +43,30 @@ impl Subject {
         Self { is_run: false, ..self }
     }
 
-    /// True where the results have to be those of the CPU.
-    pub fn is_exact(&self) -> bool {
-        match self.language {
-            Language::Glsl | Language::Hlsl => true,
-            Language::Msl => self.edition == Edition::Exact || !self.is_hostile,
-            _ => self.edition == Edition::Exact,
+    pub fn hostile(self, is_hostile: bool) -> Self {
+        Self { is_hostile, ..self }
+    }
+
+    /// GLSL, HLSL and MSL have means of their own to keep arithmetic as it is written, where the compiler heeds them.
+    pub fn promise(&self) -> Promise {
+        let has_means = matches!(self.language, Language::Glsl | Language::Hlsl | Language::Msl);
+        match (self.edition, self.is_hostile) {
+            (Edition::Exact, _) => Promise::Equal,
+            (Edition::Plain, true) => Promise::None,
+            (Edition::Plain, false) if has_means => Promise::Equal,
+            (Edition::Plain, false) => Promise::Bounded,
         }
+    }
+
+    fn edition(&self) -> &'static str {
+        match self.edition {
+            Edition::Plain => "plain",
+            Edition::Exact => "exact",
+        }
+    }
+
+    fn options(&self) -> &'static str {
+        if self.is_hostile { "fast math" } else { "" }
     }
 }
 
@@ -45,54 +77,147 @@ pub struct Row {
     pub seconds: f64,
 }
 
+/// A line of the record.
+#[derive(Serialize)]
+struct Record<'a> {
+    language: &'a str,
+    edition: &'a str,
+    compiler: &'a str,
+    options: &'a str,
+    driver: &'a str,
+    kernels: usize,
+    /// Of each kernel.
+    random: usize,
+    special: usize,
+    codes_differ: u64,
+    special_differ: u64,
+    /// Largest error of a random element whose code differs, as a part of the codec's bound.
+    error: String,
+    elements_differ: u64,
+    /// Largest difference of a component, in 2^-24.
+    component: String,
+    /// Largest angle between a decoded vector and the CPU's, as a part of the codec's error bound.
+    angle: String,
+    promise: Promise,
+}
+
 impl Row {
-    fn passed(&self) -> bool {
-        self.tally.faults.is_empty() && (!self.subject.is_exact() || self.tally.mismatches() == 0)
+    /// What speaks against it, in words.
+    fn objections(&self) -> Vec<String> {
+        let mut objections = self.tally.faults.clone();
+        match self.subject.promise() {
+            Promise::Equal => objections.extend(self.tally.differing.clone()),
+            Promise::Bounded => objections.extend(self.tally.out_of_bounds.clone()),
+            Promise::None => {}
+        }
+        objections
     }
 
-    pub fn line(&self) -> String {
-        let Subject { language, edition, compiler, driver, .. } = &self.subject;
-        let o = &self.tally.outcome;
+    fn record(&self) -> Record<'_> {
+        let Self { subject, tally, .. } = self;
+        let Outcome { codes_differ, special_differ, error, elements_differ, component_ulp, .. } =
+            tally.outcome;
+        Record {
+            language: subject.language.name(),
+            edition: subject.edition(),
+            compiler: &subject.compiler,
+            options: subject.options(),
+            driver: &subject.driver,
+            kernels: tally.kernels,
+            random: RANDOM,
+            special: SPECIAL,
+            codes_differ,
+            special_differ,
+            error: number(error),
+            elements_differ,
+            component: number(component_ulp),
+            angle: number(tally.angle),
+            promise: subject.promise(),
+        }
+    }
+
+    /// Languages in their order, plain editions first; compilers and drivers by name.
+    pub fn order(&self) -> impl Ord + use<> {
+        let Subject { language, edition, compiler, driver, is_hostile, .. } = &self.subject;
+        (*language, compiler.clone(), *is_hostile, driver.clone(), *edition)
+    }
+
+    /// For the screen.
+    pub fn told(&self) -> String {
+        const SHOWN: usize = 12;
+        let record = self.record();
+        let objections = self.objections();
+        let verdict = if objections.is_empty() { "PASS" } else { "FAIL" };
+        let subject = [record.language, record.edition, record.compiler, record.options, record.driver];
+        let subject = subject.iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join(", ");
         let mut text = format!(
-            "{} {language:?} {edition:?}, {compiler}, {driver}: {} kernels, codes {} + {}, error {:.6}, vectors {}, 2^-24 {}, {:.2e} deg, {:.1} s",
-            if self.passed() { "PASS" } else { "FAIL" },
-            self.tally.kernels,
-            o.codes_differ,
-            o.special_differ,
-            o.error,
-            o.elements_differ,
-            o.component_ulp,
-            o.angle_deg,
+            "{verdict} {subject}: {} kernels, {} + {} codes differ (error {} of the bound), {} vectors differ (components {} \
+             2^-24, angle {} of the bound); {:.0} s\n",
+            record.kernels,
+            record.codes_differ,
+            record.special_differ,
+            record.error,
+            record.elements_differ,
+            record.component,
+            record.angle,
             self.seconds
         );
-        for (name, o) in &self.tally.differing {
-            text += &format!(
-                "\n    {name}: codes {} + {}, error {:.6}, vectors {}, 2^-24 {}, {:.2e} deg",
-                o.codes_differ, o.special_differ, o.error, o.elements_differ, o.component_ulp, o.angle_deg
-            );
+        for objection in objections.iter().take(SHOWN) {
+            let lines: Vec<&str> =
+                objection.lines().map(str::trim).filter(|line| !line.is_empty()).take(4).collect();
+            text += &format!("     {}\n", lines.join(" "));
         }
-        for fault in self.tally.faults.iter().take(5) {
-            text += &format!("\n    {}", fault.lines().take(3).collect::<Vec<_>>().join(" "));
+        if objections.len() > SHOWN {
+            text += &format!("     and {} more\n", objections.len() - SHOWN);
         }
         text
     }
 }
 
-pub fn table(_rows: &[Row]) -> String {
-    String::new()
+/// Two digits.
+fn number(value: f64) -> String {
+    if value == 0.0 || value >= 10.0 { format!("{value:.0}") } else { format!("{value:.2}") }
 }
 
+/// A driver's name and version, without the words that each implementation adds.
+pub fn short_driver(told: &str) -> String {
+    if told.to_lowercase().contains("swiftshader") {
+        return "SwiftShader".to_owned();
+    }
+    match told.split_once("Mesa ").and_then(|(_, version)| version.split([' ', '-']).next()) {
+        Some(version) => format!("lavapipe of Mesa {version}"),
+        None => told.replace(',', " "),
+    }
+}
+
+/// All verdicts, a line each.
+pub fn table(rows: &[Row]) -> String {
+    let mut text = String::from("        codes + special  vectors  compiler\n");
+    for row in rows {
+        let record = row.record();
+        let verdict = if row.objections().is_empty() { "PASS" } else { "FAIL" };
+        let parts = [record.language, record.edition, record.compiler, record.options, record.driver];
+        let subject = parts.iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join(", ");
+        let (codes, special, vectors) = (record.codes_differ, record.special_differ, record.elements_differ);
+        text += &format!("{verdict}  {codes:>8} {special:>8} {vectors:>8}  {subject}\n");
+    }
+    text
+}
+
+/// Fails where any promise was not kept.
 pub fn verdict(rows: &[Row]) -> Result<()> {
-    let failed = rows.iter().filter(|row| !row.passed()).count();
-    if failed == 0 { Ok(()) } else { Err(format!("{failed} of {} fail", rows.len())) }
+    let failed = rows.iter().filter(|row| !row.objections().is_empty()).count();
+    if rows.is_empty() {
+        return Err("nothing ran".to_owned());
+    }
+    if failed == 0 { Ok(()) } else { Err(format!("{failed} of {} compilers and drivers fail", rows.len())) }
 }
 
-#[derive(Serialize)]
-struct Record {}
-
-pub fn record(_rows: &[Row], _path: &Path) -> Result<()> {
-    let _ = told("");
-    Ok(())
+/// Writes all rows, for the docs.
+pub fn record(rows: &[Row], path: &Path) -> Result<()> {
+    let mut writer = csv::Writer::from_path(path).map_err(told)?;
+    rows.iter().try_for_each(|row| writer.serialize(row.record())).map_err(told)?;
+    writer.flush().map_err(told)
 }
 
 /// The version of a package in Cargo.lock.
@@ -101,4 +226,41 @@ pub fn locked(package: &str) -> String {
     let name = format!("name = \"{package}\"\nversion = \"");
     let version = lock.split(&name).nth(1).and_then(|rest| rest.split('"').next());
     version.unwrap_or_default().to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn drivers_are_named_alike() {
+        for (told, name) in [
+            ("llvmpipe Mesa 22.3.6 (LLVM 15.0.6)", "lavapipe of Mesa 22.3.6"),
+            ("llvmpipe: Mesa 25.0.7-2~bpo12+1 (LLVM 15.0.6) 0.0.1", "lavapipe of Mesa 25.0.7"),
+            ("google swiftshader", "SwiftShader"),
+            ("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device), SwiftShader driver)", "SwiftShader"),
+        ] {
+            assert_eq!(short_driver(told), name);
+        }
+    }
+
+    #[test]
+    fn promises_are_those_of_the_docs() {
+        let promise =
+            |language, edition, hostile| Subject::new(language, edition, "").hostile(hostile).promise();
+        assert_eq!(promise(Language::Hlsl, Edition::Plain, false), Promise::Equal);
+        assert_eq!(promise(Language::Msl, Edition::Plain, false), Promise::Equal);
+        assert_eq!(promise(Language::Msl, Edition::Plain, true), Promise::None);
+        assert_eq!(promise(Language::Msl, Edition::Exact, true), Promise::Equal);
+        for language in [Language::Wgsl, Language::Slang, Language::GlslEs] {
+            assert_eq!(promise(language, Edition::Plain, false), Promise::Bounded);
+            assert_eq!(promise(language, Edition::Exact, false), Promise::Equal);
+        }
+    }
+
+    #[test]
+    fn versions_come_from_the_lock() {
+        assert!(locked("wgpu").starts_with("30."), "{}", locked("wgpu"));
+        assert_eq!(locked("no-such-package"), "");
+    }
 }

@@ -1,4 +1,5 @@
-//! Drivers out of Debian's packages, unpacked into a folder: nothing is installed, and nobody need be root.
+//! Drivers, and programs with one, out of Debian's packages, unpacked into a folder: nothing is installed, and nobody need be
+//! root.
 
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -14,7 +15,9 @@ pub struct Packaged {
     library: &'static str,
     /// Archives and suites with all that is fetched. The last has the driver.
     suites: &'static [(&'static str, &'static str)],
-    /// Whether it is of a newer release than the other drivers. Then all that it needs is fetched too, down to the C library.
+    /// Whether all that it needs is fetched too, down to the C library.
+    has_dependencies: bool,
+    /// Whether it is of a newer release than the other drivers, and so takes the C library that was fetched.
     is_newer: bool,
 }
 
@@ -25,6 +28,7 @@ pub const PACKAGED: [Packaged; 3] = [
         package: "mesa-vulkan-drivers",
         library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
         suites: &[("debian", "bookworm-backports")],
+        has_dependencies: false,
         is_newer: false,
     },
     Packaged {
@@ -32,6 +36,7 @@ pub const PACKAGED: [Packaged; 3] = [
         package: "chromium-common",
         library: "usr/lib/chromium/libvk_swiftshader.so",
         suites: &[("debian-security", "bookworm-security")],
+        has_dependencies: false,
         is_newer: false,
     },
     Packaged {
@@ -39,9 +44,20 @@ pub const PACKAGED: [Packaged; 3] = [
         package: "mesa-vulkan-drivers",
         library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
         suites: &[("debian", "trixie"), ("debian", "trixie-backports")],
+        has_dependencies: true,
         is_newer: true,
     },
 ];
+
+/// A browser, with the SwiftShader of the same name among the drivers.
+pub const CHROMIUM: Packaged = Packaged {
+    name: "Chromium",
+    package: "chromium",
+    library: "usr/lib/chromium/chromium",
+    suites: &[("debian", "bookworm"), ("debian-security", "bookworm-security")],
+    has_dependencies: true,
+    is_newer: false,
+};
 
 /// The release that the drivers that are not newer need the libraries of.
 const RELEASE: &str = "bookworm";
@@ -69,12 +85,17 @@ impl Packaged {
         self.is_newer
     }
 
-    /// The driver's file for Vulkan's loader, which is there once all of the driver is.
+    /// The driver's file for Vulkan's loader.
     pub fn icd(&self, cache: &Path) -> PathBuf {
         self.folder(cache).join("icd.json")
     }
 
-    /// What tells the driver's version: its package and the package's version.
+    /// The folder in the place of the system's root.
+    pub fn root(&self, cache: &Path) -> PathBuf {
+        self.folder(cache).join("unpacked")
+    }
+
+    /// What tells the driver's version: its package and the package's version. It is there once all of the driver is.
     pub fn version(&self, cache: &Path) -> Option<String> {
         fs::read_to_string(self.folder(cache).join("version")).ok()
     }
@@ -84,13 +105,13 @@ impl Packaged {
         if !self.is_newer {
             return Vec::new();
         }
-        let libraries = self.folder(cache).join("unpacked/usr/lib/x86_64-linux-gnu");
+        let libraries = self.root(cache).join("usr/lib/x86_64-linux-gnu");
         vec![libraries.join("ld-linux-x86-64.so.2").into(), "--library-path".into(), libraries.into()]
     }
 
     /// Fetches what is not there yet.
     pub fn fetch(&self, cache: &Path) -> Result<(), Missing> {
-        if self.icd(cache).is_file() {
+        if self.version(cache).is_some() {
             return Ok(());
         }
         let system = fs::read_to_string("/etc/os-release").unwrap_or_default();
@@ -144,26 +165,26 @@ impl Packaged {
         }
         let apt = Apt::new(folder.join("apt"), &self.sources()).map_err(failed)?;
         apt.get(&["update"])?;
-        if self.is_newer {
+        if self.has_dependencies {
             let only = ["install", "--yes", "--download-only", "--no-install-recommends"];
-            // The program loads Vulkan's loader, which the driver does not ask for.
+            // Programs load Vulkan's loader, which the drivers do not ask for.
             let what = ["--target-release", self.suite().1, self.package, "libvulkan1"];
             apt.get(&[&only[..], &what].concat())?;
         } else {
             apt.get(&["download", self.package])?;
         }
         let root = folder.join("unpacked");
+        let mut versions = String::new();
         for package in apt.packages().map_err(failed)? {
             run(Command::new("dpkg-deb").arg("--extract").arg(&package).arg(&root))?;
-            if let Some(version) = version_of(&package, self.package) {
-                fs::write(folder.join("version"), version).map_err(failed)?;
-            }
+            versions += &version_of(&package, self.package).unwrap_or_default();
         }
         if !root.join(self.library).is_file() {
             return Err(format!("the package has no {}", self.library));
         }
         fs::remove_dir_all(&apt.folder).map_err(failed)?;
-        fs::write(folder.join("icd.json"), self.manifest()).map_err(failed)
+        fs::write(folder.join("icd.json"), self.manifest()).map_err(failed)?;
+        fs::write(folder.join("version"), versions).map_err(failed)
     }
 
     fn sources(&self) -> String {
@@ -267,7 +288,7 @@ mod tests {
     fn only_what_the_system_can_run_is_fetched() {
         let trixie = BOOKWORM.replace("bookworm", "trixie");
         let ubuntu = BOOKWORM.replace("ID=debian", "ID=ubuntu");
-        for driver in &PACKAGED {
+        for driver in PACKAGED.iter().chain([&CHROMIUM]) {
             assert_eq!(driver.refusal(BOOKWORM, "x86_64"), None, "{}", driver.title());
             assert_eq!(driver.refusal(&trixie, "x86_64").is_none(), driver.is_newer, "{}", driver.title());
             for refused in [driver.refusal(&ubuntu, "x86_64"), driver.refusal(BOOKWORM, "aarch64")] {
@@ -280,7 +301,7 @@ mod tests {
     /// Packages are checked against Debian's keys, whatever the system's apt allows.
     #[test]
     fn nothing_unsigned_is_fetched() {
-        for driver in &PACKAGED {
+        for driver in PACKAGED.iter().chain([&CHROMIUM]) {
             let sources = driver.sources();
             assert!(
                 sources.lines().all(|line| line.contains("signed-by=/usr/share/keyrings/debian-archive"))

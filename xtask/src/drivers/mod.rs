@@ -1,6 +1,6 @@
 //! `cargo xtask conform --drivers`: `unitvec conform` on every Vulkan driver of this machine, each by itself.
 
-mod debian;
+pub mod debian;
 
 use debian::{Missing, PACKAGED, Packaged};
 use std::collections::HashSet;

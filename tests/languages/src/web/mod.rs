@@ -3,7 +3,7 @@
 
 use crate::cases::COUNT;
 use crate::job::{Each, Job};
-use crate::{Result, told};
+use crate::{Result, told, tool};
 use serde::Serialize;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -32,6 +32,22 @@ pub enum Client {
 }
 
 impl Client {
+    /// What it is, and its version.
+    pub fn name(&self) -> String {
+        match self {
+            // The package's folder has the version in its name.
+            Self::Dawn { addon, .. } => {
+                let mut folders = addon.iter().map(|name| name.to_string_lossy());
+                let version = folders.find_map(|name| name.strip_prefix("webgpu-").map(str::to_owned));
+                format!("Dawn of webgpu {}", version.unwrap_or_default())
+            }
+            Self::Chromium { root, profile, .. } => {
+                let version = tool::output(chromium(root, profile).arg("--version"));
+                version.unwrap_or_else(|_| "Chromium".to_owned()).trim().to_owned()
+            }
+        }
+    }
+
     fn command(&self, url: &str) -> Command {
         match self {
             Self::Dawn { addon, icd } => {
@@ -41,14 +57,16 @@ impl Client {
                 command
             }
             Self::Chromium { root, script, profile } => {
-                chromium(root, &format!("{url}/?language={script}"), profile)
+                let mut command = chromium(root, profile);
+                command.arg(format!("{url}/?language={script}")).stdout(Stdio::null()).stderr(Stdio::null());
+                command
             }
         }
     }
 }
 
 /// Chromium with its libraries from `root`, which need not be installed.
-fn chromium(root: &Path, url: &str, profile: &Path) -> Command {
+fn chromium(root: &Path, profile: &Path) -> Command {
     let libraries = root.join("usr/lib/x86_64-linux-gnu");
     let mut paths = OsString::from(&libraries);
     paths.push(":");
@@ -59,10 +77,7 @@ fn chromium(root: &Path, url: &str, profile: &Path) -> Command {
         .args(["--enable-unsafe-webgpu", "--use-webgpu-adapter=swiftshader"])
         .args(["--use-angle=swiftshader", "--enable-unsafe-swiftshader"])
         .arg(format!("--user-data-dir={}", profile.display()))
-        .arg(url)
-        .env("LD_LIBRARY_PATH", paths)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null());
+        .env("LD_LIBRARY_PATH", paths);
     command
 }
 
@@ -78,12 +93,9 @@ struct Told<'a> {
 /// Compiles and runs. Returns what the client says of its device.
 pub fn run(client: &Client, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
     let server = Server::http("127.0.0.1:0").map_err(told)?;
-    let mut child = client.command(&format!("http://{}", server.server_addr())).spawn().map_err(|error| {
-        format!(
-            "{} cannot be started: {error}",
-            if matches!(client, Client::Dawn { .. }) { "node" } else { "Chromium" }
-        )
-    })?;
+    let mut command = client.command(&format!("http://{}", server.server_addr()));
+    let program = command.get_program().to_string_lossy().into_owned();
+    let mut child = command.spawn().map_err(|error| format!("{program} cannot be started: {error}"))?;
     let device = serve(&server, &mut child, jobs, each);
     // Chromium does not end by itself.
     let _ = child.kill();

@@ -1,0 +1,275 @@
+//! The compilers of all shading languages: fetched from package registries into `target/languages`, and given to the program
+//! of `tests/languages`, which compiles with them, runs what they made, and compares.
+
+use crate::drivers::debian::{CHROMIUM, Missing, PACKAGED, Packaged};
+use crate::{cargo, run as run_command, setup};
+use std::ffi::OsString;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// Where the results for the docs stand.
+const RECORD: &str = "docs/data/languages.csv";
+
+const PACKAGE: [&str; 2] = ["--package", "unitvec-language-tests"];
+
+/// A file of a package registry, and what of it is unpacked.
+struct Archive {
+    /// Package and version: the name of the folder.
+    name: &'static str,
+    url: &'static str,
+    sha256: &'static str,
+    /// Files in it, by a pattern.
+    members: &'static str,
+    /// The file among them that is handed on.
+    file: &'static str,
+}
+
+/// The compiler of HLSL, for Linux: no package has it by itself.
+const DXC: Archive = Archive {
+    name: "compushady-0.17.5",
+    url: "https://files.pythonhosted.org/packages/da/2f/e84188f13e07c444fa8593e6980b9db85c0aea3fde699f509d11bd7ca6c7/compushady-0.17.5.tar.gz",
+    sha256: "5052caf9e955d8e7a48e22f536e82b44b72e83af46e824a9e99157c7809de691",
+    members: "compushady-0.17.5/compushady/backends/libdxcompiler_x86_64*",
+    file: "compushady-0.17.5/compushady/backends/libdxcompiler_x86_64.so.3.7",
+};
+
+/// The compiler of Slang. Its library serves any Python.
+const SLANG: Archive = Archive {
+    name: "slangpy-0.43.1",
+    url: "https://files.pythonhosted.org/packages/0b/89/917567a889417c87842cea379091cb46b7f4f4000e9fec1b9d25d251c4cf/slangpy-0.43.1-cp311-cp311-manylinux_2_34_x86_64.whl",
+    sha256: "965dbbd1d907c90e17027945780146a67c66baf766f3d0b8af3f52ea2c4a8eb9",
+    members: "slangpy/libslang-*.so*",
+    file: "slangpy/libslang-compiler.so.0.2026.12",
+};
+
+/// Dawn, the implementation of WebGPU in Chromium, as an addon to Node.js.
+const DAWN: Archive = Archive {
+    name: "webgpu-0.6.2",
+    url: "https://registry.npmjs.org/webgpu/-/webgpu-0.6.2.tgz",
+    sha256: "77a6be6513b9f7c2e94425620ce603efb38cdc5d0393e1b31a1b0c8479330ffd",
+    members: "package/dist/linux-x64/*",
+    file: "package/dist/linux-x64/dawn.node",
+};
+
+/// Takes the files that match a pattern out of an archive, of whatever kind.
+const UNPACK: &str = "\
+import fnmatch, sys, tarfile, zipfile
+archive, pattern, folder = sys.argv[1:]
+if zipfile.is_zipfile(archive):
+    archive = zipfile.ZipFile(archive)
+    archive.extractall(folder, fnmatch.filter(archive.namelist(), pattern))
+else:
+    archive = tarfile.open(archive)
+    archive.extractall(folder, [m for m in archive.getmembers() if fnmatch.fnmatch(m.name, pattern)])
+";
+
+/// What `test --languages` is asked to do.
+struct Options {
+    needs_all: bool,
+    records: bool,
+    /// Arguments of the program.
+    others: Vec<String>,
+}
+
+impl Options {
+    fn of(arguments: &[String]) -> Result<Self, String> {
+        let has = |name: &str| arguments.iter().any(|argument| argument == name);
+        let own = ["--languages", "--all", "--record"];
+        let others: Vec<String> =
+            arguments.iter().filter(|argument| !own.contains(&argument.as_str())).cloned().collect();
+        if has("--record") && !others.is_empty() {
+            return Err(format!("--record keeps what all codecs do, and takes no {}", others[0]));
+        }
+        let needs_all = has("--all") || has("--record") || std::env::var_os("CI").is_some();
+        Ok(Self { needs_all, records: has("--record"), others })
+    }
+}
+
+/// Fetches what is missing, builds the program and runs it.
+pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
+    let options = Options::of(arguments)?;
+    let pending = setup::begin()?;
+    println!("xtask: building; the first build takes minutes");
+    let tested = run_command(cargo(&["test", "--quiet"]).args(PACKAGE));
+    let built = tested.and_then(|()| run_command(cargo(&["build", "--quiet"]).args(PACKAGE)));
+    pending.finish().and(built)?;
+
+    let target = target(repository)?;
+    let mut found = Found::default();
+    found.all(&target);
+    let mut program = Command::new(target.join("debug/unitvec-language-tests"));
+    program
+        .arg("--wgpu")
+        .arg("--scratch")
+        .arg(target.join("languages"))
+        .args(&found.arguments)
+        .args(&options.others);
+    if options.records && found.missing.is_empty() {
+        program.arg("--record").arg(repository.join(RECORD));
+    }
+    let outcome = run_command(program.current_dir(repository));
+    for missing in &found.missing {
+        eprintln!("xtask: NOT RUN: {missing}");
+    }
+    outcome?;
+    if options.needs_all && !found.missing.is_empty() {
+        return Err(format!("not all compilers can be had: {}", found.missing.join("; ")));
+    }
+    Ok(())
+}
+
+/// The folder that cargo builds in: xtask lies in `debug` below it.
+fn target(repository: &Path) -> Result<PathBuf, String> {
+    let here = std::env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
+    let target = here.ancestors().nth(2).map_or_else(|| repository.join("target"), Path::to_owned);
+    let languages = target.join("languages");
+    fs::create_dir_all(&languages).map_err(|error| format!("{}: {error}", languages.display()))?;
+    Ok(target)
+}
+
+/// Arguments for the compilers that are there, and why others are not.
+#[derive(Default)]
+struct Found {
+    arguments: Vec<OsString>,
+    missing: Vec<String>,
+}
+
+impl Found {
+    fn all(&mut self, target: &Path) {
+        let (languages, drivers) = (target.join("languages"), target.join("drivers"));
+        if let Err(reason) = setup::packages(&["curl", "ca-certificates", "python3"]) {
+            self.missing.push(reason);
+        }
+        for (option, title, archive) in [("--dxc", "DXC", &DXC), ("--slang", "Slang", &SLANG)] {
+            self.add(title, archive.fetch(&languages), |file| vec![option.into(), file.into()]);
+        }
+        self.add("clang", setup::packages(&["clang"]), |()| vec!["--clang".into()]);
+        let chromium = unpacked(&CHROMIUM, &drivers).map(|()| CHROMIUM.root(&drivers));
+        self.add("Chromium", chromium, |root| vec!["--chromium".into(), root.into()]);
+        let node = setup::packages(&["nodejs"]);
+        let dawn = node.and_then(|()| DAWN.fetch(&languages));
+        self.add("Dawn", dawn, |file| vec!["--dawn".into(), file.into()]);
+        // Dawn refuses the lavapipe of Debian 12.
+        for driver in PACKAGED.iter().filter(|driver| !driver.is_newer()) {
+            let icd = unpacked(driver, &drivers).map(|()| driver.icd(&drivers));
+            self.add(&driver.title(), icd, |icd| vec!["--icd".into(), icd.into()]);
+        }
+    }
+
+    fn add<T>(
+        &mut self,
+        title: &str,
+        outcome: Result<T, String>,
+        arguments: impl FnOnce(T) -> Vec<OsString>,
+    ) {
+        match outcome {
+            Ok(found) => self.arguments.extend(arguments(found)),
+            Err(reason) => self.missing.push(format!("{title}: {reason}")),
+        }
+    }
+}
+
+fn unpacked(packaged: &Packaged, cache: &Path) -> Result<(), String> {
+    packaged.fetch(cache).map_err(|missing| match missing {
+        Missing::NotHere(reason) | Missing::Failed(reason) => reason,
+    })
+}
+
+impl Archive {
+    /// The file, fetched and unpacked where it is not there yet.
+    fn fetch(&self, cache: &Path) -> Result<PathBuf, String> {
+        if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
+            return Err(format!("{} is fetched for Linux on x86-64 only", self.name));
+        }
+        let (folder, archive) = (cache.join(self.name), cache.join(format!("{}.archive", self.name)));
+        let file = folder.join(self.file);
+        if file.is_file() {
+            return Ok(file);
+        }
+        println!("xtask: fetching {}", self.name);
+        let mut curl = Command::new("curl");
+        curl.args(["--fail", "--silent", "--show-error", "--location", "--retry", "3", "--output"]);
+        run_command(curl.arg(&archive).arg(self.url)).map_err(|error| format!("{}: {error}", self.url))?;
+        self.check(&archive)?;
+        // Unpacked beside its place, so that what lies there is whole.
+        let part = cache.join(format!("{}.part", self.name));
+        let _ = fs::remove_dir_all(&part);
+        run_command(Command::new("python3").args(["-c", UNPACK]).arg(&archive).arg(self.members).arg(&part))?;
+        let _ = fs::remove_dir_all(&folder);
+        let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
+        fs::rename(&part, &folder).map_err(failed)?;
+        fs::remove_file(&archive).map_err(failed)?;
+        if file.is_file() { Ok(file) } else { Err(format!("{} has no {}", self.url, self.file)) }
+    }
+
+    /// Fails where the archive is another than the one that was meant.
+    fn check(&self, archive: &Path) -> Result<(), String> {
+        let output = Command::new("sha256sum").arg(archive).output();
+        let output = output.map_err(|error| format!("sha256sum cannot be started: {error}"))?;
+        let sum = String::from_utf8_lossy(&output.stdout);
+        let sum = sum.split_whitespace().next().unwrap_or_default();
+        if sum == self.sha256 {
+            return Ok(());
+        }
+        let _ = fs::remove_file(archive);
+        Err(format!("{} has the SHA-256 {sum}, not {}", self.url, self.sha256))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn strings(words: &[&str]) -> Vec<String> {
+        words.iter().map(|word| (*word).to_owned()).collect()
+    }
+
+    #[test]
+    fn only_whole_runs_are_recorded() {
+        let options = Options::of(&strings(&["--languages", "--codec", "oct32"])).unwrap();
+        assert_eq!((options.records, options.others), (false, strings(&["--codec", "oct32"])));
+        assert!(Options::of(&strings(&["--languages", "--record"])).is_ok_and(|o| o.records && o.needs_all));
+        let refused = Options::of(&strings(&["--languages", "--record", "--codec", "oct32"]));
+        assert!(refused.err().unwrap().contains("--codec"));
+    }
+
+    #[test]
+    fn archives_are_pinned() {
+        for archive in [&DXC, &SLANG, &DAWN] {
+            assert!(
+                archive.url.starts_with("https://") && archive.url.contains(archive.name),
+                "{}",
+                archive.url
+            );
+            assert!(archive.sha256.len() == 64 && archive.sha256.chars().all(|c| c.is_ascii_hexdigit()));
+        }
+    }
+
+    #[test]
+    fn another_archive_is_refused() {
+        let path = std::env::temp_dir().join(format!("unitvec-xtask-{}-archive", std::process::id()));
+        fs::write(&path, "").unwrap();
+        let error = DAWN.check(&path).unwrap_err();
+        // The sum of nothing.
+        assert!(
+            error.contains("e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"),
+            "{error}"
+        );
+        assert!(!path.exists());
+        let empty =
+            Archive { sha256: "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855", ..DAWN };
+        fs::write(&path, "").unwrap();
+        assert_eq!(empty.check(&path), Ok(()));
+        fs::remove_file(&path).unwrap();
+    }
+
+    #[test]
+    fn what_is_missing_is_told() {
+        let mut found = Found::default();
+        found.add("Slang", Err::<(), _>("no network".to_owned()), |()| unreachable!());
+        found.add("clang", Ok(()), |()| vec!["--clang".into()]);
+        assert_eq!(found.missing, ["Slang: no network"]);
+        assert_eq!(found.arguments, ["--clang"]);
+    }
+}
