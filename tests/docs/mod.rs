@@ -9,6 +9,7 @@ pub mod costs;
 mod drivers;
 mod flat;
 mod imprecise;
+mod languages;
 mod processors;
 mod prose;
 mod slices;

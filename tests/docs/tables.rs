@@ -1,7 +1,7 @@
 //! The tables of README, docs and module docs.
 
 use super::accuracy::{self, Errors};
-use super::{costs, drivers, files, imprecise, processors, slices, textbook};
+use super::{costs, drivers, files, imprecise, languages, processors, slices, textbook};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use unitvec_host::accuracy::{Table, covering_bound_deg};
@@ -28,6 +28,8 @@ pub fn table(name: &str) -> Option<String> {
         "costs-navi21" => costs::navi21(),
         "drivers" => drivers::table(),
         "imprecise" => imprecise::table(),
+        "languages" => languages::table(),
+        "languages-barriers" => languages::barriers(),
         "processors" => processors::table(),
         "slices" => slices::table(rest),
         "textbook" => textbook::table(),

@@ -10,6 +10,12 @@ use std::process::Command;
 
 /// Where the results for the docs stand.
 const RECORD: &str = "docs/data/languages.csv";
+/// Where it stands what barriers cost on a GPU.
+const BARRIERS: &str = "docs/data/barriers.csv";
+
+/// The driver that compiles for AMD's GPUs without one, and the GPU.
+const RADV: &str = "/usr/share/vulkan/icd.d/radeon_icd.x86_64.json";
+const GPU: &str = "navi21";
 
 const PACKAGE: [&str; 2] = ["--package", "unitvec-language-tests"];
 
@@ -98,14 +104,10 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     let target = target(repository)?;
     let mut found = Found::default();
     found.all(&target);
-    let mut program = Command::new(target.join("debug/unitvec-language-tests"));
-    program
-        .arg("--wgpu")
-        .arg("--scratch")
-        .arg(target.join("languages"))
-        .args(&found.arguments)
-        .args(&options.others);
+    let mut program = found.program(&target);
+    program.arg("--wgpu").args(&options.others);
     if options.records && found.missing.is_empty() {
+        record_barriers(&target, &found, repository)?;
         program.arg("--record").arg(repository.join(RECORD));
     }
     let outcome = run_command(program.current_dir(repository));
@@ -117,6 +119,15 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
         return Err(format!("not all compilers can be had: {}", found.missing.join("; ")));
     }
     Ok(())
+}
+
+/// Has the program compile for a GPU that is not there.
+fn record_barriers(target: &Path, found: &Found, repository: &Path) -> Result<(), String> {
+    let mut program = found.program(target);
+    program.arg("--barriers").arg(repository.join(BARRIERS)).current_dir(repository);
+    run_command(
+        program.env("VK_ICD_FILENAMES", RADV).env("VK_DRIVER_FILES", RADV).env("RADV_FORCE_FAMILY", GPU),
+    )
 }
 
 /// The folder that cargo builds in: xtask lies in `debug` below it.
@@ -136,6 +147,13 @@ struct Found {
 }
 
 impl Found {
+    /// The program, given what is there.
+    fn program(&self, target: &Path) -> Command {
+        let mut program = Command::new(target.join("debug/unitvec-language-tests"));
+        program.arg("--scratch").arg(target.join("languages")).args(&self.arguments);
+        program
+    }
+
     fn all(&mut self, target: &Path) {
         let (languages, drivers) = (target.join("languages"), target.join("drivers"));
         if let Err(reason) = setup::packages(&["curl", "ca-certificates", "python3"]) {

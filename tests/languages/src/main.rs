@@ -1,6 +1,7 @@
 //! The codecs in every shading language, by its compilers: compiled, run, and compared with the CPU. `cargo xtask test
 //! --languages` fetches the compilers and runs this.
 
+mod barriers;
 mod cases;
 mod job;
 mod metal;
@@ -66,6 +67,9 @@ struct Options {
     /// File to write the results to
     #[arg(long)]
     record: Option<PathBuf>,
+    /// Writes what barriers cost on the device of this process to a file, and does nothing else
+    #[arg(long, requires = "dxc", requires = "slang")]
+    barriers: Option<PathBuf>,
     /// Only these codecs
     #[arg(long)]
     codec: Vec<String>,
@@ -82,12 +86,15 @@ fn main() -> ExitCode {
 }
 
 fn run(options: &Options) -> Result<()> {
-    let formats = if options.codec.is_empty() {
-        formats().collect()
+    if let (Some(path), Some(dxc), Some(slang)) = (&options.barriers, &options.dxc, &options.slang) {
+        let cases = cases_of(barriers::CODECS.iter().copied())?;
+        return barriers::record(&cases, &dxc_to_spirv(dxc), &slang_to_spirv(slang), path);
+    }
+    let cases = if options.codec.is_empty() {
+        cases::cases(&formats().collect::<Vec<_>>())
     } else {
-        options.codec.iter().map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?
-    };
-    let cases = cases::cases(&formats).map_err(told)?;
+        cases_of(options.codec.iter().map(String::as_str))
+    }?;
     let rows = Rows { cases: &cases, rows: Mutex::default() };
     // Clients of the web wait half of the time.
     thread::scope(|scope| {
@@ -102,6 +109,19 @@ fn run(options: &Options) -> Result<()> {
         report::record(&rows, path)?;
     }
     report::verdict(&rows)
+}
+
+/// The cases of the codecs with these identifiers.
+fn cases_of<'a>(ids: impl Iterator<Item = &'a str>) -> Result<Vec<Case>> {
+    cases::cases(&ids.map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?)
+}
+
+fn dxc_to_spirv(library: &Path) -> Compiler<'_> {
+    Compiler { script: "dxc.py", library, arguments: &["-spirv", "-fspv-target-env=vulkan1.1"] }
+}
+
+fn slang_to_spirv(library: &Path) -> Compiler<'_> {
+    Compiler { script: "slang.py", library, arguments: &[] }
 }
 
 const EDITIONS: [Edition; 2] = [Edition::Plain, Edition::Exact];
@@ -146,18 +166,15 @@ impl Rows<'_> {
     }
 
     fn hlsl(&self, library: &Path) {
-        let compiler = |arguments| Compiler { script: "dxc.py", library, arguments };
-        let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC");
-        self.spirv(subject, &compiler(&["-spirv", "-fspv-target-env=vulkan1.1"]));
-        // Not checked: the library that does is Windows'.
-        let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").only_compiled();
-        self.spirv(subject, &compiler(&["-Vd"]));
+        self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC"), &dxc_to_spirv(library));
+        // Not validated: the library that does is Windows'.
+        let dxil = Compiler { arguments: &["-Vd"], ..dxc_to_spirv(library) };
+        self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").only_compiled(), &dxil);
     }
 
     fn slang(&self, library: &Path) {
         for edition in EDITIONS {
-            let compiler = Compiler { script: "slang.py", library, arguments: &[] };
-            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &compiler);
+            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library));
         }
     }
 

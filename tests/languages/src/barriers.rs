@@ -1,0 +1,76 @@
+//! What the barriers of the exact editions cost: what the compiler of a GPU's driver makes of the same kernel from each edition.
+//! HLSL has `precise` for that.
+
+use crate::cases::Case;
+use crate::job;
+use crate::spirv::Compiler;
+use crate::{Result, told};
+use serde::Serialize;
+use std::path::Path;
+use std::sync::Arc;
+use unitvec_host::catalogue::Operation;
+use unitvec_host::shader::kernel::ENTRY_POINT;
+use unitvec_host::shader::{Edition, Language, compile_wgsl};
+use unitvec_host::vulkan::{DeviceChoice, Inspector, Instance};
+
+/// The codecs that stand for the others.
+pub const CODECS: [&str; 8] =
+    ["oct16", "oct32", "oct32p", "eaoct32", "ico32", "fib32", "spherical32", "frame32"];
+
+/// Instructions of the kernels of one codec.
+#[derive(Serialize)]
+struct Row {
+    codec: &'static str,
+    operation: Operation,
+    hlsl: u64,
+    wgsl_plain: u64,
+    wgsl_exact: u64,
+    slang_plain: u64,
+    slang_exact: u64,
+}
+
+/// Compiles with the device of this process, and writes what came of it.
+pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Compiler<'_>, path: &Path) -> Result<()> {
+    let instance = Arc::new(Instance::new(None, false).map_err(told)?);
+    let inspector = Inspector::open(&instance, &DeviceChoice::Best).map_err(told)?;
+    let of_library = |compiler: &Compiler<'_>, language, edition| {
+        let mut counts = Vec::new();
+        let jobs = job::jobs(cases, language, edition)?;
+        compiler.compile(&jobs, &mut |case, module| {
+            counts.push(instructions(&inspector, &case.name(), &module?)?);
+            Ok(())
+        })?;
+        Ok::<_, String>(counts)
+    };
+    let of_naga = |edition| {
+        let jobs = job::jobs(cases, Language::Wgsl, edition)?;
+        let count =
+            |job: &job::Job<'_>| instructions(&inspector, &job.case.name(), &compile_wgsl(&job.text)?);
+        jobs.iter().map(count).collect::<Result<Vec<_>>>()
+    };
+    let hlsl = of_library(dxc, Language::Hlsl, Edition::Plain)?;
+    let [wgsl_plain, wgsl_exact] = [of_naga(Edition::Plain)?, of_naga(Edition::Exact)?];
+    let slang_plain = of_library(slang, Language::Slang, Edition::Plain)?;
+    let slang_exact = of_library(slang, Language::Slang, Edition::Exact)?;
+
+    let mut writer = csv::Writer::from_path(path).map_err(told)?;
+    for (n, case) in cases.iter().enumerate() {
+        let row = Row {
+            codec: case.format.id,
+            operation: case.operation,
+            hlsl: hlsl[n],
+            wgsl_plain: wgsl_plain[n],
+            wgsl_exact: wgsl_exact[n],
+            slang_plain: slang_plain[n],
+            slang_exact: slang_exact[n],
+        };
+        writer.serialize(row).map_err(told)?;
+    }
+    writer.flush().map_err(told)
+}
+
+fn instructions(inspector: &Inspector, name: &str, module: &[u8]) -> Result<u64> {
+    let statistics = inspector.statistics(module, ENTRY_POINT).map_err(|error| format!("{name}: {error}"))?;
+    let count = statistics.get("Instructions").copied();
+    count.ok_or_else(|| format!("{name}: the driver does not count instructions"))
+}
