@@ -150,7 +150,9 @@ impl Found {
     /// The program, given what is there.
     fn program(&self, target: &Path) -> Command {
         let mut program = Command::new(target.join("debug/unitvec-language-tests"));
-        program.arg("--scratch").arg(target.join("languages")).args(&self.arguments);
+        let scratch = target.join("languages");
+        // Drivers complain without such a folder.
+        program.env("XDG_RUNTIME_DIR", &scratch).arg("--scratch").arg(scratch).args(&self.arguments);
         program
     }
 

@@ -53,7 +53,7 @@ impl Client {
             Self::Dawn { addon, icd } => {
                 let mut command = Command::new("node");
                 command.args([DAWN.as_ref(), addon.as_os_str(), url.as_ref()]);
-                command.env("VK_DRIVER_FILES", icd).env("VK_ICD_FILENAMES", icd);
+                command.env("VK_DRIVER_FILES", icd).env("VK_ICD_FILENAMES", icd).stderr(Stdio::piped());
                 command
             }
             Self::Chromium { root, script, profile } => {
@@ -99,8 +99,9 @@ pub fn run(client: &Client, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> 
     let device = serve(&server, &mut child, jobs, each);
     // Chromium does not end by itself.
     let _ = child.kill();
-    child.wait().map_err(told)?;
-    device
+    let said = child.wait_with_output().map_err(told)?.stderr;
+    let last = String::from_utf8_lossy(&said).lines().last().unwrap_or_default().to_owned();
+    device.map_err(|error| format!("{error}; {last}"))
 }
 
 fn serve(server: &Server, child: &mut Child, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
