@@ -97,10 +97,7 @@ pub fn compile(language: Language, name: &str, text: &str) -> Result<Vec<u8>> {
 }
 
 /// The SPIR-V that naga makes of WGSL.
-///
-/// # Errors
-/// naga's.
-pub fn compile_wgsl(text: &str) -> Result<Vec<u8>, String> {
+fn compile_wgsl(text: &str) -> Result<Vec<u8>, String> {
     use naga::valid::{Capabilities, ValidationFlags, Validator};
     let module = naga::front::wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
     let mut validator = Validator::new(ValidationFlags::all(), Capabilities::empty());

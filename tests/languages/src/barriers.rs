@@ -10,7 +10,7 @@ use std::path::Path;
 use std::sync::Arc;
 use unitvec_host::catalogue::Operation;
 use unitvec_host::shader::kernel::ENTRY_POINT;
-use unitvec_host::shader::{Edition, Language, compile_wgsl};
+use unitvec_host::shader::{Edition, Language, compile};
 use unitvec_host::vulkan::{DeviceChoice, Inspector, Instance};
 
 /// The codecs that stand for the others.
@@ -44,8 +44,11 @@ pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Compiler<'_>, path: &P
     };
     let of_naga = |edition| {
         let jobs = job::jobs(cases, Language::Wgsl, edition)?;
-        let count =
-            |job: &job::Job<'_>| instructions(&inspector, &job.case.name(), &compile_wgsl(&job.text)?);
+        let count = |job: &job::Job<'_>| {
+            let name = job.case.name();
+            let module = compile(Language::Wgsl, &name, &job.text).map_err(told)?;
+            instructions(&inspector, &name, &module)
+        };
         jobs.iter().map(count).collect::<Result<Vec<_>>>()
     };
     let hlsl = of_library(dxc, Language::Hlsl, Edition::Plain)?;
