@@ -181,18 +181,18 @@ fn unitvec_negate_positive(negative: bool, x: f32) -> f32 {
     assert_eq!(unknown, Err(Error::NoFunction("oct17_encode".to_owned())));
 }
 
-/// Sums and products that are rounded pass through the barrier; those that are exact, and quotients, do not.
+/// Sums, products and quotients that are rounded pass through the barrier; products that are exact do not.
 #[test]
 fn the_exact_edition_has_barriers() {
     let text = "float f(float a, float b) {\n    UNITVEC_PRECISE float r = (a * b + 2.0 * a) / b;\n    return r;\n}\n";
     let printed = |language| of(text).excerpt(&["f"], language, Edition::Exact).unwrap();
-    let barriers = "min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / b;";
+    let barriers = "min(min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / b, UNITVEC_HUGE);";
     assert!(printed(Language::Wgsl).contains(&format!("let r = {barriers}")));
     let in_metal = barriers.replace("2.0", "2.0f");
     assert!(printed(Language::Msl).contains(&format!("float r = {in_metal}")));
     let vectors = text.replace("float", "vec2");
     let printed = of(&vectors).excerpt(&["f"], Language::Slang, Edition::Exact).unwrap();
-    assert!(printed.contains("float2 r = min(min(a * b, (float2)(UNITVEC_HUGE))"), "{printed}");
+    assert!(printed.contains("float2 r = min(min(min(a * b, (float2)(UNITVEC_HUGE))"), "{printed}");
 }
 
 /// A library of one file.

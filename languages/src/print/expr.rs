@@ -35,14 +35,14 @@ impl Printer<'_> {
         self.unguarded(expr)
     }
 
-    /// True for sums and products that the exact edition keeps apart from what is done with them.
+    /// True for sums, products and quotients that the exact edition keeps apart from what is done with them.
     fn needs_barrier(&self, expr: &Expr) -> bool {
         let ExprKind::Binary(operator, left, right) = &expr.kind else { return false };
         let is_exact_product = operator == "*" && (is_power_of_two(left) || is_power_of_two(right));
         self.is_exact()
             && self.in_precise
             && expr.ty.is_float()
-            && ["+", "-", "*"].contains(&operator.as_str())
+            && ["+", "-", "*", "/"].contains(&operator.as_str())
             && !is_exact_product
     }
 

@@ -315,7 +315,7 @@ float unitvec_dot(vec3 a, vec3 b) {
 
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
-    vec3 n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), UNITVEC_HUGE);
+    vec3 n = min(v * min(1.0 / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE);
     return n;
 }
 
@@ -405,7 +405,7 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    float estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE));
+    float estimate = min(1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -566,7 +566,7 @@ float unitvec_atan_octant(float r) {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 float unitvec_atan_octant_ratio(float y, float x) {
-    float divided = y / x;
+    float divided = min(y / x, UNITVEC_HUGE);
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
 }
@@ -747,7 +747,7 @@ vec3 unitvec_angles_scaled(vec3 v, float norm) {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 float unitvec_angles_quarter(float y, float x) {
-    float q = min(x, y) / max(x, y);
+    float q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     float part = unitvec_atan_quarter(q);
     float rest = min(1.0 - part, UNITVEC_HUGE);
     return y > x ? rest : part;

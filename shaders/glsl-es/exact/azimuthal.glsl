@@ -40,7 +40,7 @@ const int UNITVEC_ELLIPSE = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
-    float scale = 1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    float scale = min(1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
@@ -49,17 +49,17 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     float sum = min(2.0 - rim, UNITVEC_HUGE);
-    vec2 horizontal = 2.0 * at / sum;
-    float z = rim / sum;
+    vec2 horizontal = min(2.0 * at / sum, UNITVEC_HUGE);
+    float z = min(rim / sum, UNITVEC_HUGE);
     return vec3(horizontal, z);
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
     float norm = sqrt(unitvec_dot(v, v));
-    float scale = 1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float scale = min(1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
-    float rim = v.z / norm;
+    float rim = min(v.z / norm, UNITVEC_HUGE);
     return vec4(at, radius, rim);
 }
 
@@ -79,7 +79,7 @@ vec4 unitvec_eqdist_to_disk(vec3 v) {
     float rest = min(1.0 - part, UNITVEC_HUGE);
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    float quotient = radius / rho;
+    float quotient = min(radius / rho, UNITVEC_HUGE);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float rim = min(inside * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -135,23 +135,24 @@ bool unitvec_plain_is_remote(vec2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 vec2 unitvec_plain_settle(vec2 e, uint bits) {
-    vec2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    vec2 slope = min(unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits), UNITVEC_HUGE);
     vec2 settled = min(e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0)), UNITVEC_HUGE);
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
-    vec2 slope = p / m;
+    vec2 slope = min(p / m, UNITVEC_HUGE);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    float alone = excess / steep;
-    float remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle;
+    float alone = min(excess / steep, UNITVEC_HUGE);
+    float remainder =
+        min(min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle, UNITVEC_HUGE);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
-    vec2 on_rim = min(p - moved / m, UNITVEC_HUGE);
+    vec2 on_rim = min(p - min(moved / m, UNITVEC_HUGE), UNITVEC_HUGE);
     return on_rim;
 }
 
@@ -181,7 +182,7 @@ vec4 unitvec_concentric_to_disk(vec2 e, uint bits) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    float quotient = shorter / radius;
+    float quotient = min(shorter / radius, UNITVEC_HUGE);
     float octant = radius > 0.0 ? quotient : 0.0;
     float angle = 0.25 * octant;
     vec2 p = min(radius * unitvec_sin_cos_half_turns(angle), UNITVEC_HUGE);
@@ -194,7 +195,8 @@ vec2 unitvec_ellipse_to_square(vec4 disk) {
     float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
     float sum =
         min(2.0 + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
-    vec2 s = 2.0 * disk.xy / vec2(sqrt(min(sum + difference, UNITVEC_HUGE)), sqrt(min(sum - difference, UNITVEC_HUGE)));
+    vec2 s = min(2.0 * disk.xy / vec2(sqrt(min(sum + difference, UNITVEC_HUGE)),
+        sqrt(min(sum - difference, UNITVEC_HUGE))), UNITVEC_HUGE);
     return s;
 }
 
@@ -217,7 +219,7 @@ float unitvec_azimuthal_signed(bool negative, float x) {
 // Code of the direction of v at any width, for one of the projections and one of the maps.
 uint unitvec_azimuthal_encode(vec3 v, int projection, int map, uint bits) {
     v = unitvec_or_z(v);
-    vec3 octant = min(abs(v) * (1.0 / unitvec_l1_norm(v)), UNITVEC_HUGE);
+    vec3 octant = min(abs(v) * min(1.0 / unitvec_l1_norm(v), UNITVEC_HUGE), UNITVEC_HUGE);
     vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     vec2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

@@ -43,7 +43,7 @@ const float UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT = 0.75;
 const float UNITVEC_BEST_FIT_LEAST_PART = 5.9604644775390625e-8;
 
 float unitvec_best_fit_part(float a, float largest) {
-    float part = a / largest;
+    float part = min(a / largest, UNITVEC_HUGE);
     return part < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : part;
 }
 
@@ -141,7 +141,7 @@ vec3 unitvec_best_fit_parts_and_reciprocal(vec3 v) {
     vec3 a = abs(v);
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
-    float reciprocal = 1.0 / max(high, a.z);
+    float reciprocal = min(1.0 / max(high, a.z), UNITVEC_HUGE);
     float mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
     float least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return vec3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : least,
@@ -196,15 +196,17 @@ float unitvec_best_fit_sine(vec2 u, float size) {
     vec2 d = min(unitvec_nearest_whole(p) - p, UNITVEC_HUGE);
     float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
     float sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * (1.0 / min(size * size, UNITVEC_HUGE)), UNITVEC_HUGE));
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0 / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE));
     return sine;
 }
 
 // `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
-    float columns = min(float(cell) + min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE);
-    float part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
+    float columns =
+        min(float(cell) + min(min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE), UNITVEC_HUGE);
+    float part = min(columns / max(columns, UNITVEC_BEST_FIT_CELLS), UNITVEC_HUGE);
     return part;
 }
 
@@ -308,8 +310,8 @@ uvec2 snorm16x3p_encode(vec3 v) {
     vec3 u = unitvec_best_fit_on_cube(v);
     vec2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE));
+    float unit = min(longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     vec3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     vec3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uvec2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -46,8 +46,8 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
 
     float horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
     float len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE));
-    float radius = sqrt(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE));
-    float q = b / a;
+    float radius = sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
+    float q = min(b / a, UNITVEC_HUGE);
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -82,10 +82,10 @@ vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     float along = min(p.turn * ring, UNITVEC_HUGE);
     float place = floor(min(along + 0.5, UNITVEC_HUGE));
     float across = min(ring - steps, UNITVEC_HUGE);
-    float q = min(along - place, UNITVEC_HUGE) / max(ring, 1.0);
+    float q = min(min(along - place, UNITVEC_HUGE) / max(ring, 1.0), UNITVEC_HUGE);
 
     float c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    float change = min(across * min(p.radius * (1.0 / m), UNITVEC_HUGE), UNITVEC_HUGE);
+    float change = min(across * min(p.radius * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
         UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE), UNITVEC_HUGE);
@@ -117,11 +117,11 @@ vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     float place = min(min(a.x, a.y), folded_place);
     bool swapped = a.y > a.x;
 
-    float turn = place / max(ring, UNITVEC_MIN_POSITIVE);
+    float turn = min(place / max(ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
     float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    float radius = min(ring * (1.0 / m), UNITVEC_HUGE);
+    float radius = min(ring * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     float z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
     float horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE);
     float near_axis = min(horizontal * cosine, UNITVEC_HUGE);

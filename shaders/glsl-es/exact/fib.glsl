@@ -100,7 +100,7 @@ uint unitvec_fib_split(float x, out float rest) {
 uint unitvec_fib_azimuth(vec3 v, vec3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    float quotient = min(x, y) / max(x, y);
+    float quotient = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     float part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -123,10 +123,10 @@ float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 UnitvecFibPlace unitvec_fib_place(vec3 v, uint bits) {
     float horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float reciprocal = 1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float reciprocal = min(1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     float height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     float radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
-    float from_pole = radius_squared / min(1.0 + height, UNITVEC_HUGE);
+    float from_pole = min(radius_squared / min(1.0 + height, UNITVEC_HUGE), UNITVEC_HUGE);
     float from_top = min(1.0 - height, UNITVEC_HUGE);
     bool is_polar = height > 0.5;
 
@@ -149,7 +149,7 @@ UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0));
     float power = unitvec_fib_golden_power(k);
-    float turn = 1.0 / power;
+    float turn = min(1.0 / power, UNITVEC_HUGE);
     float next_turn = min(turn * 0.618034, UNITVEC_HUGE);
     float step_size = min(min(power * 0.4472136, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     float next_step = min(min(power * 0.7236068, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -174,7 +174,8 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE);
     float sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
-    float cost = min(min(difference * difference, UNITVEC_HUGE) / sum + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cost = min(min(min(difference * difference, UNITVEC_HUGE) / sum, UNITVEC_HUGE)
+        + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     UnitvecFibCandidate candidate = UnitvecFibCandidate(i, is_point ? cost : 4.0);
     return candidate;

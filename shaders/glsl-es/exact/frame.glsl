@@ -40,7 +40,7 @@ const float UNITVEC_UNWARP_2 = 0.0392082;
 // second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     float s = unitvec_with_sign(1.0, n.z);
-    float a = -1.0 / min(s + n.z, UNITVEC_HUGE);
+    float a = min(-1.0 / min(s + n.z, UNITVEC_HUGE), UNITVEC_HUGE);
     float b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
     vec3 e = vec3(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
@@ -65,8 +65,8 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float nearer = min(v + min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE) / min(1.0 + u,
-        UNITVEC_HUGE), UNITVEC_HUGE);
+    float nearer = min(v + min(min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395,
+        UNITVEC_HUGE) / min(1.0 + u, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -87,7 +87,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     float difference = min(abs(y) - abs(x), UNITVEC_HUGE);
-    float w = unitvec_flip_sign(difference, odd) / sum;
+    float w = min(unitvec_flip_sign(difference, odd) / sum, UNITVEC_HUGE);
 
     float half_places = float(1u << (angle_bits - 3u));
     float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
@@ -101,7 +101,8 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v = min(min(place * (1.0 / float(1u << (angle_bits - 3u))), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+    float v =
+        min(min(place * min(1.0 / float(1u << (angle_bits - 3u)), UNITVEC_HUGE), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;

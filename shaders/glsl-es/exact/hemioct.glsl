@@ -24,7 +24,8 @@ precision highp int;
 
 // Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
-    vec2 e = min(vec2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * (m / norm), UNITVEC_HUGE);
+    vec2 e = min(vec2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
+        UNITVEC_HUGE);
     return e;
 }
 

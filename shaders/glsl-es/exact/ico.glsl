@@ -94,7 +94,7 @@ float unitvec_ico_sum(vec3 v) {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
-    vec3 t = min(p * (1.0 / p_sum), UNITVEC_HUGE);
+    vec3 t = min(p * min(1.0 / p_sum, UNITVEC_HUGE), UNITVEC_HUGE);
     vec3 t_squared = min(t * t, UNITVEC_HUGE);
     float squares = unitvec_ico_sum(t_squared);
     // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -118,8 +118,9 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     vec3 turned = min(d * vec3(min(min(t.y * w.z, UNITVEC_HUGE) - min(t.z * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.z * w.x, UNITVEC_HUGE) - min(t.x * w.z, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.x * w.y, UNITVEC_HUGE) - min(t.y * w.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    float factor = 1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float factor = min(1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE);
     float x = min(start.x + min(min(turned.z - turned.y, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
     float z = min(start.z + min(min(turned.y - turned.x, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
 

@@ -47,7 +47,7 @@ vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
 // m / norm, which is (|x| + |z|) s.
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    vec2 p = min(min(abs(v.xy) + below, UNITVEC_HUGE) * (m / norm), UNITVEC_HUGE);
+    vec2 p = min(min(abs(v.xy) + below, UNITVEC_HUGE) * min(m / norm, UNITVEC_HUGE), UNITVEC_HUGE);
     return unitvec_oct_mirror(v, p);
 }
 
@@ -55,7 +55,7 @@ vec2 unitvec_oct_position(vec3 v, float norm, float m) {
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     float missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
         - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float stretch = min(missing * (1.0 / m), UNITVEC_HUGE);
+    float stretch = min(missing * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 moved = min(q + min(stretch * p.xy, UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
@@ -69,7 +69,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     float n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(0.25 * z_squared + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
     float half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
-    float u = min(n * ((1.5 / m) / half_s), UNITVEC_HUGE);
+    float u = min(n * min(min(1.5 / m, UNITVEC_HUGE) / half_s, UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 moved = min(ab + min(u * min(at + minus_z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
@@ -77,7 +77,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
-    vec2 moved = min(q + min(at * (0.3795 / m), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 moved = min(q + min(at * min(0.3795 / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
 
@@ -91,7 +91,7 @@ vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
 vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
     vec2 middle = min(floor(p.xy) + 0.5, UNITVEC_HUGE);
     vec2 q = min(p.xy - middle, UNITVEC_HUGE);
-    vec2 at = min(min(p.xy * (3.0 / m), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+    vec2 at = min(min(p.xy * min(3.0 / m, UNITVEC_HUGE), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -144,7 +144,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
-    vec3 p = min(abs(v) * (m / norm), UNITVEC_HUGE);
+    vec3 p = min(abs(v) * min(m / norm, UNITVEC_HUGE), UNITVEC_HUGE);
     // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
     // break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -184,7 +184,7 @@ vec3 oct_to_float32x3(vec2 e) {
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_octn_precise(vec3 v, int n) {
     float m = unitvec_snorm_max(uint(n / 2));
-    vec2 e = unitvec_oct_lattice_precise(v, m) / m;
+    vec2 e = min(unitvec_oct_lattice_precise(v, m) / m, UNITVEC_HUGE);
     return e;
 }
 
@@ -195,7 +195,7 @@ vec3 snorm12x2_to_unorm8x3(vec2 f) {
     float carry = floor(u.y / 256.0);
     vec3 bytes = vec3(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0, UNITVEC_HUGE));
-    vec3 parts = bytes / 255.0;
+    vec3 parts = min(bytes / 255.0, UNITVEC_HUGE);
     return parts;
 }
 
@@ -205,7 +205,7 @@ vec2 unorm8x3_to_snorm12x2(vec3 u) {
     float high = floor(bytes.y / 16.0);
     vec2 biased = vec2(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
         min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
-    vec2 s = min(biased - 2047.0, UNITVEC_HUGE) / 2047.0;
+    vec2 s = min(min(biased - 2047.0, UNITVEC_HUGE) / 2047.0, UNITVEC_HUGE);
     return unitvec_is_nan(unitvec_l1_norm(u)) ? vec2(0.0) : clamp(s, -1.0, 1.0);
 }
 

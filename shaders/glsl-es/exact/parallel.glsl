@@ -118,7 +118,7 @@ vec3 unitvec_parallel_unit(vec3 v) {
     vec3 scaled = min(v * unitvec_scale_to_one(raised), UNITVEC_HUGE);
     float square = unitvec_dot(scaled, scaled);
     float off = min(square - 1.0, UNITVEC_HUGE);
-    float inverse = 1.0 / sqrt(square);
+    float inverse = min(1.0 / sqrt(square), UNITVEC_HUGE);
     vec3 n = min(scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse), UNITVEC_HUGE);
     return n;
 }

@@ -100,8 +100,8 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
-    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size), UNITVEC_HUGE) + 0.5,
-        UNITVEC_HUGE);
+    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * min(0.25 / steps.size, UNITVEC_HUGE),
+        UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     int estimate = int(part);
 
     vec2 cosine;
@@ -114,7 +114,7 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
         sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
     float radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
-    float off = min(across / radians + 0.5, UNITVEC_HUGE);
+    float off = min(min(across / radians, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -130,7 +130,8 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float square = min(root * root, UNITVEC_HUGE);
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
-    float low = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root);
+    float low = min(min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root),
+        UNITVEC_HUGE);
     return vec2(root, low);
 }
 

@@ -318,7 +318,7 @@ inline float unitvec_dot(float3 a, float3 b) {
 
 // v at unit length, to within 2 ULP.
 inline float3 unitvec_normalize(float3 v) {
-    float3 n = min(v * (1.0f / sqrt(unitvec_dot(v, v))), float3(UNITVEC_HUGE));
+    float3 n = min(v * min(1.0f / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), float3(UNITVEC_HUGE));
     return n;
 }
 
@@ -409,7 +409,7 @@ inline float unitvec_coordinate(float x, float2 sum, float reciprocal, uint bits
 inline float3 unitvec_normalize_parts(float3 upper, float3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = min(2.0f * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    float estimate = 1.0f / sqrt(min(squares + other_squares, UNITVEC_HUGE));
+    float estimate = min(1.0f / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
     float reciprocal = as_type<float>((as_type<uint>(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -570,7 +570,7 @@ inline float unitvec_atan_octant(float r) {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 inline float unitvec_atan_octant_ratio(float y, float x) {
-    float divided = y / x;
+    float divided = min(y / x, UNITVEC_HUGE);
     float quotient = y < x ? divided : 1.0f;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0f : quotient);
 }
@@ -751,7 +751,7 @@ inline float3 unitvec_angles_scaled(float3 v, float norm) {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 inline float unitvec_angles_quarter(float y, float x) {
-    float q = min(x, y) / max(x, y);
+    float q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     float part = unitvec_atan_quarter(q);
     float rest = min(1.0f - part, UNITVEC_HUGE);
     return y > x ? rest : part;

@@ -37,7 +37,7 @@ constant int UNITVEC_ELLIPSE = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 inline float4 unitvec_stereo_to_disk(float3 v) {
-    float scale = 1.0f / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    float scale = min(1.0f / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(2.0f * v.z * scale, UNITVEC_HUGE);
@@ -46,17 +46,17 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = min(2.0f - rim, UNITVEC_HUGE);
-    float2 horizontal = 2.0f * at / sum;
-    float z = rim / sum;
+    float2 horizontal = min(2.0f * at / sum, float2(UNITVEC_HUGE));
+    float z = min(rim / sum, UNITVEC_HUGE);
     return float3(horizontal, z);
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
     float norm = sqrt(unitvec_dot(v, v));
-    float scale = 1.0f / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float scale = min(1.0f / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
-    float rim = v.z / norm;
+    float rim = min(v.z / norm, UNITVEC_HUGE);
     return float4(at, radius, rim);
 }
 
@@ -76,7 +76,7 @@ inline float4 unitvec_eqdist_to_disk(float3 v) {
     float rest = min(1.0f - part, UNITVEC_HUGE);
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    float quotient = radius / rho;
+    float quotient = min(radius / rho, UNITVEC_HUGE);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0f;
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float rim = min(inside * min(1.0f + radius, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -132,23 +132,24 @@ inline bool unitvec_plain_is_remote(float2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 inline float2 unitvec_plain_settle(float2 e, uint bits) {
-    float2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    float2 slope = min(unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits), float2(UNITVEC_HUGE));
     float2 settled = min(e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f)), float2(UNITVEC_HUGE));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 inline float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
-    float2 slope = p / m;
+    float2 slope = min(p / m, float2(UNITVEC_HUGE));
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    float alone = excess / steep;
-    float remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle;
+    float alone = min(excess / steep, UNITVEC_HUGE);
+    float remainder =
+        min(min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle, UNITVEC_HUGE);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0f : remainder;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    float2 on_rim = min(p - moved / m, float2(UNITVEC_HUGE));
+    float2 on_rim = min(p - min(moved / m, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return on_rim;
 }
 
@@ -179,7 +180,7 @@ inline float4 unitvec_concentric_to_disk(float2 e, uint bits) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    float quotient = shorter / radius;
+    float quotient = min(shorter / radius, UNITVEC_HUGE);
     float octant = radius > 0.0f ? quotient : 0.0f;
     float angle = 0.25f * octant;
     float2 p = min(radius * unitvec_sin_cos_half_turns(angle), float2(UNITVEC_HUGE));
@@ -192,8 +193,8 @@ inline float2 unitvec_ellipse_to_square(float4 disk) {
     float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
     float sum =
         min(2.0f + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
-    float2 s =
-        2.0f * disk.xy / float2(sqrt(min(sum + difference, UNITVEC_HUGE)), sqrt(min(sum - difference, UNITVEC_HUGE)));
+    float2 s = min(2.0f * disk.xy / float2(sqrt(min(sum + difference, UNITVEC_HUGE)),
+        sqrt(min(sum - difference, UNITVEC_HUGE))), float2(UNITVEC_HUGE));
     return s;
 }
 
@@ -216,7 +217,7 @@ inline float unitvec_azimuthal_signed(bool negative, float x) {
 // Code of the direction of v at any width, for one of the projections and one of the maps.
 inline uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
     v = unitvec_or_z(v);
-    float3 octant = min(abs(v) * (1.0f / unitvec_l1_norm(v)), float3(UNITVEC_HUGE));
+    float3 octant = min(abs(v) * min(1.0f / unitvec_l1_norm(v), UNITVEC_HUGE), float3(UNITVEC_HUGE));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     float2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

@@ -40,7 +40,7 @@ constant float UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT = 0.75f;
 constant float UNITVEC_BEST_FIT_LEAST_PART = 5.9604644775390625e-8f;
 
 inline float unitvec_best_fit_part(float a, float largest) {
-    float part = a / largest;
+    float part = min(a / largest, UNITVEC_HUGE);
     return part < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : part;
 }
 
@@ -138,7 +138,7 @@ inline float3 unitvec_best_fit_parts_and_reciprocal(float3 v) {
     float3 a = abs(v);
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
-    float reciprocal = 1.0f / max(high, a.z);
+    float reciprocal = min(1.0f / max(high, a.z), UNITVEC_HUGE);
     float mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
     float least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return float3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : least,
@@ -193,15 +193,17 @@ inline float unitvec_best_fit_sine(float2 u, float size) {
     float2 d = min(unitvec_nearest_whole(p) - p, float2(UNITVEC_HUGE));
     float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
     float sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * (1.0f / min(size * size, UNITVEC_HUGE)), UNITVEC_HUGE));
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0f / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE));
     return sine;
 }
 
 // `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 inline float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
-    float columns = min(float(cell) + min(third + 0.5f, UNITVEC_HUGE) / max(third, 3.0f), UNITVEC_HUGE);
-    float part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
+    float columns =
+        min(float(cell) + min(min(third + 0.5f, UNITVEC_HUGE) / max(third, 3.0f), UNITVEC_HUGE), UNITVEC_HUGE);
+    float part = min(columns / max(columns, UNITVEC_BEST_FIT_CELLS), UNITVEC_HUGE);
     return part;
 }
 
@@ -305,8 +307,8 @@ inline uint2 snorm16x3p_encode(float3 v) {
     float3 u = unitvec_best_fit_on_cube(v);
     float2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = longest / sqrt(min(min(1.0f + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE));
+    float unit = min(longest / sqrt(min(min(1.0f + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     float3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     float3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uint2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -97,7 +97,7 @@ inline uint unitvec_fib_split(float x, thread float& rest) {
 inline uint unitvec_fib_azimuth(float3 v, float3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    float quotient = min(x, y) / max(x, y);
+    float quotient = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     float part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -120,10 +120,10 @@ inline float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 inline UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
     float horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float reciprocal = 1.0f / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    float reciprocal = min(1.0f / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     float height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     float radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
-    float from_pole = radius_squared / min(1.0f + height, UNITVEC_HUGE);
+    float from_pole = min(radius_squared / min(1.0f + height, UNITVEC_HUGE), UNITVEC_HUGE);
     float from_top = min(1.0f - height, UNITVEC_HUGE);
     bool is_polar = height > 0.5f;
 
@@ -146,7 +146,7 @@ inline UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0f));
     float power = unitvec_fib_golden_power(k);
-    float turn = 1.0f / power;
+    float turn = min(1.0f / power, UNITVEC_HUGE);
     float next_turn = min(turn * 0.618034f, UNITVEC_HUGE);
     float step_size = min(min(power * 0.4472136f, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
     float next_step = min(min(power * 0.7236068f, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
@@ -171,7 +171,8 @@ inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, 
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE);
     float sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
-    float cost = min(min(difference * difference, UNITVEC_HUGE) / sum + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
+    float cost = min(min(min(difference * difference, UNITVEC_HUGE) / sum, UNITVEC_HUGE)
+        + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     UnitvecFibCandidate candidate = { i, is_point ? cost : 4.0f };
     return candidate;

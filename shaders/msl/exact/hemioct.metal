@@ -21,8 +21,8 @@
 
 // Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
 inline float2 unitvec_hemioct_position(float3 v, float norm, float m) {
-    float2 e =
-        min(float2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * (m / norm), float2(UNITVEC_HUGE));
+    float2 e = min(float2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
+        float2(UNITVEC_HUGE));
     return e;
 }
 

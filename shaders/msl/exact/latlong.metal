@@ -140,10 +140,10 @@ inline float3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings,
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    float divided = min(along - 0.5f * count, UNITVEC_HUGE) / count;
+    float divided = min(min(along - 0.5f * count, UNITVEC_HUGE) / count, UNITVEC_HUGE);
     float2 equator = unitvec_from_diagonal(along > 0.0f ? divided : -0.5f);
     // At either end the product is 1/2 exactly.
-    float latitude = min(min(ring - 0.5f * rings.n, UNITVEC_HUGE) * (1.0f / rings.n), UNITVEC_HUGE);
+    float latitude = min(min(ring - 0.5f * rings.n, UNITVEC_HUGE) * min(1.0f / rings.n, UNITVEC_HUGE), UNITVEC_HUGE);
     float2 meridian = unitvec_from_diagonal(latitude);
     float radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
 

@@ -44,7 +44,7 @@ inline float2 unitvec_oct_mirror(float3 v, float2 p) {
 // m / norm, which is (|x| + |z|) s.
 inline float2 unitvec_oct_position(float3 v, float norm, float m) {
     float below = max(-v.z, 0.0f);
-    float2 p = min(min(abs(v.xy) + below, float2(UNITVEC_HUGE)) * (m / norm), float2(UNITVEC_HUGE));
+    float2 p = min(min(abs(v.xy) + below, float2(UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE), float2(UNITVEC_HUGE));
     return unitvec_oct_mirror(v, p);
 }
 
@@ -52,7 +52,7 @@ inline float2 unitvec_oct_position(float3 v, float norm, float m) {
 inline float2 unitvec_oct_projected(float2 q, float3 p, float2 middle, float m) {
     float missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
         - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float stretch = min(missing * (1.0f / m), UNITVEC_HUGE);
+    float stretch = min(missing * min(1.0f / m, UNITVEC_HUGE), UNITVEC_HUGE);
     float2 moved = min(q + min(stretch * p.xy, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return moved;
 }
@@ -66,7 +66,7 @@ inline float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 
     float n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(0.25f * z_squared + 0.5f, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
     float half_s = min(z_squared + min(0.5f + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
-    float u = min(n * ((1.5f / m) / half_s), UNITVEC_HUGE);
+    float u = min(n * min(min(1.5f / m, UNITVEC_HUGE) / half_s, UNITVEC_HUGE), UNITVEC_HUGE);
     float2 moved =
         min(ab + min(u * min(at + minus_z, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return moved;
@@ -75,7 +75,7 @@ inline float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 inline float2 unitvec_oct_approached(float2 q, float2 at, float m) {
-    float2 moved = min(q + min(at * (0.3795f / m), float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
+    float2 moved = min(q + min(at * min(0.3795f / m, UNITVEC_HUGE), float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return moved;
 }
 
@@ -89,7 +89,7 @@ inline float2 unitvec_oct_approached(float2 q, float2 at, float m) {
 inline float2 unitvec_oct_nearest_corner(float3 p, float m) {
     float2 middle = min(floor(p.xy) + 0.5f, float2(UNITVEC_HUGE));
     float2 q = min(p.xy - middle, float2(UNITVEC_HUGE));
-    float2 at = min(min(p.xy * (3.0f / m), float2(UNITVEC_HUGE)) - 1.0f, float2(UNITVEC_HUGE));
+    float2 at = min(min(p.xy * min(3.0f / m, UNITVEC_HUGE), float2(UNITVEC_HUGE)) - 1.0f, float2(UNITVEC_HUGE));
     if (m >= 256.0f && m < 4096.0f) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0f) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -143,7 +143,7 @@ inline float2 unitvec_oct_searched_corner(float3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 inline float2 unitvec_oct_precise_point(float3 v, float norm, float m) {
-    float3 p = min(abs(v) * (m / norm), float3(UNITVEC_HUGE));
+    float3 p = min(abs(v) * min(m / norm, UNITVEC_HUGE), float3(UNITVEC_HUGE));
     // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
     // break ties.
     if (m >= 65536.0f) p = max(p, float3(m * 1.490116119384765625e-8f));
@@ -183,7 +183,7 @@ inline float3 oct_to_float32x3(float2 e) {
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 inline float2 float32x3_to_octn_precise(float3 v, int n) {
     float m = unitvec_snorm_max(uint(n / 2));
-    float2 e = unitvec_oct_lattice_precise(v, m) / m;
+    float2 e = min(unitvec_oct_lattice_precise(v, m) / m, float2(UNITVEC_HUGE));
     return e;
 }
 
@@ -194,7 +194,7 @@ inline float3 snorm12x2_to_unorm8x3(float2 f) {
     float carry = floor(u.y / 256.0f);
     float3 bytes = float3(high, min(min(u.x - high * 16.0f, UNITVEC_HUGE) * 16.0f + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0f, UNITVEC_HUGE));
-    float3 parts = bytes / 255.0f;
+    float3 parts = min(bytes / 255.0f, float3(UNITVEC_HUGE));
     return parts;
 }
 
@@ -205,7 +205,7 @@ inline float2 unorm8x3_to_snorm12x2(float3 u) {
     float high = floor(bytes.y / 16.0f);
     float2 biased = float2(min(bytes.x * 16.0f + high, UNITVEC_HUGE),
         min(min(bytes.y - high * 16.0f, UNITVEC_HUGE) * 256.0f + bytes.z, UNITVEC_HUGE));
-    float2 s = min(biased - 2047.0f, float2(UNITVEC_HUGE)) / 2047.0f;
+    float2 s = min(min(biased - 2047.0f, float2(UNITVEC_HUGE)) / 2047.0f, float2(UNITVEC_HUGE));
     return unitvec_is_nan(unitvec_l1_norm(u)) ? float2(0.0f) : clamp(s, float2(-1.0f), float2(1.0f));
 }
 

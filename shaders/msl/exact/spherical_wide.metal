@@ -97,8 +97,8 @@ inline int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWi
     bool steep = y.x > x.x;
     float2 longer = steep ? y : x;
     float2 shorter = steep ? x : y;
-    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25f / steps.size), UNITVEC_HUGE) + 0.5f,
-        UNITVEC_HUGE);
+    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * min(0.25f / steps.size, UNITVEC_HUGE),
+        UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
     int estimate = int(part);
 
     float2 cosine;
@@ -111,7 +111,7 @@ inline int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWi
         sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
     float radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
-    float off = min(across / radians + 0.5f, UNITVEC_HUGE);
+    float off = min(min(across / radians, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -127,7 +127,8 @@ inline float2 unitvec_spherical_wide_length(float x, float y) {
     float square = min(root * root, UNITVEC_HUGE);
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
-    float low = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0f * root);
+    float low = min(min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0f * root),
+        UNITVEC_HUGE);
     return float2(root, low);
 }
 

@@ -309,7 +309,7 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
-    let n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), vec3f(UNITVEC_HUGE));
+    let n = min(v * min(1.0 / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     return n;
 }
 
@@ -400,7 +400,7 @@ fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: p
 fn unitvec_normalize_parts(upper: vec3f, lower: vec3f) -> vec3f {
     let squares = unitvec_dot(upper, upper);
     let other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    let estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE));
+    let estimate = min(1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
     let reciprocal = bitcast<f32>((bitcast<u32>(estimate) + 0x800u) & 0xfffff000u);
 
     let scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -561,7 +561,7 @@ fn unitvec_atan_octant(r: f32) -> f32 {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 fn unitvec_atan_octant_ratio(y: f32, x: f32) -> f32 {
-    let divided = y / x;
+    let divided = min(y / x, UNITVEC_HUGE);
     let quotient = select(1.0, divided, y < x);
     return unitvec_atan_octant(select(quotient, 0.0, y < UNITVEC_MIN_POSITIVE));
 }
@@ -746,7 +746,7 @@ fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 fn unitvec_angles_quarter(y: f32, x: f32) -> f32 {
-    let q = min(x, y) / max(x, y);
+    let q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     let part = unitvec_atan_quarter(q);
     let rest = min(1.0 - part, UNITVEC_HUGE);
     return select(part, rest, y > x);
