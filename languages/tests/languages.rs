@@ -181,12 +181,12 @@ fn unitvec_negate_positive(negative: bool, x: f32) -> f32 {
     assert_eq!(unknown, Err(Error::NoFunction("oct17_encode".to_owned())));
 }
 
-/// Sums, products and quotients that are rounded pass through the barrier; products that are exact do not.
+/// Sums, products, quotients and roots that are rounded pass through the barrier; products that are exact do not.
 #[test]
 fn the_exact_edition_has_barriers() {
-    let text = "float f(float a, float b) {\n    UNITVEC_PRECISE float r = (a * b + 2.0 * a) / b;\n    return r;\n}\n";
+    let text = "float f(float a, float b) {\n    UNITVEC_PRECISE float r = (a * b + 2.0 * a) / sqrt(b);\n    return r;\n}\n";
     let printed = |language| of(text).excerpt(&["f"], language, Edition::Exact).unwrap();
-    let barriers = "min(min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / b, UNITVEC_HUGE);";
+    let barriers = "min(min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / min(sqrt(b), UNITVEC_HUGE), UNITVEC_HUGE);";
     assert!(printed(Language::Wgsl).contains(&format!("let r = {barriers}")));
     let in_metal = barriers.replace("2.0", "2.0f");
     assert!(printed(Language::Msl).contains(&format!("float r = {in_metal}")));

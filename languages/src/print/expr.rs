@@ -35,15 +35,20 @@ impl Printer<'_> {
         self.unguarded(expr)
     }
 
-    /// True for sums, products and quotients that the exact edition keeps apart from what is done with them.
+    /// True for sums, products, quotients and roots that the exact edition keeps apart from what is done with them: compilers
+    /// that may, fuse, reorder, and take an estimate in place of the inverse of a root.
     fn needs_barrier(&self, expr: &Expr) -> bool {
-        let ExprKind::Binary(operator, left, right) = &expr.kind else { return false };
-        let is_exact_product = operator == "*" && (is_power_of_two(left) || is_power_of_two(right));
-        self.is_exact()
-            && self.in_precise
-            && expr.ty.is_float()
-            && ["+", "-", "*", "/"].contains(&operator.as_str())
-            && !is_exact_product
+        if !(self.is_exact() && self.in_precise && expr.ty.is_float()) {
+            return false;
+        }
+        match &expr.kind {
+            ExprKind::Binary(operator, left, right) if operator == "*" => {
+                !is_power_of_two(left) && !is_power_of_two(right)
+            }
+            ExprKind::Binary(..) => true,
+            ExprKind::BuiltIn(name, _) => name == "sqrt",
+            _ => false,
+        }
     }
 
     fn unguarded(&self, expr: &Expr) -> (String, usize) {

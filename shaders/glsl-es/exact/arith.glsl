@@ -315,13 +315,14 @@ float unitvec_dot(vec3 a, vec3 b) {
 
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
-    vec3 n = min(v * min(1.0 / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec3 n = min(v * min(1.0 / min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return n;
 }
 
 // Distance of v from the z axis.
 float unitvec_horizontal_length(vec3 v) {
-    float distance_from_z = sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE));
+    float distance_from_z =
+        min(sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     return distance_from_z;
 }
 
@@ -405,7 +406,7 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    float estimate = min(1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float estimate = min(1.0 / min(sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -630,7 +631,7 @@ float unitvec_asin_small(float a) {
     float half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_HUGE);
     float squared = min(a * a, UNITVEC_HUGE);
     float u = outer_part ? half_chord_squared : squared;
-    float root = sqrt(u);
+    float root = min(sqrt(u), UNITVEC_HUGE);
     float w = outer_part ? root : a;
     float low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3
         + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),

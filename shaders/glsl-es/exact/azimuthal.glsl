@@ -40,7 +40,7 @@ const int UNITVEC_ELLIPSE = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
-    float scale = min(1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float scale = min(1.0 / min(min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
@@ -55,8 +55,9 @@ vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
-    float norm = sqrt(unitvec_dot(v, v));
-    float scale = min(1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float norm = min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE);
+    float scale =
+        min(1.0 / min(sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(v.z / norm, UNITVEC_HUGE);
@@ -64,7 +65,7 @@ vec4 unitvec_eqarea_to_disk(vec3 v) {
 }
 
 vec3 unitvec_disk_to_eqarea(vec2 at, float rim) {
-    float scale = sqrt(min(1.0 + rim, UNITVEC_HUGE));
+    float scale = min(sqrt(min(1.0 + rim, UNITVEC_HUGE)), UNITVEC_HUGE);
     vec2 horizontal = min(at * scale, UNITVEC_HUGE);
     return vec3(horizontal, rim);
 }
@@ -193,17 +194,17 @@ vec4 unitvec_concentric_to_disk(vec2 e, uint bits) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 vec2 unitvec_ellipse_to_square(vec4 disk) {
     float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sum =
-        min(2.0 + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
-    vec2 s = min(2.0 * disk.xy / vec2(sqrt(min(sum + difference, UNITVEC_HUGE)),
-        sqrt(min(sum - difference, UNITVEC_HUGE))), UNITVEC_HUGE);
+    float sum = min(2.0 + min(sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 s = min(2.0 * disk.xy / vec2(min(sqrt(min(sum + difference, UNITVEC_HUGE)), UNITVEC_HUGE),
+        min(sqrt(min(sum - difference, UNITVEC_HUGE)), UNITVEC_HUGE)), UNITVEC_HUGE);
     return s;
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 e, uint bits) {
     vec2 s = unitvec_azimuthal_parts(e, bits);
-    vec2 root = vec2(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)),
-        sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)));
+    vec2 root = vec2(min(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
+        min(sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
     vec2 at = min(s * root, UNITVEC_HUGE);
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     float factor = min(1.0 - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);

@@ -195,9 +195,9 @@ float unitvec_best_fit_sine(vec2 u, float size) {
     vec2 p = min(u * size, UNITVEC_HUGE);
     vec2 d = min(unitvec_nearest_whole(p) - p, UNITVEC_HUGE);
     float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+    float sine = min(sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0 / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE));
+        UNITVEC_HUGE)), UNITVEC_HUGE);
     return sine;
 }
 
@@ -310,8 +310,8 @@ uvec2 snorm16x3p_encode(vec3 v) {
     vec3 u = unitvec_best_fit_on_cube(v);
     vec2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = min(longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float unit = min(longest / min(sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     vec3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     vec3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uvec2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -24,7 +24,7 @@ precision highp int;
 vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     vec3 p = unitvec_angles_scaled(v, norm);
-    float magnitude = min(p.z * min(1.0 / sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float magnitude = min(p.z * min(1.0 / min(sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float height = unitvec_with_sign(magnitude, v.z);
     float steps = min((unitvec_is_usable(norm) ? height : 1.0) * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
@@ -36,8 +36,8 @@ vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
     float step_size = min(1.0 / m, UNITVEC_HUGE);
-    float radius = min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)) * step_size,
-        UNITVEC_HUGE);
+    float radius = min(min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)),
+        UNITVEC_HUGE) * step_size, UNITVEC_HUGE);
     float z = min(e.y * step_size, UNITVEC_HUGE);
     float quarters = min(e.x * (2.0 * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);

@@ -45,8 +45,9 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     float b = min(x, y);
 
     float horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
-    float len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE));
-    float radius = sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
+    float len = min(sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float radius =
+        min(sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     float q = min(b / a, UNITVEC_HUGE);
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
@@ -123,7 +124,7 @@ vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     float cosine = unitvec_cos_eighth(eighth);
     float radius = min(ring * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     float z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    float horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float horizontal = min(radius * min(sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     float near_axis = min(horizontal * cosine, UNITVEC_HUGE);
     float off_axis = min(horizontal * sine, UNITVEC_HUGE);
     float x = swapped ? off_axis : near_axis;

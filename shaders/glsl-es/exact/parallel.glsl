@@ -118,7 +118,7 @@ vec3 unitvec_parallel_unit(vec3 v) {
     vec3 scaled = min(v * unitvec_scale_to_one(raised), UNITVEC_HUGE);
     float square = unitvec_dot(scaled, scaled);
     float off = min(square - 1.0, UNITVEC_HUGE);
-    float inverse = min(1.0 / sqrt(square), UNITVEC_HUGE);
+    float inverse = min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE);
     vec3 n = min(scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse), UNITVEC_HUGE);
     return n;
 }
@@ -126,7 +126,7 @@ vec3 unitvec_parallel_unit(vec3 v) {
 float unitvec_parallel_third(vec2 p) {
     float square =
         min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
-    float root = sqrt(max(square, 0.0));
+    float root = min(sqrt(max(square, 0.0)), UNITVEC_HUGE);
     return root;
 }
 

@@ -110,8 +110,8 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
     vec2 back = unitvec_spherical_wide_product(longer, sine);
     float across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float root =
-        sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
+    float root = min(sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE),
+        UNITVEC_HUGE)), UNITVEC_HUGE);
     float radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
     float off = min(min(across / radians, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -125,7 +125,7 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     float a = min(longer * longer, UNITVEC_HUGE);
     float b = min(shorter * shorter, UNITVEC_HUGE);
-    float first = sqrt(min(a + b, UNITVEC_HUGE));
+    float first = min(sqrt(min(a + b, UNITVEC_HUGE)), UNITVEC_HUGE);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     float square = min(root * root, UNITVEC_HUGE);
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),

@@ -318,13 +318,14 @@ inline float unitvec_dot(float3 a, float3 b) {
 
 // v at unit length, to within 2 ULP.
 inline float3 unitvec_normalize(float3 v) {
-    float3 n = min(v * min(1.0f / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), float3(UNITVEC_HUGE));
+    float3 n = min(v * min(1.0f / min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE), float3(UNITVEC_HUGE));
     return n;
 }
 
 // Distance of v from the z axis.
 inline float unitvec_horizontal_length(float3 v) {
-    float distance_from_z = sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE));
+    float distance_from_z =
+        min(sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     return distance_from_z;
 }
 
@@ -409,7 +410,7 @@ inline float unitvec_coordinate(float x, float2 sum, float reciprocal, uint bits
 inline float3 unitvec_normalize_parts(float3 upper, float3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = min(2.0f * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    float estimate = min(1.0f / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float estimate = min(1.0f / min(sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     float reciprocal = as_type<float>((as_type<uint>(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -634,7 +635,7 @@ inline float unitvec_asin_small(float a) {
     float half_chord_squared = 0.5f * min(1.0f - a, UNITVEC_HUGE);
     float squared = min(a * a, UNITVEC_HUGE);
     float u = outer_part ? half_chord_squared : squared;
-    float root = sqrt(u);
+    float root = min(sqrt(u), UNITVEC_HUGE);
     float w = outer_part ? root : a;
     float low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3
         + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),

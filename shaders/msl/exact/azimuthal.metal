@@ -37,7 +37,7 @@ constant int UNITVEC_ELLIPSE = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 inline float4 unitvec_stereo_to_disk(float3 v) {
-    float scale = min(1.0f / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float scale = min(1.0f / min(min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(2.0f * v.z * scale, UNITVEC_HUGE);
@@ -52,8 +52,9 @@ inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
-    float norm = sqrt(unitvec_dot(v, v));
-    float scale = min(1.0f / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float norm = min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE);
+    float scale =
+        min(1.0f / min(sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(v.z / norm, UNITVEC_HUGE);
@@ -61,7 +62,7 @@ inline float4 unitvec_eqarea_to_disk(float3 v) {
 }
 
 inline float3 unitvec_disk_to_eqarea(float2 at, float rim) {
-    float scale = sqrt(min(1.0f + rim, UNITVEC_HUGE));
+    float scale = min(sqrt(min(1.0f + rim, UNITVEC_HUGE)), UNITVEC_HUGE);
     float2 horizontal = min(at * scale, float2(UNITVEC_HUGE));
     return float3(horizontal, rim);
 }
@@ -191,17 +192,17 @@ inline float4 unitvec_concentric_to_disk(float2 e, uint bits) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 inline float2 unitvec_ellipse_to_square(float4 disk) {
     float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sum =
-        min(2.0f + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
-    float2 s = min(2.0f * disk.xy / float2(sqrt(min(sum + difference, UNITVEC_HUGE)),
-        sqrt(min(sum - difference, UNITVEC_HUGE))), float2(UNITVEC_HUGE));
+    float sum = min(2.0f + min(sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE)),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    float2 s = min(2.0f * disk.xy / float2(min(sqrt(min(sum + difference, UNITVEC_HUGE)), UNITVEC_HUGE),
+        min(sqrt(min(sum - difference, UNITVEC_HUGE)), UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return s;
 }
 
 inline float4 unitvec_ellipse_to_disk(float2 e, uint bits) {
     float2 s = unitvec_azimuthal_parts(e, bits);
-    float2 root = float2(sqrt(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)),
-        sqrt(min(1.0f - min(0.5f * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)));
+    float2 root = float2(min(sqrt(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
+        min(sqrt(min(1.0f - min(0.5f * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
     float2 at = min(s * root, float2(UNITVEC_HUGE));
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     float factor = min(1.0f - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);

@@ -21,7 +21,7 @@
 inline float2 unitvec_cylindrical_lattice(float3 v, float m) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
-    float magnitude = min(p.z * min(1.0f / sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float magnitude = min(p.z * min(1.0f / min(sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float height = unitvec_with_sign(magnitude, v.z);
     float steps = min((unitvec_is_usable(norm) ? height : 1.0f) * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
@@ -33,8 +33,8 @@ inline float2 unitvec_cylindrical_lattice(float3 v, float m) {
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 inline float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
     float step_size = min(1.0f / m, UNITVEC_HUGE);
-    float radius = min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)) * step_size,
-        UNITVEC_HUGE);
+    float radius = min(min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)),
+        UNITVEC_HUGE) * step_size, UNITVEC_HUGE);
     float z = min(e.y * step_size, UNITVEC_HUGE);
     float quarters = min(e.x * (2.0f * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, radius > 0.0f ? quarters : 0.0f);

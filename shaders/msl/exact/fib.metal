@@ -120,7 +120,8 @@ inline float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 inline UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
     float horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float reciprocal = min(1.0f / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float reciprocal = min(1.0f / min(sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
+        UNITVEC_HUGE);
     float height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     float radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
     float from_pole = min(radius_squared / min(1.0f + height, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -161,8 +162,8 @@ inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, 
     float signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     bool is_point = signed_depth > 0.0f;
     float depth = abs(signed_depth);
-    float radii =
-        sqrt(min(place.radius_squared * min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
+    float radii = min(sqrt(min(place.radius_squared * min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE)), UNITVEC_HUGE);
 
     float d = unitvec_fib_signed_turn(turn);
     float u = min(d * d, UNITVEC_HUGE);
@@ -230,7 +231,7 @@ inline float3 unitvec_fib_point(uint i, uint bits) {
     float depth = min(min(float(int(from_pole)) + 0.5f, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
     float height =
         min(min(float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5f, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
-    float radius = sqrt(min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE));
+    float radius = min(sqrt(min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;

@@ -81,7 +81,7 @@ inline float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float high = rings.q4 != 0.0f ? both_high : rings.q.z;
     float whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     float factor = rings.q.z != 0.0f ? whole_factor : low;
-    float i = min(min(sqrt(index) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
+    float i = min(min(min(sqrt(index), UNITVEC_HUGE) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
     return i;
 }
 

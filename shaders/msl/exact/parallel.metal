@@ -115,7 +115,7 @@ inline float3 unitvec_parallel_unit(float3 v) {
     float3 scaled = min(v * unitvec_scale_to_one(raised), float3(UNITVEC_HUGE));
     float square = unitvec_dot(scaled, scaled);
     float off = min(square - 1.0f, UNITVEC_HUGE);
-    float inverse = min(1.0f / sqrt(square), UNITVEC_HUGE);
+    float inverse = min(1.0f / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE);
     float3 n = min(scaled * (abs(off) <= 9.536743e-7f ? 1.0f : inverse), float3(UNITVEC_HUGE));
     return n;
 }
@@ -123,7 +123,7 @@ inline float3 unitvec_parallel_unit(float3 v) {
 inline float unitvec_parallel_third(float2 p) {
     float square =
         min(1.0f - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
-    float root = sqrt(max(square, 0.0f));
+    float root = min(sqrt(max(square, 0.0f)), UNITVEC_HUGE);
     return root;
 }
 

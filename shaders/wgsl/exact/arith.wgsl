@@ -309,13 +309,14 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
-    let n = min(v * min(1.0 / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
+    let n = min(v * min(1.0 / min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     return n;
 }
 
 // Distance of v from the z axis.
 fn unitvec_horizontal_length(v: vec3f) -> f32 {
-    let distance_from_z = sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE));
+    let distance_from_z =
+        min(sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     return distance_from_z;
 }
 
@@ -400,7 +401,7 @@ fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: p
 fn unitvec_normalize_parts(upper: vec3f, lower: vec3f) -> vec3f {
     let squares = unitvec_dot(upper, upper);
     let other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    let estimate = min(1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
+    let estimate = min(1.0 / min(sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     let reciprocal = bitcast<f32>((bitcast<u32>(estimate) + 0x800u) & 0xfffff000u);
 
     let scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -628,7 +629,7 @@ fn unitvec_asin_small(a: f32) -> f32 {
     let half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_HUGE);
     let squared = min(a * a, UNITVEC_HUGE);
     let u = select(squared, half_chord_squared, outer_part);
-    let root = sqrt(u);
+    let root = min(sqrt(u), UNITVEC_HUGE);
     let w = select(a, root, outer_part);
     let low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3 + min(u * min(UNITVEC_ASIN_4
         + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),

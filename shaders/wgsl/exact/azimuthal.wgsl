@@ -34,7 +34,7 @@ const UNITVEC_ELLIPSE: i32 = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
-    let scale = min(1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let scale = min(1.0 / min(min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     let rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
@@ -49,8 +49,9 @@ fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
 }
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
-    let norm = sqrt(unitvec_dot(v, v));
-    let scale = min(1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    let norm = min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE);
+    let scale =
+        min(1.0 / min(sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     let rim = min(v.z / norm, UNITVEC_HUGE);
@@ -58,7 +59,7 @@ fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
 }
 
 fn unitvec_disk_to_eqarea(at: vec2f, rim: f32) -> vec3f {
-    let scale = sqrt(min(1.0 + rim, UNITVEC_HUGE));
+    let scale = min(sqrt(min(1.0 + rim, UNITVEC_HUGE)), UNITVEC_HUGE);
     let horizontal = min(at * scale, vec2f(UNITVEC_HUGE));
     return vec3f(horizontal, rim);
 }
@@ -187,17 +188,17 @@ fn unitvec_concentric_to_disk(e: vec2f, bits: u32) -> vec4f {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
     let difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let sum =
-        min(2.0 + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
-    let s = min(2.0 * disk.xy / vec2f(sqrt(min(sum + difference, UNITVEC_HUGE)),
-        sqrt(min(sum - difference, UNITVEC_HUGE))), vec2f(UNITVEC_HUGE));
+    let sum = min(2.0 + min(sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)),
+        UNITVEC_HUGE), UNITVEC_HUGE);
+    let s = min(2.0 * disk.xy / vec2f(min(sqrt(min(sum + difference, UNITVEC_HUGE)), UNITVEC_HUGE),
+        min(sqrt(min(sum - difference, UNITVEC_HUGE)), UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return s;
 }
 
 fn unitvec_ellipse_to_disk(e: vec2f, bits: u32) -> vec4f {
     let s = unitvec_azimuthal_parts(e, bits);
-    let root = vec2f(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)),
-        sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)));
+    let root = vec2f(min(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
+        min(sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
     let at = min(s * root, vec2f(UNITVEC_HUGE));
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     let factor = min(1.0 - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);

@@ -190,9 +190,9 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     let p = min(u * size, vec2f(UNITVEC_HUGE));
     let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_HUGE));
     let cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
-    let sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+    let sine = min(sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0 / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE));
+        UNITVEC_HUGE)), UNITVEC_HUGE);
     return sine;
 }
 
@@ -304,8 +304,8 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
     let u = unitvec_best_fit_on_cube(v);
     let parts = unitvec_best_fit_by_size(u);
     let longest = unitvec_snorm_max(16u);
-    let unit = min(longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    let unit = min(longest / min(sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     let best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     let q = unitvec_best_fit_at_scale(v, u, best.x);
     return vec2u(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -39,8 +39,9 @@ fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
     let b = min(x, y);
 
     let horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
-    let len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE));
-    let radius = sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
+    let len = min(sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    let radius =
+        min(sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     let q = min(b / a, UNITVEC_HUGE);
     let polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
@@ -117,7 +118,7 @@ fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let cosine = unitvec_cos_eighth(eighth);
     let radius = min(ring * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     let z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    let horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE);
+    let horizontal = min(radius * min(sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     let near_axis = min(horizontal * cosine, UNITVEC_HUGE);
     let off_axis = min(horizontal * sine, UNITVEC_HUGE);
     let x = select(near_axis, off_axis, swapped);

@@ -117,7 +117,8 @@ fn unitvec_fib_golden_power(k: u32) -> f32 {
 // Place of a vector with an L1 norm of 1 to 2.
 fn unitvec_fib_place(v: vec3f, bits: u32) -> UnitvecFibPlace {
     let horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let reciprocal = min(1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    let reciprocal =
+        min(1.0 / min(sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
     let height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     let radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
     let from_pole = min(radius_squared / min(1.0 + height, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -158,8 +159,8 @@ fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -
     let signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     let is_point = signed_depth > 0.0;
     let depth = abs(signed_depth);
-    let radii =
-        sqrt(min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
+    let radii = min(sqrt(min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE)), UNITVEC_HUGE);
 
     let d = unitvec_fib_signed_turn(turn);
     let u = min(d * d, UNITVEC_HUGE);
@@ -227,7 +228,7 @@ fn unitvec_fib_point(i_in: u32, bits: u32) -> vec3f {
     let unit = unitvec_exp2(1 - i32(bits));
     let depth = min(min(f32(i32(from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
     let height = min(min(f32(i32(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
-    let radius = sqrt(min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE));
+    let radius = min(sqrt(min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
 
     let azimuth = unitvec_fib_turn(i);
     let quarter = (azimuth + 0x20000000u) >> 30u;

@@ -80,7 +80,7 @@ fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
     let high = select(rings.q.z, both_high, rings.q4 != 0.0);
     let whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     let factor = select(low, whole_factor, rings.q.z != 0.0);
-    let i = min(min(sqrt(index) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
+    let i = min(min(min(sqrt(index), UNITVEC_HUGE) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
     return i;
 }
 

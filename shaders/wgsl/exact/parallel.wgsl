@@ -112,7 +112,7 @@ fn unitvec_parallel_unit(v: vec3f) -> vec3f {
     let scaled = min(v * unitvec_scale_to_one(raised), vec3f(UNITVEC_HUGE));
     let square = unitvec_dot(scaled, scaled);
     let off = min(square - 1.0, UNITVEC_HUGE);
-    let inverse = min(1.0 / sqrt(square), UNITVEC_HUGE);
+    let inverse = min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE);
     let n = min(scaled * select(inverse, 1.0, abs(off) <= 9.536743e-7), vec3f(UNITVEC_HUGE));
     return n;
 }
@@ -120,7 +120,7 @@ fn unitvec_parallel_unit(v: vec3f) -> vec3f {
 fn unitvec_parallel_third(p: vec2f) -> f32 {
     let square =
         min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
-    let root = sqrt(max(square, 0.0));
+    let root = min(sqrt(max(square, 0.0)), UNITVEC_HUGE);
     return root;
 }
 

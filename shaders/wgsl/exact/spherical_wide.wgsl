@@ -106,8 +106,8 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let forth = unitvec_spherical_wide_product(shorter, cosine);
     let back = unitvec_spherical_wide_product(longer, sine);
     let across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let root =
-        sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
+    let root = min(sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE),
+        UNITVEC_HUGE)), UNITVEC_HUGE);
     let radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
     let off = min(min(across / radians, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -121,7 +121,7 @@ fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let shorter = select(y, x, y > x);
     let a = min(longer * longer, UNITVEC_HUGE);
     let b = min(shorter * shorter, UNITVEC_HUGE);
-    let first = sqrt(min(a + b, UNITVEC_HUGE));
+    let first = min(sqrt(min(a + b, UNITVEC_HUGE)), UNITVEC_HUGE);
     let root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     let square = min(root * root, UNITVEC_HUGE);
     let rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
