@@ -46,8 +46,9 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     UNITVEC_PRECISE float sum = 2.0 - rim;
-    UNITVEC_PRECISE vec2 horizontal = 2.0 * at / sum;
-    UNITVEC_PRECISE float z = rim / sum;
+    vec3 by = unitvec_divisors(sum);
+    UNITVEC_PRECISE vec2 horizontal = 2.0 * at / by.xy;
+    UNITVEC_PRECISE float z = rim / by.z;
     return vec3(horizontal, z);
 }
 

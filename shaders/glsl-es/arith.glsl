@@ -192,7 +192,13 @@ float unitvec_snorm_quotient(float x, uint bits) {
     return quotient;
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+vec3 unitvec_divisors(float x) {
+    return vec3(x);
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
     return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));

@@ -46,8 +46,9 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     float sum = 2.0 - rim;
-    vec2 horizontal = 2.0 * at / sum;
-    float z = rim / sum;
+    vec3 by = unitvec_divisors(sum);
+    vec2 horizontal = 2.0 * at / by.xy;
+    float z = rim / by.z;
     return vec3(horizontal, z);
 }
 

@@ -47,9 +47,9 @@ float unitvec_best_fit_part(float a, float largest) {
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 vec3 unitvec_best_fit_on_cube(vec3 v) {
     vec3 a = abs(v);
-    float largest = max(max(a.x, a.y), a.z);
-    return vec3(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
-        unitvec_best_fit_part(a.z, largest));
+    vec3 largest = unitvec_divisors(max(max(a.x, a.y), a.z));
+    return vec3(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
+        unitvec_best_fit_part(a.z, largest.z));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.

@@ -61,7 +61,7 @@ UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
 // Unit vector of the lattice point p of the positive octant.
 vec3 unitvec_oct_wide_decode_octant(ivec3 p, uint bits) {
     uint low_bits = bits - 13u;
-    vec3 lower = vec3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits));
+    vec3 lower = vec3(p & int(unitvec_mask(low_bits))) * unitvec_exp2(-int(low_bits));
     return unitvec_normalize_parts(vec3(p >> low_bits), lower);
 }
 

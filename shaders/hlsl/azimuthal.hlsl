@@ -43,8 +43,9 @@ float4 unitvec_stereo_to_disk(float3 v) {
 
 float3 unitvec_disk_to_stereo(float2 at, float rim) {
     precise float sum = 2.0 - rim;
-    precise float2 horizontal = 2.0 * at / sum;
-    precise float z = rim / sum;
+    float3 by = unitvec_divisors(sum);
+    precise float2 horizontal = 2.0 * at / by.xy;
+    precise float z = rim / by.z;
     return float3(horizontal, z);
 }
 

@@ -43,8 +43,9 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = 2.0f - rim;
-    float2 horizontal = 2.0f * at / sum;
-    float z = rim / sum;
+    float3 by = unitvec_divisors(sum);
+    float2 horizontal = 2.0f * at / by.xy;
+    float z = rim / by.z;
     return float3(horizontal, z);
 }
 

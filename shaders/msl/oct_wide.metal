@@ -58,7 +58,7 @@ inline UnitvecOctWidePosition unitvec_oct_wide_position(float3 v, uint bits) {
 // Unit vector of the lattice point p of the positive octant.
 inline float3 unitvec_oct_wide_decode_octant(int3 p, uint bits) {
     uint low_bits = bits - 13u;
-    float3 lower = float3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits));
+    float3 lower = float3(p & int(unitvec_mask(low_bits))) * unitvec_exp2(-int(low_bits));
     return unitvec_normalize_parts(float3(p >> low_bits), lower);
 }
 

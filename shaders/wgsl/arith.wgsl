@@ -185,7 +185,13 @@ fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+fn unitvec_divisors(x: f32) -> vec3f {
+    return vec3f(x);
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 fn unitvec_snorm_quotients(e: vec3f, xy_bits: u32, z_bits: u32) -> vec3f {
     return vec3f(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));

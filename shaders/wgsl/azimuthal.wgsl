@@ -40,8 +40,9 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
     let sum = 2.0 - rim;
-    let horizontal = 2.0 * at / sum;
-    let z = rim / sum;
+    let by = unitvec_divisors(sum);
+    let horizontal = 2.0 * at / by.xy;
+    let z = rim / by.z;
     return vec3f(horizontal, z);
 }
 

@@ -41,9 +41,9 @@ fn unitvec_best_fit_part(a: f32, largest: f32) -> f32 {
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 fn unitvec_best_fit_on_cube(v: vec3f) -> vec3f {
     let a = abs(v);
-    let largest = max(max(a.x, a.y), a.z);
-    return vec3f(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
-        unitvec_best_fit_part(a.z, largest));
+    let largest = unitvec_divisors(max(max(a.x, a.y), a.z));
+    return vec3f(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
+        unitvec_best_fit_part(a.z, largest.z));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.

@@ -49,8 +49,9 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     float sum = min(2.0 - rim, UNITVEC_HUGE);
-    vec2 horizontal = min(2.0 * at / sum, UNITVEC_HUGE);
-    float z = min(rim / sum, UNITVEC_HUGE);
+    vec3 by = unitvec_divisors(sum);
+    vec2 horizontal = min(2.0 * at / by.xy, UNITVEC_HUGE);
+    float z = min(rim / by.z, UNITVEC_HUGE);
     return vec3(horizontal, z);
 }
 

@@ -197,7 +197,13 @@ inline float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+inline float3 unitvec_divisors(float x) {
+    return float3(x, min(x, 1e38f), max(x, 1e-38f));
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 inline float3 unitvec_snorm_quotients(float3 e, uint xy_bits, uint z_bits) {
     return float3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));

@@ -46,8 +46,9 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = min(2.0f - rim, UNITVEC_HUGE);
-    float2 horizontal = min(2.0f * at / sum, float2(UNITVEC_HUGE));
-    float z = min(rim / sum, UNITVEC_HUGE);
+    float3 by = unitvec_divisors(sum);
+    float2 horizontal = min(2.0f * at / by.xy, float2(UNITVEC_HUGE));
+    float z = min(rim / by.z, UNITVEC_HUGE);
     return float3(horizontal, z);
 }
 

@@ -43,8 +43,9 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
     let sum = min(2.0 - rim, UNITVEC_HUGE);
-    let horizontal = min(2.0 * at / sum, vec2f(UNITVEC_HUGE));
-    let z = min(rim / sum, UNITVEC_HUGE);
+    let by = unitvec_divisors(sum);
+    let horizontal = min(2.0 * at / by.xy, vec2f(UNITVEC_HUGE));
+    let z = min(rim / by.z, UNITVEC_HUGE);
     return vec3f(horizontal, z);
 }
 

@@ -58,7 +58,7 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
 // Unit vector of the lattice point p of the positive octant.
 fn unitvec_oct_wide_decode_octant(p: vec3i, bits: u32) -> vec3f {
     let low_bits = bits - 13u;
-    let lower = min(vec3f(p & vec3i(((1 << low_bits) - 1))) * unitvec_exp2(-i32(low_bits)), vec3f(UNITVEC_HUGE));
+    let lower = min(vec3f(p & vec3i(i32(unitvec_mask(low_bits)))) * unitvec_exp2(-i32(low_bits)), vec3f(UNITVEC_HUGE));
     return unitvec_normalize_parts(vec3f(p >> vec3u(low_bits)), lower);
 }
 
