@@ -163,6 +163,8 @@ impl<'a> Printer<'a> {
                 Language::Wgsl => format!("const {BARRIER}: f32 = 3e38;"),
                 Language::Msl => format!("constant float {BARRIER} = 3e38f;"),
                 Language::Hlsl | Language::Slang => format!("static const float {BARRIER} = 3e38;"),
+                // It stands above the default precision.
+                Language::GlslEs => format!("const highp float {BARRIER} = 3e38;"),
                 _ => format!("const float {BARRIER} = 3e38;"),
             };
             let why = "// No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.";

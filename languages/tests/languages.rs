@@ -332,3 +332,19 @@ fn godot_shifts_by_the_same_kind() {
     let printed = of(text).excerpt(&["f"], Language::Godot, Edition::Plain).unwrap();
     assert!(printed.contains("return (x << int(n + 1u)) >> 2;"), "{printed}");
 }
+
+/// In fragment shaders of GLSL ES floats have no precision before one is given.
+#[test]
+fn floats_have_a_precision_in_glsl_es() {
+    for edition in [Edition::Plain, Edition::Exact] {
+        let file = library().file("arith.glsl", Language::GlslEs, edition).unwrap();
+        let excerpt = library().excerpt(&["oct16_encode"], Language::GlslEs, edition).unwrap();
+        for text in [file, excerpt] {
+            let before = text.split("precision highp float;").next().unwrap();
+            let is_bare =
+                |line: &&str| line.contains("float ") && !line.contains("highp") && !line.starts_with("//");
+            assert_eq!(before.lines().find(is_bare), None);
+            assert!(before.len() < text.len());
+        }
+    }
+}

@@ -29,7 +29,7 @@
 #define UNITVEC_ARITH_GLSL
 
 // No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.
-const float UNITVEC_HUGE = 3e38;
+const highp float UNITVEC_HUGE = 3e38;
 
 precision highp float;
 precision highp int;
