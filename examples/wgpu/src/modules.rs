@@ -57,6 +57,10 @@ mod tests {
         modules
     }
 
+    fn borrowed(modules: &[(String, String)]) -> Vec<(&str, &str)> {
+        modules.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect()
+    }
+
     /// The names and the parameters' types of a module's functions that are for users.
     fn functions<'a>(text: &'a str) -> Vec<(&'a str, Vec<&'a str>)> {
         let heads = text.lines().filter_map(|line| line.strip_prefix("fn ")?.split_once('('));
@@ -99,34 +103,55 @@ mod tests {
         Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&module).unwrap();
     }
 
-    /// A shader can import and call every function of every family, and what comes of it is valid.
+    /// A shader that imports and calls every function of every family. `import` makes the line that imports names from a
+    /// family's module.
+    fn caller_of_all(modules: &[(&str, &str)], import: impl Fn(&str, &str) -> String) -> String {
+        let mut imports = String::new();
+        let mut called = Vec::new();
+        for (name, text) in &modules[1..] {
+            let functions = functions(text);
+            let names: Vec<&str> = functions.iter().map(|(name, _)| *name).collect();
+            assert!(names.iter().any(|name| name.ends_with("_encode")), "{name}");
+            imports += &import(name, &names.join(", "));
+            called.extend(functions);
+        }
+        caller(&imports, &called)
+    }
+
     #[test]
     fn naga_oil_composes_all_modules() {
         for folder in ["naga-oil", "naga-oil/exact"] {
             let modules = modules(folder, "wgsl");
-            let modules: Vec<_> = modules.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
-            for (name, text) in &modules[1..] {
-                let functions = functions(text);
-                let names: Vec<&str> = functions.iter().map(|(name, _)| *name).collect();
-                assert!(names.iter().any(|name| name.ends_with("_encode")), "{folder}/{name}");
-                let import = format!("#import unitvec::{name}::{{{}}}", names.join(", "));
-                validate(&naga_oil(&caller(&import, &functions), &modules).unwrap());
-            }
+            let modules = borrowed(&modules);
+            let import = |name: &str, names: &str| format!("#import unitvec::{name}::{{{names}}}\n");
+            validate(&naga_oil(&caller_of_all(&modules, import), &modules).unwrap());
         }
     }
 
-    /// The same in WESL.
     #[test]
     fn wesl_composes_all_modules() {
         for folder in ["wesl", "wesl/exact"] {
             let modules = modules(folder, "wesl");
-            let modules: Vec<_> = modules.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
-            for (name, text) in &modules[1..] {
-                let functions = functions(text);
-                let names: Vec<&str> = functions.iter().map(|(name, _)| *name).collect();
-                let import = format!("import package::unitvec::{name}::{{{}}};", names.join(", "));
-                validate(&wesl(&caller(&import, &functions), &modules).unwrap());
-            }
+            let modules = borrowed(&modules);
+            let import = |name: &str, names: &str| format!("import package::unitvec::{name}::{{{names}}};\n");
+            validate(&wesl(&caller_of_all(&modules, import), &modules).unwrap());
         }
+    }
+
+    /// What docs/engines.md says for Bevy and for WebGPU compiles.
+    #[test]
+    fn lines_of_the_docs_compile() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/engines.md");
+        let docs = fs::read_to_string(path).unwrap();
+        let blocks = docs.split("```wgsl\n").skip(1).filter_map(|rest| rest.split("```").next());
+        let main = "@compute @workgroup_size(1)\nfn main() { _ = loaded(stored(vec3f())); }\n";
+        let [in_wesl, in_naga_oil, plain]: [String; 3] =
+            blocks.map(|block| format!("{block}{main}")).collect::<Vec<_>>().try_into().unwrap();
+        let [wgsl, oil, files] = [("wgsl", "wgsl"), ("naga-oil", "wgsl"), ("wesl", "wesl")]
+            .map(|(folder, ending)| modules(folder, ending));
+        validate(&[wgsl[0].1.as_str(), &wgsl[1].1, &plain].concat());
+        validate(&naga_oil(&in_naga_oil, &borrowed(&oil)).unwrap());
+        let in_wesl: String = in_wesl.replace("package::shaders::", "package::");
+        validate(&wesl(&in_wesl, &borrowed(&files)).unwrap());
     }
 }
