@@ -165,6 +165,36 @@ fn unitvec_snorm_max(bits: u32) -> f32 {
     return f32(unitvec_mask(bits - 1u));
 }
 
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+fn unitvec_snorm_reciprocal(bits: u32) -> f32 {
+    let m = unitvec_mask(bits - 1u);
+    return bitcast<f32>(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
+    let h = unitvec_exp2(1 - i32(bits));
+    let few = bits <= 11u;
+    let high = select(h, h + h * h, few);
+    let low = select(h, h * h, few) * unitvec_snorm_reciprocal(bits);
+    let quotient = x * high + x * low;
+    return quotient;
+}
+
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
+// UNITVEC_EXACT, does not divide, and takes two more operations.
+fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
+    let quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+}
+
+// That of vectors, of xy_bits and of z_bits.
+fn unitvec_snorm_quotients(e: vec3f, xy_bits: u32, z_bits: u32) -> vec3f {
+    return vec3f(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
+        unitvec_snorm_quotient(e.z, z_bits));
+}
+
 // By comparing integers: see unitvec_is_within.
 fn unitvec_is_nan(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7fffffffu) > 0x7f800000u;
@@ -183,8 +213,7 @@ fn unitvec_unorm_encode(r: f32, bits: u32) -> u32 {
 
 // Eq. 2. Bits above `bits` are ignored.
 fn unitvec_unorm_decode(code: u32, bits: u32) -> f32 {
-    let r = f32(code & unitvec_mask(bits)) / unitvec_unorm_max(bits);
-    return r;
+    return unitvec_snorm_quotient(f32(code & unitvec_mask(bits)), bits + 1u);
 }
 
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
@@ -222,32 +251,7 @@ fn unitvec_snorm_clamp(e: vec2f) -> vec2f {
 
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
 fn unitvec_snorm_decode(code: u32, bits: u32) -> f32 {
-    let r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
-    return r;
-}
-
-// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
-fn unitvec_snorm_reciprocal(bits: u32) -> f32 {
-    let m = unitvec_mask(bits - 1u);
-    return bitcast<f32>(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
-}
-
-// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
-// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
-fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
-    let h = unitvec_exp2(1 - i32(bits));
-    let few = bits <= 11u;
-    let high = select(h, h + h * h, few);
-    let low = select(h, h * h, few) * unitvec_snorm_reciprocal(bits);
-    let quotient = x * high + x * low;
-    return quotient;
-}
-
-// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
-// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
-fn unitvec_snorm_parts(e: vec3f, xy_bits: u32, z_bits: u32) -> vec3f {
-    let v = e / vec3f(vec2f(unitvec_snorm_max(xy_bits)), unitvec_snorm_max(z_bits));
-    return v;
+    return unitvec_snorm_quotient(unitvec_snorm_integer(code, bits), bits);
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.

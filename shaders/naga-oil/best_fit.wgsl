@@ -22,8 +22,8 @@
 
 #define_import_path unitvec::best_fit
 #import unitvec::arith::{UNITVEC_ONE_AND_A_HALF_2_23, unitvec_is_negative, unitvec_mask, unitvec_nearest_whole,
-    unitvec_negate_if, unitvec_or_z, unitvec_signed_code, unitvec_snorm_field, unitvec_snorm_max, unitvec_snorm_parts,
-    unitvec_whole_to_u32}
+    unitvec_negate_if, unitvec_or_z, unitvec_signed_code, unitvec_snorm_field, unitvec_snorm_max,
+    unitvec_snorm_quotients, unitvec_whole_to_u32}
 
 // Cells from 0 to 1: a little less than the table's 640 columns, so that 1 itself is in the last.
 const UNITVEC_BEST_FIT_CELLS: f32 = 639.9990234375;
@@ -189,8 +189,11 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     return sine;
 }
 
+// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
-    let part = (f32(cell) + (f32(i) + 0.5) / 3.0) / UNITVEC_BEST_FIT_CELLS;
+    let third = f32(i);
+    let columns = f32(cell) + (third + 0.5) / max(third, 3.0);
+    let part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
     return part;
 }
 
@@ -302,7 +305,7 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
 fn snorm8x3p_decode(code: u32) -> vec3f {
     let e = vec3f(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u),
         unitvec_snorm_field(code, 16u, 8u));
-    return unitvec_snorm_parts(e, 8u, 8u);
+    return unitvec_snorm_quotients(e, 8u, 8u);
 }
 
 fn snorm8x3_nearest_decode(code: u32) -> vec3f {
@@ -316,5 +319,5 @@ fn crytek_bfn24_decode(code: u32) -> vec3f {
 fn snorm16x3p_decode(code: vec2u) -> vec3f {
     let e = vec3f(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }

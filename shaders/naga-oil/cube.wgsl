@@ -15,7 +15,7 @@
 #import unitvec::arith::{unitvec_atan_octant, unitvec_coordinate, unitvec_exp2, unitvec_face_of, unitvec_from_face,
     unitvec_is_negative, unitvec_l1_norm, unitvec_mask, unitvec_negate_if, unitvec_negate_positive, unitvec_normalize,
     unitvec_normalize_parts, unitvec_or_z, unitvec_scaled_to_one, unitvec_signed_code, unitvec_snorm_field,
-    unitvec_snorm_max, unitvec_tan_octant, unitvec_to_face}
+    unitvec_snorm_max, unitvec_snorm_quotient, unitvec_tan_octant, unitvec_to_face}
 
 fn unitvec_cube_round(negative: bool, magnitude: f32, m: f32) -> f32 {
     let position = magnitude * (m + 0.5) + 0.5;
@@ -74,8 +74,9 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
     let face = unitvec_cube_unpack_face(code, bits);
     let e = unitvec_cube_unpack(code, bits);
     let widths = unitvec_cube_widths(bits);
-    let s = abs(e.x) / (unitvec_snorm_max(widths.x) + 0.5);
-    let t = abs(e.y) / (unitvec_snorm_max(widths.y) + 0.5);
+    // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
+    let s = unitvec_snorm_quotient(2.0 * abs(e.x), widths.x + 1u);
+    let t = unitvec_snorm_quotient(2.0 * abs(e.y), widths.y + 1u);
     let p = vec3f(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);

@@ -11,7 +11,7 @@
 
 #define_import_path unitvec::snorm
 #import unitvec::arith::{unitvec_is_usable, unitvec_l1_norm, unitvec_mask, unitvec_snorm_code, unitvec_snorm_field,
-    unitvec_snorm_parts}
+    unitvec_snorm_quotients}
 
 fn unitvec_snorm3_encode(v: vec3f, xy_bits: u32, z_bits: u32) -> u32 {
     var code = unitvec_snorm_code(v.x, xy_bits) | (unitvec_snorm_code(v.y, xy_bits) << xy_bits)
@@ -26,7 +26,7 @@ fn unitvec_snorm3_decode(code_in: u32, xy_bits: u32, z_bits: u32) -> vec3f {
     code = select(code, unitvec_mask(z_bits - 1u) << (2u * xy_bits), used == 0u);
     let e = vec3f(unitvec_snorm_field(code, 0u, xy_bits), unitvec_snorm_field(code, xy_bits, xy_bits),
         unitvec_snorm_field(code, 2u * xy_bits, z_bits));
-    return unitvec_snorm_parts(e, xy_bits, z_bits);
+    return unitvec_snorm_quotients(e, xy_bits, z_bits);
 }
 
 fn snorm16x3_encode(v: vec3f) -> vec2u {
@@ -41,7 +41,7 @@ fn snorm16x3_decode(code: vec2u) -> vec3f {
     z = select(z, unitvec_mask(15u), (code.x | z) == 0u);
     let e = vec3f(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(z, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }
 
 fn snorm5x3_encode(v: vec3f) -> u32 { return unitvec_snorm3_encode(v, 5u, 5u); }

@@ -169,6 +169,35 @@ fn unitvec_snorm_max(bits: u32) -> f32 {
     return f32(unitvec_mask(bits - 1u));
 }
 
+// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
+fn unitvec_snorm_reciprocal(bits: u32) -> f32 {
+    let m = unitvec_mask(bits - 1u);
+    return bitcast<f32>(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+
+// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
+// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
+fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
+    let h = unitvec_exp2(1 - i32(bits));
+    let few = bits <= 11u;
+    let high = select(h, min(h + min(h * h, UNITVEC_HUGE), UNITVEC_HUGE), few);
+    let low = min(select(h, min(h * h, UNITVEC_HUGE), few) * unitvec_snorm_reciprocal(bits), UNITVEC_HUGE);
+    let quotient = min(min(x * high, UNITVEC_HUGE) + min(x * low, UNITVEC_HUGE), UNITVEC_HUGE);
+    return quotient;
+}
+
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
+// UNITVEC_EXACT, does not divide, and takes two more operations.
+fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
+    return unitvec_snorm_part(x, bits);
+}
+
+// That of vectors, of xy_bits and of z_bits.
+fn unitvec_snorm_quotients(e: vec3f, xy_bits: u32, z_bits: u32) -> vec3f {
+    return vec3f(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
+        unitvec_snorm_quotient(e.z, z_bits));
+}
+
 // By comparing integers: see unitvec_is_within.
 fn unitvec_is_nan(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7fffffffu) > 0x7f800000u;
@@ -187,8 +216,7 @@ fn unitvec_unorm_encode(r: f32, bits: u32) -> u32 {
 
 // Eq. 2. Bits above `bits` are ignored.
 fn unitvec_unorm_decode(code: u32, bits: u32) -> f32 {
-    let r = f32(code & unitvec_mask(bits)) / unitvec_unorm_max(bits);
-    return r;
+    return unitvec_snorm_quotient(f32(code & unitvec_mask(bits)), bits + 1u);
 }
 
 // round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
@@ -226,31 +254,7 @@ fn unitvec_snorm_clamp(e: vec2f) -> vec2f {
 
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
 fn unitvec_snorm_decode(code: u32, bits: u32) -> f32 {
-    let r = unitvec_snorm_integer(code, bits) / unitvec_snorm_max(bits);
-    return r;
-}
-
-// 1 / unitvec_snorm_max(bits), the nearest float: by integers, since devices need not divide floats exactly.
-fn unitvec_snorm_reciprocal(bits: u32) -> f32 {
-    let m = unitvec_mask(bits - 1u);
-    return bitcast<f32>(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
-}
-
-// x / unitvec_snorm_max(bits), rounded correctly on every device, for whole x (2 to 24 bits). With h = 2^(1 - bits), 1 / m is
-// h + h / m, or h + h^2 + h^2 / m, whose products with x are exact but for the last.
-fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
-    let h = unitvec_exp2(1 - i32(bits));
-    let few = bits <= 11u;
-    let high = select(h, min(h + min(h * h, UNITVEC_HUGE), UNITVEC_HUGE), few);
-    let low = min(select(h, min(h * h, UNITVEC_HUGE), few) * unitvec_snorm_reciprocal(bits), UNITVEC_HUGE);
-    let quotient = min(min(x * high, UNITVEC_HUGE) + min(x * low, UNITVEC_HUGE), UNITVEC_HUGE);
-    return quotient;
-}
-
-// e / unitvec_snorm_max, for whole numbers of xy_bits and of z_bits. Devices need not divide exactly: the exact edition,
-// which GLSL has by defining UNITVEC_EXACT, does not divide, and takes two more operations a component.
-fn unitvec_snorm_parts(e: vec3f, xy_bits: u32, z_bits: u32) -> vec3f {
-    return vec3f(unitvec_snorm_part(e.x, xy_bits), unitvec_snorm_part(e.y, xy_bits), unitvec_snorm_part(e.z, z_bits));
+    return unitvec_snorm_quotient(unitvec_snorm_integer(code, bits), bits);
 }
 
 // half: half floats (IEEE 754 binary16), converted with integers.
@@ -309,7 +313,7 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
-    let n = min(v * (1.0 / sqrt(unitvec_dot(v, v))), vec3f(UNITVEC_HUGE));
+    let n = min(v * min(1.0 / sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     return n;
 }
 
@@ -400,7 +404,7 @@ fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: p
 fn unitvec_normalize_parts(upper: vec3f, lower: vec3f) -> vec3f {
     let squares = unitvec_dot(upper, upper);
     let other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    let estimate = 1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE));
+    let estimate = min(1.0 / sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE);
     let reciprocal = bitcast<f32>((bitcast<u32>(estimate) + 0x800u) & 0xfffff000u);
 
     let scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -561,7 +565,7 @@ fn unitvec_atan_octant(r: f32) -> f32 {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 fn unitvec_atan_octant_ratio(y: f32, x: f32) -> f32 {
-    let divided = y / x;
+    let divided = min(y / x, UNITVEC_HUGE);
     let quotient = select(1.0, divided, y < x);
     return unitvec_atan_octant(select(quotient, 0.0, y < UNITVEC_MIN_POSITIVE));
 }
@@ -746,7 +750,7 @@ fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 fn unitvec_angles_quarter(y: f32, x: f32) -> f32 {
-    let q = min(x, y) / max(x, y);
+    let q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     let part = unitvec_atan_quarter(q);
     let rest = min(1.0 - part, UNITVEC_HUGE);
     return select(part, rest, y > x);

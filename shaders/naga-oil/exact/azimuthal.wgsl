@@ -38,7 +38,7 @@ const UNITVEC_ELLIPSE: i32 = 2;
 
 // Disk point of v, whose components are not negative and have the sum 1.
 fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
-    let scale = 1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    let scale = min(1.0 / min(sqrt(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     let rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
@@ -47,17 +47,17 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
     let sum = min(2.0 - rim, UNITVEC_HUGE);
-    let horizontal = 2.0 * at / sum;
-    let z = rim / sum;
+    let horizontal = min(2.0 * at / sum, vec2f(UNITVEC_HUGE));
+    let z = min(rim / sum, UNITVEC_HUGE);
     return vec3f(horizontal, z);
 }
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
     let norm = sqrt(unitvec_dot(v, v));
-    let scale = 1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    let scale = min(1.0 / sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
-    let rim = v.z / norm;
+    let rim = min(v.z / norm, UNITVEC_HUGE);
     return vec4f(at, radius, rim);
 }
 
@@ -77,7 +77,7 @@ fn unitvec_eqdist_to_disk(v: vec3f) -> vec4f {
     let rest = min(1.0 - part, UNITVEC_HUGE);
     let radius = select(part, rest, low);
     let inside = select(rest, part, low);
-    let quotient = radius / rho;
+    let quotient = min(radius / rho, UNITVEC_HUGE);
     let scale = select(0.0, quotient, rho > UNITVEC_NEGLIGIBLE);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let rim = min(inside * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -133,23 +133,24 @@ fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 fn unitvec_plain_settle(e: vec2f, bits: u32) -> vec2f {
-    let slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    let slope = min(unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits), vec2f(UNITVEC_HUGE));
     let settled = min(e - select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), slope.x > slope.y), vec2f(UNITVEC_HUGE));
     return select(e, settled, unitvec_plain_is_remote(e, bits));
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 fn unitvec_plain_move_to_rim(p: vec2f, m: vec2f, excess: f32) -> vec2f {
-    let slope = p / m;
+    let slope = min(p / m, vec2f(UNITVEC_HUGE));
     let along_u = slope.x > slope.y;
     let steep = select(slope.y, slope.x, along_u);
     let gentle = select(slope.x, slope.y, along_u);
-    let alone = excess / steep;
-    let remainder = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle;
+    let alone = min(excess / steep, UNITVEC_HUGE);
+    let remainder =
+        min(min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle, UNITVEC_HUGE);
     let first = select(UNITVEC_AZIMUTHAL_REACH, alone, alone < UNITVEC_AZIMUTHAL_REACH);
     let second = select(remainder, 0.0, alone < UNITVEC_AZIMUTHAL_REACH);
     let moved = select(vec2f(second, first), vec2f(first, second), along_u);
-    let on_rim = min(p - moved / m, vec2f(UNITVEC_HUGE));
+    let on_rim = min(p - min(moved / m, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return on_rim;
 }
 
@@ -179,7 +180,7 @@ fn unitvec_concentric_to_disk(e: vec2f, bits: u32) -> vec4f {
     let steep = s.y > s.x;
     let shorter = select(s.y, s.x, steep);
     let radius = select(s.x, s.y, steep);
-    let quotient = shorter / radius;
+    let quotient = min(shorter / radius, UNITVEC_HUGE);
     let octant = select(0.0, quotient, radius > 0.0);
     let angle = 0.25 * octant;
     let p = min(radius * unitvec_sin_cos_half_turns(angle), vec2f(UNITVEC_HUGE));
@@ -192,7 +193,8 @@ fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
     let difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let sum =
         min(2.0 + sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)), UNITVEC_HUGE);
-    let s = 2.0 * disk.xy / vec2f(sqrt(min(sum + difference, UNITVEC_HUGE)), sqrt(min(sum - difference, UNITVEC_HUGE)));
+    let s = min(2.0 * disk.xy / vec2f(sqrt(min(sum + difference, UNITVEC_HUGE)),
+        sqrt(min(sum - difference, UNITVEC_HUGE))), vec2f(UNITVEC_HUGE));
     return s;
 }
 
@@ -216,7 +218,7 @@ fn unitvec_azimuthal_signed(negative: bool, x: f32) -> f32 {
 fn unitvec_azimuthal_encode(v_in: vec3f, projection: i32, map: i32, bits: u32) -> u32 {
     var v = v_in;
     v = unitvec_or_z(v);
-    let octant = min(abs(v) * (1.0 / unitvec_l1_norm(v)), vec3f(UNITVEC_HUGE));
+    let octant = min(abs(v) * min(1.0 / unitvec_l1_norm(v), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),
         projection == UNITVEC_EQAREA), unitvec_stereo_to_disk(octant), projection == UNITVEC_STEREO);
     let s = select(select(unitvec_ellipse_to_square(disk), unitvec_concentric_to_square(disk),

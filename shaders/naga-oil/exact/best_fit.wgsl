@@ -26,7 +26,7 @@
 #define_import_path unitvec::best_fit
 #import unitvec::arith::{UNITVEC_HUGE, UNITVEC_ONE_AND_A_HALF_2_23, unitvec_is_negative, unitvec_mask,
     unitvec_nearest_whole, unitvec_negate_if, unitvec_or_z, unitvec_signed_code, unitvec_snorm_field, unitvec_snorm_max,
-    unitvec_snorm_parts, unitvec_whole_to_u32}
+    unitvec_snorm_quotients, unitvec_whole_to_u32}
 
 // Cells from 0 to 1: a little less than the table's 640 columns, so that 1 itself is in the last.
 const UNITVEC_BEST_FIT_CELLS: f32 = 639.9990234375;
@@ -40,7 +40,7 @@ const UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT: f32 = 0.75;
 const UNITVEC_BEST_FIT_LEAST_PART: f32 = 5.9604644775390625e-8;
 
 fn unitvec_best_fit_part(a: f32, largest: f32) -> f32 {
-    let part = a / largest;
+    let part = min(a / largest, UNITVEC_HUGE);
     return select(part, 0.0, part < UNITVEC_BEST_FIT_LEAST_PART);
 }
 
@@ -139,7 +139,7 @@ fn unitvec_best_fit_parts_and_reciprocal(v: vec3f) -> vec3f {
     let a = abs(v);
     let low = min(a.x, a.y);
     let high = max(a.x, a.y);
-    let reciprocal = 1.0 / max(high, a.z);
+    let reciprocal = min(1.0 / max(high, a.z), UNITVEC_HUGE);
     let mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
     let least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return vec3f(select(mid, 0.0, mid < UNITVEC_BEST_FIT_LEAST_PART),
@@ -194,12 +194,16 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_HUGE));
     let cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
     let sine = sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * (1.0 / min(size * size, UNITVEC_HUGE)), UNITVEC_HUGE));
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0 / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE));
     return sine;
 }
 
+// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
-    let part = min(f32(cell) + min(f32(i) + 0.5, UNITVEC_HUGE) / 3.0, UNITVEC_HUGE) / UNITVEC_BEST_FIT_CELLS;
+    let third = f32(i);
+    let columns = min(f32(cell) + min(min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE), UNITVEC_HUGE);
+    let part = min(columns / max(columns, UNITVEC_BEST_FIT_CELLS), UNITVEC_HUGE);
     return part;
 }
 
@@ -303,8 +307,8 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
     let u = unitvec_best_fit_on_cube(v);
     let parts = unitvec_best_fit_by_size(u);
     let longest = unitvec_snorm_max(16u);
-    let unit = longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE));
+    let unit = min(longest / sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     let best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     let q = unitvec_best_fit_at_scale(v, u, best.x);
     return vec2u(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));
@@ -313,7 +317,7 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
 fn snorm8x3p_decode(code: u32) -> vec3f {
     let e = vec3f(unitvec_snorm_field(code, 0u, 8u), unitvec_snorm_field(code, 8u, 8u),
         unitvec_snorm_field(code, 16u, 8u));
-    return unitvec_snorm_parts(e, 8u, 8u);
+    return unitvec_snorm_quotients(e, 8u, 8u);
 }
 
 fn snorm8x3_nearest_decode(code: u32) -> vec3f {
@@ -327,5 +331,5 @@ fn crytek_bfn24_decode(code: u32) -> vec3f {
 fn snorm16x3p_decode(code: vec2u) -> vec3f {
     let e = vec3f(unitvec_snorm_field(code.x, 0u, 16u), unitvec_snorm_field(code.x, 16u, 16u),
         unitvec_snorm_field(code.y, 0u, 16u));
-    return unitvec_snorm_parts(e, 16u, 16u);
+    return unitvec_snorm_quotients(e, 16u, 16u);
 }

@@ -18,7 +18,7 @@
 #import unitvec::arith::{UNITVEC_HUGE, unitvec_atan_octant, unitvec_coordinate, unitvec_exp2, unitvec_face_of,
     unitvec_from_face, unitvec_is_negative, unitvec_l1_norm, unitvec_mask, unitvec_negate_if, unitvec_negate_positive,
     unitvec_normalize, unitvec_normalize_parts, unitvec_or_z, unitvec_scaled_to_one, unitvec_signed_code,
-    unitvec_snorm_field, unitvec_snorm_max, unitvec_tan_octant, unitvec_to_face}
+    unitvec_snorm_field, unitvec_snorm_max, unitvec_snorm_quotient, unitvec_tan_octant, unitvec_to_face}
 
 fn unitvec_cube_round(negative: bool, magnitude: f32, m: f32) -> f32 {
     let position = min(min(magnitude * min(m + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -36,7 +36,7 @@ fn unitvec_cube_encode_on_face(v_in: vec3f, bits: u32, warped: bool) -> u32 {
     v = unitvec_or_z(v);
     let face = unitvec_face_of(v);
     let p = unitvec_to_face(v, face);
-    let scale = 1.0 / abs(p.z);
+    let scale = min(1.0 / abs(p.z), UNITVEC_HUGE);
     var t = min(abs(p.xy) * scale, vec2f(UNITVEC_HUGE));
     if warped { t = vec2f(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y)); }
     let widths = unitvec_cube_widths(bits);
@@ -64,7 +64,7 @@ fn unitvec_cube_decode(code: u32, bits: u32) -> vec3f {
     let widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
     let side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
-    let v_step = side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
+    let v_step = min(side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE), UNITVEC_HUGE);
     let y = min(e.y * v_step, UNITVEC_HUGE);
     return unitvec_from_face(unitvec_normalize(vec3f(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
@@ -77,8 +77,9 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
     let face = unitvec_cube_unpack_face(code, bits);
     let e = unitvec_cube_unpack(code, bits);
     let widths = unitvec_cube_widths(bits);
-    let s = abs(e.x) / min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
-    let t = abs(e.y) / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE);
+    // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
+    let s = unitvec_snorm_quotient(2.0 * abs(e.x), widths.x + 1u);
+    let t = unitvec_snorm_quotient(2.0 * abs(e.y), widths.y + 1u);
     let p = vec3f(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);
@@ -87,7 +88,7 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice that is a whole
 // number over 2^bits - 1.
 fn unitvec_cube_round_wide(x: f32, side: f32, bits: u32) -> i32 {
-    let reciprocal = 1.0 / side;
+    let reciprocal = min(1.0 / side, UNITVEC_HUGE);
     var doubled: i32;
     var fraction: f32;
     unitvec_coordinate(x, vec2f(side, 0.0), reciprocal, bits + 1u, &doubled, &fraction);

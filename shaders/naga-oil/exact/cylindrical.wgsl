@@ -21,7 +21,7 @@
 fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
-    let magnitude = min(p.z * (1.0 / sqrt(unitvec_dot(p, p))), UNITVEC_HUGE);
+    let magnitude = min(p.z * min(1.0 / sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE);
     let height = unitvec_with_sign(magnitude, v.z);
     let steps = min(select(1.0, height, unitvec_is_usable(norm)) * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
@@ -32,7 +32,7 @@ fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 fn unitvec_cylindrical_from_lattice(e: vec2f, m: f32) -> vec3f {
-    let step_size = 1.0 / m;
+    let step_size = min(1.0 / m, UNITVEC_HUGE);
     let radius = min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)) * step_size,
         UNITVEC_HUGE);
     let z = min(e.y * step_size, UNITVEC_HUGE);

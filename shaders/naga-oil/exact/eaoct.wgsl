@@ -44,8 +44,8 @@ fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
 
     let horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
     let len = sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE));
-    let radius = sqrt(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE));
-    let q = b / a;
+    let radius = sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE));
+    let q = min(b / a, UNITVEC_HUGE);
     let polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -80,10 +80,10 @@ fn unitvec_eaoct_candidate(p: UnitvecEaoctPolar, ring: f32, m: f32) -> vec3f {
     let along = min(p.turn * ring, UNITVEC_HUGE);
     let place = floor(min(along + 0.5, UNITVEC_HUGE));
     let across = min(ring - steps, UNITVEC_HUGE);
-    let q = min(along - place, UNITVEC_HUGE) / max(ring, 1.0);
+    let q = min(min(along - place, UNITVEC_HUGE) / max(ring, 1.0), UNITVEC_HUGE);
 
     let c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    let change = min(across * min(p.radius * (1.0 / m), UNITVEC_HUGE), UNITVEC_HUGE);
+    let change = min(across * min(p.radius * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     let turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
         UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE), UNITVEC_HUGE);
@@ -115,11 +115,11 @@ fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let place = min(min(a.x, a.y), folded_place);
     let swapped = a.y > a.x;
 
-    let turn = place / max(ring, UNITVEC_MIN_POSITIVE);
+    let turn = min(place / max(ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
     let eighth = 0.5 * turn;
     let sine = unitvec_sin_eighth(eighth);
     let cosine = unitvec_cos_eighth(eighth);
-    let radius = min(ring * (1.0 / m), UNITVEC_HUGE);
+    let radius = min(ring * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     let z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
     let horizontal = min(radius * sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE);
     let near_axis = min(horizontal * cosine, UNITVEC_HUGE);

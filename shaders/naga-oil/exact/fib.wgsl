@@ -97,7 +97,7 @@ fn unitvec_fib_split(x: f32, rest: ptr<function, f32>) -> u32 {
 fn unitvec_fib_azimuth(v: vec3f, scaled: vec3f) -> u32 {
     let x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     let y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    let quotient = min(x, y) / max(x, y);
+    let quotient = min(min(x, y) / max(x, y), UNITVEC_HUGE);
     let part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     let octant = u32(i32(part));
     let quarter = select(octant, 0x40000000u - octant, y > x);
@@ -120,10 +120,10 @@ fn unitvec_fib_golden_power(k: u32) -> f32 {
 // Place of a vector with an L1 norm of 1 to 2.
 fn unitvec_fib_place(v: vec3f, bits: u32) -> UnitvecFibPlace {
     let horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let reciprocal = 1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE));
+    let reciprocal = min(1.0 / sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
     let height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     let radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
-    let from_pole = radius_squared / min(1.0 + height, UNITVEC_HUGE);
+    let from_pole = min(radius_squared / min(1.0 + height, UNITVEC_HUGE), UNITVEC_HUGE);
     let from_top = min(1.0 - height, UNITVEC_HUGE);
     let is_polar = height > 0.5;
 
@@ -146,7 +146,7 @@ fn unitvec_fib_basis(radius_squared: f32, bits: u32) -> UnitvecFibBasis {
     let lower = floor(zone);
     let k = unitvec_whole_to_u32(max(lower, 2.0));
     let power = unitvec_fib_golden_power(k);
-    let turn = 1.0 / power;
+    let turn = min(1.0 / power, UNITVEC_HUGE);
     let next_turn = min(turn * 0.618034, UNITVEC_HUGE);
     let step_size = min(min(power * 0.4472136, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let next_step = min(min(power * 0.7236068, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -171,7 +171,8 @@ fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE);
     let sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
-    let cost = min(min(difference * difference, UNITVEC_HUGE) / sum + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
+    let cost = min(min(min(difference * difference, UNITVEC_HUGE) / sum, UNITVEC_HUGE)
+        + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     let candidate = UnitvecFibCandidate(i, select(4.0, cost, is_point));
     return candidate;

@@ -38,7 +38,7 @@ const UNITVEC_UNWARP_2: f32 = 0.0392082;
 // second, n).
 fn unitvec_frame_basis(n: vec3f, first: ptr<function, vec3f>, second: ptr<function, vec3f>) {
     let s = unitvec_with_sign(1.0, n.z);
-    let a = -1.0 / min(s + n.z, UNITVEC_HUGE);
+    let a = min(-1.0 / min(s + n.z, UNITVEC_HUGE), UNITVEC_HUGE);
     let b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
     let e = vec3f(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
@@ -63,8 +63,8 @@ fn unitvec_frame_unwarp(w: f32, angle_bits: u32) -> f32 {
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if angle_bits <= 9u { return v; }
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    let nearer = min(v + min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE) / min(1.0 + u,
-        UNITVEC_HUGE), UNITVEC_HUGE);
+    let nearer = min(v + min(min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE) / min(1.0 + u,
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -85,7 +85,7 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
     let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
     let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
     let difference = min(abs(y) - abs(x), UNITVEC_HUGE);
-    let w = unitvec_flip_sign(difference, odd) / sum;
+    let w = min(unitvec_flip_sign(difference, odd) / sum, UNITVEC_HUGE);
 
     let half_places = f32(1u << (angle_bits - 3u));
     let place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
@@ -99,7 +99,7 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 fn unitvec_frame_diamond_point(code: u32, angle_bits: u32) -> vec2f {
     let place = f32(code & unitvec_mask(angle_bits - 2u));
-    let v = min(min(place * (1.0 / f32(1u << (angle_bits - 3u))), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+    let v = min(min(place * min(1.0 / f32(1u << (angle_bits - 3u)), UNITVEC_HUGE), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
 
     let odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     let below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;

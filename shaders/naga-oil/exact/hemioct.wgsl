@@ -20,7 +20,8 @@
 
 // Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
 fn unitvec_hemioct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
-    let e = min(vec2f(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * (m / norm), vec2f(UNITVEC_HUGE));
+    let e = min(vec2f(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
+        vec2f(UNITVEC_HUGE));
     return e;
 }
 

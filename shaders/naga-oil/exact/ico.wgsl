@@ -91,7 +91,7 @@ fn unitvec_ico_sum(v: vec3f) -> f32 {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3f {
     let n = f32(lattice.n);
-    let t = min(p * (1.0 / p_sum), vec3f(UNITVEC_HUGE));
+    let t = min(p * min(1.0 / p_sum, UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     let t_squared = min(t * t, vec3f(UNITVEC_HUGE));
     let squares = unitvec_ico_sum(t_squared);
     // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -115,8 +115,8 @@ fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3
     let turned = min(d * vec3f(min(min(t.y * w.z, UNITVEC_HUGE) - min(t.z * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.z * w.x, UNITVEC_HUGE) - min(t.x * w.z, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.x * w.y, UNITVEC_HUGE) - min(t.y * w.x, UNITVEC_HUGE), UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
-    let factor = 1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let factor = min(1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     let x = min(start.x + min(min(turned.z - turned.y, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
     let z = min(start.z + min(min(turned.y - turned.x, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
 

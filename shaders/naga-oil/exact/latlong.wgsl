@@ -143,10 +143,10 @@ fn unitvec_latlong_patch_decode(code: u32, rings: UnitvecLatlongRings, index_bit
     let along = select(from_both, from_high, index_bits <= 24u);
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    let divided = min(along - 0.5 * count, UNITVEC_HUGE) / count;
+    let divided = min(min(along - 0.5 * count, UNITVEC_HUGE) / count, UNITVEC_HUGE);
     let equator = unitvec_from_diagonal(select(-0.5, divided, along > 0.0));
     // At either end the product is 1/2 exactly.
-    let latitude = min(min(ring - 0.5 * rings.n, UNITVEC_HUGE) * (1.0 / rings.n), UNITVEC_HUGE);
+    let latitude = min(min(ring - 0.5 * rings.n, UNITVEC_HUGE) * min(1.0 / rings.n, UNITVEC_HUGE), UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(latitude);
     let radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
 

@@ -44,7 +44,7 @@ fn unitvec_oct_mirror(v: vec3f, p: vec2f) -> vec2f {
 // m / norm, which is (|x| + |z|) s.
 fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
     let below = max(-v.z, 0.0);
-    let p = min(min(abs(v.xy) + below, vec2f(UNITVEC_HUGE)) * (m / norm), vec2f(UNITVEC_HUGE));
+    let p = min(min(abs(v.xy) + below, vec2f(UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE), vec2f(UNITVEC_HUGE));
     return unitvec_oct_mirror(v, p);
 }
 
@@ -52,7 +52,7 @@ fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
 fn unitvec_oct_projected(q: vec2f, p: vec3f, middle: vec2f, m: f32) -> vec2f {
     let missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
         - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let stretch = min(missing * (1.0 / m), UNITVEC_HUGE);
+    let stretch = min(missing * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     let moved = min(q + min(stretch * p.xy, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
@@ -66,7 +66,7 @@ fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) 
     let n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(0.25 * z_squared + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
     let half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
-    let u = min(n * ((1.5 / m) / half_s), UNITVEC_HUGE);
+    let u = min(n * min(min(1.5 / m, UNITVEC_HUGE) / half_s, UNITVEC_HUGE), UNITVEC_HUGE);
     let moved = min(ab + min(u * min(at + minus_z, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
@@ -74,7 +74,7 @@ fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
-    let moved = min(q + min(at * (0.3795 / m), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
+    let moved = min(q + min(at * min(0.3795 / m, UNITVEC_HUGE), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
 
@@ -88,7 +88,7 @@ fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
 fn unitvec_oct_nearest_corner(p: vec3f, m: f32) -> vec2f {
     let middle = min(floor(p.xy) + 0.5, vec2f(UNITVEC_HUGE));
     var q = min(p.xy - middle, vec2f(UNITVEC_HUGE));
-    let at = min(min(p.xy * (3.0 / m), vec2f(UNITVEC_HUGE)) - 1.0, vec2f(UNITVEC_HUGE));
+    let at = min(min(p.xy * min(3.0 / m, UNITVEC_HUGE), vec2f(UNITVEC_HUGE)) - 1.0, vec2f(UNITVEC_HUGE));
     if m >= 256.0 && m < 4096.0 { q = unitvec_oct_approached(q, at, m); }
     if m >= 65536.0 { q = unitvec_oct_projected(q, p, middle, m); }
 
@@ -142,7 +142,7 @@ fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 fn unitvec_oct_precise_point(v: vec3f, norm: f32, m: f32) -> vec2f {
-    var p = min(abs(v) * (m / norm), vec3f(UNITVEC_HUGE));
+    var p = min(abs(v) * min(m / norm, UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
     // break ties.
     if m >= 65536.0 { p = max(p, vec3f(m * 1.490116119384765625e-8)); }
@@ -182,7 +182,7 @@ fn oct_to_float32x3(e: vec2f) -> vec3f {
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
     let m = unitvec_snorm_max(u32(n / 2));
-    let e = unitvec_oct_lattice_precise(v, m) / m;
+    let e = min(unitvec_oct_lattice_precise(v, m) / m, vec2f(UNITVEC_HUGE));
     return e;
 }
 
@@ -193,7 +193,7 @@ fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
     let carry = floor(u.y / 256.0);
     let bytes = vec3f(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0, UNITVEC_HUGE));
-    let parts = bytes / 255.0;
+    let parts = min(bytes / 255.0, vec3f(UNITVEC_HUGE));
     return parts;
 }
 
@@ -204,7 +204,7 @@ fn unorm8x3_to_snorm12x2(u: vec3f) -> vec2f {
     let high = floor(bytes.y / 16.0);
     let biased = vec2f(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
         min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
-    let s = min(biased - 2047.0, vec2f(UNITVEC_HUGE)) / 2047.0;
+    let s = min(min(biased - 2047.0, vec2f(UNITVEC_HUGE)) / 2047.0, vec2f(UNITVEC_HUGE));
     return select(clamp(s, vec2f(-1.0), vec2f(1.0)), vec2f(0.0), unitvec_is_nan(unitvec_l1_norm(u)));
 }
 

@@ -41,7 +41,7 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
     let sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     let sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     let sum = vec2f(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_HUGE));
-    let reciprocal = 1.0 / sum.x;
+    let reciprocal = min(1.0 / sum.x, UNITVEC_HUGE);
 
     var p: UnitvecOctWidePosition;
     var x: i32;

@@ -116,7 +116,7 @@ fn unitvec_parallel_unit(v: vec3f) -> vec3f {
     let scaled = min(v * unitvec_scale_to_one(raised), vec3f(UNITVEC_HUGE));
     let square = unitvec_dot(scaled, scaled);
     let off = min(square - 1.0, UNITVEC_HUGE);
-    let inverse = 1.0 / sqrt(square);
+    let inverse = min(1.0 / sqrt(square), UNITVEC_HUGE);
     let n = min(scaled * select(inverse, 1.0, abs(off) <= 9.536743e-7), vec3f(UNITVEC_HUGE));
     return n;
 }

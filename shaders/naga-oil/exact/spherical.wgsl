@@ -33,12 +33,12 @@ fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
 // Direction of a pair of integers, unit length to within 2 ULP.
 fn unitvec_spherical_from_lattice(e: vec2f, m: f32, half_turn: f32) -> vec3f {
     // The product of m is 1 exactly.
-    let latitude = min(abs(e.x) * (1.0 / m), UNITVEC_HUGE);
+    let latitude = min(abs(e.x) * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
     let diagonal = min(latitude - 0.5, UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(diagonal);
     let radius = min(meridian.x - meridian.y, UNITVEC_HUGE);
     let z = min(meridian.x + meridian.y, UNITVEC_HUGE);
-    let quarters = min(e.y * (2.0 / half_turn), UNITVEC_HUGE);
+    let quarters = min(e.y * min(2.0 / half_turn, UNITVEC_HUGE), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), select(0.0, quarters, latitude < 1.0));
 }
 

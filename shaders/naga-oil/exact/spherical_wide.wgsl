@@ -100,8 +100,8 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let steep = y.x > x.x;
     let longer = select(x, y, steep);
     let shorter = select(y, x, steep);
-    let part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size), UNITVEC_HUGE) + 0.5,
-        UNITVEC_HUGE);
+    let part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * min(0.25 / steps.size, UNITVEC_HUGE),
+        UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let estimate = i32(part);
 
     var cosine: vec2f;
@@ -114,7 +114,7 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
         sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE));
     let radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
-    let off = min(across / radians + 0.5, UNITVEC_HUGE);
+    let off = min(min(across / radians, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let n = estimate + i32(floor(off));
     return select(n, steps.in_quarter - n, steep);
 }
@@ -130,7 +130,8 @@ fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let square = min(root * root, UNITVEC_HUGE);
     let rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
-    let low = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root);
+    let low = min(min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root),
+        UNITVEC_HUGE);
     return vec2f(root, low);
 }
 

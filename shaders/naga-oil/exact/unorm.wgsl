@@ -12,7 +12,7 @@
 // Components are stored as they are, clamped to [-1, 1], and not normalised. 0 becomes 1/255. Layout: x in the low byte.
 
 #define_import_path unitvec::unorm
-#import unitvec::arith::{UNITVEC_HUGE, unitvec_is_usable, unitvec_l1_norm, unitvec_mask, unitvec_snorm_parts,
+#import unitvec::arith::{UNITVEC_HUGE, unitvec_is_usable, unitvec_l1_norm, unitvec_mask, unitvec_snorm_quotients,
     unitvec_unorm_code}
 
 // The code of +Z: 0 becomes 128.
@@ -39,5 +39,5 @@ fn unorm8x3_decode(code: u32) -> vec3f {
     let e = vec3f(unitvec_unorm8x3_decode_component(code), unitvec_unorm8x3_decode_component(code >> 8u),
         unitvec_unorm8x3_decode_component(code >> 16u));
     // 255 is the largest integer of an snorm of 9 bits.
-    return unitvec_snorm_parts(e, 9u, 9u);
+    return unitvec_snorm_quotients(e, 9u, 9u);
 }
