@@ -34,7 +34,8 @@ usage: cargo xtask <command>
                                              instead, and builds examples/rust-gpu; --example builds that alone
   shaders [--check]                          write shaders/ in all shading languages from glsl/unitvec/; --check compares
                                              instead
-  examples                                   install what is missing, then run the programs and the page of examples/
+  examples [--all]                           install what is missing, then run the program on wgpu and the page for
+                                             browsers of examples/; --all fails where no browser can be had, as with CI set
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
              [--record] [NAME...]            qemu and Node.js, and show that they give the same bits; --exhaustive
                                              takes all input in emulators too, --build-std builds the standard library
@@ -63,7 +64,7 @@ fn main() -> ExitCode {
         "setup" => setup::run(),
         "spirv" => spirv(rest),
         "shaders" => shaders(rest),
-        "examples" => examples::run(&repository()),
+        "examples" => examples::run(&repository(), rest),
         "processors" => processors::run(&repository(), rest),
         "costs" => costs(rest),
         "docs" => docs(rest),
