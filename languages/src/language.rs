@@ -21,6 +21,10 @@ pub enum Language {
     GlslEs,
     /// Godot 4's shading language.
     Godot,
+    /// WGSL in modules that naga_oil composes, as Bevy up to 0.19 does.
+    NagaOil,
+    /// WGSL with imports, as Bevy from 0.20 on has it.
+    Wesl,
 }
 
 /// How the text keeps compilers from fusing and reordering.
@@ -34,8 +38,17 @@ pub enum Edition {
 
 impl Language {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Glsl, Self::Hlsl, Self::Wgsl, Self::Slang, Self::Msl, Self::GlslEs, Self::Godot];
+    pub const ALL: [Self; 9] = [
+        Self::Glsl,
+        Self::Hlsl,
+        Self::Wgsl,
+        Self::Slang,
+        Self::Msl,
+        Self::GlslEs,
+        Self::Godot,
+        Self::NagaOil,
+        Self::Wesl,
+    ];
 
     /// As on a command line, and the folder of its files: `glsl-es`.
     pub const fn id(self) -> &'static str {
@@ -47,6 +60,8 @@ impl Language {
             Self::Msl => "msl",
             Self::GlslEs => "glsl-es",
             Self::Godot => "godot",
+            Self::NagaOil => "naga-oil",
+            Self::Wesl => "wesl",
         }
     }
 
@@ -68,6 +83,8 @@ impl Language {
             Self::Msl => "MSL",
             Self::GlslEs => "GLSL ES",
             Self::Godot => "Godot's shading language",
+            Self::NagaOil => "WGSL for naga_oil",
+            Self::Wesl => "WESL",
         }
     }
 
@@ -76,7 +93,8 @@ impl Language {
         match self {
             Self::Glsl | Self::GlslEs => "glsl",
             Self::Hlsl => "hlsl",
-            Self::Wgsl => "wgsl",
+            Self::Wgsl | Self::NagaOil => "wgsl",
+            Self::Wesl => "wesl",
             Self::Slang => "slang",
             Self::Msl => "metal",
             Self::Godot => "gdshaderinc",
@@ -98,7 +116,12 @@ impl Language {
 
     /// True for the languages with `#ifdef`.
     pub const fn has_preprocessor(self) -> bool {
-        !matches!(self, Self::Wgsl)
+        !matches!(self.written(), Self::Wgsl)
+    }
+
+    /// The language in which its functions are written.
+    pub(crate) const fn written(self) -> Self {
+        if matches!(self, Self::NagaOil | Self::Wesl) { Self::Wgsl } else { self }
     }
 
     /// True for those that are GLSL, or take its types and functions.
@@ -112,7 +135,7 @@ impl Language {
             Type::Void => return "void".to_owned(),
             Type::Struct(name) => return name.clone(),
             Type::Value(scalar, size) => (*scalar, *size),
-            Type::Array(scalar, length) if self == Self::Wgsl => {
+            Type::Array(scalar, length) if self.written() == Self::Wgsl => {
                 return format!("array<{}, {length}>", self.type_name(&Type::Value(*scalar, 1)));
             }
             Type::Array(scalar, _) => (*scalar, 1),
@@ -123,7 +146,7 @@ impl Language {
             Scalar::Int => ("i32", "i", "int", "i"),
             Scalar::Bool => ("bool", "<bool>", "bool", "b"),
         };
-        match (self, size) {
+        match (self.written(), size) {
             (Self::Wgsl, 1) => in_wgsl.to_owned(),
             (Self::Wgsl, _) => format!("vec{size}{suffix}"),
             (_, 1) => in_c.to_owned(),
@@ -137,7 +160,7 @@ impl Language {
         let words = match self {
             Self::Glsl | Self::GlslEs | Self::Godot => OF_GLSL,
             Self::Hlsl => OF_HLSL,
-            Self::Wgsl => OF_WGSL,
+            Self::Wgsl | Self::NagaOil | Self::Wesl => OF_WGSL,
             Self::Slang => OF_SLANG,
             Self::Msl => OF_MSL,
         };

@@ -1,4 +1,5 @@
-//! The GLSL includes of `unitvec` in other shading languages: HLSL, WGSL, Slang, MSL, GLSL ES and Godot's.
+//! The GLSL includes of `unitvec` in other shading languages: HLSL, WGSL, Slang, MSL, GLSL ES and Godot's,
+//! and WGSL as modules for naga_oil and in WESL.
 //!
 //! A [`Library`] parses the includes once. [`Library::file`] gives each in another language, with its functions, names
 //! and comments; [`Library::excerpt`] only some functions and what they need.

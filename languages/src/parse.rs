@@ -14,6 +14,8 @@ pub struct Declared {
     pub functions: HashMap<String, (Type, Vec<Parameter>)>,
     pub structs: HashMap<String, Struct>,
     pub constants: HashMap<String, Type>,
+    /// The file of each name.
+    pub homes: HashMap<String, String>,
 }
 
 /// GLSL's functions that the includes use.
@@ -219,8 +221,7 @@ impl<'a> Parser<'a> {
     /// A name of the top level that no other file has taken.
     fn new_name(&mut self) -> Parsed<String> {
         let name = self.word("a name")?;
-        let Declared { functions, structs, constants } = &self.declared;
-        if functions.contains_key(&name) || structs.contains_key(&name) || constants.contains_key(&name) {
+        if self.declared.homes.insert(name.clone(), self.file.to_owned()).is_some() {
             return Err(self.error(&format!("`{name}` is declared twice")));
         }
         Ok(name)

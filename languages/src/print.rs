@@ -10,6 +10,7 @@ use crate::syntax::{
 };
 use crate::wrap::wrapped;
 use crate::{ALL, Edition, Error, Language};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Writes text in a language.
 pub struct Printer<'a> {
@@ -25,15 +26,20 @@ pub struct Printer<'a> {
     in_precise: bool,
     /// False in excerpts, whose names are all for their user.
     has_module: bool,
+    /// The language asked for: `language`, or WGSL in modules of another kind.
+    asked: Language,
 }
 
 /// What the exact editions call the second operand of the barriers' `min`.
 const BARRIER: &str = "UNITVEC_HUGE";
 
+/// The file that has them, and what all families need.
+const ARITH: &str = "arith.glsl";
+
 impl<'a> Printer<'a> {
     pub fn new(language: Language, edition: Edition, declared: &'a Declared) -> Self {
         Self {
-            language,
+            language: language.written(),
             edition,
             declared,
             lines: Vec::new(),
@@ -41,6 +47,7 @@ impl<'a> Printer<'a> {
             assigned: Vec::new(),
             in_precise: false,
             has_module: false,
+            asked: language,
         }
     }
 
@@ -68,7 +75,7 @@ impl<'a> Printer<'a> {
 
     /// A whole file.
     pub fn file(&mut self, file: &File) -> Result<(), Error> {
-        self.has_module = self.language == Language::Slang;
+        self.has_module = self.language == Language::Slang || self.asked == Language::NagaOil;
         let head = self.head(file);
         self.lines.extend(head);
         self.line("");
@@ -82,16 +89,23 @@ impl<'a> Printer<'a> {
         if is_guarded {
             self.lines.extend([format!("#ifndef {guard}"), format!("#define {guard}"), String::new()]);
         }
-        if self.has_module {
+        if self.asked == Language::NagaOil {
+            self.line(format!("#define_import_path unitvec::{}", stem(&file.name)));
+        } else if self.has_module {
             let is_all = file.name == ALL;
             self.line(if is_all { "module unitvec;" } else { "implementing unitvec;" });
             self.line("");
         }
-        if file.name == "arith.glsl" {
+        let before_items = self.lines.len();
+        if file.name == ARITH {
             self.prelude();
         }
         for item in &file.items {
             self.item(file, item)?;
+        }
+        if self.asked != self.language {
+            let imports = self.imports(file, before_items);
+            self.lines.splice(before_items..before_items, imports);
         }
         self.comments(0, &file.tail);
         if is_guarded {
@@ -100,8 +114,37 @@ impl<'a> Printer<'a> {
         Ok(())
     }
 
+    /// Imports of the names that the lines from this one on use of other files.
+    fn imports(&self, file: &File, from: usize) -> Vec<String> {
+        let code = self.lines[from..].iter().filter(|line| !line.trim_start().starts_with("//"));
+        let words = code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
+        let mut imported: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for word in words {
+            let home =
+                if word == BARRIER { ARITH } else { self.declared.homes.get(word).unwrap_or(&file.name) };
+            if home != file.name {
+                imported.entry(home).or_default().insert(word);
+            }
+        }
+        let line = |(home, names): (&str, BTreeSet<&str>)| {
+            let names: Vec<&str> = names.into_iter().collect();
+            let (home, names) = (stem(home), names.join(", "));
+            let text = match self.asked {
+                Language::NagaOil => format!("#import unitvec::{home}::{{{names}}}"),
+                _ => format!("import super::{home}::{{{names}}};"),
+            };
+            wrapped(0, &text)
+        };
+        let mut lines: Vec<String> = imported.into_iter().flat_map(line).collect();
+        lines.push(String::new());
+        lines
+    }
+
     /// What comes before the first declaration.
     pub fn prelude(&mut self) {
+        if self.asked == Language::NagaOil && !self.has_module {
+            self.lines.extend(["#define_import_path unitvec".to_owned(), String::new()]);
+        }
         if self.language == Language::Msl {
             self.lines.extend(
                 [
@@ -120,6 +163,8 @@ impl<'a> Printer<'a> {
                 Language::Wgsl => format!("const {BARRIER}: f32 = 3e38;"),
                 Language::Msl => format!("constant float {BARRIER} = 3e38f;"),
                 Language::Hlsl | Language::Slang => format!("static const float {BARRIER} = 3e38;"),
+                // It stands above the default precision.
+                Language::GlslEs => format!("const highp float {BARRIER} = 3e38;"),
                 _ => format!("const float {BARRIER} = 3e38;"),
             };
             let why = "// No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.";
@@ -225,13 +270,19 @@ impl<'a> Printer<'a> {
     fn structure(&mut self, declared: &Struct) {
         self.line(format!("struct {} {{", declared.name));
         for (ty, name) in &declared.fields {
-            let ty = self.type_name(ty);
+            let (ty, name) = (self.type_name(ty), self.field(name));
             self.line(match self.language {
                 Language::Wgsl => format!("    {name}: {ty},"),
                 _ => format!("    {ty} {name};"),
             });
         }
         self.line(if self.language == Language::Wgsl { "}" } else { "};" });
+    }
+
+    /// A field's name. naga_oil refuses those that end in a digit.
+    fn field(&self, name: &str) -> String {
+        let is_refused = self.asked == Language::NagaOil && name.ends_with(|c: char| c.is_ascii_digit());
+        format!("{name}{}", if is_refused { "_field" } else { "" })
     }
 
     fn function(&mut self, function: &Function, file: &File) {

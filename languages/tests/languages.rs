@@ -45,7 +45,12 @@ fn glsl_comes_back() {
 
 /// The lines of code and comment below a file's head, but for guards, includes and the like.
 fn lines(text: &str) -> Vec<&str> {
-    let body = text.lines().skip_while(|line| line.starts_with("//"));
+    let mut is_import = false;
+    let body = text.lines().skip_while(|line| line.starts_with("//")).filter(move |line| {
+        let was_import = is_import;
+        is_import = (is_import || line.trim_start_matches('#').starts_with("import ")) && !line.contains('}');
+        !was_import && !line.starts_with("import ")
+    });
     let frame = ["#", "precision ", "module ", "implementing ", "__include ", "using "];
     body.filter(|line| !line.is_empty() && !frame.iter().any(|start| line.starts_with(start))).collect()
 }
@@ -73,7 +78,7 @@ fn common_words(comment: &str) -> Vec<&str> {
         comment.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty());
     let of_language = |word: &&str| {
         let is_type =
-            ["vec", "float", "uint", "int"].iter().any(|stem| word.contains(stem)) && word.len() <= 6;
+            ["vec", "float", "uint", "int", "u32"].iter().any(|stem| word.contains(stem)) && word.len() <= 6;
         is_type || Language::ALL.iter().any(|language| language.extension() == *word)
     };
     words.filter(|word| !of_language(word)).collect()
@@ -132,9 +137,9 @@ fn names_are_those_of_the_source() {
             Language::Hlsl => {
                 "static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint asfloat all any"
             }
-            Language::Wgsl => {
+            Language::Wgsl | Language::NagaOil | Language::Wesl => {
                 "fn let var f32 u32 i32 vec2f vec3f vec4f vec2u vec3u vec4u vec2i vec3i bitcast select array ptr function \
-                 all"
+                 all import super define_import_path unitvec"
             }
             Language::Slang => {
                 "module unitvec implementing __include public static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint \
@@ -146,6 +151,7 @@ fn names_are_those_of_the_source() {
             }
             _ => "",
         };
+        let stems: Vec<&str> = library.files().map(|file| file.trim_end_matches(".glsl")).collect();
         let endings = ["HLSL", "METAL", "GDSHADERINC", "GLSL"];
         let is_known = |word: &&String| {
             let is_guard = word.starts_with("UNITVEC_") && endings.iter().any(|end| word.ends_with(end));
@@ -154,8 +160,10 @@ fn names_are_those_of_the_source() {
                 || source.contains(*word)
                 || is_guard
                 || *word == language.extension()
+                || stems.contains(&word.as_str())
+                || (language == Language::NagaOil && word.as_str() == "q4_field")
                 || (edition == Edition::Exact && *word == "UNITVEC_HUGE")
-                || (language == Language::Wgsl && copied)
+                || (own.starts_with("fn let") && copied)
         };
         let unknown: Vec<&String> = text.iter().filter(|word| !is_known(word)).collect();
         assert!(unknown.is_empty(), "{language}: {unknown:?}");
@@ -259,4 +267,84 @@ fn reserved_names_are_found() {
         "glsl/unitvec/a.glsl: HLSL keeps the name `point` for itself; give it another"
     );
     assert!(printed(Language::Wgsl).is_ok());
+}
+
+/// Each file imports the names that it uses of other files, each once, and no other.
+#[test]
+fn modules_import_what_they_use() {
+    let library = library();
+    for language in [Language::NagaOil, Language::Wesl] {
+        let text = library.file("oct.glsl", language, Edition::Exact).unwrap();
+        let (before, after) = text.split_at(text.find("\n\n// Moves a point").unwrap());
+        let imports = &before[before.find("import ").unwrap()..];
+        let names = imports[imports.find('{').unwrap() + 1..].trim_end_matches([';', '}']);
+        let names: Vec<&str> = names.split(',').map(str::trim).collect();
+        assert!(names.contains(&"UNITVEC_HUGE") && names.contains(&"unitvec_normalize"), "{imports}");
+        assert!(names.iter().all(|name| after.contains(name)), "{imports}");
+    }
+    let text = library.file("arith.glsl", Language::NagaOil, Edition::Plain).unwrap();
+    assert!(text.contains("\n#define_import_path unitvec::arith\n") && !text.contains("\n#import"));
+    let excerpt = library.excerpt(&["oct16_encode"], Language::NagaOil, Edition::Plain).unwrap();
+    assert!(excerpt.starts_with("#define_import_path unitvec\n"));
+}
+
+/// naga_oil refuses fields of structs that end in a digit.
+#[test]
+fn fields_for_naga_oil_end_in_letters() {
+    let text = "struct UnitvecA { float a1; };\nfloat f(UnitvecA a) {\n    return a.a1;\n}\n";
+    let printed = of(text).excerpt(&["f"], Language::NagaOil, Edition::Plain).unwrap();
+    assert!(printed.contains("    a1_field: f32,") && printed.contains("return a.a1_field;"), "{printed}");
+}
+
+/// Godot 4 prints numbers with 14 decimals for the driver's compiler (`String::num`): they are the same floats after that.
+#[test]
+fn numbers_survive_godot() {
+    let library = library();
+    for file in library.files() {
+        let source = glsl(&format!("unitvec/{file}")).unwrap();
+        let text = library.file(file, Language::Godot, Edition::Exact).unwrap();
+        assert!(floats(source).is_empty() || !floats(&text).is_empty(), "{file}");
+        for number in floats(&text) {
+            let value: f32 = number.parse().unwrap();
+            assert_eq!(format!("{value:.14}").parse(), Ok(value), "{number} in {file}");
+        }
+    }
+    let text = "float f(float x) {\n    return x * 1.1754943508222875e-38 - 3.1415927e-9;\n}\n";
+    let printed = of(text).excerpt(&["f"], Language::Godot, Edition::Plain).unwrap();
+    assert!(
+        printed.contains("return x * (1.0 / 8.507059173023462e37) - 1.6866298 / 536870912.0;"),
+        "{printed}"
+    );
+}
+
+/// The numbers with a point in the code of a text.
+fn floats(text: &str) -> Vec<&str> {
+    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let words = code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && !"._-".contains(c)));
+    let words = words.map(|word| word.trim_start_matches('-'));
+    words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.')).collect()
+}
+
+/// Godot shifts signed numbers by signed ones, and unsigned ones by unsigned ones.
+#[test]
+fn godot_shifts_by_the_same_kind() {
+    let text = "int f(int x, uint n) {\n    return (x << (n + 1u)) >> 2;\n}\n";
+    let printed = of(text).excerpt(&["f"], Language::Godot, Edition::Plain).unwrap();
+    assert!(printed.contains("return (x << int(n + 1u)) >> 2;"), "{printed}");
+}
+
+/// In fragment shaders of GLSL ES floats have no precision before one is given.
+#[test]
+fn floats_have_a_precision_in_glsl_es() {
+    for edition in [Edition::Plain, Edition::Exact] {
+        let file = library().file("arith.glsl", Language::GlslEs, edition).unwrap();
+        let excerpt = library().excerpt(&["oct16_encode"], Language::GlslEs, edition).unwrap();
+        for text in [file, excerpt] {
+            let before = text.split("precision highp float;").next().unwrap();
+            let is_bare =
+                |line: &&str| line.contains("float ") && !line.contains("highp") && !line.starts_with("//");
+            assert_eq!(before.lines().find(is_bare), None);
+            assert!(before.len() < text.len());
+        }
+    }
 }

@@ -3,7 +3,7 @@
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
 // For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you need, this
-// one first, with your own.
+// one first, with your own, all below `#version 300 es`.
 //
 // This language cannot keep compilers from fusing and reordering operations: they may give other codes where a
 // direction is nearly as far from two of them. The files in exact/ do not let them.

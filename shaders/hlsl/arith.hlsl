@@ -2,7 +2,7 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// For shader model 5 and later, by DXC, FXC or glslang. Include unitvec.hlsl, or the families that you need.
+// For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need.
 //
 // `precise` keeps compilers from fusing and reordering, so that all devices give the same codes.
 //

@@ -7,8 +7,8 @@
 // Sources: Duff et al. 2017 for the basis about the normal, Ong 2023 for the tangent's place in it; the normal is that
 // of oct.wgsl.
 //
-//   frame32_encode(normal, tangent)                  code as uint; tangent.w is the handedness
-//   frame32_decode(code, out normal, out tangent)    tangent.w is +1 or -1
+//   frame32_encode(normal, tangent)                  code as u32; tangent.w is the handedness
+//   frame32_decode(code, &normal, &tangent)          tangent.w is +1 or -1
 //   frame64_encode(normal, tangent), ...             codes as vec2u, low word first
 //
 // The bitangent is tangent.w * cross(normal, tangent.xyz), as glTF has it. Any vectors will do: lengths do not matter;

@@ -7,6 +7,7 @@ pub mod accuracy;
 mod claims;
 pub mod costs;
 mod drivers;
+mod engines;
 mod flat;
 mod imprecise;
 mod languages;

@@ -131,7 +131,7 @@ fn record_barriers(target: &Path, found: &Found, repository: &Path) -> Result<()
 }
 
 /// The folder that cargo builds in: xtask lies in `debug` below it.
-fn target(repository: &Path) -> Result<PathBuf, String> {
+pub fn target(repository: &Path) -> Result<PathBuf, String> {
     let here = std::env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
     let target = here.ancestors().nth(2).map_or_else(|| repository.join("target"), Path::to_owned);
     let languages = target.join("languages");
@@ -190,7 +190,8 @@ impl Found {
     }
 }
 
-fn unpacked(packaged: &Packaged, cache: &Path) -> Result<(), String> {
+/// Fetches a package where it is not there yet.
+pub fn unpacked(packaged: &Packaged, cache: &Path) -> Result<(), String> {
     packaged.fetch(cache).map_err(|missing| match missing {
         Missing::NotHere(reason) | Missing::Failed(reason) => reason,
     })

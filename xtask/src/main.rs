@@ -1,8 +1,9 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, processors, costs, docs and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, costs, docs and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
 mod drivers;
+mod examples;
 mod languages;
 mod packages;
 mod processors;
@@ -33,6 +34,8 @@ usage: cargo xtask <command>
                                              instead, and builds examples/rust-gpu; --example builds that alone
   shaders [--check]                          write shaders/ in all shading languages from glsl/unitvec/; --check compares
                                              instead
+  examples [--all]                           install what is missing, then run the program on wgpu and the page for
+                                             browsers of examples/; --all fails where no browser can be had, as with CI set
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
              [--record] [NAME...]            qemu and Node.js, and show that they give the same bits; --exhaustive
                                              takes all input in emulators too, --build-std builds the standard library
@@ -61,6 +64,7 @@ fn main() -> ExitCode {
         "setup" => setup::run(),
         "spirv" => spirv(rest),
         "shaders" => shaders(rest),
+        "examples" => examples::run(&repository(), rest),
         "processors" => processors::run(&repository(), rest),
         "costs" => costs(rest),
         "docs" => docs(rest),
@@ -123,6 +127,7 @@ fn test(arguments: &[String]) -> Result<(), String> {
         "--exclude=xtask-header",
         "--exclude=unitvec-bench",
         "--exclude=unitvec-language-tests",
+        "--exclude=unitvec-example-wgpu",
     ];
     let selection = ["test", "--workspace"].into_iter().chain(left_out).collect::<Vec<_>>();
     println!("xtask: building; the first build takes minutes");

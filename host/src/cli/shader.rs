@@ -9,7 +9,7 @@ use unitvec_host::{Error, Result, output};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Language to write: glsl, hlsl, wgsl, slang, msl, glsl-es or godot.
+    /// Language to write: glsl, hlsl, wgsl, slang, msl, glsl-es, godot, naga-oil or wesl.
     #[arg(long, value_name = "LANGUAGE", required_unless_present = "list")]
     language: Option<Language>,
     /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.

@@ -157,7 +157,7 @@ impl Syntax {
                 to_bits: "as_type<uint>",
                 ..hlsl
             },
-            Language::Wgsl => Self {
+            Language::Wgsl | Language::NagaOil | Language::Wesl => Self {
                 vectors: ["vec3f", "vec4f"],
                 codes: ["u32", "vec2u"],
                 from_bits: ["bitcast<vec3f>(vec3u", "bitcast<vec4f>(vec4u"],
@@ -194,14 +194,14 @@ impl Syntax {
 
     fn define(&self, r#type: &str, name: &str, value: &str) -> String {
         match self.language {
-            Language::Wgsl => format!("let {name} = {value};"),
+            Language::Wgsl | Language::NagaOil | Language::Wesl => format!("let {name} = {value};"),
             _ => format!("{type} {name} = {value};"),
         }
     }
 
     fn declare(&self, r#type: &str, name: &str) -> String {
         match self.language {
-            Language::Wgsl => format!("var {name}: {type};"),
+            Language::Wgsl | Language::NagaOil | Language::Wesl => format!("var {name}: {type};"),
             _ => format!("{type} {name};"),
         }
     }
@@ -212,7 +212,7 @@ fn entry(language: Language) -> &'static str {
     match language {
         Language::Glsl => GLSL,
         Language::Hlsl => HLSL,
-        Language::Wgsl => WGSL,
+        Language::Wgsl | Language::NagaOil | Language::Wesl => WGSL,
         Language::Slang => SLANG,
         Language::Msl => MSL,
         Language::GlslEs | Language::Godot => GLSL_ES,

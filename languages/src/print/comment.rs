@@ -1,6 +1,6 @@
 //! Comments in another language: types and files by their names there, and what is said of GLSL alone left out.
 
-use super::Printer;
+use super::{ARITH, Printer};
 use crate::syntax::{File, ItemKind, Type};
 use crate::{ALL, Edition, Language};
 
@@ -17,13 +17,21 @@ impl Printer<'_> {
             let word = rest.find(|c| !is_part(c)).unwrap_or(rest.len());
             let other = rest[word..].find(is_part).map_or(rest.len(), |length| word + length);
             match Type::named(&rest[..word]) {
-                Some(ty @ Type::Value(_, 2..)) => said += &self.type_name(&ty),
+                Some(ty @ (Type::Value(_, 2..) | Type::UINT)) => said += &self.type_name(&ty),
                 _ => said += &rest[..word],
             }
             said += &rest[word..other];
             rest = &rest[other..];
         }
-        said.replace(".glsl", &format!(".{}", self.language.extension()))
+        // How an argument is handed over to be written to, with what follows in its column.
+        let by_reference = match self.language {
+            Language::Wgsl => said.replace(", out ", ", &"),
+            Language::Msl => said.replace(", out ", ", "),
+            _ => said.clone(),
+        };
+        let shorter = said.len() - by_reference.len();
+        let said = by_reference.replacen(")  ", &format!(")  {:shorter$}", ""), 1);
+        said.replace(".glsl", &format!(".{}", self.asked.extension()))
     }
 
     /// The comment that the file begins with.
@@ -67,13 +75,14 @@ impl Printer<'_> {
                 _ => None,
             })
             .collect();
-        if !self.language.has_include() && self.language != Language::Slang && !needed.is_empty() {
+        let is_joined = matches!(self.asked, Language::Wgsl | Language::GlslEs);
+        if is_joined && !needed.is_empty() {
             notes.push(format!(
                 "Needs the text of {}, and of what that needs, before it.",
                 needed.join(" and ")
             ));
         }
-        if file.name == "arith.glsl" || file.name == ALL {
+        if file.name == ARITH || file.name == ALL {
             notes.extend(self.usage().map(str::to_owned));
         }
         if self.edition == Edition::Exact {
@@ -82,7 +91,7 @@ impl Printer<'_> {
                  not fuse or reorder operations, and all devices give the same codes."
                     .to_owned(),
             );
-        } else if file.name == "arith.glsl" {
+        } else if file.name == ARITH {
             notes.extend(self.precision().map(str::to_owned));
         }
         notes
@@ -90,24 +99,39 @@ impl Printer<'_> {
 
     /// How the files are used.
     fn usage(&self) -> Option<&'static str> {
-        Some(match self.language {
+        Some(match self.asked {
             Language::Glsl => return None,
             Language::Hlsl => {
-                "For shader model 5 and later, by DXC, FXC or glslang. Include unitvec.hlsl, or the families that you need."
+                "For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need."
             }
             Language::Wgsl => {
                 "WGSL has no #include: join the texts of the files that you need, this one first, with your own."
             }
-            Language::Slang => "Write `import unitvec;`: all files are one module.",
+            Language::Slang => {
+                "All files are one module. With this folder among the compiler's search paths (-I), write:
+                    import unitvec;"
+            }
             Language::Msl => {
                 "Include unitvec.metal, or the families that you need. All functions are inline."
             }
             Language::GlslEs => {
                 "For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you \
-                 need, this one first, with your own."
+                 need, this one first, with your own, all below `#version 300 es`."
             }
             Language::Godot => {
-                "For Godot 4: put the folder into the project, and #include the families that you need."
+                "For Godot 4. Put the files into one folder of the project, and write below `shader_type`, for instance:
+                    #include \"res://unitvec/oct.gdshaderinc\"
+                 Godot hands numbers to drivers with 14 decimals, so smaller ones are fractions of powers of two here."
+            }
+            Language::NagaOil => {
+                "Modules for naga_oil, as Bevy has it up to 0.19. Load this file and those of the families that you need, by \
+                 `load_shader_library!` in Bevy or `Composer::add_composable_module`, and write, for instance:
+                    #import unitvec::oct::{oct16_encode, oct16_decode}"
+            }
+            Language::Wesl => {
+                "Modules in WESL, as Bevy has it from 0.20 on. Put the files into one folder, and write, with the path of that \
+                 folder, for instance:
+                    import package::shaders::unitvec::oct::{oct16_encode, oct16_decode};"
             }
         })
     }
@@ -131,10 +155,24 @@ impl Printer<'_> {
     }
 }
 
-/// A paragraph as lines of comment.
+/// A paragraph as lines of comment. A line that is further to the right stays a line.
 fn filled(paragraph: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    for part in paragraph.lines() {
+        match part.strip_prefix(CODE) {
+            Some(code) => lines.push(format!("//   {code}")),
+            None => lines.extend(filled_prose(part)),
+        }
+    }
+    lines
+}
+
+/// What a line of code in a paragraph begins with.
+const CODE: &str = "                    ";
+
+fn filled_prose(text: &str) -> Vec<String> {
     let mut lines = vec!["//".to_owned()];
-    for word in paragraph.split_whitespace() {
+    for word in text.split_whitespace() {
         let last = lines.len() - 1;
         if lines[last].len() + 1 + word.len() > 120 {
             lines.push(format!("// {word}"));

@@ -53,6 +53,9 @@ impl Printer<'_> {
 
     fn unguarded(&self, expr: &Expr) -> (String, usize) {
         match &expr.kind {
+            ExprKind::Number(text) if self.language == Language::Godot && expr.ty.is_float() => {
+                in_decimals(text)
+            }
             ExprKind::Number(text) => (self.number(text, &expr.ty), WHOLE),
             ExprKind::Bool(value) => (value.to_string(), WHOLE),
             ExprKind::Name(name) if self.pointers.contains(name) => (format!("*{name}"), UNARY),
@@ -67,7 +70,9 @@ impl Printer<'_> {
             ExprKind::BuiltIn(name, arguments) => (self.built_in(name, arguments, &expr.ty), WHOLE),
             ExprKind::Macro(name, arguments) => (format!("{name}({})", self.list(arguments)), WHOLE),
             ExprKind::Construct(arguments) => self.construct(&expr.ty, arguments),
-            ExprKind::Member(of, name) => (format!("{}.{name}", self.at_least(of, WHOLE)), WHOLE),
+            ExprKind::Member(of, name) => {
+                (format!("{}.{}", self.at_least(of, WHOLE), self.field(name)), WHOLE)
+            }
             ExprKind::Index(of, index) => {
                 (format!("{}[{}]", self.at_least(of, WHOLE), self.expr(index)), WHOLE)
             }
@@ -104,6 +109,11 @@ impl Printer<'_> {
             } else if is_bitwise && size_a < size_b {
                 a = self.spread(a, &right.ty);
             }
+        }
+        // Godot shifts by numbers of the same kind.
+        if self.language == Language::Godot && is_shift && scalar_of(&left.ty) != scalar_of(&right.ty) {
+            let ty = Type::Value(scalar_of(&left.ty), right.ty.size());
+            b = format!("{}({})", self.type_name(&ty), self.expr(bare(right)));
         }
         let text = format!("{a} {operator} {b}");
         let is_vector_equality = ["==", "!="].contains(&operator) && left.ty.size() > 1;
@@ -229,6 +239,19 @@ impl Printer<'_> {
         }
         (format!("{name}({})", self.list(arguments)), WHOLE)
     }
+}
+
+/// A number as Godot has to have it. It hands numbers to drivers with 14 decimals: what these do not hold is written as a
+/// fraction of a power of two.
+fn in_decimals(text: &str) -> (String, usize) {
+    let value: f32 = text.parse().unwrap_or_default();
+    if format!("{value:.14}").parse() == Ok(value) {
+        return (text.to_owned(), WHOLE);
+    }
+    let exponent = (value.to_bits() >> 23) as i32 - 127;
+    let divisor = 2f64.powi(-exponent);
+    let level = precedence("/").unwrap_or_default() + 1;
+    (format!("{:?} / {divisor:?}", (f64::from(value) * divisor) as f32), level)
 }
 
 /// An expression without the parentheses around it.

@@ -3,7 +3,7 @@
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
 // For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you need, this
-// one first, with your own.
+// one first, with your own, all below `#version 300 es`.
 //
 // The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
 // reorder operations, and all devices give the same codes.
@@ -29,7 +29,7 @@
 #define UNITVEC_ARITH_GLSL
 
 // No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.
-const float UNITVEC_HUGE = 3e38;
+const highp float UNITVEC_HUGE = 3e38;
 
 precision highp float;
 precision highp int;

@@ -9,7 +9,7 @@
 // of oct.metal.
 //
 //   frame32_encode(normal, tangent)                  code as uint; tangent.w is the handedness
-//   frame32_decode(code, out normal, out tangent)    tangent.w is +1 or -1
+//   frame32_decode(code, normal, tangent)            tangent.w is +1 or -1
 //   frame64_encode(normal, tangent), ...             codes as uint2, low word first
 //
 // The bitangent is tangent.w * cross(normal, tangent.xyz), as glTF has it. Any vectors will do: lengths do not matter;

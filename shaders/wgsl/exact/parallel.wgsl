@@ -10,7 +10,7 @@
 //
 // Source: Cigolle et al. 2014, section 5; Meyer et al. 2010, eqs. 6 and 7.
 //
-//   xyonly16_encode(v), xyonly16_decode(code), ...      uint codes; vec2u, low word first, at 48 bits
+//   xyonly16_encode(v), xyonly16_decode(code), ...      u32 codes; vec2u, low word first, at 48 bits
 //
 // Any v: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for what has no direction.
 // Layout: the first component in the low bits, then the second, snorm in two's complement, then the sign of z, or the
