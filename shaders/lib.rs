@@ -1,5 +1,5 @@
-//! The unit-vector codecs of `unitvec` as shaders: GLSL to include, the same in HLSL, WGSL, Slang, MSL, GLSL ES and for Godot,
-//! and SPIR-V kernels to load.
+//! The unit-vector codecs of `unitvec` as shaders: GLSL to include, the same in other shading languages, and SPIR-V kernels to
+//! load.
 //!
 //! The files are part of the program that depends on this crate. Their paths are those of the repository's folders
 //! `glsl/`, `shaders/` and `spirv/`.
@@ -32,8 +32,8 @@ pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }
 
-/// The text of a file of `shaders/`: `hlsl/oct.hlsl`. The folders are named after the languages, `hlsl`, `wgsl`, `slang`, `msl`,
-/// `glsl-es` and `godot`; those of languages without `precise` have a folder `exact` with the exact edition. `stubs` has what
+/// The text of a file of `shaders/`: `hlsl/oct.hlsl`. The folders are named after the languages; those of languages without
+/// `precise` have a folder `exact` with the exact edition. `stubs/` is for linking with `spirv("unitvec.spv")`. `stubs` has what
 /// shaders include that are linked with `unitvec.spv`.
 pub fn shader(path: &str) -> Option<&'static str> {
     // What lies beside the folders is this crate's own.

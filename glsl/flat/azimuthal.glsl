@@ -234,7 +234,17 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+vec3 unitvec_divisors(float x) {
+#ifdef UNITVEC_EXACT
+    return vec3(x, min(x, 1e38), max(x, 1e-38));
+#else
+    return vec3(x);
+#endif
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
     return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));
@@ -812,8 +822,9 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     UNITVEC_PRECISE float sum = 2.0 - rim;
-    UNITVEC_PRECISE vec2 horizontal = 2.0 * at / sum;
-    UNITVEC_PRECISE float z = rim / sum;
+    vec3 by = unitvec_divisors(sum);
+    UNITVEC_PRECISE vec2 horizontal = 2.0 * at / by.xy;
+    UNITVEC_PRECISE float z = rim / by.z;
     return vec3(horizontal, z);
 }
 

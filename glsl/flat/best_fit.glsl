@@ -238,7 +238,17 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+vec3 unitvec_divisors(float x) {
+#ifdef UNITVEC_EXACT
+    return vec3(x, min(x, 1e38), max(x, 1e-38));
+#else
+    return vec3(x);
+#endif
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
     return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));
@@ -813,9 +823,9 @@ float unitvec_best_fit_part(float a, float largest) {
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 vec3 unitvec_best_fit_on_cube(vec3 v) {
     vec3 a = abs(v);
-    float largest = max(max(a.x, a.y), a.z);
-    return vec3(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
-        unitvec_best_fit_part(a.z, largest));
+    vec3 largest = unitvec_divisors(max(max(a.x, a.y), a.z));
+    return vec3(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
+        unitvec_best_fit_part(a.z, largest.z));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.

@@ -230,7 +230,17 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+vec3 unitvec_divisors(float x) {
+#ifdef UNITVEC_EXACT
+    return vec3(x, min(x, 1e38), max(x, 1e-38));
+#else
+    return vec3(x);
+#endif
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
     return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));
@@ -827,7 +837,7 @@ UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
 // Unit vector of the lattice point p of the positive octant.
 vec3 unitvec_oct_wide_decode_octant(ivec3 p, uint bits) {
     uint low_bits = bits - 13u;
-    UNITVEC_PRECISE vec3 lower = vec3(p & ((1 << low_bits) - 1)) * unitvec_exp2(-int(low_bits));
+    UNITVEC_PRECISE vec3 lower = vec3(p & int(unitvec_mask(low_bits))) * unitvec_exp2(-int(low_bits));
     return unitvec_normalize_parts(vec3(p >> low_bits), lower);
 }
 

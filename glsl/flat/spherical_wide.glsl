@@ -229,7 +229,17 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 
-// That of vectors, of xy_bits and of z_bits.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
+// may, divide once and multiply by the quotient.
+vec3 unitvec_divisors(float x) {
+#ifdef UNITVEC_EXACT
+    return vec3(x, min(x, 1e38), max(x, 1e-38));
+#else
+    return vec3(x);
+#endif
+}
+
+// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
 vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
     return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));

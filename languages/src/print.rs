@@ -270,19 +270,13 @@ impl<'a> Printer<'a> {
     fn structure(&mut self, declared: &Struct) {
         self.line(format!("struct {} {{", declared.name));
         for (ty, name) in &declared.fields {
-            let (ty, name) = (self.type_name(ty), self.field(name));
+            let ty = self.type_name(ty);
             self.line(match self.language {
                 Language::Wgsl => format!("    {name}: {ty},"),
                 _ => format!("    {ty} {name};"),
             });
         }
         self.line(if self.language == Language::Wgsl { "}" } else { "};" });
-    }
-
-    /// A field's name. naga_oil refuses those that end in a digit.
-    fn field(&self, name: &str) -> String {
-        let is_refused = self.asked == Language::NagaOil && name.ends_with(|c: char| c.is_ascii_digit());
-        format!("{name}{}", if is_refused { "_field" } else { "" })
     }
 
     fn function(&mut self, function: &Function, file: &File) {

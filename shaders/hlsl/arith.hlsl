@@ -4,7 +4,7 @@
 //
 // For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need.
 //
-// `precise` keeps compilers from fusing and reordering, so that all devices give the same codes.
+// `precise` keeps compilers from fusing and reordering operations.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -180,8 +180,8 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 float unitvec_snorm_quotient(float x, uint bits) {
     precise float quotient = x / unitvec_snorm_max(bits);
     return quotient;

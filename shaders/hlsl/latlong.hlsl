@@ -49,7 +49,7 @@ struct UnitvecLatlongRings {
     float n;
     float3 a;
     float4 q;
-    float q4;
+    float q_last;
     float offset;
 };
 
@@ -70,8 +70,8 @@ float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
 // From i to i + 2 for the indices of ring i.
 float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     precise float low = rings.q.x + index * rings.q.y;
-    precise float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q4;
-    float high = rings.q4 != 0.0 ? both_high : rings.q.z;
+    precise float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q_last;
+    float high = rings.q_last != 0.0 ? both_high : rings.q.z;
     precise float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0 ? whole_factor : low;
     precise float i = sqrt(index) * factor + rings.offset;

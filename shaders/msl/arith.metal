@@ -5,7 +5,7 @@
 // Include unitvec.metal, or the families that you need. All functions are inline.
 //
 // `#pragma clang fp contract(off)` holds to the end of what includes this. With fast math, which Metal has unless it is
-// turned off, a compiler may still reorder operations: the files in exact/ do not let it.
+// turned off, a compiler may still reorder operations. The files in exact/ prevent that.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -187,8 +187,8 @@ inline float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 inline float unitvec_snorm_quotient(float x, uint bits) {
     float quotient = x / unitvec_snorm_max(bits);
     return quotient;

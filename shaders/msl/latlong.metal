@@ -49,7 +49,7 @@ struct UnitvecLatlongRings {
     float n;
     float3 a;
     float4 q;
-    float q4;
+    float q_last;
     float offset;
 };
 
@@ -70,8 +70,8 @@ inline float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
 // From i to i + 2 for the indices of ring i.
 inline float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float low = rings.q.x + index * rings.q.y;
-    float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q4;
-    float high = rings.q4 != 0.0f ? both_high : rings.q.z;
+    float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q_last;
+    float high = rings.q_last != 0.0f ? both_high : rings.q.z;
     float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0f ? whole_factor : low;
     float i = sqrt(index) * factor + rings.offset;

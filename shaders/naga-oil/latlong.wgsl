@@ -49,7 +49,7 @@ struct UnitvecLatlongRings {
     n: f32,
     a: vec3f,
     q: vec4f,
-    q4_field: f32,
+    q_last: f32,
     offset: f32,
 }
 
@@ -72,8 +72,8 @@ fn unitvec_latlong_border(rings: UnitvecLatlongRings, h: f32) -> f32 {
 // From i to i + 2 for the indices of ring i.
 fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
     let low = rings.q.x + index * rings.q.y;
-    let both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q4_field;
-    let high = select(rings.q.z, both_high, rings.q4_field != 0.0);
+    let both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q_last;
+    let high = select(rings.q.z, both_high, rings.q_last != 0.0);
     let whole_factor = low + (index * index) * high;
     let factor = select(low, whole_factor, rings.q.z != 0.0);
     let i = sqrt(index) * factor + rings.offset;

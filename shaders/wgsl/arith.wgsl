@@ -4,8 +4,8 @@
 //
 // WGSL has no #include: join the texts of the files that you need, this one first, with your own.
 //
-// This language cannot keep compilers from fusing and reordering operations: they may give other codes where a
-// direction is nearly as far from two of them. The files in exact/ do not let them.
+// This language has no `precise`, so compilers may fuse and reorder operations: they may give another code where a
+// direction lies almost halfway between two. The files in exact/ prevent that.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -178,8 +178,8 @@ fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     let quotient = x / unitvec_snorm_max(bits);
     return quotient;

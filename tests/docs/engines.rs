@@ -34,9 +34,7 @@ fn files_exist() {
 fn functions_exist() {
     let glsl: String = unitvec_tests::glsl_families()
         .iter()
-        .map(|family| {
-            std::fs::read_to_string(repository().join(format!("glsl/unitvec/{family}"))).unwrap()
-        })
+        .map(|family| std::fs::read_to_string(repository().join(format!("glsl/unitvec/{family}"))).unwrap())
         .collect();
     let is_ours = |word: &&str| {
         word.ends_with("_encode")

@@ -15,8 +15,8 @@ pub struct Arguments {
     /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID")]
     codec: Vec<String>,
-    /// The exact edition, for languages that cannot keep compilers from fusing and reordering operations: all devices give
-    /// the same codes, at the cost of an operation for each that is rounded.
+    /// The exact edition, for languages without `precise`: compilers cannot fuse and reorder operations. It costs one more
+    /// operation for each that is rounded.
     #[arg(long)]
     exact: bool,
     /// File to write; - for the standard output, which it is if not given.

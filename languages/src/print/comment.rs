@@ -48,11 +48,18 @@ impl Printer<'_> {
             lines.push("//".to_owned());
             lines.extend(filled(&paragraph));
         }
-        for paragraph in paragraphs.filter(|paragraph| !paragraph.iter().any(|line| line.contains("GLSL"))) {
+        for paragraph in paragraphs.filter(|paragraph| self.concerns(paragraph)) {
             lines.push("//".to_owned());
             lines.extend(paragraph.iter().map(|line| self.comment(line)));
         }
         lines
+    }
+
+    /// False for what a head says of GLSL alone, or of macros where there are none or they do not reach a module.
+    fn concerns(&self, paragraph: &[String]) -> bool {
+        let says = |word: &str| paragraph.iter().any(|line| line.contains(word));
+        let has_macros = self.language.has_preprocessor() && self.language != Language::Slang;
+        !says("GLSL") && (has_macros || !says("#define"))
     }
 
     /// The paragraph of the head that says the layout.
@@ -87,8 +94,8 @@ impl Printer<'_> {
         }
         if self.edition == Edition::Exact {
             notes.push(
-                "The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do \
-                 not fuse or reorder operations, and all devices give the same codes."
+                "The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so \
+                 that compilers do not fuse or reorder operations."
                     .to_owned(),
             );
         } else if file.name == ARITH {
@@ -140,16 +147,14 @@ impl Printer<'_> {
     fn precision(&self) -> Option<&'static str> {
         match self.language {
             Language::Glsl => None,
-            Language::Hlsl => Some(
-                "`precise` keeps compilers from fusing and reordering, so that all devices give the same codes.",
-            ),
+            Language::Hlsl => Some("`precise` keeps compilers from fusing and reordering operations."),
             Language::Msl => Some(
                 "`#pragma clang fp contract(off)` holds to the end of what includes this. With fast math, which Metal has \
-                 unless it is turned off, a compiler may still reorder operations: the files in exact/ do not let it.",
+                 unless it is turned off, a compiler may still reorder operations. The files in exact/ prevent that.",
             ),
             _ => Some(
-                "This language cannot keep compilers from fusing and reordering operations: they may give other codes where \
-                 a direction is nearly as far from two of them. The files in exact/ do not let them.",
+                "This language has no `precise`, so compilers may fuse and reorder operations: they may give another code where \
+                 a direction lies almost halfway between two. The files in exact/ prevent that.",
             ),
         }
     }

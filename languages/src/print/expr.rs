@@ -70,9 +70,7 @@ impl Printer<'_> {
             ExprKind::BuiltIn(name, arguments) => (self.built_in(name, arguments, &expr.ty), WHOLE),
             ExprKind::Macro(name, arguments) => (format!("{name}({})", self.list(arguments)), WHOLE),
             ExprKind::Construct(arguments) => self.construct(&expr.ty, arguments),
-            ExprKind::Member(of, name) => {
-                (format!("{}.{}", self.at_least(of, WHOLE), self.field(name)), WHOLE)
-            }
+            ExprKind::Member(of, name) => (format!("{}.{name}", self.at_least(of, WHOLE)), WHOLE),
             ExprKind::Index(of, index) => {
                 (format!("{}[{}]", self.at_least(of, WHOLE), self.expr(index)), WHOLE)
             }

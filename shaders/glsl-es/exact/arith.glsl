@@ -5,8 +5,8 @@
 // For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you need, this
 // one first, with your own, all below `#version 300 es`.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -188,8 +188,8 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
 }

@@ -4,8 +4,8 @@
 //
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, sections 2 and 2.3; Smith et al. 2012. Formulas stand in for their table.
 //
@@ -56,7 +56,7 @@ struct UnitvecLatlongRings {
     float n;
     vec3 a;
     vec4 q;
-    float q4;
+    float q_last;
     float offset;
 };
 
@@ -81,8 +81,8 @@ float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
 float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float low = min(rings.q.x + min(index * rings.q.y, UNITVEC_HUGE), UNITVEC_HUGE);
     float both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(min(index * index, UNITVEC_HUGE) * rings.q4, UNITVEC_HUGE), UNITVEC_HUGE);
-    float high = rings.q4 != 0.0 ? both_high : rings.q.z;
+        + min(min(index * index, UNITVEC_HUGE) * rings.q_last, UNITVEC_HUGE), UNITVEC_HUGE);
+    float high = rings.q_last != 0.0 ? both_high : rings.q.z;
     float whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     float factor = rings.q.z != 0.0 ? whole_factor : low;
     float i = min(min(min(sqrt(index), UNITVEC_HUGE) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);

@@ -4,8 +4,8 @@
 //
 // Include unitvec.metal, or the families that you need. All functions are inline.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -191,8 +191,8 @@ inline float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 inline float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
 }

@@ -3,8 +3,8 @@
 // unitvec: azimuthal codes of 16, 20, 22, 24 and 32 bits: a hemisphere on a disk by a map projection, the disk on a
 // square or as it is, and one bit for the hemisphere.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, section 2; Snyder 1987; Shirley and Chiu 1997; the ellipse map is the elliptical grid
 // map.

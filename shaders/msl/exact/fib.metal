@@ -2,8 +2,8 @@
 //
 // unitvec: spherical Fibonacci points, numbered, in 16, 24 and 32 bits.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Keinert, Innmann, Sänger and Stamminger 2015, "Spherical Fibonacci Mapping".
 //

@@ -2,8 +2,8 @@
 //
 // unitvec: tangent frames, a normal, a tangent and a handedness, in 32 and 64 bits.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Sources: Duff et al. 2017 for the basis about the normal, Ong 2023 for the tangent's place in it; the normal is that
 // of oct.metal.

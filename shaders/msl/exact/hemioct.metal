@@ -2,8 +2,8 @@
 //
 // unitvec: hemi-octahedral codes of 16, 24 and 32 bits, for directions with z >= 0.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, listing 6.
 //

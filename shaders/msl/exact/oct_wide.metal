@@ -2,8 +2,8 @@
 //
 // unitvec: octahedral codes of 48 and 52 bits, finer than a float.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Meyer et al. 2010, section 5 and table 1. The mapping is that of oct.metal.
 //

@@ -2,8 +2,8 @@
 //
 // unitvec: spherical coordinates in 48 bits, finer than a float.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Meyer et al. 2010, table 1; Cigolle et al. 2014, section 2, "spherical". The mapping is that of spherical.metal.
 //

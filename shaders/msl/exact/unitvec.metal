@@ -4,8 +4,8 @@
 //
 // Include unitvec.metal, or the families that you need. All functions are inline.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 
 #include "arith.metal"
 #include "oct.metal"

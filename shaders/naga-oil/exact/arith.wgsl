@@ -6,8 +6,8 @@
 // `load_shader_library!` in Bevy or `Composer::add_composable_module`, and write, for instance:
 //   #import unitvec::oct::{oct16_encode, oct16_decode}
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -186,8 +186,8 @@ fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     return unitvec_snorm_part(x, bits);
 }

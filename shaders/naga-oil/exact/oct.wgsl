@@ -2,8 +2,8 @@
 //
 // unitvec: octahedral codes of 8, 12, 16, 18, 20, 22, 24 and 32 bits.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, listings 1 to 5; Meyer et al. 2010, section 5.
 //

@@ -3,8 +3,8 @@
 // unitvec: parallel projections: xyonly16, 24, 32, 32f (z >= 0), pp16, 24, 32, 48 (with the sign of z), spp16, 24, 32,
 // 48 (sextants: the largest component reconstructed).
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, section 5; Meyer et al. 2010, eqs. 6 and 7.
 //

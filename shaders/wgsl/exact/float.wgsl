@@ -4,8 +4,8 @@
 //
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, section 3; IEEE 754 binary16.
 //

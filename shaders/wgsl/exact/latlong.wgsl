@@ -4,8 +4,8 @@
 //
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
-// The exact edition: what is rounded goes through `min` with a number that is larger, so that compilers do not fuse or
-// reorder operations, and all devices give the same codes.
+// The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
+// compilers do not fuse or reorder operations.
 //
 // Source: Cigolle et al. 2014, sections 2 and 2.3; Smith et al. 2012. Formulas stand in for their table.
 //
@@ -50,7 +50,7 @@ struct UnitvecLatlongRings {
     n: f32,
     a: vec3f,
     q: vec4f,
-    q4: f32,
+    q_last: f32,
     offset: f32,
 }
 
@@ -76,8 +76,8 @@ fn unitvec_latlong_border(rings: UnitvecLatlongRings, h: f32) -> f32 {
 fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
     let low = min(rings.q.x + min(index * rings.q.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(min(index * index, UNITVEC_HUGE) * rings.q4, UNITVEC_HUGE), UNITVEC_HUGE);
-    let high = select(rings.q.z, both_high, rings.q4 != 0.0);
+        + min(min(index * index, UNITVEC_HUGE) * rings.q_last, UNITVEC_HUGE), UNITVEC_HUGE);
+    let high = select(rings.q.z, both_high, rings.q_last != 0.0);
     let whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     let factor = select(low, whole_factor, rings.q.z != 0.0);
     let i = min(min(min(sqrt(index), UNITVEC_HUGE) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
