@@ -1,6 +1,6 @@
 //! The languages, and how each writes the same thing.
 
-use crate::syntax::{Scalar, Type};
+use crate::syntax::{Branch, Condition, Scalar, Type};
 use std::fmt;
 use std::str::FromStr;
 
@@ -110,12 +110,12 @@ impl Language {
     }
 
     /// True for the languages whose compilers take `#include`.
-    pub const fn has_include(self) -> bool {
+    pub(crate) const fn has_include(self) -> bool {
         matches!(self, Self::Glsl | Self::Hlsl | Self::Msl | Self::Godot)
     }
 
     /// True for the languages with `#ifdef`.
-    pub const fn has_preprocessor(self) -> bool {
+    pub(crate) const fn has_preprocessor(self) -> bool {
         !matches!(self.written(), Self::Wgsl)
     }
 
@@ -125,8 +125,19 @@ impl Language {
     }
 
     /// True for those that are GLSL, or take its types and functions.
-    pub const fn is_glsl(self) -> bool {
+    pub(crate) const fn is_glsl(self) -> bool {
         matches!(self, Self::Glsl | Self::GlslEs | Self::Godot)
+    }
+
+    /// What of an alternative is part of its text. What depends on a macro of the user's stays, and what depends on the version
+    /// of GLSL is as the oldest has it.
+    pub(crate) fn branch(self, edition: Edition, condition: &Condition) -> Branch {
+        match condition {
+            _ if self == Self::Glsl => Branch::Both,
+            Condition::Macro(_) if self.has_preprocessor() => Branch::Both,
+            Condition::Exact(_) if edition == Edition::Exact => Branch::Then,
+            _ => Branch::Otherwise,
+        }
     }
 
     /// A type's name.

@@ -152,7 +152,7 @@ impl Library {
     /// # Errors
     /// [`Error::NoFunction`], or [`Error::Reserved`].
     pub fn excerpt(&self, functions: &[&str], language: Language, edition: Edition) -> Result<String, Error> {
-        let needed = self.needed(functions)?;
+        let needed = self.needed(functions, language, edition)?;
         let mut printer = Printer::new(language, edition, &self.declared);
         printer.prelude();
         for file in &self.files {
@@ -177,7 +177,12 @@ impl Library {
     }
 
     /// The names that these functions need, their own included.
-    fn needed<'a>(&'a self, functions: &[&'a str]) -> Result<BTreeSet<&'a str>, Error> {
+    fn needed<'a>(
+        &'a self,
+        functions: &[&'a str],
+        language: Language,
+        edition: Edition,
+    ) -> Result<BTreeSet<&'a str>, Error> {
         let items = self.files.iter().flat_map(|file| &file.items);
         let by_name: HashMap<&str, &Item> =
             items.filter_map(|item| Some((item.kind.name()?, item))).collect();
@@ -192,7 +197,7 @@ impl Library {
         while let Some(name) = open.pop() {
             let Some(item) = by_name.get(name) else { continue };
             if needed.insert(name) {
-                open.extend(item.kind.names_used());
+                open.extend(item.kind.names_used(&|condition| language.written().branch(edition, condition)));
             }
         }
         Ok(needed)

@@ -3,8 +3,8 @@
 use crate::Error;
 use crate::lex::{Kind, Token, tokens};
 use crate::syntax::{
-    Block, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind, Lead, Parameter, Scalar,
-    Statement, StatementKind, Struct, Type,
+    Block, Condition, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind, Lead, Parameter,
+    Scalar, Statement, StatementKind, Struct, Type,
 };
 use std::collections::HashMap;
 
@@ -18,18 +18,20 @@ pub struct Declared {
     pub homes: HashMap<String, String>,
 }
 
-/// GLSL's functions that the includes use.
-const BUILT_IN: [&str; 10] = [
-    "abs",
-    "floor",
-    "sqrt",
-    "max",
-    "min",
-    "clamp",
-    "floatBitsToUint",
-    "uintBitsToFloat",
-    "bitfieldExtract",
-    "cross",
+/// The function that only newer versions of GLSL have.
+const BITFIELD_EXTRACT: &str = "bitfieldExtract";
+
+/// GLSL's functions that the includes use, and how many arguments each takes.
+const BUILT_IN: [(&str, usize); 9] = [
+    ("abs", 1),
+    ("floor", 1),
+    ("sqrt", 1),
+    ("max", 2),
+    ("min", 2),
+    ("clamp", 3),
+    ("floatBitsToUint", 1),
+    ("uintBitsToFloat", 1),
+    (BITFIELD_EXTRACT, 3),
 ];
 
 /// The macro in place of `precise`.
@@ -38,8 +40,17 @@ pub const PRECISE: &str = "UNITVEC_PRECISE";
 /// Parses a file, and adds what it declares.
 pub fn parse(name: &str, text: &str, declared: &mut Declared) -> Result<File, Error> {
     let tokens = tokens(name, text)?;
-    let mut parser =
-        Parser { file: name, tokens, next: 0, declared, scopes: Vec::new(), assigned: Vec::new() };
+    let mut parser = Parser {
+        file: name,
+        tokens,
+        next: 0,
+        declared,
+        scopes: Vec::new(),
+        assigned: Vec::new(),
+        returns: Type::Void,
+        in_version: false,
+        may_be_struct: false,
+    };
     parser.file()
 }
 
@@ -51,6 +62,12 @@ struct Parser<'a> {
     /// Variables of the function at hand: their type, and whether they are precise.
     scopes: Vec<HashMap<String, (Type, bool)>>,
     assigned: Vec<String>,
+    /// What the function at hand returns.
+    returns: Type,
+    /// True where a newer version of GLSL is certain.
+    in_version: bool,
+    /// True at the start of what a variable is declared with.
+    may_be_struct: bool,
 }
 
 type Parsed<T> = Result<T, Error>;
@@ -131,12 +148,22 @@ impl<'a> Parser<'a> {
         if self.peek().kind != Kind::End {
             return Err(self.wanted("the end of the file"));
         }
+        let has_comment = |token: &&Token<'_>| token.lead.iter().any(|line| !line.is_empty());
+        if let Some(token) = self.tokens.iter().find(has_comment) {
+            let what = "a comment has to stand before a declaration or a statement";
+            return Err(Error::new(self.file, token.line, what));
+        }
         Ok(File { name: self.file.to_owned(), head, items, tail })
     }
 
     fn item(&mut self) -> Parsed<Item> {
         let lead = self.lead();
         let kind = match (self.peek().kind, self.peek().text) {
+            (Kind::Directive, text)
+                if text.starts_with("#include") && lead.iter().any(|line| !line.is_empty()) =>
+            {
+                return Err(self.error("a comment has to stand before a declaration or a statement"));
+            }
             (Kind::Directive, _) => self.directive()?,
             (_, "precision") => self.precision()?,
             (_, "struct") => ItemKind::Struct(self.structure()?),
@@ -196,10 +223,11 @@ impl<'a> Parser<'a> {
         self.expect("{")?;
         let mut fields = Vec::new();
         while !self.took("}") {
-            if !self.peek().lead.is_empty() {
-                return Err(self.error("a comment has to stand before the struct"));
+            let field = (self.type_name()?, self.word("a field's name")?);
+            if field.1.ends_with(|c: char| c.is_ascii_digit()) {
+                return Err(self.error("naga_oil refuses fields whose names end in a digit"));
             }
-            fields.push((self.type_name()?, self.word("a field's name")?));
+            fields.push(field);
             self.expect(";")?;
         }
         self.expect(";")?;
@@ -212,7 +240,7 @@ impl<'a> Parser<'a> {
         self.expect("const")?;
         let (ty, name) = (self.type_name()?, self.new_name()?);
         self.expect("=")?;
-        let value = self.of_type(&ty)?;
+        let value = self.declared_value(&ty)?;
         self.expect(";")?;
         self.declared.constants.insert(name.clone(), ty.clone());
         Ok(Constant { ty, name, value })
@@ -256,6 +284,7 @@ impl<'a> Parser<'a> {
             parameters.iter().map(|parameter| (parameter.name.clone(), (parameter.ty.clone(), false)));
         self.scopes = vec![scope.collect()];
         self.assigned.clear();
+        self.returns = returns.clone();
         let body = self.block()?;
         let assigned = std::mem::take(&mut self.assigned);
         self.declared.functions.insert(name.clone(), (returns.clone(), parameters.clone()));
@@ -273,9 +302,6 @@ impl<'a> Parser<'a> {
             if !has_braces {
                 break;
             }
-        }
-        if has_braces && !self.lead().is_empty() {
-            return Err(self.error("a comment has to stand before a statement"));
         }
         let last = if has_braces { self.expect("}")? } else { self.tokens[self.next - 1].clone() };
         self.scopes.pop();
@@ -304,21 +330,27 @@ impl<'a> Parser<'a> {
     }
 
     fn alternative(&mut self) -> Parsed<StatementKind> {
-        let directive = self.take().text.to_owned();
-        if !directive.starts_with("#if") {
-            return Err(self.error(&format!("what is `{directive}` for?")));
-        }
+        let directive = self.peek().text.to_owned();
+        let condition = match directive.strip_prefix("#ifdef ") {
+            Some("UNITVEC_EXACT") => Condition::Exact(directive),
+            Some(_) => Condition::Macro(directive),
+            None if directive.starts_with("#if __VERSION__ >= ") => Condition::Version(directive),
+            None => return Err(self.error(&format!("what is `{directive}` for?"))),
+        };
+        self.take();
+        self.in_version = matches!(condition, Condition::Version(_));
         let mut then = Vec::new();
         while !self.is("#else") {
             then.push(self.statement()?);
         }
+        self.in_version = false;
         self.take();
         let mut otherwise = Vec::new();
         while !self.is("#endif") {
             otherwise.push(self.statement()?);
         }
         self.take();
-        Ok(StatementKind::Alternative { directive, then, otherwise })
+        Ok(StatementKind::Alternative { condition, then, otherwise })
     }
 
     fn in_parentheses(&mut self) -> Parsed<Expr> {
@@ -359,7 +391,8 @@ impl<'a> Parser<'a> {
         let word = self.peek().text;
         if word == "return" {
             self.take();
-            return Ok(StatementKind::Return(self.expression()?));
+            let returns = self.returns.clone();
+            return Ok(StatementKind::Return(self.of_type(&returns)?));
         }
         let is_type = Type::named(word).is_some() || self.declared.structs.contains_key(word);
         let is_declaration = [PRECISE, "const"].contains(&word)
@@ -374,8 +407,17 @@ impl<'a> Parser<'a> {
         }
         self.take();
         let value = self.expression()?;
-        if operator == "=" && value.ty != target.ty {
+        let with = operator.trim_end_matches('=');
+        let is_of_type = if with.is_empty() || ["|", "&", "^"].contains(&with) {
+            value.ty == target.ty
+        } else {
+            self.type_of(with, &target.ty, &value.ty)? == target.ty
+        };
+        if !is_of_type || ["<<", ">>"].contains(&with) {
             return Err(self.error("both sides of an assignment have to be of one type"));
+        }
+        if matches!(&target.kind, ExprKind::Member(of, name) if of.ty.size() > 1 && name.len() > 1) {
+            return Err(self.error("components are assigned to one by one"));
         }
         let name = root(&target).ok_or_else(|| self.error("this cannot be assigned to"))?.to_owned();
         let is_precise = self.variable(&name).is_some_and(|(_, is_precise)| is_precise);
@@ -395,7 +437,7 @@ impl<'a> Parser<'a> {
             ty = Type::Array(*scalar, length);
             self.expect("]")?;
         }
-        let value = if self.took("=") { Some(self.of_type(&ty)?) } else { None };
+        let value = if self.took("=") { Some(self.declared_value(&ty)?) } else { None };
         if self.is(",") {
             return Err(self.error("each variable needs a declaration of its own"));
         }
@@ -403,6 +445,12 @@ impl<'a> Parser<'a> {
             scope.insert(name.clone(), (ty.clone(), is_precise));
         }
         Ok(Declaration { is_precise, is_constant, ty, name, value })
+    }
+
+    /// What a variable of this type is declared with.
+    fn declared_value(&mut self, ty: &Type) -> Parsed<Expr> {
+        self.may_be_struct = matches!(ty, Type::Struct(_));
+        self.of_type(ty)
     }
 
     /// An expression that has to be of this type: GLSL's implicit conversions are not among what the includes use.
@@ -478,7 +526,15 @@ impl<'a> Parser<'a> {
             return self.postfix();
         }
         let operator = self.take().text.to_owned();
-        let operand = self.unary()?;
+        let operand = self.postfix()?;
+        let fits = match (operator.as_str(), &operand.ty) {
+            ("-", Type::Value(scalar, _)) => [Scalar::Float, Scalar::Int].contains(scalar),
+            ("~", Type::Value(scalar, _)) => [Scalar::Uint, Scalar::Int].contains(scalar),
+            (_, ty) => *ty == Type::BOOL,
+        };
+        if !fits {
+            return Err(self.error(&format!("`{operator}` does not take this type")));
+        }
         let ty = operand.ty.clone();
         Ok(Expr { kind: ExprKind::Unary(operator, Box::new(operand)), ty })
     }
@@ -522,7 +578,9 @@ impl<'a> Parser<'a> {
     fn primary(&mut self) -> Parsed<Expr> {
         let Token { kind, text, .. } = self.take();
         match kind {
-            Kind::Number => Ok(number(text)),
+            Kind::Number => {
+                number(text).ok_or_else(|| self.error(&format!("`{text}` is no number of the includes")))
+            }
             Kind::Sign if text == "(" => {
                 let inner = self.expression()?;
                 self.expect(")")?;
@@ -545,6 +603,7 @@ impl<'a> Parser<'a> {
     }
 
     fn call(&mut self, name: &str) -> Parsed<Expr> {
+        let may_be_struct = std::mem::take(&mut self.may_be_struct);
         self.expect("(")?;
         let mut arguments = Vec::new();
         while !self.took(")") {
@@ -558,6 +617,9 @@ impl<'a> Parser<'a> {
             return Ok(Expr { kind: ExprKind::Call(name.to_owned(), arguments), ty: returns });
         }
         if let Some(declared) = self.declared.structs.get(name) {
+            if !may_be_struct {
+                return Err(self.error("a struct is made only where a variable is declared"));
+            }
             let fields = declared.fields.iter().map(|(ty, _)| ty);
             if !fields.eq(arguments.iter().map(|argument| &argument.ty)) {
                 return Err(self.error(&format!("`{name}` has fields of other types")));
@@ -567,7 +629,10 @@ impl<'a> Parser<'a> {
         if let Some(ty) = Type::named(name) {
             return self.constructed(name, ty, arguments);
         }
-        if BUILT_IN.contains(&name) {
+        if let Some((_, count)) = BUILT_IN.iter().find(|(built_in, _)| *built_in == name) {
+            if arguments.len() != *count || (name == BITFIELD_EXTRACT && !self.in_version) {
+                return Err(self.error(&format!("`{name}` cannot be called so here")));
+            }
             let ty = built_in_type(name, &arguments)
                 .ok_or_else(|| self.error(&format!("`{name}` does not take these types")))?;
             return Ok(Expr { kind: ExprKind::BuiltIn(name.to_owned(), arguments), ty });
@@ -622,16 +687,25 @@ fn built_in_type(name: &str, arguments: &[Expr]) -> Option<Type> {
     }
 }
 
-fn number(text: &str) -> Expr {
-    let is_hexadecimal = text.starts_with("0x");
-    let ty = if text.ends_with('u') {
-        Type::UINT
-    } else if !is_hexadecimal && text.contains(['.', 'e']) {
-        Type::FLOAT
+/// A number as the includes write them: `12`, `12u`, `0x1fu`, `1.5`, `1.5e-3`, `1e38`.
+fn number(text: &str) -> Option<Expr> {
+    let all = |text: &str, is_digit: fn(char) -> bool| !text.is_empty() && text.chars().all(is_digit);
+    let is_decimal =
+        |text: &str| all(text, |c| c.is_ascii_digit()) && (text == "0" || !text.starts_with('0'));
+    let whole = text.strip_suffix('u').unwrap_or(text);
+    let is_hexadecimal = whole
+        .strip_prefix("0x")
+        .is_some_and(|digits| all(digits, |c| c.is_ascii_digit() || ('a'..='f').contains(&c)));
+    let ty = if is_hexadecimal || is_decimal(whole) {
+        if text.ends_with('u') { Type::UINT } else { Type::INT }
     } else {
-        Type::INT
+        let (significand, exponent) = text.split_once('e').unwrap_or((text, "0"));
+        let (before, after) = significand.split_once('.').unwrap_or((significand, "0"));
+        let exponent = exponent.strip_prefix('-').unwrap_or(exponent);
+        let is_float = is_decimal(before) && all(after, |c| c.is_ascii_digit()) && is_decimal(exponent);
+        is_float.then_some(Type::FLOAT)?
     };
-    Expr { kind: ExprKind::Number(text.to_owned()), ty }
+    Some(Expr { kind: ExprKind::Number(text.to_owned()), ty })
 }
 
 /// How tightly an operator of two operands binds, as in C.

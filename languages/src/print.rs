@@ -5,10 +5,10 @@ mod expr;
 
 use crate::parse::{Declared, PRECISE};
 use crate::syntax::{
-    Block, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind, Parameter, Statement,
-    StatementKind, Struct, Type,
+    Block, Branch, Condition, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind,
+    Parameter, Statement, StatementKind, Struct, Type,
 };
-use crate::wrap::wrapped;
+use crate::wrap::{WIDTH, wrapped};
 use crate::{ALL, Edition, Error, Language};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -332,7 +332,7 @@ impl<'a> Printer<'a> {
     /// `head { … }`, in one line where the source has it so and there is room.
     fn block(&mut self, indent: usize, head: &str, block: &Block, first: Vec<String>) {
         let one_line =
-            self.one_line(head, block).filter(|line| first.is_empty() && indent + line.len() <= 120);
+            self.one_line(head, block).filter(|line| first.is_empty() && indent + line.len() <= WIDTH);
         if let Some(line) = one_line {
             self.line(format!("{:indent$}{line}", ""));
             return;
@@ -380,27 +380,31 @@ impl<'a> Printer<'a> {
                 let head = format!("for ({start}; {}; {step})", self.expr(condition));
                 self.block(indent, &head, body, Vec::new());
             }
-            StatementKind::Alternative { directive, then, otherwise } => {
-                self.alternative(indent, directive, then, otherwise);
+            StatementKind::Alternative { condition, then, otherwise } => {
+                self.alternative(indent, condition, then, otherwise);
             }
             _ => {}
         }
     }
 
-    /// What depends on a macro of the user's stays, what depends on the edition is chosen, and what depends on the version of
-    /// GLSL is as the oldest has it.
-    fn alternative(&mut self, indent: usize, directive: &str, then: &[Statement], otherwise: &[Statement]) {
-        let is_of_edition = directive == "#ifdef UNITVEC_EXACT";
-        let is_of_user = !is_of_edition && !directive.contains("__VERSION__");
-        if self.language == Language::Glsl || (is_of_user && self.language.has_preprocessor()) {
-            self.line(directive);
-            self.statements(indent, then);
-            self.line("#else");
-            self.statements(indent, otherwise);
-            self.line("#endif");
-        } else {
-            let chosen = if is_of_edition && self.is_exact() { then } else { otherwise };
-            self.statements(indent, chosen);
+    fn alternative(
+        &mut self,
+        indent: usize,
+        condition: &Condition,
+        then: &[Statement],
+        otherwise: &[Statement],
+    ) {
+        let (Condition::Version(line) | Condition::Exact(line) | Condition::Macro(line)) = condition;
+        match self.language.branch(self.edition, condition) {
+            Branch::Both => {
+                self.line(line);
+                self.statements(indent, then);
+                self.line("#else");
+                self.statements(indent, otherwise);
+                self.line("#endif");
+            }
+            Branch::Then => self.statements(indent, then),
+            Branch::Otherwise => self.statements(indent, otherwise),
         }
     }
 
@@ -451,7 +455,8 @@ impl<'a> Printer<'a> {
             return match (varies, value.is_some()) {
                 (true, false) => format!("var {name}: {type_name}"),
                 (true, true) => format!("var {name}{assigned}"),
-                (false, _) if *is_constant => format!("const {name}{assigned}"),
+                // With its type: numbers without one are computed with in more bits.
+                (false, _) if *is_constant => format!("const {name}: {type_name}{assigned}"),
                 (false, _) => format!("let {name}{assigned}"),
             };
         }

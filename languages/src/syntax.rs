@@ -183,12 +183,31 @@ pub enum StatementKind {
         condition: Expr,
         body: Block,
     },
-    /// `#if … #else … #endif`, with its first line.
+    /// `#if … #else … #endif`.
     Alternative {
-        directive: String,
+        condition: Condition,
         then: Vec<Statement>,
         otherwise: Vec<Statement>,
     },
+}
+
+/// What an alternative goes by, with its line in GLSL.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Condition {
+    /// A version of GLSL that has a function.
+    Version(String),
+    /// The exact edition.
+    Exact(String),
+    /// A macro of the user's.
+    Macro(String),
+}
+
+/// What of an alternative is part of a text.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Branch {
+    Both,
+    Then,
+    Otherwise,
 }
 
 /// A variable, or a constant of a function.
@@ -229,8 +248,9 @@ pub enum ExprKind {
 }
 
 impl ItemKind {
-    /// The names in what it declares: functions, constants and structs of the library, and others.
-    pub fn names_used(&self) -> Vec<&str> {
+    /// The names in what it declares: functions, constants and structs of the library, and others. `branch` tells what of
+    /// an alternative counts.
+    pub fn names_used(&self, branch: &dyn Fn(&Condition) -> Branch) -> Vec<&str> {
         let mut names = Vec::new();
         match self {
             Self::Constant(constant) => {
@@ -241,7 +261,7 @@ impl ItemKind {
             Self::Function(function) => {
                 function.returns.add_name(&mut names);
                 function.parameters.iter().for_each(|parameter| parameter.ty.add_name(&mut names));
-                add_names(&function.body.statements, &mut names);
+                add_names(&function.body.statements, branch, &mut names);
             }
             Self::Include { .. } | Self::Precise(_) | Self::Precision(_) => {}
         }
@@ -299,29 +319,42 @@ impl Expr {
 }
 
 /// The statements of a function, those inside others too, each before those inside it.
-fn each<'a>(statements: &'a [Statement], visit: &mut impl FnMut(&'a StatementKind)) {
+fn each<'a>(
+    statements: &'a [Statement],
+    branch: &dyn Fn(&Condition) -> Branch,
+    visit: &mut impl FnMut(&'a StatementKind),
+) {
     for Statement { kind, .. } in statements {
         visit(kind);
         match kind {
             StatementKind::If { then: body, .. } | StatementKind::While { body, .. } => {
-                each(&body.statements, visit);
+                each(&body.statements, branch, visit);
             }
             StatementKind::For { start, step, body, .. } => {
                 visit(&start.kind);
                 visit(&step.kind);
-                each(&body.statements, visit);
+                each(&body.statements, branch, visit);
             }
-            StatementKind::Alternative { then, otherwise, .. } => {
-                each(then, visit);
-                each(otherwise, visit);
+            StatementKind::Alternative { condition, then, otherwise } => {
+                let branch_here = branch(condition);
+                if branch_here != Branch::Otherwise {
+                    each(then, branch, visit);
+                }
+                if branch_here != Branch::Then {
+                    each(otherwise, branch, visit);
+                }
             }
             _ => {}
         }
     }
 }
 
-fn add_names<'a>(statements: &'a [Statement], names: &mut Vec<&'a str>) {
-    each(statements, &mut |kind| match kind {
+fn add_names<'a>(
+    statements: &'a [Statement],
+    branch: &dyn Fn(&Condition) -> Branch,
+    names: &mut Vec<&'a str>,
+) {
+    each(statements, branch, &mut |kind| match kind {
         StatementKind::Declare(Declaration { ty, value, .. }) => {
             ty.add_name(names);
             value.iter().for_each(|value| value.add_names(names));
@@ -339,7 +372,7 @@ fn add_names<'a>(statements: &'a [Statement], names: &mut Vec<&'a str>) {
 }
 
 fn add_variables<'a>(statements: &'a [Statement], names: &mut Vec<&'a str>) {
-    each(statements, &mut |kind| {
+    each(statements, &|_| Branch::Both, &mut |kind| {
         if let StatementKind::Declare(declaration) = kind {
             names.push(&declaration.name);
         }

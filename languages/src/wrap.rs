@@ -1,7 +1,7 @@
 //! Long lines, broken where their brackets are least deep.
 
 /// The longest line of the includes.
-const WIDTH: usize = 120;
+pub const WIDTH: usize = 120;
 
 /// What a line may be broken before, and how readily: after a comma it is most readily broken.
 const BEFORE: [(&str, usize); 8] =

@@ -188,6 +188,26 @@ fn unitvec_negate_positive(negative: bool, x: f32) -> f32 {
     assert_eq!(unknown, Err(Error::NoFunction("oct17_encode".to_owned())));
 }
 
+/// What an excerpt declares is used in it, or was asked for: it follows the branch that its language and edition take.
+#[test]
+fn an_excerpt_has_nothing_else() {
+    let library = library();
+    for (language, edition) in generated() {
+        for codec in ["snorm8x3", "crytek_bfn24", "oct32p"] {
+            let asked = [format!("{codec}_encode"), format!("{codec}_decode")];
+            let text = library.excerpt(&[&asked[0], &asked[1]], language, edition).unwrap();
+            let code: Vec<&str> = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+            let code = code.join("\n");
+            let words: Vec<&str> = code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
+            for name in words.iter().filter(|word| word.to_lowercase().starts_with("unitvec_")) {
+                let count = words.iter().filter(|word| *word == name).count();
+                let is_frame = ["UNITVEC_HUGE", "UNITVEC_BEST_FIT_TABLE"].contains(name);
+                assert!(count > 1 || is_frame, "{codec} in {language}, {edition:?}: {name} is not used");
+            }
+        }
+    }
+}
+
 /// Sums, products, quotients and roots that are rounded pass through the barrier; products that are exact do not.
 #[test]
 fn the_exact_edition_has_barriers() {
@@ -233,6 +253,27 @@ fn other_glsl_is_refused() {
             &in_function("vec2 v = vec2(1.0, 2u);"),
             2,
             "`vec2` takes 2 components of its own type, or one to convert",
+        ),
+        (&in_function("return - -x;"), 2, "an expression should stand in place of `-`"),
+        (&in_function("return -1u;"), 2, "`-` does not take this type"),
+        (&in_function("return 1u;"), 2, "this is of another type, and needs a conversion"),
+        (&in_function("return 1.0f;"), 2, "`1.0f` is no number of the includes"),
+        (&in_function("return 017.0;"), 2, "`017.0` is no number of the includes"),
+        (&in_function("return abs(x, x);"), 2, "`abs` cannot be called so here"),
+        (&in_function("int i = bitfieldExtract(1, 0, 1);"), 2, "`bitfieldExtract` cannot be called so here"),
+        (&in_function("x += 1u;"), 2, "`+` needs operands of one type"),
+        (&in_function("int i = 1; i <<= 1;"), 2, "both sides of an assignment have to be of one type"),
+        (&in_function("vec2 v = vec2(x); v.xy = vec2(x);"), 2, "components are assigned to one by one"),
+        (&in_function("#ifndef A\n#else\n#endif"), 2, "what is `#ifndef A` for?"),
+        (
+            "struct S { float a; };\nS f() { return S(1.0); }\n",
+            2,
+            "a struct is made only where a variable is declared",
+        ),
+        (
+            "float f(\n    // why\n    float x) { return x; }\n",
+            3,
+            "a comment has to stand before a declaration or a statement",
         ),
         (&in_function("return x.y;"), 2, "there is no `y` in this"),
         (&in_function("return x; // why"), 2, "a comment has to stand on a line of its own, after //"),
@@ -285,14 +326,6 @@ fn modules_import_what_they_use() {
     assert!(text.contains("\n#define_import_path unitvec::arith\n") && !text.contains("\n#import"));
     let excerpt = library.excerpt(&["oct16_encode"], Language::NagaOil, Edition::Plain).unwrap();
     assert!(excerpt.starts_with("#define_import_path unitvec\n"));
-}
-
-/// naga_oil refuses fields of structs that end in a digit.
-#[test]
-fn fields_for_naga_oil_end_in_letters() {
-    let text = "struct UnitvecA { float a1; };\nfloat f(UnitvecA a) {\n    return a.a1;\n}\n";
-    let printed = of(text).excerpt(&["f"], Language::NagaOil, Edition::Plain).unwrap();
-    assert!(printed.contains("    a1_field: f32,") && printed.contains("return a.a1_field;"), "{printed}");
 }
 
 /// Godot 4 prints numbers with 14 decimals for the driver's compiler (`String::num`): they are the same floats after that.

@@ -2,6 +2,7 @@
 
 use super::{ARITH, Printer};
 use crate::syntax::{File, ItemKind, Type};
+use crate::wrap::WIDTH;
 use crate::{ALL, Edition, Language};
 
 impl Printer<'_> {
@@ -115,8 +116,7 @@ impl Printer<'_> {
                 "WGSL has no #include: join the texts of the files that you need, this one first, with your own."
             }
             Language::Slang => {
-                "All files are one module. With this folder among the compiler's search paths (-I), write:
-                    import unitvec;"
+                "All files are one module. With this folder among the compiler's search paths (-I), write:\n\timport unitvec;"
             }
             Language::Msl => {
                 "Include unitvec.metal, or the families that you need. All functions are inline."
@@ -126,19 +126,16 @@ impl Printer<'_> {
                  need, this one first, with your own, all below `#version 300 es`."
             }
             Language::Godot => {
-                "For Godot 4. Put the files into one folder of the project, and write below `shader_type`, for instance:
-                    #include \"res://unitvec/oct.gdshaderinc\"
+                "For Godot 4. Put the files into one folder of the project, and write below `shader_type`, for instance:\n\t#include \"res://unitvec/oct.gdshaderinc\"\n\
                  Godot hands numbers to drivers with 14 decimals, so smaller ones are fractions of powers of two here."
             }
             Language::NagaOil => {
                 "Modules for naga_oil, as Bevy has it up to 0.19. Load this file and those of the families that you need, by \
-                 `load_shader_library!` in Bevy or `Composer::add_composable_module`, and write, for instance:
-                    #import unitvec::oct::{oct16_encode, oct16_decode}"
+                 `load_shader_library!` in Bevy or `Composer::add_composable_module`, and write, for instance:\n\t#import unitvec::oct::{oct16_encode, oct16_decode}"
             }
             Language::Wesl => {
                 "Modules in WESL, as Bevy has it from 0.20 on. Put the files into one folder, and write, with the path of that \
-                 folder, for instance:
-                    import package::shaders::unitvec::oct::{oct16_encode, oct16_decode};"
+                 folder, for instance:\n\timport package::shaders::unitvec::oct::{oct16_encode, oct16_decode};"
             }
         })
     }
@@ -160,7 +157,7 @@ impl Printer<'_> {
     }
 }
 
-/// A paragraph as lines of comment. A line that is further to the right stays a line.
+/// A paragraph as lines of comment. A line of code stays a line.
 fn filled(paragraph: &str) -> Vec<String> {
     let mut lines = Vec::new();
     for part in paragraph.lines() {
@@ -173,13 +170,13 @@ fn filled(paragraph: &str) -> Vec<String> {
 }
 
 /// What a line of code in a paragraph begins with.
-const CODE: &str = "                    ";
+const CODE: char = '\t';
 
 fn filled_prose(text: &str) -> Vec<String> {
     let mut lines = vec!["//".to_owned()];
     for word in text.split_whitespace() {
         let last = lines.len() - 1;
-        if lines[last].len() + 1 + word.len() > 120 {
+        if lines[last].len() + 1 + word.len() > WIDTH {
             lines.push(format!("// {word}"));
         } else {
             lines[last] += &format!(" {word}");

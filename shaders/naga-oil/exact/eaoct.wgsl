@@ -75,8 +75,8 @@ fn unitvec_eaoct_lattice(v: vec3f, norm: f32, m: f32) -> vec2f {
 // The nearest point on a ring that is at most a step from p: the ring, the point's number, and a measure of the
 // chord's square, (r C - R c)^2 + 4 r R c C sin^2(pi q / 4) with c^2 = 2 - r^2 and C^2 = 2 - R^2, times c^4 m^2 / 4.
 fn unitvec_eaoct_candidate(p: UnitvecEaoctPolar, ring: f32, m: f32) -> vec3f {
-    const PI_2_16 = 0.61685026;
-    const PI_2_16_TIMES_PI_2_48 = 0.12683475;
+    const PI_2_16: f32 = 0.61685026;
+    const PI_2_16_TIMES_PI_2_48: f32 = 0.12683475;
     let steps = min(p.radius * m, UNITVEC_HUGE);
     let along = min(p.turn * ring, UNITVEC_HUGE);
     let place = floor(min(along + 0.5, UNITVEC_HUGE));
