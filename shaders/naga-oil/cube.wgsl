@@ -75,8 +75,9 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
     let e = unitvec_cube_unpack(code, bits);
     let widths = unitvec_cube_widths(bits);
     // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
-    let s = unitvec_snorm_quotient(2.0 * abs(e.x), widths.x + 1u);
-    let t = unitvec_snorm_quotient(2.0 * abs(e.y), widths.y + 1u);
+    let doubled = 2.0 * abs(e);
+    let s = unitvec_snorm_quotient(doubled.x, widths.x + 1u);
+    let t = unitvec_snorm_quotient(doubled.y, widths.y + 1u);
     let p = vec3f(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0));
     return unitvec_from_face(unitvec_normalize(p), face);

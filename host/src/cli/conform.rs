@@ -239,11 +239,10 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
         return format!("\nconform: FAIL: {validation_messages} messages of the validation layer\n");
     }
     let Summary { codecs, vectors, codes, .. } = report.summary();
-    let compared = if report.glsl_compared {
-        "cpu, rust, glsl, hlsl and wgsl"
-    } else {
-        "cpu, rust and wgsl (this build has no GLSL compiler: `--features glsl`)"
-    };
+    let backends: Vec<String> = BackendKind::of_devices().map(|kind| kind.to_string()).collect();
+    let without =
+        if report.glsl_compared { "" } else { " (this build has no GLSL compiler: `--features glsl`)" };
+    let compared = format!("cpu, {}{without}", backends.join(", "));
     if report.agreed {
         return format!(
             "\nconform: PASS: {compared} agree to the bit: {codecs} codecs, {vectors} vectors encoded, {codes} codes \

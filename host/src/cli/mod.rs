@@ -204,7 +204,7 @@ impl Vulkan {
     fn refuse_for_cpu(&self) -> Result<()> {
         if self.names_device() || self.validate || self.spirv.is_some() || self.trust {
             let options =
-                "--device, --validate, --spirv and --trust need a Vulkan backend; add --backend rust or glsl";
+                "--device, --validate, --spirv and --trust need a Vulkan backend; add --backend rust";
             return Err(Error::Usage(options.to_owned()));
         }
         Ok(())
@@ -264,7 +264,14 @@ fn chosen_formats(ids: &[String]) -> Result<Vec<Format>> {
     if ids.is_empty() {
         return Ok(formats().collect());
     }
-    Ok(ids.iter().map(|id| find_format(id)).collect::<Result<_, _>>()?)
+    let mut chosen: Vec<Format> = Vec::new();
+    for id in ids {
+        let format = find_format(id)?;
+        if chosen.iter().all(|other| other.id != format.id) {
+            chosen.push(format);
+        }
+    }
+    Ok(chosen)
 }
 
 /// Counts of random directions: at least one, and what a day's run could use.

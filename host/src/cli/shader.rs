@@ -1,6 +1,7 @@
 use super::table::{self, Layout, left, right};
 use super::{chosen_formats, print};
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::catalogue::{Format, Operation, formats};
@@ -9,8 +10,8 @@ use unitvec_host::{Error, Result, output};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Language to write: glsl, hlsl, wgsl, slang, msl, glsl-es, godot, naga-oil or wesl.
-    #[arg(long, value_name = "LANGUAGE", required_unless_present = "list")]
+    /// Language to write; --list says what each is.
+    #[arg(long, value_name = "LANGUAGE", required_unless_present = "list", value_parser = languages())]
     language: Option<Language>,
     /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID")]
@@ -27,6 +28,10 @@ pub struct Arguments {
     list: bool,
     #[command(flatten)]
     wide: table::Wide,
+}
+
+fn languages() -> impl TypedValueParser<Value = Language> {
+    PossibleValuesParser::new(Language::ALL.map(Language::id)).try_map(|id| id.parse::<Language>())
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {

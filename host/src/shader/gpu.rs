@@ -59,7 +59,12 @@ impl Backend for LanguageGpu {
         self.runner.run(kernel, count, bytemuck::cast_slice(elements), output)?;
         let words = self.words.chunks_exact(code_words(format));
         for (code, words) in codes.chunks_exact_mut(format.bytes).zip(words) {
-            code.copy_from_slice(&bytemuck::cast_slice(words)[..format.bytes]);
+            let (stored, above) = bytemuck::cast_slice::<_, u8>(words).split_at(format.bytes);
+            if above.iter().any(|byte| *byte != 0) {
+                let (language, kernel) = (self.language, format.function(Operation::Encode));
+                return Err(Error::BitsAbove { language, kernel }.into());
+            }
+            code.copy_from_slice(stored);
         }
         Ok(())
     }

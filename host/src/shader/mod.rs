@@ -27,6 +27,14 @@ pub enum Error {
         /// The compiler's words.
         error: String,
     },
+    /// An encoder gives a word with bits above the code.
+    #[error("{kernel} in {language} gives words with bits above the code")]
+    BitsAbove {
+        /// The language.
+        language: Language,
+        /// Kernel: `oct24_encode`.
+        kernel: String,
+    },
     /// No compiler for this language is part of the program.
     #[error("this program has no compiler for {0}; it has glslang for HLSL and naga for WGSL")]
     NoCompiler(Language),

@@ -50,7 +50,7 @@ pub fn text(
 
 /// Bits, error and Vulkan format.
 fn about(format: Format) -> String {
-    let degrees = |error: f32| format!("{:.7} degrees", error);
+    let degrees = |error: f32| format!("{error} degrees");
     let error = match format.element {
         Element::Vector => find(format.id).ok().map(|codec| degrees(codec.max_error_deg)),
         Element::Frame => find_frame(format.id).map(|codec| {

@@ -76,8 +76,9 @@ inline float3 unitvec_warpedcube_decode(uint code, uint bits) {
     float2 e = unitvec_cube_unpack(code, bits);
     uint2 widths = unitvec_cube_widths(bits);
     // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
-    float s = unitvec_snorm_quotient(2.0f * abs(e.x), widths.x + 1u);
-    float t = unitvec_snorm_quotient(2.0f * abs(e.y), widths.y + 1u);
+    float2 doubled = 2.0f * abs(e);
+    float s = unitvec_snorm_quotient(doubled.x, widths.x + 1u);
+    float t = unitvec_snorm_quotient(doubled.y, widths.y + 1u);
     float3 p = float3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)), unitvec_negate_if((face & 1u) != 0u, 1.0f));
     return unitvec_from_face(unitvec_normalize(p), face);
