@@ -36,6 +36,8 @@ pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
     }
     let mut names: Vec<String> = imported.iter().map(|(_, import)| import.name.clone()).collect();
     names.sort_unstable();
+    // A module of several files can have a copy of the stubs of each.
+    names.dedup();
     write(&mut rewritten, &imported.into_iter().collect(), types.added);
     Ok((rewritten, names))
 }
