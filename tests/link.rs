@@ -314,7 +314,7 @@ fn what_cannot_be_linked_is_refused() {
     link::link(&whole).unwrap_or_else(|error| panic!("{error}"));
     let plain = compile(&GLSL, "#version 450\nvoid main() {}\n");
     assert!(matches!(refused(&plain), Error::NoStubs));
-    let marker = format!("{}{}", stubs::MARKER, stubs::VERSION.replace('.', "_"));
+    let marker = stubs::marker(stubs::VERSION);
     assert!(matches!(refused(&stub(&marker, "another_name")), Error::NoVersion));
     let other = refused(&stub(&marker, "unitvec_stubs_9_8_7"));
     assert!(matches!(&other, Error::OtherVersion { found } if found == "9.8.7"), "{other}");
@@ -339,6 +339,23 @@ fn what_cannot_be_linked_is_refused() {
     assert!(matches!(refused(&with_word(model + 2, 2)), Error::MemoryModel { addressing: 0, memory: 2 }));
     // The id 0, which nothing has: spirv-link's affair.
     assert!(matches!(refused(&with_word(words.len() - 2, 0)), Error::Refused { .. }));
+}
+
+/// A module may have two copies of the stubs, each with functions of its own.
+#[test]
+fn stubs_may_be_there_twice() {
+    // GLSL lets no function be there twice: the name is changed in the module.
+    let (name, other) = ("unitvec_oct16_encode(", "unitvec_oct16_second(");
+    let second =
+        format!("uint {other}const vec3 v) {{ return uint({}(v.x)); }}", stubs::marker(stubs::VERSION));
+    let main = "words_out[0] = unitvec_oct16_encode(vec3(words_out[0]))";
+    let both = format!("{main}; words_out[1] = {other}vec3(words_out[1]))");
+    let mut module = with_stubs(&GLSL, &format!("{second}{}", CALLER.replace(main, &both)), |text| text);
+    let at = module.windows(other.len()).position(|bytes| bytes == other.as_bytes()).unwrap();
+    module[at..][..name.len()].copy_from_slice(name.as_bytes());
+    let (_, names) = link::imports(&module).unwrap();
+    assert_eq!(names, ["unitvec_oct16_encode"]);
+    link::link(&module).unwrap_or_else(|error| panic!("{error}"));
 }
 
 /// The program links a file as the library does; where it cannot, it leaves what was there.

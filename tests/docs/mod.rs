@@ -4,6 +4,7 @@
 //! `cargo xtask docs --measure` measures errors first.
 
 pub mod accuracy;
+mod browsers;
 mod claims;
 pub mod costs;
 mod drivers;

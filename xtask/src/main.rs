@@ -17,9 +17,9 @@ use std::time::Instant;
 const USAGE: &str = "\
 usage: cargo xtask <command>
 
-  conform [arguments of `unitvec conform`]   install what is missing, then show that CPU, SPIR-V from Rust and SPIR-V
-                                             from GLSL agree to the bit (on lavapipe unless --device says otherwise);
-                                             --exhaustive takes all codes of up to 24 bits
+  conform [arguments of `unitvec conform`]   install what is missing, then show that CPU and SPIR-V from Rust, GLSL,
+                                             HLSL and WGSL agree to the bit (on lavapipe unless --device says
+                                             otherwise); --exhaustive takes all codes of up to 24 bits
   conform --drivers [--fetch] [--record]     the same on every Vulkan driver of this machine, each by itself, then a table
        [arguments of `unitvec conform`]      of them; --fetch adds drivers out of Debian's packages, without installing
                                              any; --record keeps the table for the docs

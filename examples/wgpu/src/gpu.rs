@@ -2,10 +2,11 @@
 
 use crate::Result;
 use wgpu::{
-    BindGroupDescriptor, BindGroupEntry, BindGroupLayoutDescriptor, BindGroupLayoutEntry, BindingType,
-    Buffer, BufferBindingType, BufferDescriptor, BufferUsages, ComputePipelineDescriptor, Device,
-    DeviceDescriptor, ErrorFilter, Features, Instance, InstanceDescriptor, Limits, MapMode,
-    PipelineLayoutDescriptor, PollType, Queue, ShaderModuleDescriptor, ShaderSource, ShaderStages,
+    BindGroup, BindGroupDescriptor, BindGroupEntry, BindGroupLayout, BindGroupLayoutDescriptor,
+    BindGroupLayoutEntry, BindingType, Buffer, BufferBindingType, BufferDescriptor, BufferUsages,
+    ComputePipeline, ComputePipelineDescriptor, Device, DeviceDescriptor, ErrorFilter, Features, Instance,
+    InstanceDescriptor, Limits, MapMode, PipelineLayoutDescriptor, PollType, Queue, ShaderModuleDescriptor,
+    ShaderSource, ShaderStages,
 };
 
 /// The device.
@@ -53,44 +54,14 @@ impl Gpu {
         workgroups: u32,
     ) -> Result<Vec<Vec<u8>>> {
         let scope = self.device.push_error_scope(ErrorFilter::Validation);
-        let module = self.device.create_shader_module(ShaderModuleDescriptor { label: None, source });
         let entries: Vec<BindGroupLayoutEntry> = (0..).zip(bindings).map(layout_entry).collect();
-        let group_layout = self
+        let layout = self
             .device
             .create_bind_group_layout(&BindGroupLayoutDescriptor { label: None, entries: &entries });
-        let layout = self.device.create_pipeline_layout(&PipelineLayoutDescriptor {
-            label: None,
-            bind_group_layouts: &[Some(&group_layout)],
-            immediate_size: count.map_or(0, |_| 4),
-        });
-        let pipeline = self.device.create_compute_pipeline(&ComputePipelineDescriptor {
-            label: None,
-            layout: Some(&layout),
-            module: &module,
-            entry_point: Some(entry),
-            compilation_options: Default::default(),
-            cache: None,
-        });
+        let pipeline = self.pipeline(source, entry, &layout, count.map_or(0, |_| 4));
         let buffers: Vec<Buffer> = bindings.iter().map(|binding| self.buffer(binding)).collect();
-        let resources = (0..).zip(&buffers);
-        let entries: Vec<BindGroupEntry<'_>> = resources
-            .map(|(binding, buffer)| BindGroupEntry { binding, resource: buffer.as_entire_binding() })
-            .collect();
-        let group = self.device.create_bind_group(&BindGroupDescriptor {
-            label: None,
-            layout: &group_layout,
-            entries: &entries,
-        });
-        let mut commands = self.device.create_command_encoder(&Default::default());
-        let mut pass = commands.begin_compute_pass(&Default::default());
-        pass.set_pipeline(&pipeline);
-        pass.set_bind_group(0, &group, &[]);
-        if let Some(count) = count {
-            pass.set_immediates(0, &count.to_le_bytes());
-        }
-        pass.dispatch_workgroups(workgroups, 1, 1);
-        drop(pass);
-        self.queue.submit([commands.finish()]);
+        let group = self.group(&layout, &buffers);
+        self.dispatch(&pipeline, &group, count, workgroups);
         if let Some(error) = pollster::block_on(scope.pop()) {
             return Err(error.into());
         }
@@ -99,6 +70,51 @@ impl Gpu {
             .filter(|(binding, _)| matches!(binding, Binding::Output(_)))
             .map(|(_, buffer)| self.read(buffer))
             .collect()
+    }
+
+    fn pipeline(
+        &self,
+        source: ShaderSource<'_>,
+        entry: &str,
+        group: &BindGroupLayout,
+        immediate_size: u32,
+    ) -> ComputePipeline {
+        let module = self.device.create_shader_module(ShaderModuleDescriptor { label: None, source });
+        let layout = self.device.create_pipeline_layout(&PipelineLayoutDescriptor {
+            label: None,
+            bind_group_layouts: &[Some(group)],
+            immediate_size,
+        });
+        self.device.create_compute_pipeline(&ComputePipelineDescriptor {
+            label: None,
+            layout: Some(&layout),
+            module: &module,
+            entry_point: Some(entry),
+            compilation_options: Default::default(),
+            cache: None,
+        })
+    }
+
+    /// These buffers as bindings 0, 1, …
+    fn group(&self, layout: &BindGroupLayout, buffers: &[Buffer]) -> BindGroup {
+        let entries: Vec<BindGroupEntry<'_>> = (0..)
+            .zip(buffers)
+            .map(|(binding, buffer)| BindGroupEntry { binding, resource: buffer.as_entire_binding() })
+            .collect();
+        self.device.create_bind_group(&BindGroupDescriptor { label: None, layout, entries: &entries })
+    }
+
+    fn dispatch(&self, pipeline: &ComputePipeline, group: &BindGroup, count: Option<u32>, workgroups: u32) {
+        let mut commands = self.device.create_command_encoder(&Default::default());
+        let mut pass = commands.begin_compute_pass(&Default::default());
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, group, &[]);
+        if let Some(count) = count {
+            pass.set_immediates(0, &count.to_le_bytes());
+        }
+        pass.dispatch_workgroups(workgroups, 1, 1);
+        drop(pass);
+        self.queue.submit([commands.finish()]);
     }
 
     fn buffer(&self, binding: &Binding<'_>) -> Buffer {

@@ -22,7 +22,7 @@ type Stubs = HashMap<u32, Signature>;
 
 /// A module that imports what its stubs stand for, and the names of that.
 pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
-    let stubs = find_stubs(module)?;
+    let stubs = find_stubs(module, stubs::VERSION)?;
     let mut types = Types::of(module);
     let mut rewritten = module.clone();
     let mut imported: Vec<(u32, Import)> = Vec::new();
@@ -36,31 +36,38 @@ pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
     }
     let mut names: Vec<String> = imported.iter().map(|(_, import)| import.name.clone()).collect();
     names.sort_unstable();
+    // A module of several files can have a copy of the stubs of each.
+    names.dedup();
     write(&mut rewritten, &imported.into_iter().collect(), types.added);
     Ok((rewritten, names))
 }
 
 /// The functions that have the names of stubs, if they are of this version.
-fn find_stubs(module: &Module) -> Result<Stubs, Error> {
+fn find_stubs(module: &Module, version: &str) -> Result<Stubs, Error> {
     let functions: Vec<u32> = module.all(op::FUNCTION).filter_map(|function| function.word(1)).collect();
     let known: HashMap<String, Signature> =
         Signature::all().map(|signature| (signature.name.clone(), signature)).collect();
-    let (mut stubs, mut versions) = (Stubs::new(), Vec::new());
+    let (mut stubs, mut markers) = (Stubs::new(), Vec::new());
     for name in module.all(op::NAME) {
         let Some(id) = name.word(0).filter(|id| functions.contains(id)) else { continue };
         let text = name.text(1);
         // glslang adds the types of parameters: `unitvec_oct16_encode(vf3;`.
         let text = text.split('(').next().unwrap_or_default();
-        if let Some(version) = text.strip_prefix(stubs::MARKER) {
-            versions.push(version.replace('_', "."));
+        if text.starts_with(stubs::MARKER) {
+            markers.push(text.to_owned());
         } else if let Some(signature) = known.get(text) {
             stubs.insert(id, signature.clone());
         }
     }
-    match versions.iter().find(|version| **version != stubs::VERSION) {
-        Some(version) => return Err(Error::OtherVersion { found: crate::error::one_line(version) }),
+    let own = stubs::marker(version);
+    match markers.iter().find(|marker| **marker != own) {
+        Some(marker) => {
+            // Which sign `_` stands for is not known; versions have `.` mostly.
+            let found = marker.trim_start_matches(stubs::MARKER).replace('_', ".");
+            return Err(Error::OtherVersion { found: crate::error::one_line(found) });
+        }
         None if stubs.is_empty() => return Err(Error::NoStubs),
-        None if versions.is_empty() => return Err(Error::NoVersion),
+        None if markers.is_empty() => return Err(Error::NoVersion),
         None => {}
     }
     Ok(stubs)
@@ -298,4 +305,35 @@ fn is_after_names(opcode: u32) -> bool {
     matches!(opcode, op::DECORATE..=op::GROUP_MEMBER_DECORATE
         | op::DECORATE_ID | op::DECORATE_STRING | op::MEMBER_DECORATE_STRING
         | op::TYPE_VOID..=op::TYPE_FORWARD_POINTER | op::FUNCTION)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::words::literal;
+    use super::*;
+
+    /// A module that has functions of these names, and nothing else.
+    fn with_functions(names: &[&str]) -> Module {
+        let header = [0x0723_0203, 0x0001_0300, 0, 99, 0_u32];
+        let bytes: Vec<u8> = header.into_iter().flat_map(u32::to_le_bytes).collect();
+        let mut module = Module::parse(&bytes).unwrap();
+        for (id, name) in (1..).zip(names) {
+            module.instructions.push(Instruction::new(op::NAME, [&[id][..], &literal(name)].concat()));
+            module.instructions.push(Instruction::new(op::FUNCTION, [90, id, 0, 91]));
+        }
+        module
+    }
+
+    /// Versions can have signs that names cannot.
+    #[test]
+    fn stubs_of_the_same_version_are_found() {
+        let stub = "unitvec_oct16_encode(vf3;";
+        let module = with_functions(&[stub, "unitvec_stubs_0_2_0_rc_1(f1;"]);
+        assert_eq!(find_stubs(&module, "0.2.0-rc.1").unwrap().len(), 1);
+        for version in ["0.2.0", "0.2.0-rc.2"] {
+            let error = find_stubs(&module, version).unwrap_err();
+            assert!(matches!(&error, Error::OtherVersion { found } if found == "0.2.0.rc.1"), "{error}");
+        }
+        assert!(matches!(find_stubs(&with_functions(&[stub]), "0.2.0"), Err(Error::NoVersion)));
+    }
 }

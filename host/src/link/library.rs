@@ -5,18 +5,23 @@ use super::{Error, LIBRARY, memory_model};
 use rspirv::binary::Assemble;
 use rspirv::dr::{Function, Instruction, Operand, load_bytes};
 use rspirv::spirv::{AddressingModel, Decoration, MemoryModel, Op, Word};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 /// The library's functions of these names and what they call, in the version and with the memory model of a module: they use no
 /// memory but their own. The linker takes a second for all functions.
 pub fn library_for(module: &Module, names: &[String]) -> Result<Vec<u8>, Error> {
-    let bytes = unitvec_shaders::spirv(LIBRARY).ok_or(Error::NoLibrary)?;
-    let mut library = load_bytes(bytes).map_err(|_| Error::NoLibrary)?;
-    let mut wanted: HashSet<Word> =
-        library.annotations.iter().filter_map(|line| exported(line, names)).collect();
-    if wanted.len() < names.len() {
-        return Err(Error::NoLibrary);
-    }
+    part(unitvec_shaders::spirv(LIBRARY).ok_or(Error::NoLibrary)?, module, names)
+}
+
+fn part(library: &[u8], module: &Module, names: &[String]) -> Result<Vec<u8>, Error> {
+    let mut library =
+        load_bytes(library).map_err(|_| Error::BadLibrary { reason: "is not SPIR-V".to_owned() })?;
+    let exports: HashMap<&str, Word> = library.annotations.iter().filter_map(exported).collect();
+    let found = names.iter().map(|name| {
+        let found = exports.get(name.as_str()).copied();
+        found.ok_or_else(|| Error::BadLibrary { reason: format!("does not have {name}") })
+    });
+    let mut wanted: HashSet<Word> = found.collect::<Result<_, _>>()?;
     // What is called calls nothing.
     let called: Vec<Word> =
         library.functions.iter().filter(|function| is_one_of(function, &wanted)).flat_map(calls).collect();
@@ -45,15 +50,15 @@ pub fn library_for(module: &Module, names: &[String]) -> Result<Vec<u8>, Error> 
     Ok(library.assemble().into_iter().flat_map(u32::to_le_bytes).collect())
 }
 
-/// The function that a decoration exports, if under one of these names.
-fn exported(line: &Instruction, names: &[String]) -> Option<Word> {
+/// The function that a decoration exports, by its name.
+fn exported(line: &Instruction) -> Option<(&str, Word)> {
     match line.operands.as_slice() {
         [
             Operand::IdRef(id),
             Operand::Decoration(Decoration::LinkageAttributes),
             Operand::LiteralString(name),
             ..,
-        ] => names.contains(name).then_some(*id),
+        ] => Some((name, *id)),
         _ => None,
     }
 }
@@ -84,6 +89,20 @@ mod tests {
         let all: Vec<String> = super::super::Signature::all().map(|signature| signature.name).collect();
         let whole = load_bytes(library_for(&module, &all).unwrap()).unwrap();
         assert_eq!(whole.functions.len(), all.len());
-        assert!(library_for(&module, &["unitvec_oct15_decode".to_owned()]).is_err());
+    }
+
+    /// The message names what is wrong with it; it is not that there is none.
+    #[test]
+    fn libraries_that_do_not_fit_are_refused() {
+        let bytes = unitvec_shaders::spirv(LIBRARY).unwrap();
+        let module = Module::parse(bytes).unwrap();
+        let names = ["unitvec_oct16_decode".to_owned(), "unitvec_oct15_decode".to_owned()];
+        for (bytes, reason) in [
+            (bytes, "spirv/unitvec.spv of this program does not have unitvec_oct15_decode"),
+            (&bytes[..bytes.len() / 8 * 4], "spirv/unitvec.spv of this program is not SPIR-V"),
+        ] {
+            let error = part(bytes, &module, &names).unwrap_err().to_string();
+            assert!(error.starts_with(reason), "{error}");
+        }
     }
 }

@@ -79,6 +79,12 @@ pub enum Error {
     /// The library is not in this program.
     #[error("this program was built without spirv/{LIBRARY}; `cargo xtask spirv` makes it")]
     NoLibrary,
+    /// The library in this program is not what it should be.
+    #[error("spirv/{LIBRARY} of this program {reason}; `cargo xtask spirv` makes it again, then build anew")]
+    BadLibrary {
+        /// What is wrong.
+        reason: String,
+    },
     /// One of SPIRV-Tools' programs is not there.
     #[error("{tool} cannot be started ({source}); install the Vulkan SDK, or Debian's package spirv-tools")]
     NoTool {

@@ -6,7 +6,7 @@ use clap::ValueEnum;
 /// The version of the stubs: this package's.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// A function that every stub calls tells the version: this and the version, with `_` for what no name has.
+/// How the name of a [`marker`] begins.
 pub const MARKER: &str = "unitvec_stubs_";
 
 /// A language that stubs are written in.
@@ -90,14 +90,15 @@ impl Language {
                 Type::Vec3 | Type::Vec4 | Type::Frame => format!("{name}.x"),
             })
             .collect();
-        let value = self.convert(*result, &format!("{}({})", marker(), used.join(" + ")));
+        let value = self.convert(*result, &format!("{}({})", marker(VERSION), used.join(" + ")));
         let (prefix, result) = (self.prefix(), self.name(*result));
         format!("{prefix}{result} {name}({}) {{ return {value}; }}\n", declared.join(", "))
     }
 }
 
-fn marker() -> String {
-    let version: String = VERSION.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
+/// The function that every stub of a version calls: [`MARKER`] and the version, with `_` for what no name has.
+pub fn marker(version: &str) -> String {
+    let version: String = version.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     format!("{MARKER}{version}")
 }
 
@@ -125,7 +126,7 @@ struct UnitvecFrame {{ {vec3} normal; {vec4} tangent; }};
 {prefix}float {}({by_value}float x) {{ return x; }}
 ",
         language.advice(),
-        marker(),
+        marker(VERSION),
     );
     if language != Language::Glsl {
         text += &format!(

@@ -12,12 +12,12 @@ use std::process::Command;
 /// # Errors
 /// [`Error`].
 pub fn link(spirv: &[u8]) -> Result<Vec<u8>, Error> {
-    let (importing, names) = imports(spirv)?;
     let module = parse(spirv)?;
+    let (importing, names) = imports::imports(&module)?;
     let folder = tempfile::tempdir()?;
     let [engine, library, linked, optimised] =
         ["engine.spv", "unitvec.spv", "linked.spv", "optimised.spv"].map(|name| folder.path().join(name));
-    fs::write(&engine, importing)?;
+    fs::write(&engine, importing.bytes())?;
     fs::write(&library, library_for(&module, &names)?)?;
     let environment = format!("spv1.{}", module.version.to_le_bytes()[1]);
     run("spirv-link", &[], &[&engine, &library, Path::new("-o"), &linked])?;
