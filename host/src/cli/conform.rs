@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::BackendKind;
-use unitvec_host::conform::{self, Mismatches, Options, Plan, Report, Rounding, Row, Summary};
+use unitvec_host::conform::{self, Options, Plan, Report, Rounding, Row, Summary};
 use unitvec_host::imprecise::Model;
 use unitvec_host::input::Input;
 use unitvec_host::vulkan::DeviceInfo;
@@ -187,15 +187,13 @@ fn is_nearest(rounding: &Roundings) -> bool {
 
 fn table(columns: Option<usize>) -> Layout {
     let kinds = in_one_line(BackendKind::of_devices().map(|kind| kind.to_string()));
-    let diff = ["encode", "decode"].map(|operation| format!("{operation} diff\n{kinds}"));
     Layout::new(
         vec![
             left("codec", 20),
             right("bits", 4),
             right("mean\ndegrees", 10),
             right("max\ndegrees", 10),
-            right(&diff[0], kinds.len()).apart(),
-            right(&diff[1], kinds.len()).apart(),
+            right(&format!("diff\n{kinds}"), kinds.len()).apart(),
         ],
         columns,
     )
@@ -212,17 +210,18 @@ fn codes_covered(all_up_to: u32, count: usize) -> String {
 }
 
 fn lines(table: &Layout, row: &Row, columns: Option<usize>) -> String {
-    let pair = |mismatches: &Mismatches| {
-        in_one_line(BackendKind::of_devices().map(|kind| {
-            let count = mismatches.get(&kind).map_or_else(|| "-".to_owned(), u64::to_string);
-            // As wide as the backend's name above it.
-            format!("{count:>4}")
-        }))
-    };
+    let differing = in_one_line(BackendKind::of_devices().map(|kind| {
+        let counts = [&row.encode_mismatches, &row.decode_mismatches].map(|mismatches| mismatches.get(&kind));
+        let count = match counts {
+            [None, None] => "-".to_owned(),
+            counts => counts.into_iter().flatten().sum::<u64>().to_string(),
+        };
+        // As wide as the backend's name above it.
+        format!("{count:>4}")
+    }));
     let errors = |mean: f64, max: f64| [mean, max].map(|error| format!("{error:.6}"));
     let [mean, max] = errors(row.mean_deg, row.max_deg);
-    let (encode, decode) = (pair(&row.encode_mismatches), pair(&row.decode_mismatches));
-    let mut text = table.line(&[&row.id, &row.bits, &mean, &max, &encode, &decode]);
+    let mut text = table.line(&[&row.id, &row.bits, &mean, &max, &differing]);
     if let (Some(mean), Some(max)) = (row.tangent_mean_deg, row.tangent_max_deg) {
         let [mean, max] = errors(mean, max);
         text += &table.line(&[&"  its tangents", &"", &mean, &max]);
