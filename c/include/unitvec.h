@@ -28,7 +28,7 @@ typedef enum unitvec_status {
   UNITVEC_ERROR_NULL_POINTER = 2,
   /// The size of the codes is not the count of elements times unitvec_codec_bytes, or is beyond what memory can hold.
   UNITVEC_ERROR_SIZE = 3,
-  /// The pointer to the elements is not aligned as float is.
+  /// The pointer to the elements is not aligned as float is, and there are some.
   UNITVEC_ERROR_ALIGNMENT = 4,
   /// The elements and the codes overlap.
   UNITVEC_ERROR_OVERLAP = 5,

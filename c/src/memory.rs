@@ -145,7 +145,7 @@ fn format(codec: *const Codec) -> Result<&'static Format, Status> {
     Codec::at(codec).map(|codec| &codec.format).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
 }
 
-/// The number of floats of so many elements, where both addresses can be made slices of.
+/// The number of floats of so many elements, where both addresses can be made slices of if there are any.
 fn checked(
     format: &Format,
     elements: usize,
@@ -159,7 +159,11 @@ fn checked(
     if size > isize::MAX as usize || count * format.bytes != codes_size {
         return Err(Status::UNITVEC_ERROR_SIZE);
     }
-    if count > 0 && (elements == 0 || codes == 0) {
+    if count == 0 {
+        // The pointers are not used.
+        return Ok(0);
+    }
+    if elements == 0 || codes == 0 {
         return Err(Status::UNITVEC_ERROR_NULL_POINTER);
     }
     if elements % align_of::<f32>() != 0 {

@@ -1,6 +1,6 @@
 //! How a function ended.
 
-use std::ffi::c_char;
+use std::ffi::{CStr, c_char};
 
 /// How a function of arrays ended. Where it is not UNITVEC_OK, nothing was written, but for UNITVEC_ERROR_INTERNAL.
 #[repr(C)]
@@ -15,7 +15,7 @@ pub enum Status {
     UNITVEC_ERROR_NULL_POINTER = 2,
     /// The size of the codes is not the count of elements times unitvec_codec_bytes, or is beyond what memory can hold.
     UNITVEC_ERROR_SIZE = 3,
-    /// The pointer to the elements is not aligned as float is.
+    /// The pointer to the elements is not aligned as float is, and there are some.
     UNITVEC_ERROR_ALIGNMENT = 4,
     /// The elements and the codes overlap.
     UNITVEC_ERROR_OVERLAP = 5,
@@ -23,18 +23,37 @@ pub enum Status {
     UNITVEC_ERROR_INTERNAL = 6,
 }
 
+impl Status {
+    const ALL: [Self; 7] = [
+        Self::UNITVEC_OK,
+        Self::UNITVEC_ERROR_UNKNOWN_CODEC,
+        Self::UNITVEC_ERROR_NULL_POINTER,
+        Self::UNITVEC_ERROR_SIZE,
+        Self::UNITVEC_ERROR_ALIGNMENT,
+        Self::UNITVEC_ERROR_OVERLAP,
+        Self::UNITVEC_ERROR_INTERNAL,
+    ];
+
+    const fn text(self) -> &'static CStr {
+        match self {
+            Self::UNITVEC_OK => c"success",
+            Self::UNITVEC_ERROR_UNKNOWN_CODEC => {
+                c"unknown codec: pass what unitvec_find or unitvec_codec_at gave, unless it is NULL"
+            }
+            Self::UNITVEC_ERROR_NULL_POINTER => c"the pointer to the elements or to the codes is NULL",
+            Self::UNITVEC_ERROR_SIZE => {
+                c"the size of the codes is not the count of elements times unitvec_codec_bytes"
+            }
+            Self::UNITVEC_ERROR_ALIGNMENT => c"the pointer to the elements is not aligned as float is",
+            Self::UNITVEC_ERROR_OVERLAP => c"the elements and the codes overlap",
+            Self::UNITVEC_ERROR_INTERNAL => c"internal error of unitvec: please report it",
+        }
+    }
+}
+
 /// What a status means, in a line of English that lives as long as the program. Any number may be given.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_status_text(status: u32) -> *const c_char {
-    let text = match status {
-        0 => c"success",
-        1 => c"unknown codec: pass what unitvec_find or unitvec_codec_at gave, unless it is NULL",
-        2 => c"the pointer to the elements or to the codes is NULL",
-        3 => c"the size of the codes is not the count of elements times unitvec_codec_bytes",
-        4 => c"the pointer to the elements is not aligned as float is",
-        5 => c"the elements and the codes overlap",
-        6 => c"internal error of unitvec: please report it",
-        _ => c"not a unitvec_status",
-    };
-    text.as_ptr()
+    let known = Status::ALL.into_iter().find(|known| *known as u32 == status);
+    known.map_or(c"not a unitvec_status", Status::text).as_ptr()
 }
