@@ -10,11 +10,12 @@
 //   snorm16x3p_encode(v), snorm16x3p_decode(code)               48 bits, uvec2, low word first: the best of 65 lengths
 //   unitvec_best_fit_table_word(index)                          word of the table of lengths
 //
-// snorm8x3p_encode and crytek_bfn24_encode look the lengths of cells up if UNITVEC_BEST_FIT_TABLE(i) is defined before
-// this file is included, as an expression that gives word i of the table, i below 206080:
-// `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`. Else they work them out, at some 300 times the cost and with the
-// same result. These two round by adding 1.5 2^23; without `precise` (see arith.glsl) a compiler may undo that in the
-// choice of a length, which then is a cell's first.
+// snorm8x3p_encode and crytek_bfn24_encode work the lengths of cells out, at some 300 times the cost of looking them up in
+// the table. They round by adding 1.5 2^23; without `precise` (see arith.glsl) a compiler may undo that in the choice of a
+// length, which then is a cell's first.
+//
+// They look the lengths up, with the same result, where UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included,
+// as an expression that gives word i of the table, i below 206080: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
 //
 // The code functions take any v: length does not matter, and +Z stands in for what has no direction. Decoding gives
 // the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -227,8 +228,8 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 float unitvec_snorm_quotient(float x, uint bits) {
 #ifdef UNITVEC_EXACT
     return unitvec_snorm_part(x, bits);

@@ -218,8 +218,8 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 float unitvec_snorm_quotient(float x, uint bits) {
 #ifdef UNITVEC_EXACT
     return unitvec_snorm_part(x, bits);
@@ -852,8 +852,9 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
     vec2 e = unitvec_cube_unpack(code, bits);
     uvec2 widths = unitvec_cube_widths(bits);
     // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
-    float s = unitvec_snorm_quotient(2.0 * abs(e.x), widths.x + 1u);
-    float t = unitvec_snorm_quotient(2.0 * abs(e.y), widths.y + 1u);
+    UNITVEC_PRECISE vec2 doubled = 2.0 * abs(e);
+    float s = unitvec_snorm_quotient(doubled.x, widths.x + 1u);
+    float t = unitvec_snorm_quotient(doubled.y, widths.y + 1u);
     vec3 p = vec3(unitvec_negate_if(unitvec_is_negative(e.x), unitvec_tan_octant(s)),
         unitvec_negate_if(unitvec_is_negative(e.y), unitvec_tan_octant(t)),
         unitvec_negate_if((face & 1u) != 0u, 1.0));

@@ -219,8 +219,8 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition, which GLSL has by defining
-// UNITVEC_EXACT, does not divide, and takes two more operations.
+// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
+// takes two more operations instead.
 float unitvec_snorm_quotient(float x, uint bits) {
 #ifdef UNITVEC_EXACT
     return unitvec_snorm_part(x, bits);
@@ -828,7 +828,7 @@ struct UnitvecLatlongRings {
     float n;
     vec3 a;
     vec4 q;
-    float q4;
+    float q_last;
     float offset;
 };
 
@@ -851,8 +851,8 @@ float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
 // From i to i + 2 for the indices of ring i.
 float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     UNITVEC_PRECISE float low = rings.q.x + index * rings.q.y;
-    UNITVEC_PRECISE float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q4;
-    float high = rings.q4 != 0.0 ? both_high : rings.q.z;
+    UNITVEC_PRECISE float both_high = (rings.q.z + index * rings.q.w) + (index * index) * rings.q_last;
+    float high = rings.q_last != 0.0 ? both_high : rings.q.z;
     UNITVEC_PRECISE float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0 ? whole_factor : low;
     UNITVEC_PRECISE float i = sqrt(index) * factor + rings.offset;
