@@ -2,9 +2,8 @@
 //! HLSL has `precise` for that.
 
 use crate::cases::Case;
-use crate::job;
 use crate::spirv::Compiler;
-use crate::{Result, told};
+use crate::{Result, job, slang_to_spirv, told};
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
@@ -30,7 +29,7 @@ struct Row {
 }
 
 /// Compiles with the device of this process, and writes what came of it.
-pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Compiler<'_>, path: &Path) -> Result<()> {
+pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Path, path: &Path) -> Result<()> {
     let instance = Arc::new(Instance::new(None, false).map_err(told)?);
     let inspector = Inspector::open(&instance, &DeviceChoice::Best).map_err(told)?;
     let of_library = |compiler: &Compiler<'_>, language, edition| {
@@ -53,8 +52,8 @@ pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Compiler<'_>, path: &P
     };
     let hlsl = of_library(dxc, Language::Hlsl, Edition::Plain)?;
     let [wgsl_plain, wgsl_exact] = [of_naga(Edition::Plain)?, of_naga(Edition::Exact)?];
-    let slang_plain = of_library(slang, Language::Slang, Edition::Plain)?;
-    let slang_exact = of_library(slang, Language::Slang, Edition::Exact)?;
+    let of_slang = |edition| of_library(&slang_to_spirv(slang, edition), Language::Slang, edition);
+    let [slang_plain, slang_exact] = [of_slang(Edition::Plain)?, of_slang(Edition::Exact)?];
 
     let mut writer = csv::Writer::from_path(path).map_err(told)?;
     for (n, case) in cases.iter().enumerate() {

@@ -12,6 +12,7 @@ mod tool;
 mod vulkan;
 mod web;
 mod wgpu;
+mod whole;
 
 use cases::Case;
 use clap::Parser;
@@ -88,13 +89,14 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<()> {
     if let (Some(path), Some(dxc), Some(slang)) = (&options.barriers, &options.dxc, &options.slang) {
         let cases = cases_of(barriers::CODECS.iter().copied())?;
-        return barriers::record(&cases, &dxc_to_spirv(dxc), &slang_to_spirv(slang), path);
+        return barriers::record(&cases, &dxc_to_spirv(dxc), slang, path);
     }
-    let cases = if options.codec.is_empty() {
+    let mut cases = if options.codec.is_empty() {
         cases::cases(&formats().collect::<Vec<_>>())
     } else {
         cases_of(options.codec.iter().map(String::as_str))
     }?;
+    cases.extend(cases.first().map(Case::with_all_files));
     let rows = Rows { cases: &cases, rows: Mutex::default() };
     // Clients of the web wait half of the time.
     thread::scope(|scope| {
@@ -116,12 +118,17 @@ fn cases_of<'a>(ids: impl Iterator<Item = &'a str>) -> Result<Vec<Case>> {
     cases::cases(&ids.map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?)
 }
 
-fn dxc_to_spirv(library: &Path) -> Compiler<'_> {
-    Compiler { script: "dxc.py", library, arguments: &["-spirv", "-fspv-target-env=vulkan1.1"] }
+fn dxc<'a>(library: &'a Path, arguments: &'static [&'static str]) -> Compiler<'a> {
+    let folder = whole::folder(Language::Hlsl, Edition::Plain);
+    Compiler { script: "dxc.py", library, folder, arguments }
 }
 
-fn slang_to_spirv(library: &Path) -> Compiler<'_> {
-    Compiler { script: "slang.py", library, arguments: &[] }
+fn dxc_to_spirv(library: &Path) -> Compiler<'_> {
+    dxc(library, &["-spirv", "-fspv-target-env=vulkan1.1"])
+}
+
+fn slang_to_spirv(library: &Path, edition: Edition) -> Compiler<'_> {
+    Compiler { script: "slang.py", library, folder: whole::folder(Language::Slang, edition), arguments: &[] }
 }
 
 const EDITIONS: [Edition; 2] = [Edition::Plain, Edition::Exact];
@@ -168,13 +175,13 @@ impl Rows<'_> {
     fn hlsl(&self, library: &Path) {
         self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC"), &dxc_to_spirv(library));
         // Not validated: the library that does is Windows'.
-        let dxil = Compiler { arguments: &["-Vd"], ..dxc_to_spirv(library) };
-        self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").only_compiled(), &dxil);
+        let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").only_compiled();
+        self.spirv(subject, &dxc(library, &["-Vd"]));
     }
 
     fn slang(&self, library: &Path) {
         for edition in EDITIONS {
-            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library));
+            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library, edition));
         }
     }
 
@@ -215,7 +222,7 @@ impl Rows<'_> {
         {
             let subject = Subject::new(Language::Msl, edition, &name).hostile(is_hostile);
             let options: &[&str] = if is_hostile { &metal::HOSTILE } else { &[] };
-            self.add(subject, |_, jobs, each| metal::run(options, scratch, jobs, each));
+            self.add(subject, |_, jobs, each| metal::run(edition, options, scratch, jobs, each));
         }
     }
 

@@ -7,7 +7,7 @@ use crate::{Result, told, tool};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::io::{BufRead, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/python");
@@ -19,6 +19,8 @@ pub type EachModule<'a> = &'a mut dyn FnMut(&Case, Result<Vec<u8>>) -> Result<()
 pub struct Compiler<'a> {
     pub script: &'static str,
     pub library: &'a Path,
+    /// Folder of what texts include.
+    pub folder: PathBuf,
     pub arguments: &'static [&'static str],
 }
 
@@ -41,7 +43,11 @@ impl Compiler<'_> {
             jobs.iter().map(|job| (job.case.name(), job.text.as_str())).collect();
         let texts = serde_json::to_vec(&texts).map_err(told)?;
         let mut command = Command::new("python3");
-        command.arg(Path::new(FOLDER).join(self.script)).arg(self.library).args(self.arguments);
+        command
+            .arg(Path::new(FOLDER).join(self.script))
+            .arg(self.library)
+            .arg(&self.folder)
+            .args(self.arguments);
         command.env("PYTHONDONTWRITEBYTECODE", "1");
         tool::converse(&mut command, texts, |output| {
             let mut lines = BufReader::new(output).lines();
