@@ -122,6 +122,7 @@ fn the_record_is_of_all_languages() {
         ("Slang", &["exact", "plain"]),
         ("MSL", &["exact", "plain"]),
         ("GLSL ES", &["exact", "plain"]),
+        ("Godot's shading language", &["exact", "plain"]),
     ] {
         let found: BTreeSet<&str> = of(language).iter().map(|row| row.edition.as_str()).collect();
         assert_eq!(found, editions.iter().copied().collect(), "{language}");

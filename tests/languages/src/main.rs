@@ -165,7 +165,12 @@ impl Rows<'_> {
             }
         }
         if let Some(root) = &options.chromium {
-            for (language, script) in [(Language::Wgsl, "webgpu"), (Language::GlslEs, "webgl")] {
+            for (language, script) in [
+                (Language::Wgsl, "webgpu"),
+                (Language::GlslEs, "webgl"),
+                // Its text is GLSL ES without what Godot lacks.
+                (Language::Godot, "webgl"),
+            ] {
                 let (root, profile) = (root.clone(), options.scratch.join("profile"));
                 self.browse(&web::Client::Chromium { root, script, profile }, language);
             }
