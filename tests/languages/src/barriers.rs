@@ -2,6 +2,7 @@
 //! HLSL has `precise` for that.
 
 use crate::cases::Case;
+use crate::report::write_csv;
 use crate::spirv::Compiler;
 use crate::{Result, job, slang_to_spirv, told};
 use serde::Serialize;
@@ -55,20 +56,16 @@ pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Path, path: &Path) -> 
     let of_slang = |edition| of_library(&slang_to_spirv(slang, edition), Language::Slang, edition);
     let [slang_plain, slang_exact] = [of_slang(Edition::Plain)?, of_slang(Edition::Exact)?];
 
-    let mut writer = csv::Writer::from_path(path).map_err(told)?;
-    for (n, case) in cases.iter().enumerate() {
-        let row = Row {
-            codec: case.format.id,
-            operation: case.operation,
-            hlsl: hlsl[n],
-            wgsl_plain: wgsl_plain[n],
-            wgsl_exact: wgsl_exact[n],
-            slang_plain: slang_plain[n],
-            slang_exact: slang_exact[n],
-        };
-        writer.serialize(row).map_err(told)?;
-    }
-    writer.flush().map_err(told)
+    let rows = cases.iter().enumerate().map(|(n, case)| Row {
+        codec: case.format.id,
+        operation: case.operation,
+        hlsl: hlsl[n],
+        wgsl_plain: wgsl_plain[n],
+        wgsl_exact: wgsl_exact[n],
+        slang_plain: slang_plain[n],
+        slang_exact: slang_exact[n],
+    });
+    write_csv(rows, path)
 }
 
 fn instructions(inspector: &Inspector, name: &str, module: &[u8]) -> Result<u64> {

@@ -10,9 +10,6 @@ pub struct Job<'a> {
     pub text: String,
 }
 
-/// What takes the words that a case gave, or what went wrong.
-pub type Each<'a> = &'a mut dyn FnMut(&Case, Result<Vec<u32>>) -> Result<()>;
-
 /// Whole shaders, one of each case: what `unitvec shader` writes of the codec, or all files, and a kernel.
 pub fn jobs(cases: &[Case], language: Language, edition: Edition) -> Result<Vec<Job<'_>>> {
     let head = kernel::head(language).unwrap_or_default();

@@ -1,8 +1,7 @@
 //! Compilers that are libraries of C or C++, which scripts in Python call: Microsoft's of HLSL, and that of Slang.
 
 use crate::cases::Case;
-use crate::job::{Each, Job};
-use crate::vulkan::Vulkan;
+use crate::job::Job;
 use crate::{Result, told, tool};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -25,18 +24,6 @@ pub struct Compiler<'a> {
 }
 
 impl Compiler<'_> {
-    /// Compiles, and runs on the device. Without one, what is handed on for a text that compiles are the words expected.
-    /// Returns the compiler's version.
-    pub fn run(&self, mut vulkan: Option<&mut Vulkan>, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
-        self.compile(jobs, &mut |case, module| {
-            let result = module.and_then(|module| match &mut vulkan {
-                Some(vulkan) => vulkan.run(&module, case),
-                None => Ok(case.expected.clone()),
-            });
-            each(case, result)
-        })
-    }
-
     /// Compiles, and hands on the modules. Warnings are errors. Returns the compiler's version.
     pub fn compile(&self, jobs: &[Job<'_>], each: EachModule<'_>) -> Result<String> {
         let texts: Vec<(String, &str)> =

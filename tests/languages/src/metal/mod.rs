@@ -1,7 +1,8 @@
 //! MSL as C++17, by clang.
 
 use crate::cases::COUNT;
-use crate::job::{Each, Job};
+use crate::job::Job;
+use crate::tally::Tally;
 use crate::{Result, told, tool, whole};
 use std::fmt::Write;
 use std::io::Read;
@@ -40,7 +41,7 @@ pub fn run(
     options: &[&str],
     folder: &Path,
     jobs: &[Job<'_>],
-    each: Each<'_>,
+    tally: &mut Tally,
 ) -> Result<()> {
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let size = jobs.len().div_ceil(thread::available_parallelism().map_or(1, usize::from)).max(1);
@@ -58,7 +59,7 @@ pub fn run(
     });
     for ((_, jobs), program) in parts.iter().zip(programs) {
         for (number, job) in jobs.iter().enumerate() {
-            each(job.case, program.clone().and_then(|program| execute(&program, number, job)))?;
+            tally.add(job.case, program.clone().and_then(|program| execute(&program, number, job)))?;
         }
     }
     Ok(())
