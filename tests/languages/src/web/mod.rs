@@ -74,7 +74,7 @@ impl Client {
         let Self::Dawn { said, .. } = self else { return String::new() };
         let said = fs::read(said).unwrap_or_default();
         let said = String::from_utf8_lossy(&said);
-        let lines: Vec<&str> = said.lines().collect();
+        let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
         lines[lines.len().saturating_sub(LINES)..].join("; ")
     }
 }
@@ -114,7 +114,7 @@ pub fn run(client: &Client, jobs: &[Job<'_>], tally: &mut Tally) -> Result<Strin
     // Chromium does not end by itself.
     let _ = child.kill();
     child.wait().map_err(told)?;
-    device.map_err(|error| format!("{error}; {}", client.last_words()))
+    device.map_err(|error| format!("{}\n{error}", client.last_words()))
 }
 
 fn serve(server: &Server, child: &mut Child, jobs: &[Job<'_>], tally: &mut Tally) -> Result<String> {
