@@ -56,7 +56,7 @@ pub fn table() -> String {
         let compiler = [row.compiler.as_str(), &row.options].map(str::to_owned);
         let compiler =
             compiler.iter().filter(|part| !part.is_empty()).cloned().collect::<Vec<_>>().join(", ");
-        let cells = if row.driver.is_empty() && row.compiler.contains("DXIL") {
+        let cells = if row.promise == "compiled" {
             ["compiled", "", "", "", "", ""].map(str::to_owned)
         } else {
             let number = |number: f64| if number == 0.0 { "0".to_owned() } else { number.to_string() };
@@ -101,12 +101,14 @@ fn all_compilers_keep_their_promises() {
         let name =
             format!("{} {}, {} {}, {}", row.language, row.edition, row.compiler, row.options, row.driver);
         assert_eq!(row.kernels, 2 * formats().count(), "{name}: cargo xtask test --languages --record");
-        assert_eq!((row.random, row.special), (65_536, 4_096), "{name}");
+        let inputs = if row.promise == "compiled" { (0, 0) } else { (65_536, 4_096) };
+        assert_eq!((row.random, row.special), inputs, "{name}");
         let differ = row.codes_differ + row.special_differ + row.elements_differ;
         match row.promise.as_str() {
             "equal" => assert_eq!(differ, 0, "{name}"),
+            "compiled" => assert_eq!((differ, row.driver.as_str()), (0, ""), "{name}"),
             "bounded" => assert!(row.error <= 2.0 && row.angle <= 1.0, "{name}"),
-            _ => assert_eq!(row.options, "fast math", "{name}"),
+            _ => assert!(row.options == "fast math" && differ > 0, "{name}"),
         }
     }
 }
@@ -122,6 +124,7 @@ fn the_record_is_of_all_languages() {
         ("Slang", &["exact", "plain"]),
         ("MSL", &["exact", "plain"]),
         ("GLSL ES", &["exact", "plain"]),
+        ("Godot's shading language", &["exact", "plain"]),
     ] {
         let found: BTreeSet<&str> = of(language).iter().map(|row| row.edition.as_str()).collect();
         assert_eq!(found, editions.iter().copied().collect(), "{language}");

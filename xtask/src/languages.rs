@@ -107,7 +107,6 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     let mut program = found.program(&target);
     program.arg("--wgpu").args(&options.others);
     if options.records && found.missing.is_empty() {
-        record_barriers(&target, &found, repository)?;
         program.arg("--record").arg(repository.join(RECORD));
     }
     let outcome = run_command(program.current_dir(repository));
@@ -115,6 +114,10 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
         eprintln!("xtask: NOT RUN: {missing}");
     }
     outcome?;
+    // A run that fails leaves them as they are.
+    if options.records && found.missing.is_empty() {
+        record_barriers(&target, &found, repository)?;
+    }
     if options.needs_all && !found.missing.is_empty() {
         return Err(format!("not all compilers can be had: {}", found.missing.join("; ")));
     }

@@ -141,7 +141,7 @@ pub fn run(
 }
 
 /// The error bounds of a codec, degrees: of a vector, or of a frame's normal and tangent.
-fn error_bounds(format: Format) -> [f64; 2] {
+pub fn error_bounds(format: Format) -> [f64; 2] {
     match (find(format.id), find_frame(format.id)) {
         (Ok(codec), _) => [codec.max_error_deg.into(); 2],
         (_, Some(frame)) => [frame.max_normal_error_deg.into(), frame.max_tangent_error_deg.into()],

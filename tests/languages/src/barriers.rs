@@ -2,9 +2,9 @@
 //! HLSL has `precise` for that.
 
 use crate::cases::Case;
-use crate::job;
+use crate::report::write_csv;
 use crate::spirv::Compiler;
-use crate::{Result, told};
+use crate::{Result, job, slang_to_spirv, told};
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
@@ -30,7 +30,7 @@ struct Row {
 }
 
 /// Compiles with the device of this process, and writes what came of it.
-pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Compiler<'_>, path: &Path) -> Result<()> {
+pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Path, path: &Path) -> Result<()> {
     let instance = Arc::new(Instance::new(None, false).map_err(told)?);
     let inspector = Inspector::open(&instance, &DeviceChoice::Best).map_err(told)?;
     let of_library = |compiler: &Compiler<'_>, language, edition| {
@@ -53,23 +53,19 @@ pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Compiler<'_>, path: &P
     };
     let hlsl = of_library(dxc, Language::Hlsl, Edition::Plain)?;
     let [wgsl_plain, wgsl_exact] = [of_naga(Edition::Plain)?, of_naga(Edition::Exact)?];
-    let slang_plain = of_library(slang, Language::Slang, Edition::Plain)?;
-    let slang_exact = of_library(slang, Language::Slang, Edition::Exact)?;
+    let of_slang = |edition| of_library(&slang_to_spirv(slang, edition), Language::Slang, edition);
+    let [slang_plain, slang_exact] = [of_slang(Edition::Plain)?, of_slang(Edition::Exact)?];
 
-    let mut writer = csv::Writer::from_path(path).map_err(told)?;
-    for (n, case) in cases.iter().enumerate() {
-        let row = Row {
-            codec: case.format.id,
-            operation: case.operation,
-            hlsl: hlsl[n],
-            wgsl_plain: wgsl_plain[n],
-            wgsl_exact: wgsl_exact[n],
-            slang_plain: slang_plain[n],
-            slang_exact: slang_exact[n],
-        };
-        writer.serialize(row).map_err(told)?;
-    }
-    writer.flush().map_err(told)
+    let rows = cases.iter().enumerate().map(|(n, case)| Row {
+        codec: case.format.id,
+        operation: case.operation,
+        hlsl: hlsl[n],
+        wgsl_plain: wgsl_plain[n],
+        wgsl_exact: wgsl_exact[n],
+        slang_plain: slang_plain[n],
+        slang_exact: slang_exact[n],
+    });
+    write_csv(rows, path)
 }
 
 fn instructions(inspector: &Inspector, name: &str, module: &[u8]) -> Result<u64> {

@@ -22,12 +22,20 @@ pub struct Case {
     pub operation: Operation,
     pub input: Arc<[u32]>,
     pub expected: Vec<u32>,
+    /// True where all files of the language are compiled, and not only what the codec needs.
+    pub has_all_files: bool,
 }
 
 impl Case {
     /// `oct32_encode`.
     pub fn name(&self) -> String {
-        self.format.function(self.operation)
+        if self.has_all_files { "all_files".to_owned() } else { self.format.function(self.operation) }
+    }
+
+    /// The same with all files of the language.
+    pub fn with_all_files(&self) -> Self {
+        let (input, expected) = (self.input.clone(), self.expected.clone());
+        Self { input, expected, has_all_files: true, ..*self }
     }
 
     /// Words of what is read and written, for one element.
@@ -52,6 +60,7 @@ pub fn cases(formats: &[Format]) -> Result<Vec<Case>> {
             operation: Operation::Encode,
             input: elements.clone(),
             expected: whole_words(format, &encoded),
+            has_all_files: false,
         });
         let mut decoded = vec![0; COUNT * format.element.floats()];
         format.decode_cpu(&stored(format, codes), bytemuck::cast_slice_mut(&mut decoded)).map_err(told)?;
@@ -60,6 +69,7 @@ pub fn cases(formats: &[Format]) -> Result<Vec<Case>> {
             operation: Operation::Decode,
             input: codes.clone(),
             expected: decoded,
+            has_all_files: false,
         });
     }
     Ok(cases)

@@ -1,7 +1,7 @@
 //! What is compiled.
 
 use crate::cases::Case;
-use crate::{Result, told};
+use crate::{Result, told, whole};
 use unitvec_host::shader::{Edition, Language, kernel, text};
 
 /// A text to compile, and the case that it is for.
@@ -10,15 +10,16 @@ pub struct Job<'a> {
     pub text: String,
 }
 
-/// What takes the words that a case gave, or what went wrong.
-pub type Each<'a> = &'a mut dyn FnMut(&Case, Result<Vec<u32>>) -> Result<()>;
-
-/// Whole shaders, one of each case: what `unitvec shader` writes of the codec, and a kernel.
+/// Whole shaders, one of each case: what `unitvec shader` writes of the codec, or all files, and a kernel.
 pub fn jobs(cases: &[Case], language: Language, edition: Edition) -> Result<Vec<Job<'_>>> {
     let head = kernel::head(language).unwrap_or_default();
     let whole = |case: &Case| -> Result<String> {
-        let codec = text(&[case.format], language, edition, "unitvec shader").map_err(told)?;
-        Ok(format!("{head}{codec}{}", kernel::kernel(language, case.format, case.operation)))
+        let functions = if case.has_all_files {
+            whole::text(language, edition)?
+        } else {
+            text(&[case.format], language, edition, "unitvec shader").map_err(told)?
+        };
+        Ok(format!("{head}{functions}{}", kernel::kernel(language, case.format, case.operation)))
     };
     cases.iter().map(|case| Ok(Job { case, text: whole(case)? })).collect()
 }

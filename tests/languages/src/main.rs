@@ -4,6 +4,7 @@
 mod barriers;
 mod cases;
 mod job;
+mod linked;
 mod metal;
 mod report;
 mod spirv;
@@ -12,11 +13,12 @@ mod tool;
 mod vulkan;
 mod web;
 mod wgpu;
+mod whole;
 
 use cases::Case;
 use clap::Parser;
-use job::{Each, Job};
-use report::{Row, Subject};
+use job::Job;
+use report::{Mode, Row, Subject};
 use spirv::Compiler;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -25,6 +27,7 @@ use std::thread;
 use std::time::Instant;
 use tally::Tally;
 use unitvec_host::catalogue::{find_format, formats};
+use unitvec_host::link;
 use unitvec_host::shader::{Edition, Language};
 use unitvec_host::vulkan::DeviceChoice;
 use vulkan::Vulkan;
@@ -88,13 +91,14 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<()> {
     if let (Some(path), Some(dxc), Some(slang)) = (&options.barriers, &options.dxc, &options.slang) {
         let cases = cases_of(barriers::CODECS.iter().copied())?;
-        return barriers::record(&cases, &dxc_to_spirv(dxc), &slang_to_spirv(slang), path);
+        return barriers::record(&cases, &dxc_to_spirv(dxc), slang, path);
     }
-    let cases = if options.codec.is_empty() {
+    let mut cases = if options.codec.is_empty() {
         cases::cases(&formats().collect::<Vec<_>>())
     } else {
         cases_of(options.codec.iter().map(String::as_str))
     }?;
+    cases.extend(cases.first().map(Case::with_all_files));
     let rows = Rows { cases: &cases, rows: Mutex::default() };
     // Clients of the web wait half of the time.
     thread::scope(|scope| {
@@ -116,12 +120,17 @@ fn cases_of<'a>(ids: impl Iterator<Item = &'a str>) -> Result<Vec<Case>> {
     cases::cases(&ids.map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?)
 }
 
-fn dxc_to_spirv(library: &Path) -> Compiler<'_> {
-    Compiler { script: "dxc.py", library, arguments: &["-spirv", "-fspv-target-env=vulkan1.1"] }
+fn dxc<'a>(library: &'a Path, arguments: &'static [&'static str]) -> Compiler<'a> {
+    let folder = whole::folder(Language::Hlsl, Edition::Plain);
+    Compiler { script: "dxc.py", library, folder, arguments }
 }
 
-fn slang_to_spirv(library: &Path) -> Compiler<'_> {
-    Compiler { script: "slang.py", library, arguments: &[] }
+fn dxc_to_spirv(library: &Path) -> Compiler<'_> {
+    dxc(library, &["-spirv", "-fspv-target-env=vulkan1.1"])
+}
+
+fn slang_to_spirv(library: &Path, edition: Edition) -> Compiler<'_> {
+    Compiler { script: "slang.py", library, folder: whole::folder(Language::Slang, edition), arguments: &[] }
 }
 
 const EDITIONS: [Edition; 2] = [Edition::Plain, Edition::Exact];
@@ -153,12 +162,21 @@ impl Rows<'_> {
     fn of_clients(&self, options: &Options) {
         if let Some(addon) = &options.dawn {
             for icd in &options.icd {
-                let client = web::Client::Dawn { addon: addon.clone(), icd: icd.clone() };
+                let client = web::Client::Dawn {
+                    addon: addon.clone(),
+                    icd: icd.clone(),
+                    said: options.scratch.join("dawn.log"),
+                };
                 self.browse(&client, Language::Wgsl);
             }
         }
         if let Some(root) = &options.chromium {
-            for (language, script) in [(Language::Wgsl, "webgpu"), (Language::GlslEs, "webgl")] {
+            for (language, script) in [
+                (Language::Wgsl, "webgpu"),
+                (Language::GlslEs, "webgl"),
+                // Its text is GLSL ES without what Godot lacks.
+                (Language::Godot, "webgl"),
+            ] {
                 let (root, profile) = (root.clone(), options.scratch.join("profile"));
                 self.browse(&web::Client::Chromium { root, script, profile }, language);
             }
@@ -168,22 +186,44 @@ impl Rows<'_> {
     fn hlsl(&self, library: &Path) {
         self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC"), &dxc_to_spirv(library));
         // Not validated: the library that does is Windows'.
-        let dxil = Compiler { arguments: &["-Vd"], ..dxc_to_spirv(library) };
-        self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").only_compiled(), &dxil);
+        let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").mode(Mode::Compiled);
+        self.compiled(subject, &dxc(library, &["-Vd"]));
+        // Optimised, the stubs would be gone.
+        let linked = Subject::new(Language::Hlsl, Edition::Plain, "DXC").mode(Mode::Linked);
+        self.spirv(linked, &dxc(library, &["-spirv", "-fcgl", "-fspv-target-env=vulkan1.1"]));
     }
 
     fn slang(&self, library: &Path) {
         for edition in EDITIONS {
-            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library));
+            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library, edition));
         }
+        let linked = Subject::new(Language::Slang, Edition::Plain, "Slang").mode(Mode::Linked);
+        self.spirv(linked, &slang_to_spirv(library, Edition::Plain));
     }
 
     fn spirv(&self, subject: Subject, compiler: &Compiler<'_>) {
-        self.add(subject, |subject, jobs, each| {
-            let mut vulkan = if subject.is_run { Some(Vulkan::new(&lavapipe())?) } else { None };
-            let version = compiler.run(vulkan.as_mut(), jobs, each)?;
+        self.add(subject, |subject, jobs, tally| {
+            let mut vulkan = Vulkan::new(&lavapipe())?;
+            let is_linked = subject.mode == Mode::Linked;
+            let finished =
+                |module: Vec<u8>| if is_linked { link::link(&module).map_err(told) } else { Ok(module) };
+            let version = compiler.compile(jobs, &mut |case, module| {
+                tally.add(case, module.and_then(finished).and_then(|module| vulkan.run(&module, case)))
+            })?;
             subject.compiler = format!("{} {version}", subject.compiler);
-            subject.driver = vulkan.as_ref().map(Vulkan::driver).unwrap_or_default();
+            subject.driver = vulkan.driver();
+            Ok(())
+        });
+    }
+
+    /// For results that there is nothing to run on.
+    fn compiled(&self, subject: Subject, compiler: &Compiler<'_>) {
+        self.add(subject, |subject, jobs, tally| {
+            let version = compiler.compile(jobs, &mut |case, module| {
+                tally.add_compiled(case, module);
+                Ok(())
+            })?;
+            subject.compiler = format!("{} {version}", subject.compiler);
             Ok(())
         });
     }
@@ -191,18 +231,18 @@ impl Rows<'_> {
     fn wgpu(&self) {
         let name = format!("wgpu {}", report::locked("wgpu"));
         for edition in EDITIONS {
-            self.add(Subject::new(Language::Wgsl, edition, &name), |subject, jobs, each| {
+            self.add(Subject::new(Language::Wgsl, edition, &name), |subject, jobs, tally| {
                 let device = wgpu::Wgpu::new("llvmpipe")?;
                 subject.driver = device.driver().to_owned();
-                device.run(jobs, each)
+                device.run(jobs, tally)
             });
         }
     }
 
     fn browse(&self, client: &web::Client, language: Language) {
         for edition in EDITIONS {
-            self.add(Subject::new(language, edition, &client.name()), |subject, jobs, each| {
-                subject.driver = web::run(client, jobs, each)?;
+            self.add(Subject::new(language, edition, &client.name()), |subject, jobs, tally| {
+                subject.driver = web::run(client, jobs, tally)?;
                 Ok(())
             });
         }
@@ -211,20 +251,30 @@ impl Rows<'_> {
     fn msl(&self, scratch: &Path) {
         let version = tool::output(Command::new("clang++").arg("-dumpversion")).unwrap_or_default();
         let name = format!("clang {}", version.trim());
-        for (edition, is_hostile) in [(Edition::Plain, false), (Edition::Plain, true), (Edition::Exact, true)]
-        {
-            let subject = Subject::new(Language::Msl, edition, &name).hostile(is_hostile);
-            let options: &[&str] = if is_hostile { &metal::HOSTILE } else { &[] };
-            self.add(subject, |_, jobs, each| metal::run(options, scratch, jobs, each));
+        for (edition, mode) in [
+            (Edition::Plain, Mode::Usual),
+            (Edition::Plain, Mode::FastMath),
+            (Edition::Exact, Mode::FastMath),
+        ] {
+            let subject = Subject::new(Language::Msl, edition, &name).mode(mode);
+            let options: &[&str] = if mode == Mode::FastMath { &metal::HOSTILE } else { &[] };
+            self.add(subject, |_, jobs, tally| metal::run(edition, options, scratch, jobs, tally));
         }
     }
 
     /// Runs all cases.
-    fn add(&self, mut subject: Subject, run: impl FnOnce(&mut Subject, &[Job<'_>], Each<'_>) -> Result<()>) {
+    fn add(
+        &self,
+        mut subject: Subject,
+        run: impl FnOnce(&mut Subject, &[Job<'_>], &mut Tally) -> Result<()>,
+    ) {
         let started = Instant::now();
         let mut tally = Tally::default();
-        let outcome = job::jobs(self.cases, subject.language, subject.edition)
-            .and_then(|jobs| run(&mut subject, &jobs, &mut |case, result| tally.add(case, result)));
+        let jobs = match subject.mode {
+            Mode::Linked => Ok(linked::jobs(self.cases, subject.language)),
+            _ => job::jobs(self.cases, subject.language, subject.edition),
+        };
+        let outcome = jobs.and_then(|jobs| run(&mut subject, &jobs, &mut tally));
         if let Err(error) = outcome {
             tally.faults.insert(0, error);
         }

@@ -6,6 +6,7 @@ use crate::{Result, told};
 use serde::Serialize;
 use std::path::Path;
 use unitvec_host::imprecise::Outcome;
+use unitvec_host::output::write_file;
 use unitvec_host::shader::{Edition, Language};
 
 /// A compiler and a driver.
@@ -15,10 +16,20 @@ pub struct Subject {
     /// Name and version.
     pub compiler: String,
     pub driver: String,
-    /// True where the compiler may take arithmetic for that of real numbers.
-    pub is_hostile: bool,
-    /// False where there is nothing to run the code on.
-    pub is_run: bool,
+    pub mode: Mode,
+}
+
+/// What is done beside compiling and running.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Mode {
+    /// Nothing.
+    Usual,
+    /// The compiler may take arithmetic for that of real numbers.
+    FastMath,
+    /// What calls the stubs is linked with the library.
+    Linked,
+    /// It is compiled, and there is nothing to run the code on.
+    Compiled,
 }
 
 /// What results are promised to be.
@@ -29,32 +40,32 @@ pub enum Promise {
     Equal,
     /// As good as the codec's error bound says: see [`crate::tally::Bounds`].
     Bounded,
-    /// Anything.
+    /// Anything but those of the CPU: a compiler that changes nothing would show nothing.
     None,
+    /// Nothing ran.
+    Compiled,
 }
 
 impl Subject {
     pub fn new(language: Language, edition: Edition, compiler: &str) -> Self {
         let (compiler, driver) = (compiler.to_owned(), String::new());
-        Self { language, edition, compiler, driver, is_hostile: false, is_run: true }
+        Self { language, edition, compiler, driver, mode: Mode::Usual }
     }
 
-    pub fn only_compiled(self) -> Self {
-        Self { is_run: false, ..self }
-    }
-
-    pub fn hostile(self, is_hostile: bool) -> Self {
-        Self { is_hostile, ..self }
+    pub fn mode(self, mode: Mode) -> Self {
+        Self { mode, ..self }
     }
 
     /// GLSL, HLSL and MSL have means of their own to keep arithmetic as it is written, where the compiler heeds them.
     pub fn promise(&self) -> Promise {
         let has_means = matches!(self.language, Language::Glsl | Language::Hlsl | Language::Msl);
-        match (self.edition, self.is_hostile) {
-            (Edition::Exact, _) => Promise::Equal,
-            (Edition::Plain, true) => Promise::None,
-            (Edition::Plain, false) if has_means => Promise::Equal,
-            (Edition::Plain, false) => Promise::Bounded,
+        match (self.edition, self.mode) {
+            (_, Mode::Compiled) => Promise::Compiled,
+            // The library's arithmetic is marked as exact.
+            (Edition::Exact, _) | (_, Mode::Linked) => Promise::Equal,
+            (Edition::Plain, Mode::FastMath) => Promise::None,
+            (Edition::Plain, Mode::Usual) if has_means => Promise::Equal,
+            (Edition::Plain, Mode::Usual) => Promise::Bounded,
         }
     }
 
@@ -66,7 +77,11 @@ impl Subject {
     }
 
     fn options(&self) -> &'static str {
-        if self.is_hostile { "fast math" } else { "" }
+        match self.mode {
+            Mode::FastMath => "fast math",
+            Mode::Linked => "linked",
+            Mode::Usual | Mode::Compiled => "",
+        }
     }
 }
 
@@ -108,7 +123,10 @@ impl Row {
         match self.subject.promise() {
             Promise::Equal => objections.extend(self.tally.differing.clone()),
             Promise::Bounded => objections.extend(self.tally.out_of_bounds.clone()),
-            Promise::None => {}
+            Promise::None if self.tally.differing.is_empty() => {
+                objections.push("nothing differs: the options do not make the compiler hostile".to_owned());
+            }
+            Promise::None | Promise::Compiled => {}
         }
         objections
     }
@@ -117,6 +135,7 @@ impl Row {
         let Self { subject, tally, .. } = self;
         let Outcome { codes_differ, special_differ, error, elements_differ, component_ulp, .. } =
             tally.outcome;
+        let is_run = subject.mode != Mode::Compiled;
         Record {
             language: subject.language.name(),
             edition: subject.edition(),
@@ -124,8 +143,8 @@ impl Row {
             options: subject.options(),
             driver: &subject.driver,
             kernels: tally.kernels,
-            random: RANDOM,
-            special: SPECIAL,
+            random: if is_run { RANDOM } else { 0 },
+            special: if is_run { SPECIAL } else { 0 },
             codes_differ,
             special_differ,
             error: number(error),
@@ -138,8 +157,8 @@ impl Row {
 
     /// Languages in their order, plain editions first; compilers and drivers by name.
     pub fn order(&self) -> impl Ord + use<> {
-        let Subject { language, edition, compiler, driver, is_hostile, .. } = &self.subject;
-        (*language, compiler.clone(), *is_hostile, driver.clone(), *edition)
+        let Subject { language, edition, compiler, driver, mode, .. } = &self.subject;
+        (*language, compiler.clone(), *mode, driver.clone(), *edition)
     }
 
     /// For the screen.
@@ -215,9 +234,16 @@ pub fn verdict(rows: &[Row]) -> Result<()> {
 
 /// Writes all rows, for the docs.
 pub fn record(rows: &[Row], path: &Path) -> Result<()> {
-    let mut writer = csv::Writer::from_path(path).map_err(told)?;
-    rows.iter().try_for_each(|row| writer.serialize(row.record())).map_err(told)?;
-    writer.flush().map_err(told)
+    write_csv(rows.iter().map(Row::record), path)
+}
+
+/// Writes a line for each: a whole file, or none.
+pub fn write_csv(lines: impl Iterator<Item = impl Serialize>, path: &Path) -> Result<()> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for line in lines {
+        writer.serialize(line).map_err(told)?;
+    }
+    write_file(path, &writer.into_inner().map_err(told)?).map_err(told)
 }
 
 /// The version of a package in Cargo.lock.
@@ -246,16 +272,38 @@ mod tests {
 
     #[test]
     fn promises_are_those_of_the_docs() {
-        let promise =
-            |language, edition, hostile| Subject::new(language, edition, "").hostile(hostile).promise();
-        assert_eq!(promise(Language::Hlsl, Edition::Plain, false), Promise::Equal);
-        assert_eq!(promise(Language::Msl, Edition::Plain, false), Promise::Equal);
-        assert_eq!(promise(Language::Msl, Edition::Plain, true), Promise::None);
-        assert_eq!(promise(Language::Msl, Edition::Exact, true), Promise::Equal);
-        for language in [Language::Wgsl, Language::Slang, Language::GlslEs] {
-            assert_eq!(promise(language, Edition::Plain, false), Promise::Bounded);
-            assert_eq!(promise(language, Edition::Exact, false), Promise::Equal);
+        let promise = |language, edition, mode| Subject::new(language, edition, "").mode(mode).promise();
+        assert_eq!(promise(Language::Hlsl, Edition::Plain, Mode::Usual), Promise::Equal);
+        assert_eq!(promise(Language::Hlsl, Edition::Plain, Mode::Compiled), Promise::Compiled);
+        assert_eq!(promise(Language::Msl, Edition::Plain, Mode::Usual), Promise::Equal);
+        assert_eq!(promise(Language::Msl, Edition::Plain, Mode::FastMath), Promise::None);
+        assert_eq!(promise(Language::Msl, Edition::Exact, Mode::FastMath), Promise::Equal);
+        assert_eq!(promise(Language::Slang, Edition::Plain, Mode::Linked), Promise::Equal);
+        for language in [Language::Wgsl, Language::Slang, Language::GlslEs, Language::Godot] {
+            assert_eq!(promise(language, Edition::Plain, Mode::Usual), Promise::Bounded);
+            assert_eq!(promise(language, Edition::Exact, Mode::Usual), Promise::Equal);
         }
+    }
+
+    /// A compiler that was asked to take liberties and takes none proves nothing of the exact edition.
+    #[test]
+    fn a_hostile_compiler_has_to_differ() {
+        let subject = Subject::new(Language::Msl, Edition::Plain, "").mode(Mode::FastMath);
+        let mut row = Row { subject, tally: Tally::default(), seconds: 0.0 };
+        assert_eq!(row.objections().len(), 1);
+        row.tally.differing.push("oct32_encode".to_owned());
+        assert!(row.objections().is_empty());
+    }
+
+    /// What failed to be serialised leaves the file as it was.
+    #[test]
+    fn a_record_is_written_whole_or_not_at_all() {
+        let path = std::env::temp_dir().join(format!("unitvec-{}-record.csv", std::process::id()));
+        write_csv([("a", 1), ("b", 2)].iter(), &path).unwrap();
+        let uneven = [vec!["a"], vec!["b", "c"]];
+        assert!(write_csv(uneven.iter(), &path).is_err());
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "a,1\nb,2\n");
+        std::fs::remove_file(&path).unwrap();
     }
 
     #[test]

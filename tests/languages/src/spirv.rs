@@ -1,13 +1,12 @@
 //! Compilers that are libraries of C or C++, which scripts in Python call: Microsoft's of HLSL, and that of Slang.
 
 use crate::cases::Case;
-use crate::job::{Each, Job};
-use crate::vulkan::Vulkan;
+use crate::job::Job;
 use crate::{Result, told, tool};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use std::io::{BufRead, BufReader};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/python");
@@ -19,29 +18,23 @@ pub type EachModule<'a> = &'a mut dyn FnMut(&Case, Result<Vec<u8>>) -> Result<()
 pub struct Compiler<'a> {
     pub script: &'static str,
     pub library: &'a Path,
+    /// Folder of what texts include.
+    pub folder: PathBuf,
     pub arguments: &'static [&'static str],
 }
 
 impl Compiler<'_> {
-    /// Compiles, and runs on the device. Without one, what is handed on for a text that compiles are the words expected.
-    /// Returns the compiler's version.
-    pub fn run(&self, mut vulkan: Option<&mut Vulkan>, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
-        self.compile(jobs, &mut |case, module| {
-            let result = module.and_then(|module| match &mut vulkan {
-                Some(vulkan) => vulkan.run(&module, case),
-                None => Ok(case.expected.clone()),
-            });
-            each(case, result)
-        })
-    }
-
     /// Compiles, and hands on the modules. Warnings are errors. Returns the compiler's version.
     pub fn compile(&self, jobs: &[Job<'_>], each: EachModule<'_>) -> Result<String> {
         let texts: Vec<(String, &str)> =
             jobs.iter().map(|job| (job.case.name(), job.text.as_str())).collect();
         let texts = serde_json::to_vec(&texts).map_err(told)?;
         let mut command = Command::new("python3");
-        command.arg(Path::new(FOLDER).join(self.script)).arg(self.library).args(self.arguments);
+        command
+            .arg(Path::new(FOLDER).join(self.script))
+            .arg(self.library)
+            .arg(&self.folder)
+            .args(self.arguments);
         command.env("PYTHONDONTWRITEBYTECODE", "1");
         tool::converse(&mut command, texts, |output| {
             let mut lines = BufReader::new(output).lines();

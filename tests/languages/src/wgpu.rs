@@ -1,7 +1,8 @@
 //! wgpu, which takes WGSL through naga to SPIR-V.
 
 use crate::cases::{COUNT, Case};
-use crate::job::{Each, Job};
+use crate::job::Job;
+use crate::tally::Tally;
 use crate::{Result, told};
 use unitvec_host::shader::kernel::ENTRY_POINT;
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
@@ -36,9 +37,12 @@ impl Wgpu {
     }
 
     /// Compiles and runs.
-    pub fn run(&self, jobs: &[Job<'_>], each: Each<'_>) -> Result<()> {
+    pub fn run(&self, jobs: &[Job<'_>], tally: &mut Tally) -> Result<()> {
         for job in jobs {
-            each(job.case, self.compile(&job.text).and_then(|pipeline| self.dispatch(&pipeline, job.case)))?;
+            tally.add(
+                job.case,
+                self.compile(&job.text).and_then(|pipeline| self.dispatch(&pipeline, job.case)),
+            )?;
         }
         Ok(())
     }

@@ -1,14 +1,16 @@
 //! MSL as C++17, by clang.
 
 use crate::cases::COUNT;
-use crate::job::{Each, Job};
-use crate::{Result, told, tool};
+use crate::job::Job;
+use crate::tally::Tally;
+use crate::{Result, told, tool, whole};
 use std::fmt::Write;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, thread};
 use unitvec_host::shader::kernel::metal_name;
+use unitvec_host::shader::{Edition, Language};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/metal");
 
@@ -34,14 +36,20 @@ pub const HOSTILE: [&str; 6] = [
 ];
 
 /// Compiles with these options, into the folder, and runs.
-pub fn run(options: &[&str], folder: &Path, jobs: &[Job<'_>], each: Each<'_>) -> Result<()> {
+pub fn run(
+    edition: Edition,
+    options: &[&str],
+    folder: &Path,
+    jobs: &[Job<'_>],
+    tally: &mut Tally,
+) -> Result<()> {
     fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let size = jobs.len().div_ceil(thread::available_parallelism().map_or(1, usize::from)).max(1);
     let parts: Vec<_> = jobs.chunks(size).enumerate().collect();
     let programs: Vec<Result<PathBuf>> = thread::scope(|scope| {
         let build = |(number, jobs): &(usize, &[Job<'_>])| {
             let (program, text) = (folder.join(format!("codecs{number}")), source(jobs));
-            scope.spawn(move || compile(options, &program, &text))
+            scope.spawn(move || compile(edition, options, &program, &text))
         };
         let threads: Vec<_> = parts.iter().map(build).collect();
         let join = |thread: thread::ScopedJoinHandle<'_, _>| {
@@ -51,7 +59,7 @@ pub fn run(options: &[&str], folder: &Path, jobs: &[Job<'_>], each: Each<'_>) ->
     });
     for ((_, jobs), program) in parts.iter().zip(programs) {
         for (number, job) in jobs.iter().enumerate() {
-            each(job.case, program.clone().and_then(|program| execute(&program, number, job)))?;
+            tally.add(job.case, program.clone().and_then(|program| execute(&program, number, job)))?;
         }
     }
     Ok(())
@@ -72,11 +80,12 @@ fn source(jobs: &[Job<'_>]) -> String {
     format!("{text}\n{kernel}\nconst Kernel KERNELS[] = {{\n{table}}};\n\n#include \"run.h\"\n")
 }
 
-fn compile(options: &[&str], program: &Path, text: &str) -> Result<PathBuf> {
+fn compile(edition: Edition, options: &[&str], program: &Path, text: &str) -> Result<PathBuf> {
     let source = program.with_extension("metal");
     fs::write(&source, text).map_err(|error| format!("{}: {error}", source.display()))?;
     let mut clang = Command::new("clang++");
-    clang.args(ARGUMENTS).args(options).args(["-I", FOLDER, "-o"]).arg(program).arg(&source);
+    clang.args(ARGUMENTS).args(options).args(["-I", FOLDER, "-I"]).arg(whole::folder(Language::Msl, edition));
+    clang.arg("-o").arg(program).arg(&source);
     tool::output(&mut clang)?;
     Ok(program.to_owned())
 }

@@ -1,5 +1,5 @@
-"""Compiles HLSL to SPIR-V or DXIL: dxc.py LIBRARY ARGUMENT... The package compushady has the library for Linux, and none has
-the program dxc."""
+"""Compiles HLSL to SPIR-V or DXIL: dxc.py LIBRARY FOLDER ARGUMENT..., with includes from the folder. The package compushady has
+the library for Linux, and none has the program dxc."""
 
 import ctypes
 import sys
@@ -25,6 +25,10 @@ COMPILER_CLASS = identifier("73e22d93-e6ce-47f3-b5bf-f0664f39c1b0")
 COMPILER = identifier("228b4687-5a6a-4730-900c-9702b2203f54")
 RESULT = identifier("58346cda-dde7-4497-9461-6f87af5e0659")
 VERSION = identifier("b04f5b50-2059-4f12-a8ff-a1e0cde1cc7e")
+UTILS_CLASS = identifier("6245d6af-66e0-48fd-80b4-4d271796748c")
+UTILS = identifier("4605c4cb-2019-492a-ada4-65f20bb7d67f")
+# The method of IDxcUtils that makes what reads files.
+INCLUDE_HANDLER = FIRST + 6
 
 
 def call(this, slot, *arguments, result=ctypes.c_int32):
@@ -56,6 +60,9 @@ def contents(blob):
 library = ctypes.CDLL(sys.argv[1])
 compiler = POINTER()
 checked(library.DxcCreateInstance(COMPILER_CLASS, COMPILER, ctypes.byref(compiler)))
+utils = POINTER()
+checked(library.DxcCreateInstance(UTILS_CLASS, UTILS, ctypes.byref(utils)))
+includes = made(utils, INCLUDE_HANDLER)
 
 
 def version():
@@ -68,7 +75,7 @@ def version():
 def compile(name, text):
     source = text.encode()
     buffer = Buffer(source, len(source), UTF8)
-    words = [f"{name}.hlsl", "-E", "main", "-T", "cs_6_0", "-HV", "2021", *sys.argv[2:]]
+    words = [f"{name}.hlsl", "-E", "main", "-T", "cs_6_0", "-HV", "2021", "-I", sys.argv[2], *sys.argv[3:]]
     arguments = (ctypes.c_wchar_p * len(words))(*words)
     result = made(
         compiler,
@@ -76,7 +83,7 @@ def compile(name, text):
         ctypes.cast(ctypes.byref(buffer), POINTER),
         ctypes.cast(arguments, POINTER),
         ctypes.c_uint32(len(words)),
-        POINTER(),
+        includes,
         ctypes.cast(RESULT, POINTER),
     )
     status = ctypes.c_int32()

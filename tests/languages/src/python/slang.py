@@ -1,4 +1,5 @@
-"""Compiles Slang to SPIR-V: slang.py LIBRARY. The package slangpy has the library, and none has the program slangc."""
+"""Compiles Slang to SPIR-V: slang.py LIBRARY FOLDER, with imports from the folder. The package slangpy has the library, and
+none has the program slangc."""
 
 import ctypes
 import sys
@@ -18,6 +19,7 @@ for name, result, arguments in [
     ("spFindProfile", ctypes.c_uint, [POINTER, TEXT]),
     ("spSetCodeGenTarget", None, [POINTER, ctypes.c_int]),
     ("spSetTargetProfile", None, [POINTER, ctypes.c_int, ctypes.c_uint]),
+    ("spAddSearchPath", None, [POINTER, TEXT]),
     ("spAddTranslationUnit", ctypes.c_int, [POINTER, ctypes.c_int, TEXT]),
     ("spAddTranslationUnitSourceString", None, [POINTER, ctypes.c_int, TEXT, TEXT]),
     ("spAddEntryPoint", ctypes.c_int, [POINTER, ctypes.c_int, TEXT, ctypes.c_int]),
@@ -37,6 +39,7 @@ def compile(name, text):
     request = slang.spCreateCompileRequest(session)
     slang.spSetCodeGenTarget(request, SPIRV)
     slang.spSetTargetProfile(request, 0, profile)
+    slang.spAddSearchPath(request, sys.argv[2].encode())
     unit = slang.spAddTranslationUnit(request, SLANG, name.encode())
     slang.spAddTranslationUnitSourceString(request, unit, f"{name}.slang".encode(), text.encode())
     entry = slang.spAddEntryPoint(request, unit, b"main", COMPUTE)

@@ -2,10 +2,12 @@
 //! them their jobs and takes their results.
 
 use crate::cases::COUNT;
-use crate::job::{Each, Job};
+use crate::job::Job;
+use crate::tally::Tally;
 use crate::{Result, told, tool};
 use serde::Serialize;
 use std::ffi::OsString;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -26,7 +28,8 @@ const PATIENCE: Duration = Duration::from_secs(120);
 /// An implementation of WebGPU or WebGL.
 pub enum Client {
     /// Dawn's addon to Node.js, on the driver of this file.
-    Dawn { addon: PathBuf, icd: PathBuf },
+    /// What it says of itself goes to the file `said`.
+    Dawn { addon: PathBuf, icd: PathBuf, said: PathBuf },
     /// Chromium in this folder, on the SwiftShader that it brings along, with one of the scripts above.
     Chromium { root: PathBuf, script: &'static str, profile: PathBuf },
 }
@@ -48,12 +51,13 @@ impl Client {
         }
     }
 
-    fn command(&self, url: &str) -> Command {
-        match self {
-            Self::Dawn { addon, icd } => {
+    fn command(&self, url: &str) -> Result<Command> {
+        Ok(match self {
+            Self::Dawn { addon, icd, said } => {
+                let said = File::create(said).map_err(|error| format!("{}: {error}", said.display()))?;
                 let mut command = Command::new("node");
                 command.args([DAWN.as_ref(), addon.as_os_str(), url.as_ref()]);
-                command.env("VK_DRIVER_FILES", icd).env("VK_ICD_FILENAMES", icd).stderr(Stdio::piped());
+                command.env("VK_DRIVER_FILES", icd).env("VK_ICD_FILENAMES", icd).stderr(said);
                 command
             }
             Self::Chromium { root, script, profile } => {
@@ -61,7 +65,17 @@ impl Client {
                 command.arg(format!("{url}/?language={script}")).stdout(Stdio::null()).stderr(Stdio::null());
                 command
             }
-        }
+        })
+    }
+
+    /// The last of what it said.
+    fn last_words(&self) -> String {
+        const LINES: usize = 3;
+        let Self::Dawn { said, .. } = self else { return String::new() };
+        let said = fs::read(said).unwrap_or_default();
+        let said = String::from_utf8_lossy(&said);
+        let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
+        lines[lines.len().saturating_sub(LINES)..].join("; ")
     }
 }
 
@@ -91,20 +105,19 @@ struct Told<'a> {
 }
 
 /// Compiles and runs. Returns what the client says of its device.
-pub fn run(client: &Client, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
+pub fn run(client: &Client, jobs: &[Job<'_>], tally: &mut Tally) -> Result<String> {
     let server = Server::http("127.0.0.1:0").map_err(told)?;
-    let mut command = client.command(&format!("http://{}", server.server_addr()));
+    let mut command = client.command(&format!("http://{}", server.server_addr()))?;
     let program = command.get_program().to_string_lossy().into_owned();
     let mut child = command.spawn().map_err(|error| format!("{program} cannot be started: {error}"))?;
-    let device = serve(&server, &mut child, jobs, each);
+    let device = serve(&server, &mut child, jobs, tally);
     // Chromium does not end by itself.
     let _ = child.kill();
-    let said = child.wait_with_output().map_err(told)?.stderr;
-    let last = String::from_utf8_lossy(&said).lines().last().unwrap_or_default().to_owned();
-    device.map_err(|error| format!("{error}; {last}"))
+    child.wait().map_err(told)?;
+    device.map_err(|error| format!("{}\n{error}", client.last_words()))
 }
 
-fn serve(server: &Server, child: &mut Child, jobs: &[Job<'_>], each: Each<'_>) -> Result<String> {
+fn serve(server: &Server, child: &mut Child, jobs: &[Job<'_>], tally: &mut Tally) -> Result<String> {
     let mut heard = Instant::now();
     let mut seen = vec![false; jobs.len()];
     while heard.elapsed() < PATIENCE {
@@ -129,11 +142,11 @@ fn serve(server: &Server, child: &mut Child, jobs: &[Job<'_>], each: Each<'_>) -
         match (kind, at) {
             ("result", Some(at)) => {
                 seen[at] = true;
-                each(jobs[at].case, Ok(bytemuck::pod_collect_to_vec(&body)))?;
+                tally.add(jobs[at].case, Ok(bytemuck::pod_collect_to_vec(&body)))?;
             }
             ("fault", Some(at)) => {
                 seen[at] = true;
-                each(jobs[at].case, Err(words()))?;
+                tally.add(jobs[at].case, Err(words()))?;
             }
             ("done", _) if seen.iter().all(|seen| *seen) => return Ok(words()),
             _ => return Err(format!("the client says {path}: {}", words())),
