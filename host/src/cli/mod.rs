@@ -158,14 +158,22 @@ impl Vulkan {
         }
     }
 
+    /// The whole kernels of a backend, from Rust or from GLSL; `None` for the others.
+    fn source(&self, kind: BackendKind) -> Result<Option<KernelSource>> {
+        Ok(match kind {
+            BackendKind::Rust => Some(KernelSource::Rust(self.modules()?)),
+            BackendKind::Glsl => Some(KernelSource::Glsl(glsl::Compiler::new()?)),
+            BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => None,
+        })
+    }
+
     /// Kernels from Rust and, in a build with a GLSL compiler, from GLSL; what they fail to write cannot pass for their results.
     fn gpus(&self, device: &Arc<Device>) -> Result<Gpus> {
-        let gpu = |source| Gpu::new(device, source, true);
-        let mut gpus = Gpus::from([(BackendKind::Rust, gpu(KernelSource::Rust(self.modules()?))?)]);
-        match glsl::Compiler::new() {
-            Ok(compiler) => drop(gpus.insert(BackendKind::Glsl, gpu(KernelSource::Glsl(compiler))?)),
-            Err(glsl::Error::NotBuiltIn) => {}
-            Err(error) => return Err(error.into()),
+        let mut gpus = Gpus::new();
+        for kind in BackendKind::of_devices() {
+            if let Some(source) = self.source(kind)? {
+                gpus.insert(kind, Gpu::new(device, source, true)?);
+            }
         }
         Ok(gpus)
     }
@@ -177,17 +185,15 @@ impl Vulkan {
         device: &Arc<Device>,
         fill_output: bool,
     ) -> Result<Box<dyn Backend>> {
-        let gpu = |source| Ok(Box::new(Gpu::new(device, source, fill_output)?) as Box<dyn Backend>);
-        let language = |language, edition| {
-            Ok(Box::new(LanguageGpu::new(device, language, edition)?) as Box<dyn Backend>)
-        };
-        match kind {
-            BackendKind::Cpu => Ok(Box::new(Cpu)),
-            BackendKind::Rust => gpu(KernelSource::Rust(self.modules()?)),
-            BackendKind::Glsl => gpu(KernelSource::Glsl(glsl::Compiler::new()?)),
-            BackendKind::Hlsl => language(Language::Hlsl, Edition::Plain),
-            BackendKind::Wgsl => language(Language::Wgsl, Edition::Exact),
+        if let Some(source) = self.source(kind)? {
+            return Ok(Box::new(Gpu::new(device, source, fill_output)?));
         }
+        let (language, edition) = match kind {
+            BackendKind::Hlsl => (Language::Hlsl, Edition::Plain),
+            BackendKind::Wgsl => (Language::Wgsl, Edition::Exact),
+            BackendKind::Cpu | BackendKind::Rust | BackendKind::Glsl => return Ok(Box::new(Cpu)),
+        };
+        Ok(Box::new(LanguageGpu::new(device, language, edition)?))
     }
 
     /// All backends that this build has on a device, but the CPU.
