@@ -1,22 +1,40 @@
 //! The names that the GLSL takes from its user: the public functions, and what begins with `unitvec`.
 
+use super::dither;
+use super::formats::FORMATS;
+use super::projections::PROJECTIONS;
 use super::versions::assert_valid;
 use std::collections::BTreeSet;
 use unitvec_host::catalogue::{Operation, formats};
 use unitvec_tests::{glsl_families, repository};
 
-/// The functions of floats, after the survey's listings: the public ones besides those of the codecs.
-pub const OF_FLOATS: [(&str, &str); 9] = [
+/// The functions of floats, after the survey's listings, and of its bytes.
+pub const OF_FLOATS: [(&str, &str); 12] = [
     ("oct.glsl", "float32x3_to_oct"),
     ("oct.glsl", "float32x3_to_octn_precise"),
     ("oct.glsl", "oct_to_float32x3"),
     ("oct.glsl", "snorm12x2_to_unorm8x3"),
     ("oct.glsl", "unorm8x3_to_snorm12x2"),
+    ("oct.glsl", "snorm12x2_to_uint8x3"),
+    ("oct.glsl", "uint8x3_to_snorm12x2"),
+    ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
     ("hemioct.glsl", "float32x3_to_hemioct"),
     ("hemioct.glsl", "hemioct_to_float32x3"),
     ("eaoct.glsl", "float32x3_to_eaoct"),
     ("eaoct.glsl", "eaoct_to_float32x3"),
 ];
+
+/// All public functions besides those of the codecs, and their files.
+fn besides_codecs() -> Vec<(&'static str, String)> {
+    let of_floats = OF_FLOATS.iter().map(|(file, name)| (*file, (*name).to_owned()));
+    let of_formats = FORMATS.iter().flat_map(|format| format.functions().map(|name| ("formats.glsl", name)));
+    let of_projections = PROJECTIONS
+        .iter()
+        .flat_map(|projection| projection.functions().map(|name| (projection.file(), name)))
+        .filter(|(_, name)| OF_FLOATS.iter().all(|(_, other)| other != name));
+    let of_dither = dither::functions().into_iter().map(|name| ("dither.glsl", name));
+    of_floats.chain(of_formats).chain(of_projections).chain(of_dither).collect()
+}
 
 fn text_of(file: &str) -> String {
     std::fs::read_to_string(repository().join("glsl/unitvec").join(file)).unwrap()
@@ -61,7 +79,7 @@ fn names(file: &str) -> Vec<Name> {
 fn helpers_have_the_prefix() {
     let of_codecs = formats().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
     let public: BTreeSet<String> =
-        of_codecs.chain(OF_FLOATS.iter().map(|(_, name)| (*name).to_owned())).collect();
+        of_codecs.chain(besides_codecs().into_iter().map(|(_, name)| name)).collect();
     let files = glsl_families().into_iter().chain(["arith.glsl".to_owned(), "unitvec.glsl".to_owned()]);
     let mut declared = BTreeSet::new();
     let mut bare = Vec::new();
@@ -78,10 +96,22 @@ fn helpers_have_the_prefix() {
     assert!(missing.is_empty(), "the scan does not see {missing:?}");
 }
 
-/// The head of a family's file names its functions of floats.
+/// The name of a function of an azimuthal projection as that of `stereo`, which stands for all nine, and of a dithered codec as that
+/// of `oct16` or, with a precise encoder, `oct16p`, which stand for all.
+fn named_once(name: &str) -> String {
+    if let Some((id, _)) = name.split_once("_encode_dithered").or_else(|| name.split_once("_decode_dithered"))
+    {
+        return name
+            .replace(id, if id.ends_with('p') && name.contains("encode") { "oct16p" } else { "oct16" });
+    }
+    let name = ["eqarea", "eqdist"].iter().fold(name.to_owned(), |name, other| name.replace(other, "stereo"));
+    ["_concentric", "_ellipse"].iter().fold(name, |name, map| name.replace(map, ""))
+}
+
+/// The head of a file names its public functions besides those of codecs.
 #[test]
 fn functions_of_floats_are_in_the_heads() {
-    for (file, name) in OF_FLOATS {
+    for (file, name) in besides_codecs().into_iter().map(|(file, name)| (file, named_once(&name))) {
         let text = text_of(file);
         let mut head = text.lines().take_while(|line| line.starts_with("//"));
         assert!(

@@ -18,6 +18,7 @@ mod vector;
 pub use elementary::{floor, max, min, sqrt};
 pub use face::{face_of, from_face, to_face};
 pub use half::{HALF_MAX, HALF_ONE, half_decode, half_decode_magnitude, half_encode, half_encode_magnitude};
+pub(crate) use pack::signed_integer_field;
 pub use pack::{mask, nearest_code, nearest_pair, signed_code, signed_integer, signed_integer_at};
 pub use round::whole_to_u32;
 pub(crate) use round::{ONE_AND_A_HALF_2_23, TWO_23, integer_part, nearest_whole, small_floor, whole_to_i32};
@@ -29,6 +30,7 @@ pub use snorm::{
     SnormDivision, snorm_code, snorm_decode, snorm_encode, snorm_integer, snorm_integers, snorm_max,
     unorm_code, unorm_decode, unorm_encode, unorm_max,
 };
+pub(crate) use snorm::{biased, is_nan, is_set, snorm_clamp, unbiased};
 pub use trig::*;
 pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};
 pub use vector::{dot, horizontal_length, normalize};

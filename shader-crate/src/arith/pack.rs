@@ -28,7 +28,13 @@ pub fn nearest_code(x: f32, bits: u32) -> u32 {
 /// The integer of the low `bits` bits (2 to 25) of a code, in two's complement.
 #[inline(always)]
 pub fn signed_integer(code: u32, bits: u32) -> f32 {
-    ((code << (32 - bits)) as i32 >> (32 - bits)) as f32
+    signed_integer_field(code, 0, bits) as f32
+}
+
+/// The integer of `bits` bits (1 to 32) of a code, from bit `first` on, in two's complement.
+#[inline(always)]
+pub(crate) fn signed_integer_field(code: u32, first: u32, bits: u32) -> i32 {
+    (code << (32 - first - bits)) as i32 >> (32 - bits)
 }
 
 /// The integer of `bits` bits (2 to 25) of a code, from bit `first` on, in two's complement.
@@ -37,7 +43,7 @@ pub fn signed_integer(code: u32, bits: u32) -> f32 {
 #[inline(always)]
 pub fn signed_integer_at(code: u32, first: u32, bits: u32) -> f32 {
     if cfg!(target_arch = "spirv") {
-        ((code << (32 - first - bits)) as i32 >> (32 - bits)) as f32
+        signed_integer_field(code, first, bits) as f32
     } else {
         signed_integer(code >> first, bits)
     }

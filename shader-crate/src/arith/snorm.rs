@@ -48,7 +48,7 @@ pub fn snorm_encode(r: f32, bits: u32) -> u32 {
 
 /// By comparing integers, since a GPU need not compare NaN as IEEE 754 says.
 #[inline(always)]
-fn is_nan(x: f32) -> bool {
+pub(crate) fn is_nan(x: f32) -> bool {
     x.to_bits() & !SIGN_BIT > f32::INFINITY.to_bits()
 }
 
@@ -106,6 +106,31 @@ impl SnormDivision {
 pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
     let m = snorm_max(bits);
     Vec2::new(max(signed_integer_at(code, 0, bits), -m), max(signed_integer_at(code, bits, bits), -m))
+}
+
+/// Both clamped to \[-1, 1\]; 0 where one is NaN.
+#[inline(always)]
+pub(crate) fn snorm_clamp(e: Vec2) -> Vec2 {
+    let clamped = Vec2::new(min(max(e.x, -1.0), 1.0), min(max(e.y, -1.0), 1.0));
+    if is_nan(e.x.abs() + e.y.abs()) { Vec2::ZERO } else { clamped }
+}
+
+/// \[-1, 1\] on \[0, 1\], for a UNORM format.
+#[inline(always)]
+pub(crate) fn biased(e: Vec2) -> Vec2 {
+    Vec2::new(e.x * 0.5 + 0.5, e.y * 0.5 + 0.5)
+}
+
+/// The inverse of [`biased`].
+#[inline(always)]
+pub(crate) fn unbiased(e: Vec2) -> Vec2 {
+    Vec2::new(e.x * 2.0 - 1.0, e.y * 2.0 - 1.0)
+}
+
+/// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+#[inline(always)]
+pub(crate) fn is_set(x: f32) -> bool {
+    x >= 0.5 && !is_nan(x)
 }
 
 #[cfg(test)]

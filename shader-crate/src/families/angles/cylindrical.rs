@@ -23,22 +23,30 @@
 //!   square root. Eight more bits divide the error there by 4, elsewhere by 16.
 
 use super::{around_z, azimuth, scaled};
-use crate::arith::{dot, max, min, nearest_code, snorm_integer, snorm_max, sqrt, with_sign};
+use crate::arith::{
+    biased, dot, max, min, nearest_code, snorm_clamp, snorm_integer, snorm_max, sqrt, unbiased, with_sign,
+};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
+
+/// z of the direction of `v`, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+#[inline(always)]
+fn height_and_azimuth(v: Vec3) -> (f32, f32) {
+    let norm = l1_norm(v);
+    let p = scaled(v, norm);
+    let height = with_sign(p.z * (1.0 / sqrt(dot(p, p))), v.z);
+    (if is_usable(norm) { height } else { 1.0 }, azimuth(v, p))
+}
 
 /// The snorm integers of phi / pi and z that are nearest to the direction of `v`, before rounding. `m` is the snorm's
 /// largest integer.
 #[inline(always)]
 pub fn lattice(v: Vec3, m: f32) -> Vec2 {
-    let norm = l1_norm(v);
-    let p = scaled(v, norm);
-    let height = with_sign(p.z * (1.0 / sqrt(dot(p, p))), v.z);
-    let height = if is_usable(norm) { height } else { 1.0 };
+    let (height, quarters) = height_and_azimuth(v);
     // An inexact reciprocal could take z beyond m.
     let z = max(min(height * m, m), -m);
-    let phi = azimuth(v, p) * (0.5 * m);
+    let phi = quarters * (0.5 * m);
     Vec2::new(if z.abs() > m - 0.5 { 0.0 } else { phi }, z)
 }
 
@@ -49,6 +57,33 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let step = 1.0 / m;
     let radius = sqrt((m - e.y) * (m + e.y)) * step;
     around_z(radius, e.y * step, if radius > 0.0 { e.x * (2.0 * step) } else { 0.0 })
+}
+
+/// `phi / pi` and z of the direction of `v`, unquantised, both on \[-1, 1\]: for an SNORM format, to which the hardware rounds.
+/// (0, 1), which is +Z, where `v` has no direction.
+#[inline(always)]
+pub fn project(v: Vec3) -> Vec2 {
+    let (height, quarters) = height_and_azimuth(v);
+    let z = max(min(height, 1.0), -1.0);
+    Vec2::new(if z.abs() < 1.0 { 0.5 * quarters } else { 0.0 }, z)
+}
+
+/// The direction of `phi / pi` and z, clamped to \[-1, 1\]; (0, 0), which is +X, where one is NaN.
+#[inline(always)]
+pub fn unproject(e: Vec2) -> Vec3 {
+    from_lattice(snorm_clamp(e), 1.0)
+}
+
+/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+#[inline(always)]
+pub fn project_unorm(v: Vec3) -> Vec2 {
+    biased(project(v))
+}
+
+/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm(e: Vec2) -> Vec3 {
+    unproject(unbiased(e))
 }
 
 /// Cylindrical coordinates in `BITS` bits (16, 24 or 32).

@@ -31,23 +31,30 @@
 
 use super::{around_z, azimuth, quarter, scaled};
 use crate::arith::{
-    from_diagonal, horizontal_length, nearest_code, negate_if, signed_integer, snorm_integer, snorm_max,
-    with_sign,
+    biased, exp2, from_diagonal, horizontal_length, nearest_code, negate_if, signed_integer, snorm_clamp,
+    snorm_integer, snorm_max, unbiased, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
+
+/// The latitude and the azimuth of the direction of `v` in quarter turns.
+#[inline(always)]
+fn angles(v: Vec3) -> (f32, f32) {
+    let norm = l1_norm(v);
+    let p = scaled(v, norm);
+    let latitude = with_sign(quarter(p.z, horizontal_length(p)), v.z);
+    (if is_usable(norm) { latitude } else { 1.0 }, azimuth(v, p))
+}
 
 /// The i and j that are nearest to the direction of `v`, before rounding. `m` is the largest i, `half_turn` the j of pi.
 ///
 /// i is taken from the latitude, by which directions mirrored at the equator get mirrored codes.
 #[inline(always)]
 pub fn lattice(v: Vec3, m: f32, half_turn: f32) -> Vec2 {
-    let norm = l1_norm(v);
-    let p = scaled(v, norm);
-    let latitude = with_sign(quarter(p.z, horizontal_length(p)), v.z);
-    let i = if is_usable(norm) { latitude } else { 1.0 } * -m;
-    let j = azimuth(v, p) * (0.5 * half_turn);
+    let (latitude, quarters) = angles(v);
+    let i = latitude * -m;
+    let j = quarters * (0.5 * half_turn);
     // Half a step from a pole, i rounds to the even integer, which is not the pole's.
     Vec2::new(i, if i.abs() > m - 0.5 { 0.0 } else { j })
 }
@@ -61,6 +68,37 @@ pub fn from_lattice(e: Vec2, m: f32, half_turn: f32) -> Vec3 {
     let z = negate_if(e.x > 0.0, meridian.x + meridian.y);
     let quarters = if latitude < 1.0 { e.y * (2.0 / half_turn) } else { 0.0 };
     around_z(meridian.x - meridian.y, z, quarters)
+}
+
+/// `2 theta / pi - 1` and `phi / pi` of the direction of `v`, unquantised, both on \[-1, 1\]. (-1, 0), which is +Z, where `v` has
+/// no direction. An SNORM format that they are written to holds another code than this family's, whose phi has a step more.
+#[inline(always)]
+pub fn project(v: Vec3) -> Vec2 {
+    let (latitude, quarters) = angles(v);
+    Vec2::new(-latitude, if latitude.abs() < 1.0 { 0.5 * quarters } else { 0.0 })
+}
+
+/// Angles of theta that are less differ from the equator by less than `from_lattice` rounds: without them no zero of z gets a
+/// sign.
+const LEAST_LATITUDE: f32 = exp2(-26);
+
+/// The direction of `2 theta / pi - 1` and `phi / pi`, clamped to \[-1, 1\]; (0, 0), which is +X, where one is NaN.
+#[inline(always)]
+pub fn unproject(e: Vec2) -> Vec3 {
+    let e = snorm_clamp(e);
+    from_lattice(Vec2::new(if e.x.abs() > LEAST_LATITUDE { e.x } else { 0.0 }, e.y), 1.0, 1.0)
+}
+
+/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+#[inline(always)]
+pub fn project_unorm(v: Vec3) -> Vec2 {
+    biased(project(v))
+}
+
+/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm(e: Vec2) -> Vec3 {
+    unproject(unbiased(e))
 }
 
 /// The j of half a turn: 2^(b-1).

@@ -35,7 +35,7 @@
 //! <!-- end -->
 //!
 //! * Layout: x in the low half of the code, y in the high half, both snorm in two's complement; at 24 bits the three
-//!   bytes of [`oct::snorm12x2_to_unorm8x3`](crate::oct::snorm12x2_to_unorm8x3).
+//!   bytes of [`oct::snorm12x2_to_uint8x3`](crate::oct::snorm12x2_to_uint8x3).
 //! * Error: with the fast encoder at most `1.5026 / m` radians, half a ring and half a step away from ring 1; with the
 //!   precise one at most `sqrt(1/2 + pi^2 / 8) / m = 1.3168 / m`, half the diagonal of a cell near a pole and a plane y
 //!   = 0. Such places are rare: random directions seldom meet them.
@@ -52,11 +52,11 @@
 
 use super::{unpack, usable_code};
 use crate::arith::{
-    atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one, sin_eighth,
-    snorm_max, sqrt, with_sign,
+    atan_quarter, biased, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one,
+    sin_eighth, snorm_clamp, snorm_max, sqrt, unbiased, with_sign,
 };
 use crate::codec::Codec;
-use crate::direction::l1_norm;
+use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
 /// The least that x and y count as, beside an L1 norm of 1 to 2: 2^-26, which moves a direction by less than 2^-10 of a
@@ -65,13 +65,13 @@ const LEAST: f32 = exp2(-26);
 
 /// A direction of the positive octant, mirrored so that `phi` is at most 1/2.
 #[derive(Clone, Copy)]
-struct Polar {
+pub(crate) struct Polar {
     /// `r`, 0 to 1 and perhaps an ULP.
-    radius: f32,
+    pub(crate) radius: f32,
     /// `phi`, 0 to 1/2.
-    turn: f32,
+    pub(crate) turn: f32,
     /// True where x and y were swapped.
-    swapped: bool,
+    pub(crate) swapped: bool,
 }
 
 /// A lattice point of a [`Polar`]'s half octant: on ring `ring`, the one of number `place`. And a measure of its chord.
@@ -88,7 +88,7 @@ struct Candidate {
 /// a the longer and b the shorter of x and y, one division would serve for both `(a^2 + b^2) / (l (l + z))` and `b / a`,
 /// but takes five products more, which all wait for each other: a fifth more time on lavapipe.
 #[inline(always)]
-fn polar(v: Vec3, norm: f32) -> Polar {
+pub(crate) fn polar(v: Vec3, norm: f32) -> Polar {
     let p = v.abs() * scale_to_one(norm);
     let (x, y) = (max(p.x, LEAST), max(p.y, LEAST));
     let (a, b) = (max(x, y), min(x, y));
@@ -102,7 +102,7 @@ fn polar(v: Vec3, norm: f32) -> Polar {
 /// Moves a lattice point of [`polar`]'s half octant to where the direction of `v` is. With m the largest coordinate, (x, y)
 /// is folded out to (m - y, m - x), which is as far away along both axes.
 #[inline(always)]
-fn unfolded(v: Vec3, swapped: bool, ring: f32, place: f32, m: f32) -> Vec2 {
+pub(crate) fn unfolded(v: Vec3, swapped: bool, ring: f32, place: f32, m: f32) -> Vec2 {
     let (x, y) = if swapped { (place, ring - place) } else { (ring - place, place) };
     let folded = if is_negative(v.z) { m - ring } else { 0.0 };
     Vec2::new(with_sign(x + folded, v.x), with_sign(y + folded, v.y))
@@ -116,6 +116,45 @@ pub fn lattice(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let ring = floor(p.radius * m + 0.5);
     let place = floor(p.turn * ring + 0.5);
     unfolded(v, p.swapped, ring, place, m)
+}
+
+/// Clarberg's projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format, to which the
+/// hardware rounds. Its codes have a mean error 8 % and a maximum 43 % above those of [`lattice`]. (0, 0), which is +Z, where
+/// `v` has no direction.
+#[inline(always)]
+pub fn project(v: Vec3) -> Vec2 {
+    let norm = l1_norm(v);
+    let p = polar(v, norm);
+    let e = unfolded(v, p.swapped, p.radius, p.radius * p.turn, 1.0);
+    if is_usable(norm) { e } else { Vec2::ZERO }
+}
+
+/// The direction of a point of \[-1, 1\]<sup>2</sup>. What lies beyond is clamped; a point with NaN is +Z's.
+#[inline(always)]
+pub fn unproject(e: Vec2) -> Vec3 {
+    from_lattice(snorm_clamp(e), 1.0)
+}
+
+/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+#[inline(always)]
+pub fn project_unorm(v: Vec3) -> Vec2 {
+    biased(project(v))
+}
+
+/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm(e: Vec2) -> Vec3 {
+    unproject(unbiased(e))
+}
+
+/// The precise code of `BITS` bits (even, 16 to 32) as values of an SNORM format of half as many bits, which stores them
+/// exactly.
+#[inline(always)]
+pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
+    const { assert!(BITS % 2 == 0 && BITS >= 16 && BITS <= 32) };
+    let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
+    let e = lattice_precise(v, norm, m) / m;
+    if is_usable(norm) { e } else { Vec2::ZERO }
 }
 
 /// The lattice point of the direction of `v`, of an L1 norm of `norm`, that is nearest in angle: the nearest one of the
@@ -163,14 +202,34 @@ fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
 /// since z and the distance from the axis are of the same one. With `m` = 1 it takes snorm values instead.
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
+    let at = ring_of(e, m);
+    from_ring(e, at, at.place / max(at.ring, f32::MIN_POSITIVE), m)
+}
+
+/// Where a lattice point is: on ring `ring`, the one of number `place`, mirrored so that this is at most half of `ring`.
+#[derive(Clone, Copy)]
+pub(crate) struct Ring {
+    pub(crate) ring: f32,
+    pub(crate) place: f32,
+    /// True where x and y were swapped.
+    pub(crate) swapped: bool,
+    /// Negative below the equator.
+    pub(crate) above: f32,
+}
+
+/// The ring of a lattice point.
+#[inline(always)]
+pub(crate) fn ring_of(e: Vec2, m: f32) -> Ring {
     let (x, y) = (e.x.abs(), e.y.abs());
     let sum = x + y;
     let above = m - sum;
     let ring = min(sum, 2.0 * m - sum);
-    let swapped = y > x;
-    let place = min(min(x, y), m - max(x, y));
+    Ring { ring, place: min(min(x, y), m - max(x, y)), swapped: y > x, above }
+}
 
-    let turn = place / max(ring, f32::MIN_POSITIVE);
+/// The direction at `phi` = `turn`, 0 to 1/2, on a ring, with the signs of `e`.
+#[inline(always)]
+pub(crate) fn from_ring(e: Vec2, Ring { ring, swapped, above, .. }: Ring, turn: f32, m: f32) -> Vec3 {
     let (sine, cosine) = (sin_eighth(0.5 * turn), cos_eighth(0.5 * turn));
     let radius = ring * (1.0 / m);
     let z = (1.0 - radius) * (1.0 + radius);

@@ -20,21 +20,21 @@
 //! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
 //!   where x or y is 0.
 
-use crate::arith::{max, nearest_pair, normalize, snorm_integers, snorm_max};
+use crate::arith::{biased, max, nearest_pair, normalize, snorm_clamp, snorm_integers, snorm_max, unbiased};
 use crate::codec::Codec;
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
 
 /// Where `v` lies on the square `[-m, m]^2` (listing 6), `norm` the L1 norm of (x, y, |z|).
 #[inline(always)]
-pub(super) fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
+pub(crate) fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let scale = m / norm;
     Vec2::new((v.x + v.y) * scale, (v.x - v.y) * scale)
 }
 
 /// The L1 norms of `v`, and of `v` with what lies below the equator moved up to it.
 #[inline(always)]
-fn norms(v: Vec3) -> (f32, f32) {
+pub(crate) fn norms(v: Vec3) -> (f32, f32) {
     let across = v.x.abs() + v.y.abs();
     (across + v.z.abs(), across + max(v.z, 0.0))
 }
@@ -42,7 +42,7 @@ fn norms(v: Vec3) -> (f32, f32) {
 /// True where both norms give a direction: the whole one, not the smaller, is not too large, that of the upper part not too
 /// small. The comparisons are of integers, since a GPU need not compare NaN as IEEE 754 says.
 #[inline(always)]
-fn is_usable(whole: f32, upper: f32) -> bool {
+pub(crate) fn is_usable(whole: f32, upper: f32) -> bool {
     whole.to_bits() < MAX_NORM.to_bits() && upper.to_bits() >= MIN_NORM.to_bits()
 }
 
@@ -53,6 +53,33 @@ fn is_usable(whole: f32, upper: f32) -> bool {
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let (x, y) = (e.x + e.y, e.x - e.y);
     normalize(Vec3::new(x, y, 2.0 * (m - max(e.x.abs(), e.y.abs()))))
+}
+
+/// Listing 6: the projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format, to which
+/// the hardware rounds. (0, 0), which is +Z, where `v` has no direction above the equator or on it.
+#[inline(always)]
+pub fn project(v: Vec3) -> Vec2 {
+    let (whole, upper) = norms(v);
+    let e = position(v, upper, 1.0);
+    if is_usable(whole, upper) { e } else { Vec2::ZERO }
+}
+
+/// Listing 6: the direction of a point of \[-1, 1\]<sup>2</sup>. What lies beyond is clamped; a point with NaN is +Z's.
+#[inline(always)]
+pub fn unproject(e: Vec2) -> Vec3 {
+    from_lattice(snorm_clamp(e), 1.0)
+}
+
+/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+#[inline(always)]
+pub fn project_unorm(v: Vec3) -> Vec2 {
+    biased(project(v))
+}
+
+/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm(e: Vec2) -> Vec3 {
+    unproject(unbiased(e))
 }
 
 /// `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32 (at most 2^-21 of the square's half

@@ -9,7 +9,7 @@ pub mod soct;
 use crate::arith::{is_negative, nearest_pair, snorm_integers};
 use crate::direction::is_usable;
 use glam::Vec2;
-use oct::{snorm12x2_to_unorm8x3, unorm8x3_to_snorm12x2};
+use oct::{pack_bytes, unpack_bytes};
 
 /// Moves a point of the positive octant, scaled to `x + y + z = m`, to where the lower half of the octahedron is
 /// folded out if `z` is negative.
@@ -21,19 +21,19 @@ fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
 /// The code of the lattice point nearest to `e`, of two of them the one whose components are even (odd for 24 bits).
 #[inline(always)]
 fn pack<const BITS: u32>(e: Vec2) -> u32 {
-    if BITS == 24 { snorm12x2_to_unorm8x3(e) } else { nearest_pair(e, BITS / 2) }
+    if BITS == 24 { pack_bytes(e) } else { nearest_pair(e, BITS / 2) }
 }
 
 /// [`pack`] of `e`, or the code of +Z where a vector of this L1 norm has no direction: to select here takes the fewest
 /// operations.
 #[inline(always)]
-fn usable_code<const BITS: u32>(norm: f32, e: Vec2) -> u32 {
+pub(crate) fn usable_code<const BITS: u32>(norm: f32, e: Vec2) -> u32 {
     let code = pack::<BITS>(e);
     if is_usable(norm) { code } else { pack::<BITS>(Vec2::ZERO) }
 }
 
 /// The lattice point of a code.
 #[inline(always)]
-fn unpack<const BITS: u32>(code: u32) -> Vec2 {
-    if BITS == 24 { unorm8x3_to_snorm12x2(code) } else { snorm_integers(code, BITS / 2) }
+pub(crate) fn unpack<const BITS: u32>(code: u32) -> Vec2 {
+    if BITS == 24 { unpack_bytes(code) } else { snorm_integers(code, BITS / 2) }
 }

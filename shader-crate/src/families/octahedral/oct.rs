@@ -31,7 +31,7 @@
 //! <!-- end -->
 //!
 //! * Layout: x in the low half of the code, y in the high half, both in two's complement. The exception is 24 bits,
-//!   whose three bytes are those of listing 5: see [`snorm12x2_to_unorm8x3`].
+//!   whose three bytes are those of listing 5: see [`snorm12x2_to_uint8x3`].
 //! * Error: at most `3 / (sqrt(2) m)` radians (Meyer eq. 10), with the precise encoder at most `sqrt(2) / m` (eq. 11).
 //!   Both are greatest in the middle of the octants.
 //! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror image
@@ -39,10 +39,13 @@
 //! * Good for: almost anything. Weakness: codes jump at the folds, so that they cannot be filtered across `z = 0`.
 
 use super::{fold, unpack, usable_code};
-use crate::arith::{TWO_23, exp2, floor, max, min, normalize, snorm_max, with_sign};
+use crate::arith::{
+    TWO_23, biased, exp2, floor, is_nan, max, min, normalize, snorm_clamp, snorm_max, unbiased, whole_to_u32,
+    with_sign,
+};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
-use glam::{Vec2, Vec3};
+use glam::{UVec3, Vec2, Vec3};
 
 /// Where `v`, of the L1 norm `norm`, lies on the square `[-m, m]^2` (listing 1).
 ///
@@ -91,6 +94,86 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let below = max(-z, 0.0);
     let (x, y) = (e.x - with_sign(below, e.x), e.y - with_sign(below, e.y));
     normalize(Vec3::new(x, y, z))
+}
+
+/// Listing 1: the octahedral projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format,
+/// to which the hardware rounds. (0, 0), which is +Z, where `v` has no direction.
+#[inline(always)]
+pub fn project(v: Vec3) -> Vec2 {
+    let norm = l1_norm(v);
+    let e = position(v, norm, 1.0);
+    if is_usable(norm) { e } else { Vec2::ZERO }
+}
+
+/// Listing 2: the direction of a point of \[-1, 1\]<sup>2</sup>. What lies beyond is clamped; a point with NaN is +Z's.
+#[inline(always)]
+pub fn unproject(e: Vec2) -> Vec3 {
+    from_lattice(snorm_clamp(e), 1.0)
+}
+
+/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+#[inline(always)]
+pub fn project_unorm(v: Vec3) -> Vec2 {
+    biased(project(v))
+}
+
+/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm(e: Vec2) -> Vec3 {
+    unproject(unbiased(e))
+}
+
+/// Listing 3: the precise code of `BITS` bits (even, 4 to 32) as values of an SNORM format of half as many bits, which stores
+/// them exactly.
+#[inline(always)]
+pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
+    const { assert!(BITS % 2 == 0 && BITS >= 4 && BITS <= 32) };
+    let m = snorm_max(BITS / 2);
+    lattice_precise(v, m) / m
+}
+
+/// The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
+#[inline(always)]
+fn bytes(f: Vec2) -> Vec3 {
+    let f = snorm_clamp(f);
+    let (u, v) = (floor(f.x * 2047.0 + 2047.5), floor(f.y * 2047.0 + 2047.5));
+    let (high, carry) = (floor(u / 16.0), floor(v / 256.0));
+    Vec3::new(high, (u - high * 16.0) * 16.0 + carry, v - carry * 256.0)
+}
+
+/// The inverse of [`bytes`], of whole numbers up to 255.
+#[inline(always)]
+fn from_bytes(bytes: Vec3) -> Vec2 {
+    let high = floor(bytes.y / 16.0);
+    let (u, v) = (bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
+    Vec2::new(min((u - 2047.0) / 2047.0, 1.0), min((v - 2047.0) / 2047.0, 1.0))
+}
+
+/// Listing 5: a pair of snorm12 values on \[-1, 1\] as three unorm8 values, for a UNORM format: (0, 0) where one is NaN.
+#[inline(always)]
+pub fn snorm12x2_to_unorm8x3(f: Vec2) -> Vec3 {
+    bytes(f) / 255.0
+}
+
+/// Listing 5: the inverse, of unorm8 values as a fetch gives them.
+#[inline(always)]
+pub fn unorm8x3_to_snorm12x2(u: Vec3) -> Vec2 {
+    let byte = |x: f32| floor(min(max(x, 0.0), 1.0) * 255.0 + 0.5);
+    let f = from_bytes(Vec3::new(byte(u.x), byte(u.y), byte(u.z)));
+    if is_nan(l1_norm(u)) { Vec2::ZERO } else { f }
+}
+
+/// Listing 5 for an integer format: the three bytes of [`snorm12x2_to_unorm8x3`].
+#[inline(always)]
+pub fn snorm12x2_to_uint8x3(f: Vec2) -> UVec3 {
+    let bytes = bytes(f);
+    UVec3::new(whole_to_u32(bytes.x), whole_to_u32(bytes.y), whole_to_u32(bytes.z))
+}
+
+/// The inverse of [`snorm12x2_to_uint8x3`]. What is above 255 counts as 255.
+#[inline(always)]
+pub fn uint8x3_to_snorm12x2(u: UVec3) -> Vec2 {
+    from_bytes(Vec3::new(u.x.min(255) as f32, u.y.min(255) as f32, u.z.min(255) as f32))
 }
 
 /// The corner of the lattice cell around `p` that is nearest to it in angle, for `p` in the positive octant with
@@ -238,15 +321,15 @@ const BIAS: f32 = TWO_23 + 2047.0;
 /// The bytes are those of listing 5, which takes them for an RGB8 texture: with `u = x + 2047` and `v = y + 2047` of 12 bits each,
 /// `u >> 4`, `(u & 15) << 4 | v >> 8` and `v & 255`. That is u and v in 24 bits, the highest byte first.
 #[inline(always)]
-pub fn snorm12x2_to_unorm8x3(e: Vec2) -> u32 {
+pub(super) fn pack_bytes(e: Vec2) -> u32 {
     let both = ((e.x + BIAS).to_bits() << 12).wrapping_add((e.y + BIAS).to_bits());
     ((both >> 16) & 255) | (both & 0xff00) | ((both & 255) << 16)
 }
 
-/// The lattice point of three bytes as [`snorm12x2_to_unorm8x3`] packs them. The pattern 4095 of a component, which
+/// The lattice point of three bytes as [`pack_bytes`] packs them. The pattern 4095 of a component, which
 /// encoding never writes, counts as 4094 (+1).
 #[inline(always)]
-pub fn unorm8x3_to_snorm12x2(code: u32) -> Vec2 {
+pub(super) fn unpack_bytes(code: u32) -> Vec2 {
     let both = ((code & 255) << 16) | (code & 0xff00) | ((code >> 16) & 255);
     let (u, v) = ((both >> 12) | TWO_23.to_bits(), (both & 0xfff) | TWO_23.to_bits());
     Vec2::new(min(f32::from_bits(u) - BIAS, 2047.0), min(f32::from_bits(v) - BIAS, 2047.0))

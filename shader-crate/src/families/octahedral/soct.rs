@@ -28,11 +28,12 @@
 
 use super::hemioct::{error_bound, position};
 use crate::arith::{
-    SIGN_BIT, is_negative, max, nearest_pair, normalize, snorm_integers, snorm_max, with_sign,
+    SIGN_BIT, biased, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers,
+    snorm_max, unbiased, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// The code of u and v, of `bits` bits each, of the direction of `v` of this L1 norm.
 #[inline(always)]
@@ -40,16 +41,52 @@ fn pair(v: Vec3, norm: f32, bits: u32) -> u32 {
     nearest_pair(position(v, norm, snorm_max(bits)), bits)
 }
 
-/// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31: unit length to within 2 ULP.
+/// The direction of a point of `[-m, m]^2` and the sign, in bit 31: unit length to within 2 ULP.
 ///
 /// z is the difference of two numbers that both have the sign: 0 has none then.
 #[inline(always)]
-fn from_parts(code: u32, sign_bit: u32, bits: u32) -> Vec3 {
-    let e = snorm_integers(code, bits);
+pub(crate) fn from_lattice(e: Vec2, sign_bit: u32, m: f32) -> Vec3 {
     let below = f32::from_bits(sign_bit & SIGN_BIT);
     let across = 2.0 * max(e.x.abs(), e.y.abs());
-    let z = with_sign(2.0 * snorm_max(bits), below) - with_sign(across, below);
+    let z = with_sign(2.0 * m, below) - with_sign(across, below);
     normalize(Vec3::new(e.x + e.y, e.x - e.y, z))
+}
+
+/// [`from_lattice`] of the code of u and v, of `bits` bits each.
+#[inline(always)]
+fn from_parts(code: u32, sign_bit: u32, bits: u32) -> Vec3 {
+    from_lattice(snorm_integers(code, bits), sign_bit, snorm_max(bits))
+}
+
+/// The projection of the direction of `v`, unquantised: u and v on \[-1, 1\], for an SNORM format, and 1 for z < 0, else 0.
+/// (0, 0, 0), which is +Z, where `v` has no direction.
+#[inline(always)]
+pub fn project(v: Vec3) -> Vec3 {
+    let norm = l1_norm(v);
+    let e = position(v, norm, 1.0).extend(if is_negative(v.z) { 1.0 } else { 0.0 });
+    if is_usable(norm) { e } else { Vec3::ZERO }
+}
+
+/// The direction of u and v, clamped to \[-1, 1\], below the equator where the third is 1/2 or more. +-Z where u or v is
+/// NaN.
+#[inline(always)]
+pub fn unproject(e: Vec3) -> Vec3 {
+    let sign_bit = if is_set(e.z) { SIGN_BIT } else { 0 };
+    from_lattice(snorm_clamp(Vec2::new(e.x, e.y)), sign_bit, 1.0)
+}
+
+/// [`project`], with u and v biased on \[0, 1\]: for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
+/// hemisphere in alpha.
+#[inline(always)]
+pub fn project_unorm(v: Vec3) -> Vec3 {
+    let e = project(v);
+    biased(Vec2::new(e.x, e.y)).extend(e.z)
+}
+
+/// [`unproject`] of a point whose u and v are on \[0, 1\], as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm(e: Vec3) -> Vec3 {
+    unproject(unbiased(Vec2::new(e.x, e.y)).extend(e.z))
 }
 
 /// Signed octahedral code of `BITS` bits (17 or 25).

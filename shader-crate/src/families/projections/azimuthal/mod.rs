@@ -101,7 +101,8 @@ pub use disk::*;
 pub use square::*;
 
 use crate::arith::{
-    SnormDivision, exp2, floor, is_negative, negate_if, signed_code, signed_integer, snorm_integer, snorm_max,
+    SnormDivision, biased, exp2, floor, is_negative, is_set, negate_if, signed_code, signed_integer,
+    snorm_clamp, snorm_integer, snorm_max, unbiased,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -133,6 +134,47 @@ impl Lattice {
     }
 }
 
+/// Where the direction of `v`, of this L1 norm, lies on the square, without signs.
+#[inline(always)]
+fn to_square<P: Projection, S: SquareMap>(v: Vec3, norm: f32) -> Vec2 {
+    S::to_square(P::to_disk(v.abs() * (1.0 / norm)))
+}
+
+/// The projection `P` of the direction of `v`, laid on the square by `S`, unquantised: u and v on \[-1, 1\], and 1 for z < 0,
+/// else 0. (0, 0, 0), which is +Z, where `v` has no direction.
+///
+/// An SNORM format that u and v are written to holds another code than this family's, whose v has steps of a power of two.
+#[inline(always)]
+pub fn project<P: Projection, S: SquareMap>(v: Vec3) -> Vec3 {
+    let (v, norm) = or_z(v);
+    let s = to_square::<P, S>(v, norm);
+    let below = if is_negative(v.z) { 1.0 } else { 0.0 };
+    Vec3::new(signed(is_negative(v.x), s.x), signed(is_negative(v.y), s.y), below)
+}
+
+/// The direction of u and v, clamped to \[-1, 1\], below the equator where the third is 1/2 or more. +-Z where u or v is NaN.
+/// On the disk as it is, points beyond the rim are moved to it, towards the middle.
+#[inline(always)]
+pub fn unproject<P: Projection, S: SquareMap>(e: Vec3) -> Vec3 {
+    let s = snorm_clamp(Vec2::new(e.x, e.y));
+    let n = P::from_disk(S::square_to_disk(s.abs()));
+    Vec3::new(signed(s.x < 0.0, n.x), signed(s.y < 0.0, n.y), signed(is_set(e.z), n.z))
+}
+
+/// [`project`], with u and v biased on \[0, 1\]: for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
+/// hemisphere in alpha.
+#[inline(always)]
+pub fn project_unorm<P: Projection, S: SquareMap>(v: Vec3) -> Vec3 {
+    let e = project::<P, S>(v);
+    biased(Vec2::new(e.x, e.y)).extend(e.z)
+}
+
+/// [`unproject`] of a point whose u and v are on \[0, 1\], as a UNORM format gives it.
+#[inline(always)]
+pub fn unproject_unorm<P: Projection, S: SquareMap>(e: Vec3) -> Vec3 {
+    unproject::<P, S>(unbiased(Vec2::new(e.x, e.y)).extend(e.z))
+}
+
 /// `stretch` steps of v in degrees, and what the rounding of the position in f32 adds: at most 2^-21 per axis, of
 /// which four times the length of `k/2` and 1/2 are more than enough.
 const fn error_bound(stretch: f32, bits: u32) -> f32 {
@@ -158,7 +200,7 @@ impl<P: Projection, S: SquareMap, const BITS: u32> Codec for Azimuthal<P, S, BIT
         let (u_bits, v_bits) = (BITS / 2, BITS / 2 - 1);
         let m = Self::LATTICE.largest;
         let (v, norm) = or_z(v);
-        let s = S::to_square(P::to_disk(v.abs() * (1.0 / norm)));
+        let s = to_square::<P, S>(v, norm);
         let e = S::settle(Vec2::new(floor(s.x * m.x + 0.5), floor(s.y * m.y + 0.5)), Self::LATTICE);
 
         let (left, back, below) = (is_negative(v.x), is_negative(v.y), is_negative(v.z));

@@ -28,7 +28,13 @@ pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static 
     fn settle(e: Vec2, lattice: Lattice) -> Vec2;
 
     /// The disk point of a lattice point.
-    fn to_disk(e: Vec2, lattice: Lattice) -> Disk;
+    #[inline(always)]
+    fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
+        Self::square_to_disk(lattice.parts(e))
+    }
+
+    /// The disk point of a point on the square, the inverse of [`to_square`](Self::to_square).
+    fn square_to_disk(s: Vec2) -> Disk;
 }
 
 /// No map: the disk lies in the square, whose corners, a part of `1 - pi/4`, are spare.
@@ -80,6 +86,17 @@ impl SquareMap for Plain {
             Disk { point: on_rim, radius: 0.0, rim: if rest < 0.0 { rest } else { 0.0 } }
         }
     }
+
+    #[inline(always)]
+    fn square_to_disk(s: Vec2) -> Disk {
+        let square = s.x * s.x + s.y * s.y;
+        let inward = 1.0 / sqrt(square);
+        if square < 1.0 {
+            Disk { point: s, radius: 0.0, rim: 1.0 - square }
+        } else {
+            Disk { point: s * inward, radius: 0.0, rim: 0.0 }
+        }
+    }
 }
 
 /// True for lattice points of whose cell the disk covers nothing, or next to nothing.
@@ -126,8 +143,7 @@ impl SquareMap for Concentric {
     }
 
     #[inline(always)]
-    fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
-        let s = lattice.parts(e);
+    fn square_to_disk(s: Vec2) -> Disk {
         let steep = s.y > s.x;
         let (shorter, radius) = if steep { (s.x, s.y) } else { (s.y, s.x) };
         let quotient = shorter / radius;
@@ -169,8 +185,7 @@ impl SquareMap for Ellipse {
     }
 
     #[inline(always)]
-    fn to_disk(e: Vec2, lattice: Lattice) -> Disk {
-        let s = lattice.parts(e);
+    fn square_to_disk(s: Vec2) -> Disk {
         let point = Vec2::new(s.x * sqrt(1.0 - 0.5 * s.y * s.y), s.y * sqrt(1.0 - 0.5 * s.x * s.x));
         // (1 - s^2) (1 - t^2), with one rounding less near the middle.
         let factor = 1.0 - s.x * s.x;

@@ -1,0 +1,185 @@
+//! Codes as the float or integer values that a Vulkan format stores exactly, and back.
+//!
+//! A shader writes `code_to_snorm16x2(Oct32::encode(v))` to an attachment of VK_FORMAT_R16G16_SNORM, and takes
+//! `Oct32::decode(snorm16x2_to_code(texel))` of what it fetches. Nothing is rounded on the way: every value is the one that the
+//! format's integers stand for, rounded correctly on every device, and it gives back its code.
+//!
+//! ```
+//! use unitvec::{Codec, Oct32, formats};
+//!
+//! let code = Oct32::encode([0.6, 0.0, -0.8]);
+//! let value = formats::code_to_snorm16x2(code);
+//! assert_eq!(formats::snorm16x2_to_code(value), code);
+//! ```
+//!
+//! All take any input. NaN counts as 0, others are clamped; the nearest integer is taken, so that a value that is off by some
+//! units in the last place gives its code. Patterns that no encoder writes (the lowest integer of an snorm; -0, infinity
+//! and NaN of a half) give the code that decodes alike. The first component is in the low bits of a code.
+//!
+//! Source: the Vulkan specification, "Fixed-Point Data Conversions"; IEEE 754 binary16.
+
+use crate::arith::{
+    SnormDivision, half_decode, half_encode, is_nan, mask, signed_integer_field, snorm_encode, snorm_integer,
+    unorm_encode,
+};
+use glam::{IVec2, Vec2, Vec3};
+
+/// The snorm in the `BITS` bits of `code` from bit `first` on.
+#[inline(always)]
+fn snorm<const BITS: u32>(code: u32, first: u32) -> f32 {
+    const { SnormDivision::new(BITS) }.of(snorm_integer(code >> first, BITS))
+}
+
+/// The unorm in the byte of `code` from bit `first` on: 255 is the largest integer of an snorm of 9 bits.
+#[inline(always)]
+fn unorm8(code: u32, first: u32) -> f32 {
+    const { SnormDivision::new(9) }.of(((code >> first) & 255) as f32)
+}
+
+/// The half nearest to `x`.
+#[inline(always)]
+fn half(x: f32) -> u32 {
+    if is_nan(x) { 0 } else { half_encode(x) }
+}
+
+#[inline(always)]
+fn snorm_pair<const BITS: u32>(code: u32) -> Vec2 {
+    Vec2::new(snorm::<BITS>(code, 0), snorm::<BITS>(code, BITS))
+}
+
+#[inline(always)]
+fn pair_code(x: f32, y: f32, bits: u32) -> u32 {
+    snorm_encode(x, bits) | (snorm_encode(y, bits) << bits)
+}
+
+#[inline(always)]
+fn sint_pair(code: u32, bits: u32) -> IVec2 {
+    IVec2::new(signed_integer_field(code, 0, bits), signed_integer_field(code, bits, bits))
+}
+
+#[inline(always)]
+fn sint_code(i: IVec2, bits: u32) -> u32 {
+    let most = mask(bits - 1) as i32;
+    let field = |i: i32| i.max(-most - 1).min(most) as u32 & mask(bits);
+    field(i.x) | (field(i.y) << bits)
+}
+
+/// The values of a code in VK_FORMAT_R8G8_SNORM.
+#[inline(always)]
+pub fn code_to_snorm8x2(code: u32) -> Vec2 {
+    snorm_pair::<8>(code)
+}
+
+/// The code of values of VK_FORMAT_R8G8_SNORM.
+#[inline(always)]
+pub fn snorm8x2_to_code(f: Vec2) -> u32 {
+    pair_code(f.x, f.y, 8)
+}
+
+/// The values of a code in VK_FORMAT_R16G16_SNORM.
+#[inline(always)]
+pub fn code_to_snorm16x2(code: u32) -> Vec2 {
+    snorm_pair::<16>(code)
+}
+
+/// The code of values of VK_FORMAT_R16G16_SNORM.
+#[inline(always)]
+pub fn snorm16x2_to_code(f: Vec2) -> u32 {
+    pair_code(f.x, f.y, 16)
+}
+
+/// The values of a code in VK_FORMAT_R8G8B8_SNORM, or in the first three components of VK_FORMAT_R8G8B8A8_SNORM.
+#[inline(always)]
+pub fn code_to_snorm8x3(code: u32) -> Vec3 {
+    snorm_pair::<8>(code).extend(snorm::<8>(code, 16))
+}
+
+/// The code of values of VK_FORMAT_R8G8B8_SNORM.
+#[inline(always)]
+pub fn snorm8x3_to_code(f: Vec3) -> u32 {
+    pair_code(f.x, f.y, 8) | (snorm_encode(f.z, 8) << 16)
+}
+
+/// The values of a code in the first three components of VK_FORMAT_A2B10G10R10_SNORM_PACK32.
+#[inline(always)]
+pub fn code_to_snorm10x3(code: u32) -> Vec3 {
+    snorm_pair::<10>(code).extend(snorm::<10>(code, 20))
+}
+
+/// The code of values of VK_FORMAT_A2B10G10R10_SNORM_PACK32.
+#[inline(always)]
+pub fn snorm10x3_to_code(f: Vec3) -> u32 {
+    pair_code(f.x, f.y, 10) | (snorm_encode(f.z, 10) << 20)
+}
+
+/// The values of a code in VK_FORMAT_R16G16B16_SNORM, or in the first three components of VK_FORMAT_R16G16B16A16_SNORM.
+#[inline(always)]
+pub fn code_to_snorm16x3(code: [u32; 2]) -> Vec3 {
+    snorm_pair::<16>(code[0]).extend(snorm::<16>(code[1], 0))
+}
+
+/// The code of values of VK_FORMAT_R16G16B16_SNORM.
+#[inline(always)]
+pub fn snorm16x3_to_code(f: Vec3) -> [u32; 2] {
+    [pair_code(f.x, f.y, 16), snorm_encode(f.z, 16)]
+}
+
+/// The values of a code in VK_FORMAT_R8G8B8_UNORM, or in the first three components of VK_FORMAT_R8G8B8A8_UNORM.
+#[inline(always)]
+pub fn code_to_unorm8x3(code: u32) -> Vec3 {
+    Vec3::new(unorm8(code, 0), unorm8(code, 8), unorm8(code, 16))
+}
+
+/// The code of values of VK_FORMAT_R8G8B8_UNORM.
+#[inline(always)]
+pub fn unorm8x3_to_code(f: Vec3) -> u32 {
+    unorm_encode(f.x, 8) | (unorm_encode(f.y, 8) << 8) | (unorm_encode(f.z, 8) << 16)
+}
+
+/// The values of a code in VK_FORMAT_R8G8_SINT.
+#[inline(always)]
+pub fn code_to_sint8x2(code: u32) -> IVec2 {
+    sint_pair(code, 8)
+}
+
+/// The code of values of VK_FORMAT_R8G8_SINT.
+#[inline(always)]
+pub fn sint8x2_to_code(i: IVec2) -> u32 {
+    sint_code(i, 8)
+}
+
+/// The values of a code in VK_FORMAT_R16G16_SINT.
+#[inline(always)]
+pub fn code_to_sint16x2(code: u32) -> IVec2 {
+    sint_pair(code, 16)
+}
+
+/// The code of values of VK_FORMAT_R16G16_SINT.
+#[inline(always)]
+pub fn sint16x2_to_code(i: IVec2) -> u32 {
+    sint_code(i, 16)
+}
+
+/// The values of a code in VK_FORMAT_R16G16_SFLOAT.
+#[inline(always)]
+pub fn code_to_float16x2(code: u32) -> Vec2 {
+    Vec2::new(half_decode(code), half_decode(code >> 16))
+}
+
+/// The code of values of VK_FORMAT_R16G16_SFLOAT.
+#[inline(always)]
+pub fn float16x2_to_code(f: Vec2) -> u32 {
+    half(f.x) | (half(f.y) << 16)
+}
+
+/// The values of a code in VK_FORMAT_R16G16B16_SFLOAT, or in the first three components of VK_FORMAT_R16G16B16A16_SFLOAT.
+#[inline(always)]
+pub fn code_to_float16x3(code: [u32; 2]) -> Vec3 {
+    Vec3::new(half_decode(code[0]), half_decode(code[0] >> 16), half_decode(code[1]))
+}
+
+/// The code of values of VK_FORMAT_R16G16B16_SFLOAT.
+#[inline(always)]
+pub fn float16x3_to_code(f: Vec3) -> [u32; 2] {
+    [half(f.x) | (half(f.y) << 16), half(f.z)]
+}
