@@ -1,4 +1,4 @@
-// unitvec: all codec families, in the order of the list of codecs. See the family's file for its functions.
+// unitvec: all codec families, in the order of the list of codecs, formats and dither. See the family's file for its functions.
 
 #include "arith.glsl"
 #include "oct.glsl"
@@ -20,3 +20,5 @@
 #include "cube.glsl"
 #include "parallel.glsl"
 #include "frame.glsl"
+#include "formats.glsl"
+#include "dither.glsl"

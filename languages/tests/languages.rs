@@ -55,7 +55,8 @@ fn lines(text: &str) -> Vec<&str> {
     body.filter(|line| !line.is_empty() && !frame.iter().any(|start| line.starts_with(start))).collect()
 }
 
-/// Each file has as many lines as its source, to within a tenth, and none of code is longer than 120 columns.
+/// Each file has as many lines as its source, to within a tenth, and none of code is longer than 120 columns. Barriers make lines
+/// of the exact editions longer, so that more of them are broken: an eighth.
 #[test]
 fn files_are_as_long_as_their_sources() {
     let library = library();
@@ -65,7 +66,8 @@ fn files_are_as_long_as_their_sources() {
             let text = library.file(file, language, edition).unwrap();
             let text = lines(&text);
             let ratio = text.len() as f64 / source.len() as f64;
-            assert!((0.9..=1.1).contains(&ratio), "{file} in {language}, {edition:?}: {ratio}");
+            let most = if edition == Edition::Exact { 1.125 } else { 1.1 };
+            assert!((0.9..=most).contains(&ratio), "{file} in {language}, {edition:?}: {ratio}");
             let is_long = |line: &&&str| line.len() > 120 && !line.trim_start().starts_with("//");
             assert_eq!(text.iter().find(is_long), None, "{file} in {language}");
         }

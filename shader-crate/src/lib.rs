@@ -68,6 +68,10 @@
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
 //! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`].
 //!
+//! For textures, render targets and vertex attributes: [`formats`] has the values of codes in Vulkan's formats, and the octahedral,
+//! spherical, cylindrical and azimuthal families have `project` and `unproject` for formats to which the hardware rounds. Where
+//! few bits show as bands, see [`dither`].
+//!
 //! # What every codec promises
 //!
 //! * `encode` takes a vector of any length. Raw component formats, but for best fit, differ: they store the components as
@@ -98,7 +102,9 @@ mod angle;
 pub mod arith;
 pub mod codec;
 pub mod direction;
+pub mod dither;
 mod families;
+pub mod formats;
 pub mod frame;
 #[cfg(any(feature = "kernels", feature = "cost-kernels", feature = "library"))]
 pub mod kernels;

@@ -24,25 +24,30 @@ fn the_readmes_shader_compiles() {
 
 /// Fragments of shaders: declarations go before `main`, statements into it.
 #[test]
-fn the_lines_for_formats_compile() {
-    let blocks = blocks("docs/formats.md");
-    assert_eq!(blocks.len(), 3);
-    for block in blocks {
-        let is_declaration = |line: &&str| line.starts_with("layout") || line.starts_with('#');
-        let (declarations, statements): (Vec<&str>, Vec<&str>) = block.lines().partition(is_declaration);
-        let sampler = if block.contains("usampler2D") { "usampler2D" } else { "sampler2D" };
-        let (stage, given) = if block.contains("texelFetch") {
-            let inputs = "layout(location = 0) in vec3 normal;\nlayout(location = 1) flat in ivec2 pixel;";
-            ("frag", format!("{inputs}\nlayout(binding = 0) uniform {sampler} normals;"))
-        } else {
-            ("vert", String::new())
-        };
-        let shader = format!(
-            "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/oct.glsl\"\n\
-             {given}\n{}\nvoid main() {{\n{}\n}}\n",
-            declarations.join("\n"),
-            statements.join("\n")
-        );
-        assert_compiles("docs/formats.md", stage, &shader);
+fn the_lines_for_formats_and_dither_compile() {
+    for (file, count) in [("docs/formats.md", 7), ("docs/dither.md", 3)] {
+        let blocks = blocks(file);
+        assert_eq!(blocks.len(), count, "{file}");
+        blocks.iter().for_each(|block| assert_lines_compile(file, block));
     }
+}
+
+/// Fails unless glslangValidator accepts the lines of a shader.
+fn assert_lines_compile(file: &str, block: &str) {
+    let is_declaration = |line: &&str| line.starts_with("layout") || line.starts_with('#');
+    let (declarations, statements): (Vec<&str>, Vec<&str>) = block.lines().partition(is_declaration);
+    let sampler = if block.contains("usampler2D") { "usampler2D" } else { "sampler2D" };
+    let (stage, given) = if block.contains("texelFetch") {
+        let inputs = "layout(location = 0) in vec3 normal;\nlayout(location = 1) flat in ivec2 pixel;";
+        ("frag", format!("{inputs}\nlayout(binding = 0) uniform {sampler} normals;"))
+    } else {
+        ("vert", String::new())
+    };
+    let shader = format!(
+        "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/unitvec.glsl\"\n\
+         {given}\n{}\nvoid main() {{\n{}\n}}\n",
+        declarations.join("\n"),
+        statements.join("\n")
+    );
+    assert_compiles(file, stage, &shader);
 }

@@ -1,8 +1,11 @@
 //! The GLSL: the includes compile, the survey's functions do what its listings do, and the arithmetic is the crate's.
 
+pub mod dither;
 mod examples;
 mod floats;
+mod formats;
 mod names;
+mod projections;
 mod versions;
 
 use unitvec_host::catalogue::{CATALOGUE, Domain, FRAMES};
@@ -44,31 +47,39 @@ fn directions(domain: Domain, seed: u64) -> Vec<[f32; 3]> {
 
 /// Runs `expression`, a vec3 of the vec3 `v`, on lavapipe.
 fn evaluate(expression: &str, vectors: &[[f32; 3]]) -> Vec<[f32; 3]> {
+    let words: Vec<[u32; 3]> = vectors.iter().map(|v| v.map(f32::to_bits)).collect();
+    let results = evaluate_words(&format!("floatBitsToUint({expression})"), &words);
+    results.into_iter().map(|words| words.map(f32::from_bits)).collect()
+}
+
+/// Runs `expression`, a uvec3 of the uvec3 `w` and of the vec3 `v` of the same bits, on lavapipe.
+fn evaluate_words(expression: &str, inputs: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let shader = format!(
         "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/unitvec.glsl\"\n\
          layout(local_size_x = 64) in;\nlayout(push_constant) uniform Count {{ uint vectors; }};\n\
-         layout(binding = 0) readonly buffer Input {{ float a[]; }};\n\
-         layout(binding = 1) writeonly buffer Output {{ float b[]; }};\n\
+         layout(binding = 0) readonly buffer Input {{ uint a[]; }};\n\
+         layout(binding = 1) writeonly buffer Output {{ uint b[]; }};\n\
          void main() {{\n\
              for (uint i = 4u * gl_GlobalInvocationID.x; i < min(vectors, 4u * gl_GlobalInvocationID.x + 4u); ++i) {{\n\
-                 vec3 v = vec3(a[3u * i], a[3u * i + 1u], a[3u * i + 2u]);\n\
-                 vec3 r = {expression};\n\
+                 uvec3 w = uvec3(a[3u * i], a[3u * i + 1u], a[3u * i + 2u]);\n\
+                 vec3 v = uintBitsToFloat(w);\n\
+                 uvec3 r = {expression};\n\
                  b[3u * i] = r.x; b[3u * i + 1u] = r.y; b[3u * i + 2u] = r.z;\n\
              }}\n\
          }}\n"
     );
     let module = Compiler::new().unwrap().compile("user.comp", &shader, &[]).unwrap();
     let device = lavapipe();
-    let mut runner = Runner::new(&device, vectors.len(), true).unwrap();
+    let mut runner = Runner::new(&device, inputs.len(), true).unwrap();
     let kernel = runner.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
-    let input: Vec<u8> = vectors.iter().flatten().flat_map(|c| c.to_ne_bytes()).collect();
+    let input: Vec<u8> = inputs.iter().flatten().flat_map(|word| word.to_ne_bytes()).collect();
     let mut output = vec![0; input.len()];
-    runner.run(&kernel, vectors.len(), &input, &mut output).unwrap();
+    runner.run(&kernel, inputs.len(), &input, &mut output).unwrap();
     drop((kernel, runner));
     assert_no_validation_messages(device);
-    let components: Vec<f32> =
-        output.chunks_exact(4).map(|bytes| f32::from_ne_bytes(bytes.try_into().unwrap())).collect();
-    components.chunks_exact(3).map(|vector| vector.try_into().unwrap()).collect()
+    let words: Vec<u32> =
+        output.chunks_exact(4).map(|bytes| u32::from_ne_bytes(bytes.try_into().unwrap())).collect();
+    words.chunks_exact(3).map(|vector| vector.try_into().unwrap()).collect()
 }
 
 /// Fails where results differ from the expected by more than `tolerance` in a component.

@@ -1,0 +1,261 @@
+//! The dithered functions: GLSL has Rust's bits, offset 0 is the plain codec, and the precise encoders take the nearest corner.
+
+use super::floats::vectors;
+use super::{evaluate, evaluate_words};
+use std::collections::BTreeSet;
+use unitvec::codec::Code;
+use unitvec::dither::*;
+use unitvec::glam::{UVec2, Vec2, Vec3};
+use unitvec::*;
+use unitvec_host::catalogue::CATALOGUE;
+use unitvec_oracle::{angle_deg, length, normalize};
+use unitvec_tests::checks::LENGTH_ROUNDING;
+use unitvec_tests::directions::{Rng, near_planes, sphere};
+use unitvec_tests::tested::{Tested, widen};
+
+/// A codec's dithered functions. Codes are two words.
+pub struct Case {
+    pub id: &'static str,
+    words: usize,
+    pub encode: fn(Vec3, Vec2) -> [u32; 2],
+    pub decode: fn([u32; 2], Vec2) -> Vec3,
+}
+
+fn case<C: Dithered>(id: &'static str) -> Case {
+    Case {
+        id,
+        words: if C::BITS > 32 { 2 } else { 1 },
+        encode: |v, offset| C::encode_dithered(v, offset).to_words(),
+        decode: |code, offset| C::decode_dithered(C::Code::from_words(code), offset),
+    }
+}
+
+/// All of them.
+pub fn cases() -> Vec<Case> {
+    vec![
+        case::<Oct8>("oct8"),
+        case::<OctPrecise8>("oct8p"),
+        case::<Oct12>("oct12"),
+        case::<OctPrecise12>("oct12p"),
+        case::<Oct16>("oct16"),
+        case::<OctPrecise16>("oct16p"),
+        case::<Oct18>("oct18"),
+        case::<OctPrecise18>("oct18p"),
+        case::<Oct20>("oct20"),
+        case::<OctPrecise20>("oct20p"),
+        case::<Oct22>("oct22"),
+        case::<OctPrecise22>("oct22p"),
+        case::<Oct24>("oct24"),
+        case::<OctPrecise24>("oct24p"),
+        case::<Oct32>("oct32"),
+        case::<OctPrecise32>("oct32p"),
+        case::<HemiOct16>("hemioct16"),
+        case::<HemiOct24>("hemioct24"),
+        case::<HemiOct32>("hemioct32"),
+        case::<SOct17>("soct17"),
+        case::<SOct25>("soct25"),
+        case::<SOct33>("soct33"),
+        case::<EaOct16>("eaoct16"),
+        case::<EaOctPrecise16>("eaoct16p"),
+        case::<EaOct20>("eaoct20"),
+        case::<EaOctPrecise20>("eaoct20p"),
+        case::<EaOct22>("eaoct22"),
+        case::<EaOctPrecise22>("eaoct22p"),
+        case::<EaOct24>("eaoct24"),
+        case::<EaOctPrecise24>("eaoct24p"),
+        case::<EaOct32>("eaoct32"),
+        case::<EaOctPrecise32>("eaoct32p"),
+    ]
+}
+
+/// The names of the public functions of dither.glsl.
+pub fn functions() -> Vec<String> {
+    let keys = ["key", "pixel", "texel", "position"].map(|key| format!("dither_from_{key}"));
+    let of_codecs = cases()
+        .into_iter()
+        .flat_map(|case| ["encode", "decode"].map(|half| format!("{}_{half}_dithered", case.id)));
+    keys.into_iter().chain(of_codecs).collect()
+}
+
+/// No codec of these families lacks them.
+#[test]
+fn all_widths_are_dithered() {
+    let files = ["oct.glsl", "hemioct.glsl", "soct.glsl", "eaoct.glsl"];
+    let expected: BTreeSet<&str> = CATALOGUE
+        .iter()
+        .filter(|codec| files.contains(&codec.glsl_file().as_str()))
+        .map(|codec| codec.id)
+        .collect();
+    assert_eq!(cases().iter().map(|case| case.id).collect::<BTreeSet<_>>(), expected);
+}
+
+/// An offset from three words: for even ones a hash, for odd ones any floats. In GLSL:
+const OFFSET: &str = "((w.x & 1u) == 0u ? dither_from_key(w.x ^ (w.y * 3u) ^ (w.z * 5u)) : v.zx)";
+
+fn offset(w: [u32; 3]) -> Vec2 {
+    if w[0] & 1 == 0 {
+        dither_from_key(w[0] ^ w[1].wrapping_mul(3) ^ w[2].wrapping_mul(5))
+    } else {
+        Vec2::new(f32::from_bits(w[2]), f32::from_bits(w[0]))
+    }
+}
+
+/// What a group of results is folded to, so that one shader tests several codecs: 31 times what was before, and the next.
+fn folded(results: impl Iterator<Item = [u32; 3]>) -> [u32; 3] {
+    results.fold([0; 3], |all, next| [0, 1, 2].map(|i| all[i].wrapping_mul(31).wrapping_add(next[i])))
+}
+
+/// The same in GLSL, of calls that give a uvec3.
+fn folded_in_glsl(calls: impl Iterator<Item = String>) -> String {
+    calls.fold("uvec3(0u)".to_owned(), |all, call| format!("({all} * 31u + {call})"))
+}
+
+/// Of any vectors and codes, with offsets of all kinds.
+#[test]
+fn dithered_codes_in_glsl_have_the_bits_of_rust() {
+    let inputs: Vec<[u32; 3]> = vectors().iter().step_by(5).map(|v| v.map(f32::to_bits)).collect();
+    let mut rng = Rng::new(51);
+    let codes: Vec<[u32; 3]> = (0..30_000).map(|_| [(); 3].map(|()| rng.bits() as u32)).collect();
+    for group in cases().chunks(8) {
+        let ids: Vec<&str> = group.iter().map(|case| case.id).collect();
+        let encode = |case: &Case| {
+            let rest = if case.words == 1 { ", 0u, 0u" } else { ", 0u" };
+            format!("uvec3({}_encode_dithered(v, {OFFSET}){rest})", case.id)
+        };
+        let encoded = evaluate_words(&folded_in_glsl(group.iter().map(encode)), &inputs);
+        for (input, result) in inputs.iter().zip(encoded) {
+            let v = Vec3::from_array(input.map(f32::from_bits));
+            let in_rust = group.iter().map(|case| (case.encode)(v, offset(*input)));
+            let expected = folded(in_rust.map(|[low, high]| [low, high, 0]));
+            assert_eq!(result, expected, "one of {ids:?} of {v}, {}", offset(*input));
+        }
+        let decode = |case: &Case| {
+            let code = if case.words == 1 { "w.x" } else { "w.xy" };
+            format!("floatBitsToUint({}_decode_dithered({code}, {OFFSET}))", case.id)
+        };
+        let decoded = evaluate_words(&folded_in_glsl(group.iter().map(decode)), &codes);
+        for (input, result) in codes.iter().zip(decoded) {
+            let in_rust = group.iter().map(|case| (case.decode)([input[0], input[1]], offset(*input)));
+            let expected = folded(in_rust.map(|v| v.to_array().map(f32::to_bits)));
+            assert_eq!(result, expected, "one of {ids:?} of {input:x?}, {}", offset(*input));
+        }
+    }
+}
+
+/// An offset of three words.
+type OfWords = fn([u32; 3]) -> Vec2;
+
+/// Of any keys, texels and positions.
+#[test]
+fn offsets_in_glsl_have_the_bits_of_rust() {
+    let (any, vectors) = (vectors().iter().map(|v| v.map(f32::to_bits)).collect::<Vec<_>>(), vectors());
+    let of_words: [(&str, OfWords); 2] = [
+        ("dither_from_key(w.x)", |w| dither_from_key(w[0])),
+        ("dither_from_pixel(w.xy)", |w| dither_from_pixel(UVec2::new(w[0], w[1]))),
+    ];
+    for (call, in_rust) in of_words {
+        for (w, result) in
+            any.iter().zip(evaluate_words(&format!("uvec3(floatBitsToUint({call}), 0u)"), &any))
+        {
+            assert_eq!([result[0], result[1]], in_rust(*w).to_array().map(f32::to_bits), "{call} of {w:?}");
+            let offset = in_rust(*w);
+            assert!(offset.x.abs() <= 0.5 && offset.y.abs() <= 0.5, "{call} of {w:?}: {offset}");
+        }
+    }
+    for (v, result) in vectors.iter().zip(evaluate("vec3(dither_from_position(v), 0.0)", &vectors)) {
+        assert_eq!([result[0], result[1]], dither_from_position((*v).into()).to_array(), "{v:?}");
+    }
+    let texels: Vec<[f32; 3]> = (0..256).map(|n| [n as f32 / 255.0, (255 - n) as f32 / 255.0, 0.0]).collect();
+    for (n, (texel, result)) in
+        texels.iter().zip(evaluate("vec3(dither_from_texel(v.xy), 0.0)", &texels)).enumerate()
+    {
+        let offset = dither_from_texel(Vec2::new(texel[0], texel[1]));
+        assert_eq!([result[0], result[1]], offset.to_array());
+        // The middles of 256 intervals.
+        assert!((f64::from(offset.x) - ((n as f64 + 0.5) / 256.0 - 0.5)).abs() < 1e-7, "{n}: {offset}");
+    }
+}
+
+/// Zeros of both signs, and what some devices flush to zero, are one position.
+#[test]
+fn positions_that_devices_flush_are_one() {
+    let of = |x: f32| dither_from_position(Vec3::new(x, 1.0, x));
+    assert_eq!([of(-0.0), of(1e-40), of(-1e-40)], [of(0.0); 3]);
+}
+
+/// Offset 0: the fast encoder's code and the codec's vector, of all vectors and codes; others decode to unit vectors.
+#[test]
+fn offset_0_is_the_plain_codec() {
+    let mut rng = Rng::new(52);
+    for case in cases() {
+        let codec = Tested::find(case.id);
+        let inputs = vectors().into_iter().step_by(3).map(Vec3::from_array);
+        for v in inputs.filter(|_| !codec.is_precise()) {
+            let [low, high] = (case.encode)(v, Vec2::ZERO);
+            assert_eq!(u64::from(low) | u64::from(high) << 32, codec.encode(v), "{} of {v}", case.id);
+        }
+        for n in 0..70_000u32 {
+            let code = if n < 1 << 16 { [n, n & 1] } else { [rng.bits() as u32, rng.bits() as u32] };
+            let plain = codec.decode(u64::from(code[0]) | u64::from(code[1]) << 32);
+            assert_eq!((case.decode)(code, Vec2::ZERO), plain, "{} of {code:x?}", case.id);
+            let decoded = widen((case.decode)(code, dither_from_key(n)));
+            assert!(
+                (length(decoded) - 1.0).abs() <= 1.5 * LENGTH_ROUNDING,
+                "{} of {code:x?}: {decoded:?}",
+                case.id
+            );
+        }
+    }
+}
+
+/// Directions all over the codec's domain.
+fn directions(id: &str) -> impl Iterator<Item = Vec3> {
+    let upper = id.starts_with("hemi");
+    let all = sphere(53, 10_000).chain(near_planes(54, 10_000));
+    all.map(move |v| if upper { Vec3::new(v.x, v.y, v.z.abs()) } else { v })
+}
+
+/// What comes back is off by at most the fast codec's error: half a lattice step each way, however it is moved. Next to the
+/// poles of `eaoct`, whose ring 1 has only a point every quarter turn, it is up to 2.003 / m where the bound is 1.5026 / m.
+#[test]
+fn dithered_directions_come_back() {
+    for case in cases() {
+        let bound = f64::from(Tested::find(case.id.trim_end_matches('p')).max_error_deg);
+        let mut most = 0f64;
+        for (n, v) in directions(case.id).enumerate() {
+            let offset = dither_from_key(n as u32);
+            let back = (case.decode)((case.encode)(v, offset), offset);
+            most = most.max(angle_deg(widen(back), normalize(widen(v))) / bound);
+        }
+        let allowed = if case.id.starts_with("eaoct") { 1.34 } else { 1.02 };
+        assert!(most <= allowed, "{}: {most} of the bound", case.id);
+    }
+}
+
+/// The precise encoders of `oct`: none of the codes around is nearer, as the decoder sees it with this offset. Two rounded
+/// vectors of 32 bits tell less than a hundredth of a step.
+#[test]
+fn precise_dithered_codes_are_the_nearest_of_their_cell() {
+    for case in cases()
+        .into_iter()
+        .filter(|case| ["oct8p", "oct12p", "oct16p", "oct20p", "oct32p"].contains(&case.id))
+    {
+        let bits = Tested::find(case.id).bits;
+        let m = unitvec::arith::snorm_max(bits / 2);
+        for (n, v) in directions(case.id).enumerate() {
+            let offset = dither_from_key(n as u32);
+            let norm = v.x.abs() + v.y.abs() + v.z.abs();
+            let at = (unitvec::oct::position(v, norm, m) + offset).clamp(Vec2::splat(-m), Vec2::splat(m));
+            let exact = normalize(widen(v));
+            let off = |code: u32| angle_deg(widen((case.decode)([code, 0], offset)), exact);
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|corner| {
+                let e = (at.floor() + Vec2::from_array(corner)).min(Vec2::splat(m));
+                off(unitvec::arith::nearest_pair(e, bits / 2))
+            });
+            let best = corners.into_iter().fold(f64::INFINITY, f64::min);
+            let taken = off((case.encode)(v, offset)[0]);
+            let rounding = 4e-5;
+            assert!(taken <= best + rounding, "{} of {v}: {taken} degrees, {best}", case.id);
+        }
+    }
+}
