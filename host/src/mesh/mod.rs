@@ -227,6 +227,22 @@ pub fn read_obj(name: &Path, text: &[u8]) -> Result<Mesh, MeshError> {
     obj::parse(name, text)
 }
 
+/// What the faces of a mesh span.
+pub(crate) struct Surface {
+    pub(crate) positions: Vec<[f32; 3]>,
+    /// Three positions each, all of them there.
+    pub(crate) triangles: Vec<[u32; 3]>,
+}
+
+/// Reads positions and triangles of OBJ text in memory, in the order of [`read_obj`]'s computed normals.
+///
+/// # Errors
+///
+/// As [`read_obj`].
+pub(crate) fn read_obj_surface(name: &Path, text: &[u8]) -> Result<Surface, MeshError> {
+    obj::parse_surface(name, text)
+}
+
 /// The [`Mesh`] of a file with one list of normals.
 fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh, MeshError> {
     let count = normals.len();

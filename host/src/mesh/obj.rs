@@ -3,7 +3,7 @@
 //! Read here, over the file's own bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
 use super::format::without_mark;
-use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, one_part, parse_error};
+use super::{Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, one_part, parse_error};
 use glam::Vec3;
 use std::path::Path;
 use std::str::FromStr;
@@ -36,6 +36,34 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
         return one_part(path, normals, false);
     }
     let mut sums = Sums::new(path, Positions::Single(positions));
+    each_triangle(path, bytes, |triangle| sums.add(triangle))?;
+    sums.into_mesh()
+}
+
+/// Reads the positions and the triangles of OBJ text.
+pub(super) fn parse_surface(path: &Path, bytes: &[u8]) -> Result<Surface, MeshError> {
+    let vertices = lines(bytes).filter(|line| line.keyword == b"v");
+    let positions = vertices.map(|line| line.vector(path)).collect::<Result<Vec<_>, _>>()?;
+    let mut triangles = Vec::new();
+    each_triangle(path, bytes, |triangle| {
+        let corner = |index: i64| {
+            let found = u32::try_from(index).ok().filter(|index| (*index as usize) < positions.len());
+            let (path, vertices) = (path.to_owned(), positions.len());
+            found.ok_or(MeshError::IndexOutOfRange { path, index, vertices })
+        };
+        let [a, b, c] = triangle.map(corner);
+        triangles.push([a?, b?, c?]);
+        Ok(())
+    })?;
+    Ok(Surface { positions, triangles })
+}
+
+/// Hands on the triangles of the faces.
+fn each_triangle(
+    path: &Path,
+    bytes: &[u8],
+    mut each: impl FnMut([i64; 3]) -> Result<(), MeshError>,
+) -> Result<(), MeshError> {
     let mut vertices = 0;
     for line in lines(bytes) {
         match line.keyword {
@@ -44,13 +72,13 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let mut fan = Fan::default();
                 for word in line.words() {
                     let triangle = fan.push(line.corner(path, word, vertices)?);
-                    triangle.map_or(Ok(()), |triangle| sums.add(triangle))?;
+                    triangle.map_or(Ok(()), &mut each)?;
                 }
             }
             _ => {}
         }
     }
-    sums.into_mesh()
+    Ok(())
 }
 
 /// A line that begins with a word. Names and comments are in any encoding, and are not looked at.

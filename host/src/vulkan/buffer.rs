@@ -2,7 +2,7 @@ use super::{Device, Error, Named};
 use ash::vk;
 use std::sync::Arc;
 
-/// A storage buffer with memory of its own, mapped where the host can see it.
+/// A buffer of storage, vertices or indices with memory of its own, mapped where the host can see it.
 pub(super) struct Buffer {
     pub(super) raw: vk::Buffer,
     memory: vk::DeviceMemory,
@@ -25,6 +25,8 @@ impl Buffer {
     pub(super) fn new(device: &Arc<Device>, size: usize, place: Place) -> Result<Self, Error> {
         let size = size.next_multiple_of(4);
         let usage = vk::BufferUsageFlags::STORAGE_BUFFER
+            | vk::BufferUsageFlags::VERTEX_BUFFER
+            | vk::BufferUsageFlags::INDEX_BUFFER
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;
         let create = vk::BufferCreateInfo::default().size(size as u64).usage(usage);

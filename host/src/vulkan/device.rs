@@ -79,9 +79,13 @@ fn by_index_or_name<'a>(wanted: &str, devices: &'a [DeviceInfo]) -> Option<&'a D
     devices.iter().find(|device| device.name.to_lowercase().contains(&wanted))
 }
 
-/// A logical device with one queue for compute and transfer.
+/// A logical device with one queue for compute or graphics, and for transfer.
 pub struct Device {
     pub(super) raw: ash::Device,
+    pub(super) physical: vk::PhysicalDevice,
+    pub(super) limits: vk::PhysicalDeviceLimits,
+    /// What the queue does.
+    pub(super) work: vk::QueueFlags,
     /// Locked around each use, as Vulkan asks.
     pub(super) queue: Mutex<vk::Queue>,
     pub(super) queue_family: u32,
@@ -91,7 +95,16 @@ pub struct Device {
     /// The most vectors of one dispatch, whole groups: by workgroups, and by buffer size.
     pub(super) max_vectors: usize,
     info: DeviceInfo,
-    instance: Arc<Instance>,
+    pub(super) instance: Arc<Instance>,
+}
+
+/// What a device is opened for.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Purpose {
+    Kernels,
+    /// Kernels that are compiled to see what the compiler makes of them.
+    Statistics,
+    Graphics,
 }
 
 /// How to read a queue's timestamps.
@@ -118,7 +131,15 @@ impl Device {
     /// # Errors
     /// As [`DeviceChoice::choose`], [`Error::MissingFeature`], or a failed call.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
-        Self::open_with(instance, choice, false)
+        Self::open_with(instance, choice, Purpose::Kernels)
+    }
+
+    /// Opens a device whose queue does graphics, with no feature turned on.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_for_graphics(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
+        Self::open_with(instance, choice, Purpose::Graphics)
     }
 
     /// Opens a device that can tell what its compiler makes of kernels.
@@ -126,14 +147,15 @@ impl Device {
         instance: &Arc<Instance>,
         choice: &DeviceChoice,
     ) -> Result<Arc<Self>, Error> {
-        Self::open_with(instance, choice, true)
+        Self::open_with(instance, choice, Purpose::Statistics)
     }
 
     fn open_with(
         instance: &Arc<Instance>,
         choice: &DeviceChoice,
-        has_statistics: bool,
+        purpose: Purpose,
     ) -> Result<Arc<Self>, Error> {
+        let has_statistics = purpose == Purpose::Statistics;
         let devices = Self::list(instance)?;
         let info = choice.choose(&devices)?.clone();
         let physicals = physical_devices(instance)?;
@@ -147,7 +169,10 @@ impl Device {
             }
             return Err(Error::NoStatistics { device: info.name, offering });
         }
-        let (queue_family, timestamp_bits) = compute_queue(instance, physical, &info)?;
+        // SAFETY: a query of a physical device of the instance.
+        let families = unsafe { instance.raw.get_physical_device_queue_family_properties(physical) };
+        let work = purpose.work();
+        let (queue_family, timestamp_bits) = queue_family(&families, work, &info)?;
 
         let priorities = [1.0];
         let queues = [vk::DeviceQueueCreateInfo::default()
@@ -179,6 +204,9 @@ impl Device {
         let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
             raw,
+            physical,
+            limits,
+            work,
             queue,
             queue_family,
             memory,
@@ -278,20 +306,28 @@ fn kind(device_type: vk::PhysicalDeviceType) -> DeviceKind {
     }
 }
 
-/// The first queue family with compute, and the valid bits of its timestamps.
-fn compute_queue(
-    instance: &Instance,
-    device: vk::PhysicalDevice,
+impl Purpose {
+    /// What the queue has to do.
+    fn work(self) -> vk::QueueFlags {
+        match self {
+            Self::Kernels | Self::Statistics => vk::QueueFlags::COMPUTE,
+            Self::Graphics => vk::QueueFlags::GRAPHICS,
+        }
+    }
+}
+
+/// The first queue family that does this work, and the valid bits of its timestamps.
+fn queue_family(
+    families: &[vk::QueueFamilyProperties],
+    work: vk::QueueFlags,
     info: &DeviceInfo,
 ) -> Result<(u32, u32), Error> {
-    // SAFETY: a query of a physical device of the instance.
-    let families = unsafe { instance.raw.get_physical_device_queue_family_properties(device) };
-    families
-        .iter()
-        .zip(0..)
-        .find(|(family, _)| family.queue_flags.contains(vk::QueueFlags::COMPUTE))
-        .map(|(family, index)| (index, family.timestamp_valid_bits))
-        .ok_or_else(|| Error::MissingFeature { device: info.name.clone(), feature: "a compute queue" })
+    let mut families = families.iter().zip(0..);
+    let found = families.find(|(family, _)| family.queue_flags.contains(work));
+    found.map(|(family, index)| (index, family.timestamp_valid_bits)).ok_or_else(|| Error::MissingFeature {
+        device: info.name.clone(),
+        feature: if work == vk::QueueFlags::GRAPHICS { "a graphics queue" } else { "a compute queue" },
+    })
 }
 
 #[cfg(test)]
@@ -328,5 +364,23 @@ mod tests {
         assert_eq!(choose("3"), None);
         assert_eq!(choose("voodoo"), None);
         assert_eq!(choose(""), None);
+    }
+
+    /// A device that only computes runs kernels and draws nothing; one that does both in different families draws in the
+    /// second.
+    #[test]
+    fn the_queue_does_what_the_device_is_opened_for() {
+        let family = |flags| vk::QueueFamilyProperties::default().queue_flags(flags).timestamp_valid_bits(36);
+        let computing = family(vk::QueueFlags::COMPUTE | vk::QueueFlags::TRANSFER);
+        let drawing = family(vk::QueueFlags::GRAPHICS | vk::QueueFlags::TRANSFER);
+        let info = device(0, "Accelerator", DeviceKind::Other);
+        let choose = |families: &[_], purpose: Purpose| queue_family(families, purpose.work(), &info);
+
+        assert_eq!(choose(&[computing], Purpose::Kernels).ok(), Some((0, 36)));
+        assert_eq!(choose(&[computing, drawing], Purpose::Graphics).ok(), Some((1, 36)));
+        let error = choose(&[computing], Purpose::Graphics).unwrap_err().to_string();
+        assert!(error.contains("`Accelerator` lacks a graphics queue"), "{error}");
+        let error = choose(&[drawing], Purpose::Kernels).unwrap_err().to_string();
+        assert!(error.contains("lacks a compute queue"), "{error}");
     }
 }

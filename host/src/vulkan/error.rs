@@ -28,8 +28,8 @@ pub enum Error {
         /// Names of the devices there are.
         available: Vec<String>,
     },
-    /// The device lacks something that the kernels need.
-    #[error("device `{device}` lacks {feature}, which the kernels need; choose another with --device")]
+    /// The device lacks something that the kernels or the renderer need.
+    #[error("device `{device}` lacks {feature}, which this needs; choose another with --device")]
     MissingFeature {
         /// Device name.
         device: String,
@@ -71,6 +71,36 @@ pub enum Error {
         vectors: usize,
         /// The most a dispatch takes.
         limit: usize,
+    },
+    /// The device does not take a format for this.
+    #[error("device `{device}` does not take {format} {usage}; choose another with --device")]
+    UnsupportedFormat {
+        /// Device name.
+        device: String,
+        /// The format's name in Vulkan.
+        format: String,
+        /// What for: `as a colour attachment`.
+        usage: &'static str,
+    },
+    /// A picture beyond the device's limits.
+    #[error(
+        "device `{device}` draws 1 x 1 to {limit} x {limit} pixels, not {width} x {height}; choose another size"
+    )]
+    BadSize {
+        /// Device name.
+        device: String,
+        /// Pixels asked for.
+        width: u32,
+        /// Pixels asked for.
+        height: u32,
+        /// The most of either.
+        limit: u32,
+    },
+    /// What is drawn together does not fit together: a fault of the caller.
+    #[error("this cannot be drawn: {reason}")]
+    BadDraw {
+        /// What does not fit.
+        reason: &'static str,
     },
     /// A kernel or a table was made by another runner.
     #[error("a kernel and its table work only with the runner that made them; make them again with this one")]

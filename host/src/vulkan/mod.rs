@@ -1,4 +1,5 @@
-//! The Vulkan layer: instance, device choice, buffers and compute kernels, each released when dropped.
+//! The Vulkan layer: instance, device choice, buffers and compute kernels, images and graphics pipelines,
+//! each released when dropped.
 //!
 //! All of the program's `unsafe` is here, around ash calls. The rules that make those calls sound hold throughout:
 //! handles are created and destroyed only by the type that owns them; whatever uses a device keeps it alive through
@@ -9,6 +10,8 @@
 mod buffer;
 mod device;
 mod error;
+mod format;
+mod graphics;
 mod instance;
 mod kernel;
 mod spirv;
@@ -16,6 +19,8 @@ mod statistics;
 
 pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;
+pub use format::{FormatUse, ImageFormat, bytes_per_texel};
+pub use graphics::{Draw, Graphics, Image, Mesh, Pipeline, PipelineOptions, Shader, Target};
 pub use instance::Instance;
 pub use kernel::{Buffers, GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
 pub use spirv::check_spirv;

@@ -1,4 +1,4 @@
-//! rust-gpu's part: `shader-crate` to one module for each entry point.
+//! rust-gpu's part: a shader crate to one module for each entry point.
 
 use crate::kernel::{Kernel, name_of_path};
 use anyhow::{Context, Result, bail};
@@ -28,9 +28,8 @@ pub struct Compiler {
 }
 
 impl Compiler {
-    /// Installs rust-gpu, if it is not there.
-    pub fn install(repository: &Path) -> Result<Self> {
-        let shader_crate = repository.join("shader-crate");
+    /// Installs rust-gpu, if it is not there, for a crate in this folder.
+    pub fn install(shader_crate: PathBuf) -> Result<Self> {
         eprintln!("spirv: installing rust-gpu {RUST_GPU}, if it is not there (takes minutes the first time)");
         let mut install = Install::from_shader_crate(shader_crate.clone());
         // Named here, since cargo-gpu does not see a `spirv-std` that is behind a feature.
@@ -41,7 +40,7 @@ impl Compiler {
         Ok(Self { backend, shader_crate })
     }
 
-    /// Compiles the kernels to the words of a module each, not optimised.
+    /// Compiles the kernels of `unitvec` to the words of a module each, not optimised.
     pub fn kernels(&self) -> Result<Vec<(Kernel, Vec<u32>)>> {
         let mut kernels = Vec::new();
         for feature in KERNELS {
@@ -52,11 +51,17 @@ impl Compiler {
         Ok(kernels)
     }
 
-    /// Compiles the library's functions, each as the entry point of a module, not optimised, by the name of codec and
+    /// Compiles the functions of `unitvec`'s library, each as the entry point of a module, not optimised, by the name of codec and
     /// operation.
     pub fn library(&self) -> Result<BTreeMap<String, Vec<u32>>> {
-        let functions = self.compile(LIBRARY)?.into_iter();
-        Ok(functions.map(|(entry_point, words)| (name_of_path(&entry_point), words)).collect())
+        self.named(LIBRARY)
+    }
+
+    /// Compiles what is behind a feature to a module for each entry point, not optimised, by the name of the entry point's module
+    /// and its own.
+    pub fn named(&self, feature: &str) -> Result<BTreeMap<String, Vec<u32>>> {
+        let compiled = self.compile(feature)?.into_iter();
+        Ok(compiled.map(|(entry_point, words)| (name_of_path(&entry_point), words)).collect())
     }
 
     /// The names of the entry points behind a feature, and the words of the module of each.
@@ -74,7 +79,7 @@ impl Compiler {
             .extra_arg("--no-spirv-opt")
             .target_dir_path("target/spirv-build")
             .build()
-            .context("rust-gpu could not compile shader-crate")?;
+            .with_context(|| format!("rust-gpu could not compile {}", self.shader_crate.display()))?;
         match compiled.module {
             ModuleResult::MultiModule(modules) => {
                 modules.into_iter().map(|(entry, path)| Ok((entry, words(&path)?))).collect()

@@ -1,10 +1,12 @@
-//! `cargo xtask spirv [--check | --example]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with rust-gpu.
+//! `cargo xtask spirv [--check | --example]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with rust-gpu, and
+//! the modules of the renderer from `host/render-shaders`. `--render` leaves the former out.
 
 mod compile;
 mod describe;
 mod example;
 mod kernel;
 mod passes;
+mod render;
 
 use anyhow::{Context, Result, bail, ensure};
 use kernel::Kernel;
@@ -30,19 +32,25 @@ fn main() -> ExitCode {
 
 fn run() -> Result<()> {
     let repository = repository()?;
-    let check = match env::args().skip(1).collect::<Vec<_>>().as_slice() {
-        [] => false,
-        [flag] if flag == "--check" => true,
-        [flag] if flag == "--example" => return example::check(&repository),
-        other => bail!("unknown arguments {other:?}; usage: cargo xtask spirv [--check | --example]"),
-    };
-    let files = build(&repository)?;
-    let folder = repository.join("spirv");
-    if check {
-        compare(&folder, &files).and_then(|()| example::check(&repository))
-    } else {
-        replace(&folder, &files)
+    let (mut check, mut only_render) = (false, false);
+    for argument in env::args().skip(1) {
+        match argument.as_str() {
+            "--check" => check = true,
+            "--render" => only_render = true,
+            "--example" => return example::check(&repository),
+            other => {
+                bail!(
+                    "unknown argument {other:?}; usage: cargo xtask spirv [--check] [--render], or cargo xtask spirv --example"
+                )
+            }
+        }
     }
+    let finish = if check { compare } else { replace };
+    if !only_render {
+        finish(&repository, "spirv", &build(&repository)?)?;
+    }
+    finish(&repository, render::FOLDER, &render::build(&repository)?)?;
+    if check && !only_render { example::check(&repository) } else { Ok(()) }
 }
 
 fn repository() -> Result<PathBuf> {
@@ -53,7 +61,7 @@ fn repository() -> Result<PathBuf> {
 
 /// Paths in `spirv/` and contents of its files, the manifest included.
 fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
-    let compiler = compile::Compiler::install(repository)?;
+    let compiler = compile::Compiler::install(repository.join("shader-crate"))?;
     let kernels = compiler.kernels()?;
     let codecs = formats().count();
     ensure!(kernels.len() == 4 * codecs + 3, "{} kernels for {codecs} codecs", kernels.len());
@@ -150,36 +158,39 @@ fn files_in(folder: &Path) -> Result<Vec<String>> {
     Ok(names)
 }
 
-fn compare(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
+fn compare(repository: &Path, folder: &str, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
+    let path = repository.join(folder);
     let mut differing: Vec<String> =
-        files_in(folder)?.into_iter().filter(|name| !files.contains_key(name)).collect();
+        files_in(&path)?.into_iter().filter(|name| !files.contains_key(name)).collect();
     for (name, content) in files {
-        if fs::read(folder.join(name)).ok().as_ref() != Some(content) {
+        if fs::read(path.join(name)).ok().as_ref() != Some(content) {
             differing.push(name.clone());
         }
     }
     ensure!(
         differing.is_empty(),
-        "{} files in spirv/ differ from a fresh build; `cargo xtask spirv` rewrites them: {}",
+        "{} files in {folder}/ differ from a fresh build; `cargo xtask spirv` rewrites them: {}",
         differing.len(),
         differing.join(", ")
     );
-    println!("spirv: {} files reproduced byte for byte", files.len());
+    println!("spirv: {} files of {folder}/ reproduced byte for byte", files.len());
     Ok(())
 }
 
 /// Writes the files, then removes all others.
-fn replace(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
+fn replace(repository: &Path, folder: &str, files: &BTreeMap<String, Vec<u8>>) -> Result<()> {
     for (name, content) in files {
-        let path = folder.join(name);
+        let path = repository.join(folder).join(name);
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).with_context(|| format!("creating {}", parent.display()))?;
         }
         output::write_file(&path, content)?;
     }
-    for name in files_in(folder)?.into_iter().filter(|name| !files.contains_key(name)) {
-        fs::remove_file(folder.join(&name)).with_context(|| format!("removing spirv/{name}"))?;
+    let path = repository.join(folder);
+    for name in files_in(&path)?.into_iter().filter(|name| !files.contains_key(name)) {
+        fs::remove_file(path.join(&name)).with_context(|| format!("removing {folder}/{name}"))?;
     }
-    println!("spirv: {} files written", files.len());
+    let bytes: usize = files.values().map(Vec::len).sum();
+    println!("spirv: {} files of {folder}/ written, {} KiB", files.len(), bytes / 1024);
     Ok(())
 }

@@ -1,0 +1,100 @@
+//! From where the scene is seen. Right-handed, +Y up; computed in f64, so that the shaders of both languages get the same
+//! floats.
+
+use super::picture::Size;
+use glam::{DMat4, DVec3, DVec4};
+
+/// A camera and the size of its picture.
+#[derive(Clone, Copy)]
+pub(super) struct Camera {
+    eye: DVec3,
+    right: DVec3,
+    up: DVec3,
+    forward: DVec3,
+    /// Of half the picture's height.
+    tangent: f64,
+    size: Size,
+}
+
+/// Nearest and farthest that is seen.
+const NEAR: f64 = 0.5;
+const FAR: f64 = 100.0;
+
+/// What the lighting pass takes of a camera: rays are `forward + right x + up y` at `centre * viewport.xy + viewport.zw`.
+pub(super) struct Rays {
+    pub(super) right: [f32; 4],
+    pub(super) up: [f32; 4],
+    pub(super) forward: [f32; 4],
+    pub(super) viewport: [f32; 4],
+}
+
+impl Camera {
+    pub(super) fn new(eye: DVec3, at: DVec3, height_degrees: f64, size: Size) -> Self {
+        let forward = (at - eye).normalize();
+        let right = forward.cross(DVec3::Y).normalize();
+        let up = right.cross(forward);
+        let tangent = (0.5 * height_degrees).to_radians().tan();
+        Self { eye, right, up, forward, tangent, size }
+    }
+
+    fn aspect(&self) -> f64 {
+        f64::from(self.size.width) / f64::from(self.size.height)
+    }
+
+    /// To Vulkan's clip space, whose y points down and whose depth goes from 0 to 1. What lies `offset` of a pixel away from a
+    /// pixel's centre is seen there.
+    pub(super) fn clip_from_world(&self, offset: [f64; 2]) -> DMat4 {
+        let row = |axis: DVec3| axis.extend(-axis.dot(self.eye));
+        let depth = row(self.forward);
+        let x = row(self.right) / (self.tangent * self.aspect());
+        let y = -row(self.up) / self.tangent;
+        let z = (depth - DVec4::W * NEAR) * (FAR / (FAR - NEAR));
+        let shift = |offset: f64, pixels: u32| depth * (2.0 * offset / f64::from(pixels));
+        let rows = [x - shift(offset[0], self.size.width), y - shift(offset[1], self.size.height), z, depth];
+        DMat4::from_cols(rows[0], rows[1], rows[2], rows[3]).transpose()
+    }
+
+    pub(super) fn rays(&self, offset: [f64; 2]) -> Rays {
+        let Size { width, height } = self.size;
+        let (x, y) = (2.0 / f64::from(width), -2.0 / f64::from(height));
+        let viewport = [x, y, x * offset[0] - 1.0, y * offset[1] + 1.0];
+        let vector = |v: DVec3| v.extend(0.0).as_vec4().to_array();
+        Rays {
+            right: vector(self.right * (self.tangent * self.aspect())),
+            up: vector(self.up * self.tangent),
+            forward: vector(self.forward),
+            viewport: viewport.map(|value| value as f32),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A point on the ray of a place in the picture is drawn at that place, whatever the offset.
+    #[test]
+    fn rays_meet_what_is_drawn_there() {
+        let size = Size { width: 640, height: 360 };
+        let camera = Camera::new(DVec3::new(3.0, 2.0, 5.0), DVec3::new(0.5, 0.0, -1.0), 40.0, size);
+        for offset in [[0.0, 0.0], [0.25, -0.375]] {
+            for pixel in [[320.5, 180.5], [10.5, 20.5], [600.5, 300.5]] {
+                let rays = camera.rays(offset);
+                let [x, y] = [0, 1].map(|axis| {
+                    f64::from(rays.viewport[axis]) * pixel[axis] + f64::from(rays.viewport[axis + 2])
+                });
+                let vector = |v: [f32; 4]| DVec3::new(v[0].into(), v[1].into(), v[2].into());
+                let ray = vector(rays.forward) + vector(rays.right) * x + vector(rays.up) * y;
+                let clip = camera.clip_from_world(offset) * (camera.eye + ray * 7.0).extend(1.0);
+                let drawn = [
+                    (clip.x / clip.w * 0.5 + 0.5) * f64::from(size.width),
+                    (clip.y / clip.w * 0.5 + 0.5) * f64::from(size.height),
+                ];
+                for axis in [0, 1] {
+                    assert!((drawn[axis] - pixel[axis]).abs() < 1e-3, "{offset:?} {pixel:?} {drawn:?}");
+                }
+                assert!((0.0..=clip.w).contains(&clip.z));
+            }
+        }
+    }
+}

@@ -1,0 +1,225 @@
+use super::super::buffer::{Buffer, Place};
+use super::super::{Error, FormatUse, ImageFormat, Named, bytes_per_texel};
+use super::{Commands, Graphics, allocation_failed};
+use ash::vk;
+use gpu_allocator::MemoryLocation;
+use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
+use std::sync::{Arc, PoisonError};
+
+/// The layout of textures, and of colour attachments that are not drawn to.
+pub(super) const BETWEEN_PASSES: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
+
+/// An image of one level and layer: a texture, or an attachment of a [`Target`](super::Target). It can be
+/// read by shaders outside of passes that draw to it.
+pub struct Image {
+    raw: vk::Image,
+    pub(super) view: vk::ImageView,
+    allocation: Option<Allocation>,
+    format: ImageFormat,
+    width: u32,
+    height: u32,
+    pub(super) graphics: Arc<Graphics>,
+}
+
+impl Image {
+    /// A texture with these texels, row by row from the top.
+    ///
+    /// # Errors
+    /// [`Error::UnsupportedFormat`], [`Error::BadSize`], [`Error::BadDraw`] where the texels are not as many as the size
+    /// says, or a failed call.
+    pub fn texture(
+        graphics: &Arc<Graphics>,
+        format: ImageFormat,
+        (width, height): (u32, u32),
+        texels: &[u8],
+    ) -> Result<Self, Error> {
+        let image = Self::new(graphics, format, (width, height), FormatUse::Texture)?;
+        if bytes_per_texel(format).map(|bytes| bytes * width as usize * height as usize) != Some(texels.len())
+        {
+            return Err(Error::BadDraw { reason: "a texture's texels are not as many as its size says" });
+        }
+        let mut staging = Buffer::new(&graphics.device, texels.len(), Place::Host)?;
+        staging.write(texels);
+        let region = image.region();
+        let commands = graphics.commands.lock().unwrap_or_else(PoisonError::into_inner);
+        // SAFETY: the buffer holds all texels of the region, which is the whole image; both outlive the submission.
+        unsafe {
+            graphics.submit(&commands, |device, commands| {
+                let copied = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
+                image.transition(device, commands, vk::ImageLayout::UNDEFINED, copied);
+                device.cmd_copy_buffer_to_image(commands, staging.raw, image.raw, copied, &[region]);
+                image.transition(device, commands, copied, BETWEEN_PASSES);
+            })?;
+        }
+        Ok(image)
+    }
+
+    /// An image in the undefined layout.
+    pub(super) fn new(
+        graphics: &Arc<Graphics>,
+        format: ImageFormat,
+        (width, height): (u32, u32),
+        usage: FormatUse,
+    ) -> Result<Self, Error> {
+        let device = &graphics.device;
+        device.expect(format, usage)?;
+        // Texels are copied from and to buffers of as many bytes.
+        if usage != FormatUse::Depth && bytes_per_texel(format).is_none() {
+            return Err(Error::BadDraw { reason: "a format's texels are of a size that is not known here" });
+        }
+        let limits = &device.limits;
+        let limit = limits
+            .max_image_dimension2_d
+            .min(limits.max_framebuffer_width)
+            .min(limits.max_framebuffer_height)
+            .min(limits.max_viewport_dimensions[0])
+            .min(limits.max_viewport_dimensions[1]);
+        if !(1..=limit).contains(&width) || !(1..=limit).contains(&height) {
+            return Err(Error::BadSize { device: device.info().name.clone(), width, height, limit });
+        }
+        let create = vk::ImageCreateInfo::default()
+            .image_type(vk::ImageType::TYPE_2D)
+            .format(format)
+            .extent(vk::Extent3D { width, height, depth: 1 })
+            .mip_levels(1)
+            .array_layers(1)
+            .samples(vk::SampleCountFlags::TYPE_1)
+            .tiling(vk::ImageTiling::OPTIMAL)
+            .usage(image_usage(usage));
+        // SAFETY: the size is within the limits and the format has these uses; destroyed in `drop`.
+        let raw = unsafe { device.raw.create_image(&create, None) }.named("vkCreateImage")?;
+        let view = vk::ImageView::null();
+        let mut image =
+            Self { raw, view, allocation: None, format, width, height, graphics: graphics.clone() };
+        image.allocate()?;
+        image.create_view(usage)?;
+        Ok(image)
+    }
+
+    fn allocate(&mut self) -> Result<(), Error> {
+        let device = &self.graphics.device;
+        // SAFETY: a query of an image of the device.
+        let requirements = unsafe { device.raw.get_image_memory_requirements(self.raw) };
+        let create = AllocationCreateDesc {
+            name: "image",
+            requirements,
+            location: MemoryLocation::GpuOnly,
+            linear: false,
+            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
+        };
+        let mut allocator = self.graphics.allocator.lock().unwrap_or_else(PoisonError::into_inner);
+        let allocation = allocator.allocate(&create).map_err(|error| allocation_failed(device, &error))?;
+        let allocation = self.allocation.insert(allocation);
+        // SAFETY: the allocation meets the image's requirements, and the image is bound once.
+        unsafe { device.raw.bind_image_memory(self.raw, allocation.memory(), allocation.offset()) }
+            .named("vkBindImageMemory")
+    }
+
+    fn create_view(&mut self, usage: FormatUse) -> Result<(), Error> {
+        let mut range = self.range();
+        if usage == FormatUse::Depth {
+            range.aspect_mask = vk::ImageAspectFlags::DEPTH;
+        }
+        let create = vk::ImageViewCreateInfo::default()
+            .image(self.raw)
+            .view_type(vk::ImageViewType::TYPE_2D)
+            .format(self.format)
+            .subresource_range(range);
+        // SAFETY: the image has memory and this format; destroyed in `drop`.
+        let view = unsafe { self.graphics.device.raw.create_image_view(&create, None) };
+        self.view = view.named("vkCreateImageView")?;
+        Ok(())
+    }
+
+    /// Its format.
+    pub fn format(&self) -> ImageFormat {
+        self.format
+    }
+
+    /// The texels of a colour attachment, row by row from the top.
+    ///
+    /// # Errors
+    /// A failed call.
+    pub(super) fn read(&self, commands: &Commands) -> Result<Vec<u8>, Error> {
+        let texels = self.width as usize * self.height as usize;
+        let mut bytes = vec![0; texels * bytes_per_texel(self.format).unwrap_or_default()];
+        let staging = Buffer::new(&self.graphics.device, bytes.len(), Place::Host)?;
+        let region = self.region();
+        // SAFETY: the image is a colour attachment that was drawn to, so it is in the layout between passes; the buffer holds
+        // all its texels; both outlive the submission.
+        unsafe {
+            self.graphics.submit(commands, |device, commands| {
+                let copied = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
+                self.transition(device, commands, BETWEEN_PASSES, copied);
+                device.cmd_copy_image_to_buffer(commands, self.raw, copied, staging.raw, &[region]);
+                self.transition(device, commands, copied, BETWEEN_PASSES);
+            })?;
+        }
+        staging.read(&mut bytes);
+        Ok(bytes)
+    }
+
+    /// Records a change of layout, which comes between all accesses before and after.
+    ///
+    /// # Safety
+    /// `commands` is being recorded outside of render passes, and the image is in the layout `from`.
+    unsafe fn transition(
+        &self,
+        device: &ash::Device,
+        commands: vk::CommandBuffer,
+        from: vk::ImageLayout,
+        to: vk::ImageLayout,
+    ) {
+        let barrier = [vk::ImageMemoryBarrier::default()
+            .image(self.raw)
+            .subresource_range(self.range())
+            .old_layout(from)
+            .new_layout(to)
+            .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
+            .dst_access_mask(vk::AccessFlags::MEMORY_READ | vk::AccessFlags::MEMORY_WRITE)];
+        let all = vk::PipelineStageFlags::ALL_COMMANDS;
+        let flags = vk::DependencyFlags::empty();
+        // SAFETY: as the caller promises.
+        unsafe { device.cmd_pipeline_barrier(commands, all, all, flags, &[], &[], &barrier) };
+    }
+
+    fn range(&self) -> vk::ImageSubresourceRange {
+        vk::ImageSubresourceRange::default()
+            .aspect_mask(vk::ImageAspectFlags::COLOR)
+            .level_count(1)
+            .layer_count(1)
+    }
+
+    /// The whole image, as a copy takes it.
+    fn region(&self) -> vk::BufferImageCopy {
+        let layers =
+            vk::ImageSubresourceLayers::default().aspect_mask(vk::ImageAspectFlags::COLOR).layer_count(1);
+        let extent = vk::Extent3D { width: self.width, height: self.height, depth: 1 };
+        vk::BufferImageCopy::default().image_subresource(layers).image_extent(extent)
+    }
+}
+
+impl Drop for Image {
+    fn drop(&mut self) {
+        // SAFETY: both are this image's own and no submission is running; null is ignored.
+        unsafe {
+            let device = &self.graphics.device.raw;
+            device.destroy_image_view(self.view, None);
+            device.destroy_image(self.raw, None);
+        }
+        if let Some(allocation) = self.allocation.take() {
+            let mut allocator = self.graphics.allocator.lock().unwrap_or_else(PoisonError::into_inner);
+            // Fails only for what another allocator made.
+            let _ = allocator.free(allocation);
+        }
+    }
+}
+
+fn image_usage(usage: FormatUse) -> vk::ImageUsageFlags {
+    use vk::ImageUsageFlags as Flags;
+    match usage {
+        FormatUse::Attachment => Flags::COLOR_ATTACHMENT | Flags::SAMPLED | Flags::TRANSFER_SRC,
+        FormatUse::Depth => Flags::DEPTH_STENCIL_ATTACHMENT,
+        FormatUse::Texture | FormatUse::Vertex => Flags::SAMPLED | Flags::TRANSFER_DST,
+    }
+}

@@ -1,0 +1,164 @@
+use super::super::{Error, FormatUse, ImageFormat, Named, bytes_per_texel, spirv};
+use super::target::RenderPass;
+use super::{Graphics, Target};
+use ash::vk;
+use std::ffi::CStr;
+use std::sync::Arc;
+
+/// A shader: a module and its entry point. The module is trusted to be valid, as those of kernels are.
+#[derive(Clone, Copy)]
+pub struct Shader<'a> {
+    /// SPIR-V.
+    pub spirv: &'a [u8],
+    /// Entry point of the stage.
+    pub entry_point: &'a str,
+}
+
+/// What a pipeline is made of.
+#[derive(Clone, Copy)]
+pub struct PipelineOptions<'a> {
+    /// The vertex shader, of the attributes.
+    pub vertex: Shader<'a>,
+    /// The fragment shader, whose outputs are the colour attachments.
+    pub fragment: Shader<'a>,
+    /// Formats of the vertices' attributes, by location.
+    pub attributes: &'a [ImageFormat],
+    /// Draws a point a vertex instead of a triangle every three.
+    pub points: bool,
+}
+
+/// A graphics pipeline. Triangles are drawn whichever side they show; push constants and up to three textures are its
+/// input besides vertices.
+pub struct Pipeline {
+    pub(super) raw: vk::Pipeline,
+    pub(super) attributes: Vec<ImageFormat>,
+    // Made apart from the target's, which may go before the pipeline does.
+    pub(super) pass: RenderPass,
+}
+
+impl Pipeline {
+    /// A pipeline for this target and others with the same formats.
+    ///
+    /// # Errors
+    /// [`Error::NotSpirv`], [`Error::UnsupportedFormat`], or a failed call.
+    pub fn new(target: &Target, options: &PipelineOptions<'_>) -> Result<Self, Error> {
+        let graphics = &target.pass.graphics;
+        for format in options.attributes {
+            graphics.device.expect(*format, FormatUse::Vertex)?;
+        }
+        let pass = RenderPass::new(graphics, &target.pass.colours, target.pass.depth.is_some())?;
+        let vertex = Module::new(graphics, &options.vertex)?;
+        let fragment = Module::new(graphics, &options.fragment)?;
+        let stages =
+            [vertex.stage(vk::ShaderStageFlags::VERTEX), fragment.stage(vk::ShaderStageFlags::FRAGMENT)];
+        let raw = create(graphics, &stages, options, &pass)?;
+        Ok(Self { raw, attributes: options.attributes.to_vec(), pass })
+    }
+}
+
+impl Drop for Pipeline {
+    fn drop(&mut self) {
+        // SAFETY: it is this one's own and no submission is running.
+        unsafe { self.pass.graphics.device.raw.destroy_pipeline(self.raw, None) };
+    }
+}
+
+/// A shader module, needed until the pipeline is made.
+struct Module {
+    raw: vk::ShaderModule,
+    entry_point: std::ffi::CString,
+    graphics: Arc<Graphics>,
+}
+
+impl Module {
+    fn new(graphics: &Arc<Graphics>, shader: &Shader<'_>) -> Result<Self, Error> {
+        let (words, entry_point) = spirv::checked(shader.spirv, shader.entry_point)?;
+        let create = vk::ShaderModuleCreateInfo::default().code(&words);
+        // SAFETY: the code is SPIR-V by its framing; that it is valid is checked where modules are built.
+        let raw = unsafe { graphics.device.raw.create_shader_module(&create, None) }
+            .named("vkCreateShaderModule")?;
+        Ok(Self { raw, entry_point, graphics: graphics.clone() })
+    }
+
+    fn stage(&self, stage: vk::ShaderStageFlags) -> vk::PipelineShaderStageCreateInfo<'_> {
+        let name: &CStr = &self.entry_point;
+        vk::PipelineShaderStageCreateInfo::default().stage(stage).module(self.raw).name(name)
+    }
+}
+
+impl Drop for Module {
+    fn drop(&mut self) {
+        // SAFETY: pipelines do not need the modules that they were made of.
+        unsafe { self.graphics.device.raw.destroy_shader_module(self.raw, None) };
+    }
+}
+
+fn create(
+    graphics: &Graphics,
+    stages: &[vk::PipelineShaderStageCreateInfo<'_>],
+    options: &PipelineOptions<'_>,
+    pass: &RenderPass,
+) -> Result<vk::Pipeline, Error> {
+    let (bindings, attributes) = vertex_input(options.attributes);
+    let input = vk::PipelineVertexInputStateCreateInfo::default()
+        .vertex_binding_descriptions(&bindings)
+        .vertex_attribute_descriptions(&attributes);
+    let topology =
+        if options.points { vk::PrimitiveTopology::POINT_LIST } else { vk::PrimitiveTopology::TRIANGLE_LIST };
+    let assembly = vk::PipelineInputAssemblyStateCreateInfo::default().topology(topology);
+    let viewport = vk::PipelineViewportStateCreateInfo::default().viewport_count(1).scissor_count(1);
+    let raster = vk::PipelineRasterizationStateCreateInfo::default()
+        .polygon_mode(vk::PolygonMode::FILL)
+        .cull_mode(vk::CullModeFlags::NONE)
+        .line_width(1.0);
+    let samples =
+        vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
+    let depth = vk::PipelineDepthStencilStateCreateInfo::default()
+        .depth_test_enable(pass.depth.is_some())
+        .depth_write_enable(pass.depth.is_some())
+        .depth_compare_op(vk::CompareOp::LESS);
+    let blend = vec![
+        vk::PipelineColorBlendAttachmentState::default()
+            .color_write_mask(vk::ColorComponentFlags::RGBA);
+        pass.colours.len()
+    ];
+    let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&blend);
+    let dynamic = [vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR];
+    let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&dynamic);
+    let create = [vk::GraphicsPipelineCreateInfo::default()
+        .stages(stages)
+        .vertex_input_state(&input)
+        .input_assembly_state(&assembly)
+        .viewport_state(&viewport)
+        .rasterization_state(&raster)
+        .multisample_state(&samples)
+        .depth_stencil_state(&depth)
+        .color_blend_state(&blend)
+        .dynamic_state(&dynamic)
+        .layout(graphics.layout)
+        .render_pass(pass.raw)];
+    let device = &graphics.device.raw;
+    // SAFETY: modules, layout and pass are of this device; all that is pointed to outlives the call.
+    let result = unsafe { device.create_graphics_pipelines(vk::PipelineCache::null(), &create, None) };
+    let pipelines =
+        result.map_err(|(_, result)| Error::Call { call: "vkCreateGraphicsPipelines", result })?;
+    Ok(pipelines[0])
+}
+
+/// Each attribute in a binding of its own.
+fn vertex_input(
+    formats: &[ImageFormat],
+) -> (Vec<vk::VertexInputBindingDescription>, Vec<vk::VertexInputAttributeDescription>) {
+    let binding = |(format, binding)| {
+        let stride = bytes_per_texel(format).unwrap_or_default() as u32;
+        vk::VertexInputBindingDescription { binding, stride, input_rate: vk::VertexInputRate::VERTEX }
+    };
+    let attribute = |(format, location)| vk::VertexInputAttributeDescription {
+        location,
+        binding: location,
+        format,
+        offset: 0,
+    };
+    let formats = formats.iter().copied().zip(0..);
+    (formats.clone().map(binding).collect(), formats.map(attribute).collect())
+}
