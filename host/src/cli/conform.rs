@@ -29,6 +29,11 @@ pub struct Arguments {
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
+    /// Run the graphics pipeline instead: what an attachment of the codec's Vulkan format holds after the hardware's conversion
+    /// is compared with the CPU's code, and what vertex and texel fetch give with the CPU's vector; 2^15 random vectors, and as
+    /// many random codes of more than 16 bits, if --count does not say otherwise.
+    #[arg(long, conflicts_with_all = ["imprecise", "exhaustive", "summary", "mesh"])]
+    pipeline: bool,
     #[command(flatten)]
     pub imprecise: Imprecise,
     /// Write the report as JSON as well; - for the standard output, instead of the table.
@@ -84,6 +89,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let formats = chosen_formats(&arguments.codec)?;
     if arguments.imprecise.imprecise {
         return super::imprecise::run(arguments, formats);
+    }
+    if arguments.pipeline {
+        return super::pipeline::run(arguments, formats);
     }
     let default_count = if arguments.exhaustive { EXHAUSTIVE_COUNT } else { COUNT };
     let options = Options {

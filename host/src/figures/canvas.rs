@@ -1,0 +1,147 @@
+//! Pictures of bytes, with text, side by side.
+
+use embedded_graphics::mono_font::iso_8859_1::{FONT_6X10, FONT_9X15};
+use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
+use embedded_graphics::pixelcolor::Rgb888;
+use embedded_graphics::prelude::{DrawTarget, OriginDimensions, Pixel, Point, RgbColor, Size};
+use embedded_graphics::text::{Alignment, Baseline, Text, TextStyleBuilder};
+use image::codecs::png::{CompressionType, FilterType, PngEncoder};
+use image::{ExtendedColorType, ImageEncoder, ImageResult, Rgb, RgbImage};
+use std::convert::Infallible;
+
+/// Ink on paper.
+pub const INK: [u8; 3] = [24, 24, 27];
+const PAPER: [u8; 3] = [255, 255, 255];
+const GAP: u32 = 6;
+
+/// A picture that text is written on.
+pub struct Canvas(pub RgbImage);
+
+impl Canvas {
+    /// A blank one.
+    pub fn new(width: u32, height: u32) -> Self {
+        Self(RgbImage::from_pixel(width, height, Rgb(PAPER)))
+    }
+
+    /// Writes a line about a point: its top left corner, or its middle.
+    pub fn write(&mut self, text: &str, at: (i32, i32), small: bool, centred: bool, colour: [u8; 3]) {
+        let style = MonoTextStyle::new(font(small), Rgb888::new(colour[0], colour[1], colour[2]));
+        let (alignment, baseline) =
+            if centred { (Alignment::Center, Baseline::Middle) } else { (Alignment::Left, Baseline::Top) };
+        let place = TextStyleBuilder::new().alignment(alignment).baseline(baseline).build();
+        let text = Text::with_text_style(text, Point::new(at.0, at.1), style, place);
+        // A canvas has no way to fail.
+        let _ = embedded_graphics::Drawable::draw(&text, self);
+    }
+
+    /// Puts a picture on it.
+    pub fn put(&mut self, picture: &RgbImage, left: u32, top: u32) {
+        image::imageops::replace(&mut self.0, picture, i64::from(left), i64::from(top));
+    }
+}
+
+fn font(small: bool) -> &'static MonoFont<'static> {
+    if small { &FONT_6X10 } else { &FONT_9X15 }
+}
+
+impl OriginDimensions for Canvas {
+    fn size(&self) -> Size {
+        Size::new(self.0.width(), self.0.height())
+    }
+}
+
+impl DrawTarget for Canvas {
+    type Color = Rgb888;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(at, colour) in pixels {
+            let place = u32::try_from(at.x).ok().zip(u32::try_from(at.y).ok());
+            if let Some(pixel) = place.and_then(|(x, y)| self.0.get_pixel_mut_checked(x, y)) {
+                *pixel = Rgb([colour.r(), colour.g(), colour.b()]);
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A picture with what stands below it.
+pub struct Cell {
+    /// The picture.
+    pub picture: RgbImage,
+    /// One line each; those that are too long for the picture are cut.
+    pub lines: Vec<String>,
+}
+
+/// Pictures of one size in rows, with their lines below them.
+pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
+    let widest = cells.iter().map(|cell| cell.picture.width()).max().unwrap_or(1);
+    let highest = cells.iter().map(|cell| cell.picture.height()).max().unwrap_or(1);
+    let small = widest < 300;
+    let letter = font(small).character_size;
+    let lines = cells.iter().map(|cell| cell.lines.len()).max().unwrap_or(0) as u32;
+    let (width, height) = (widest + GAP, highest + lines * letter.height + 2 * GAP);
+    let columns = columns.clamp(1, cells.len().max(1) as u32);
+    let rows = (cells.len() as u32).div_ceil(columns);
+    let mut canvas = Canvas::new(columns * width + GAP, rows * height + GAP);
+    for (at, cell) in (0u32..).zip(cells) {
+        let (left, top) = (GAP + at % columns * width, GAP + at / columns * height);
+        canvas.put(&cell.picture, left, top);
+        for (line, text) in (0u32..).zip(&cell.lines) {
+            let text: String = text.chars().take((widest / letter.width) as usize).collect();
+            let below = top + highest + GAP / 2 + line * letter.height;
+            canvas.write(&text, (left as i32, below as i32), small, false, INK);
+        }
+    }
+    canvas.0
+}
+
+/// As PNG: in grey where there is no colour.
+///
+/// # Errors
+/// What the encoder meets.
+pub fn png(picture: &RgbImage) -> ImageResult<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let encoder = PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive);
+    let is_grey = picture.pixels().all(|pixel| pixel[0] == pixel[1] && pixel[1] == pixel[2]);
+    let (width, height) = picture.dimensions();
+    if is_grey {
+        let grey: Vec<u8> = picture.pixels().map(|pixel| pixel[0]).collect();
+        encoder.write_image(&grey, width, height, ExtendedColorType::L8)?;
+    } else {
+        encoder.write_image(picture.as_raw(), width, height, ExtendedColorType::Rgb8)?;
+    }
+    Ok(bytes)
+}
+
+/// The part of a picture from a corner on.
+pub fn crop(picture: &RgbImage, [left, top, width, height]: [u32; 4]) -> RgbImage {
+    image::imageops::crop_imm(picture, left, top, width, height).to_image()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sheets_hold_every_picture_and_its_text() {
+        let red = RgbImage::from_pixel(20, 10, Rgb([255, 0, 0]));
+        let cells: Vec<Cell> =
+            (0..3).map(|_| Cell { picture: red.clone(), lines: vec!["oct".to_owned()] }).collect();
+        let sheet = sheet(&cells, 2);
+        let count = |colour: [u8; 3]| sheet.pixels().filter(|pixel| pixel.0 == colour).count();
+        assert_eq!(count([255, 0, 0]), 3 * 200);
+        assert!(count(INK) > 0);
+    }
+
+    /// A grey picture takes a byte a pixel, and reads back as it was.
+    #[test]
+    fn pictures_come_back_from_png() {
+        for colour in [[9, 9, 9], [9, 8, 7]] {
+            let picture = RgbImage::from_pixel(7, 5, Rgb(colour));
+            let read = image::load_from_memory(&png(&picture).unwrap()).unwrap();
+            assert_eq!(read.color().has_color(), colour[0] != colour[1]);
+            assert_eq!(read.to_rgb8(), picture);
+        }
+    }
+}
