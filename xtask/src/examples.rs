@@ -1,14 +1,15 @@
-//! Builds the examples and runs them.
+//! Builds the examples and runs them, and opens the report in a browser.
 
 use crate::drivers::debian::CHROMIUM;
 use crate::languages::{target, unpacked};
 use crate::{cargo, run as run_command, setup};
+use std::fs;
 use std::path::Path;
 use std::process::Command;
 
 const WGPU: [&str; 2] = ["--package", "unitvec-example-wgpu"];
 
-/// Runs the program on wgpu with its tests, and opens the page for browsers. `--all` fails where there is no browser.
+/// Runs the program on wgpu with its tests, and opens the page for browsers and the report. `--all` fails where there is no browser.
 pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     let needs_all = match arguments {
         [] => std::env::var_os("CI").is_some(),
@@ -23,10 +24,13 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     // Drivers complain without such a folder.
     run_command(cargo(&["run"]).args(WGPU).env("XDG_RUNTIME_DIR", std::env::temp_dir()))?;
     match unpacked(&CHROMIUM, &cache) {
-        Ok(()) => page(repository, &CHROMIUM.root(&cache)),
-        Err(reason) if needs_all => Err(format!("examples/web cannot be run: {reason}")),
+        Ok(()) => {
+            page(repository, &CHROMIUM.root(&cache))?;
+            report(repository, &CHROMIUM.root(&cache))
+        }
+        Err(reason) if needs_all => Err(format!("examples/web and the report cannot be opened: {reason}")),
         Err(reason) => {
-            eprintln!("xtask: NOT RUN: examples/web: {reason}");
+            eprintln!("xtask: NOT RUN: examples/web, the report: {reason}");
             Ok(())
         }
     }
@@ -34,9 +38,34 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
 
 /// Opens the page in the Chromium of this folder.
 fn page(repository: &Path, chromium: &Path) -> Result<(), String> {
-    let libraries = chromium.join("usr/lib/x86_64-linux-gnu");
     let mut check = Command::new("python3");
     check.arg(repository.join("examples/web/check.py"));
-    check.arg(chromium.join("usr/lib/chromium/chromium"));
-    run_command(check.arg(&libraries).arg(libraries.join("pulseaudio")))
+    run_command(with_chromium(&mut check, chromium))
+}
+
+/// Opens what `unitvec report` writes, and holds what it chooses against `unitvec choose`.
+fn report(repository: &Path, chromium: &Path) -> Result<(), String> {
+    let folder = target(repository)?.join("report");
+    fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
+    let (report, chosen) = (folder.join("report.html"), folder.join("choose.json"));
+    let unitvec = |arguments: &[&str]| {
+        let mut command = cargo(&["run", "--quiet", "--package", "unitvec-host", "--bin", "unitvec", "--"]);
+        command.args(arguments);
+        command
+    };
+    run_command(unitvec(&["report", "--out"]).arg(&report))?;
+    let mut choose = unitvec(&["choose", "--max-error", "0.1", "--json"]);
+    let file =
+        fs::File::create(&chosen).map_err(|error| format!("cannot write {}: {error}", chosen.display()))?;
+    run_command(choose.stdout(file))?;
+    let mut check = Command::new("python3");
+    check.arg(repository.join("tests/report/browser.py")).arg("--choose").arg(&chosen);
+    check.arg("--screenshots").arg(&folder).arg(&report);
+    run_command(with_chromium(&mut check, chromium))
+}
+
+/// Adds the arguments that the scripts find Chromium by.
+fn with_chromium<'a>(check: &'a mut Command, chromium: &Path) -> &'a mut Command {
+    let libraries = chromium.join("usr/lib/x86_64-linux-gnu");
+    check.arg(chromium.join("usr/lib/chromium/chromium")).arg(&libraries).arg(libraries.join("pulseaudio"))
 }

@@ -30,8 +30,9 @@ usage: cargo xtask <command>
        [--codec ID]...                       codecs, and compare with the CPU; --all fails where one cannot be had, as
                                              with CI set; --record writes what the docs say of it
   setup                                      install what is missing, and nothing else
-  spirv [--check | --example]                test the SPIR-V passes, then rebuild spirv/ with rust-gpu; --check compares
-                                             instead, and builds examples/rust-gpu; --example builds that alone
+  spirv [--check] [--render] | --example     test the SPIR-V passes, then rebuild spirv/ and the renderer's modules with
+                                             rust-gpu; --check compares instead, and builds examples/rust-gpu; --render
+                                             leaves spirv/ out, --example builds the example alone
   shaders [--check]                          write shaders/ in all shading languages from glsl/unitvec/; --check compares
                                              instead
   examples [--all]                           install what is missing, then run the program on wgpu and the page for
@@ -191,6 +192,8 @@ fn docs(arguments: &[String]) -> Result<(), String> {
             "--",
             "--ignored",
             "docs::accuracy::measure",
+            "docs::dither::measure",
+            "docs::projected::measure",
             "textbook::measure",
         ]))?;
     }

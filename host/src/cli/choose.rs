@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_host::choose::{Candidate, Costs, Demand, candidates};
 use unitvec_host::input::{Input, read_small};
+use unitvec_host::isa::USUAL;
 use unitvec_host::{Error, Result};
 
 #[derive(Args)]
@@ -26,7 +27,7 @@ pub struct Arguments {
     #[arg(long)]
     hemisphere: bool,
     /// GPU whose costs to choose by, by generation or code name (rdna2, navi21); or lavapipe.
-    #[arg(long, value_name = "NAME", default_value = "rdna2")]
+    #[arg(long, value_name = "NAME", default_value = USUAL)]
     gpu: String,
     /// Costs to choose by instead: a report that `unitvec bench --json FILE` wrote, with --isa or without.
     #[arg(long, value_name = "FILE", conflicts_with = "gpu")]

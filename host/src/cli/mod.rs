@@ -8,10 +8,13 @@ mod conform;
 mod convert;
 mod devices;
 mod error;
+mod figures;
 mod imprecise;
 mod isa;
 mod link;
+mod pipeline;
 mod progress;
+mod report;
 mod shader;
 mod summary;
 mod table;
@@ -78,6 +81,10 @@ enum Command {
     Bench(bench::Arguments),
     /// Find the cheapest codecs of vectors that meet a demand.
     Choose(choose::Arguments),
+    /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
+    Figures(figures::Arguments),
+    /// Write a page to decide from: what to take, the published tables, the figures, and whether this device agrees.
+    Report(report::Arguments),
     /// Write the functions of codecs in a shading language, ready to paste, with all that they need.
     Shader(shader::Arguments),
     /// Show that the backends agree to the bit: cpu, rust, wgsl and, in a build with a GLSL compiler, glsl and hlsl.
@@ -104,6 +111,8 @@ impl Arguments {
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
+            Command::Figures(arguments) => figures::run(&arguments),
+            Command::Report(arguments) => report::run(&arguments),
             Command::Shader(arguments) => shader::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
             Command::Link(arguments) => link::run(&arguments),
@@ -141,6 +150,21 @@ impl Vulkan {
 
     fn device(&self) -> Result<Arc<Device>> {
         Ok(Device::open(&self.instance()?, &self.choice())?)
+    }
+
+    /// Fails where the command line names modules that a command does not take.
+    fn refuse_modules(&self) -> Result<()> {
+        if self.spirv.is_some() || self.trust {
+            let options =
+                "--spirv and --trust are of the kernels; the renderer's shaders are inside the program";
+            return Err(Error::Usage(options.to_owned()));
+        }
+        Ok(())
+    }
+
+    /// A device that draws.
+    fn device_for_graphics(&self) -> Result<Arc<Device>> {
+        Ok(Device::open_for_graphics(&self.instance()?, &self.choice())?)
     }
 
     fn folder(&self) -> Option<PathBuf> {

@@ -1,0 +1,73 @@
+//! `unitvec report`: one whole file. `browser.py` beside this file opens it in a browser, for `cargo xtask examples`.
+
+use base64::Engine;
+use serde_json::Value;
+use std::process::Output;
+use unitvec_catalogue::{CATALOGUE, FRAMES};
+use unitvec_tests::program::{command, stderr};
+
+fn report(arguments: &[&str], place: &tempfile::TempDir) -> Output {
+    command(["report", "--no-device", "--count", "100", "--out"])
+        .arg(place.path().join("report.html"))
+        .args(arguments)
+        .output()
+        .unwrap()
+}
+
+/// The page loads nothing, what it embeds is whole, and every codec has a row and is in the data that the filter reads.
+#[test]
+fn the_page_is_whole() {
+    let place = tempfile::tempdir().unwrap();
+    let output = report(&[], &place);
+    assert!(output.status.success(), "{}", stderr(&output));
+    let page = std::fs::read_to_string(place.path().join("report.html")).unwrap();
+
+    let embedded: Vec<&str> = page.split("data:").skip(1).filter(|uri| uri.starts_with("image/")).collect();
+    assert!(embedded.len() >= 6, "{}", embedded.len());
+    for uri in embedded {
+        let (kind, rest) = uri.split_once(";base64,").unwrap();
+        let end = rest.find('"').unwrap();
+        let bytes = base64::engine::general_purpose::STANDARD.decode(&rest[..end]).unwrap();
+        let begins: &[u8] = if kind == "image/svg+xml" { b"<svg" } else { b"\x89PNG" };
+        assert!(bytes.starts_with(begins), "{kind}");
+    }
+    for load in ["=\"http", "=\"//", "url(", "@import", "fetch(", "{{", "{%"] {
+        assert!(!page.contains(load), "{load}");
+    }
+    for codec in CATALOGUE {
+        assert_eq!(page.matches(&format!("<tr id=\"codec-{}\">", codec.id)).count(), 1, "{}", codec.id);
+    }
+    for frame in FRAMES {
+        assert!(page.contains(frame.id), "{}", frame.id);
+    }
+    let (_, data) = page.split_once("id=\"codecs-data\">").unwrap();
+    let data: Value = serde_json::from_str(data.split_once("</script>").unwrap().0).unwrap();
+    let in_data = |id: &str| data.as_array().unwrap().iter().any(|codec| codec["id"] == id);
+    assert!(
+        data.as_array().unwrap().len() == CATALOGUE.len() && CATALOGUE.iter().all(|codec| in_data(codec.id))
+    );
+    // Tags that have to be closed.
+    for tag in ["table", "tbody", "tr", "details", "section", "article", "select", "script", "ul", "dl"] {
+        let opened = page.matches(&format!("<{tag}>")).count() + page.matches(&format!("<{tag} ")).count();
+        assert_eq!(opened, page.matches(&format!("</{tag}>")).count(), "{tag}");
+    }
+}
+
+/// Inputs that are not what they should be are said in one line, and no page is left.
+#[test]
+fn faults_leave_no_page() {
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("no.json");
+    std::fs::write(&file, "{}").unwrap();
+    let file = file.to_str().unwrap();
+    for (arguments, word) in [
+        (["--conform", file], "unitvec conform --json"),
+        (["--costs", file], "unitvec bench --json"),
+        (["--figures", place.path().to_str().unwrap()], "figures.json"),
+    ] {
+        let output = report(&arguments, &place);
+        let text = stderr(&output);
+        assert!(!output.status.success() && text.lines().count() == 1 && text.contains(word), "{text}");
+        assert_eq!(place.path().read_dir().unwrap().count(), 1);
+    }
+}
