@@ -21,6 +21,10 @@ const LEFT_OUT: [&str; 9] = [
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
+    // They are embedded, and the compiler does not see new files in them.
+    for folder in ["render-shaders/glsl", "render-shaders/spirv"] {
+        println!("cargo::rerun-if-changed={folder}");
+    }
     for variable in ["SHADERC_LIB_DIR", "VULKAN_SDK"] {
         println!("cargo::rerun-if-env-changed={variable}");
     }

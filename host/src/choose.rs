@@ -143,6 +143,11 @@ impl Costs {
     pub fn device(&self) -> &str {
         &self.device
     }
+
+    /// What this operation of a codec costs, where it is known.
+    pub fn of(&self, id: &str, operation: Operation) -> Option<f64> {
+        self.by_codec.get(id).map(|costs| costs[operation as usize]).filter(|cost| cost.is_finite())
+    }
 }
 
 fn unknown(name: &str) -> String {
@@ -175,7 +180,7 @@ pub struct Candidate {
 }
 
 /// Random directions that mean errors are measured over.
-const COUNT: usize = 100_000;
+pub(crate) const COUNT: usize = 100_000;
 
 /// The codecs that meet a demand, the best choice first: fewest bytes, then cheapest, decoding and encoding together,
 /// then least mean error. The codecs without measured cost come last among those of as many bytes.
@@ -190,21 +195,14 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
         if demand.mean_error_deg.is_some_and(|limit| mean_error_deg > limit) {
             continue;
         }
-        let cost = |operation: Operation| {
-            costs
-                .by_codec
-                .get(codec.id)
-                .map(|costs| costs[operation as usize])
-                .filter(|cost| cost.is_finite())
-        };
         candidates.push(Candidate {
             id: codec.id,
             bits: codec.bits,
             bytes: codec.bytes,
             max_error_deg: f64::from(codec.max_error_deg),
             mean_error_deg,
-            encode_cost: cost(Operation::Encode),
-            decode_cost: cost(Operation::Decode),
+            encode_cost: costs.of(codec.id, Operation::Encode),
+            decode_cost: costs.of(codec.id, Operation::Decode),
         });
     }
     candidates.sort_by(|a, b| {

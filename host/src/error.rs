@@ -1,5 +1,5 @@
 use crate::isa::radv;
-use crate::{catalogue, glsl, imprecise, input, link, mesh, modules, shader, vulkan};
+use crate::{catalogue, glsl, imprecise, input, link, mesh, modules, render, shader, vulkan};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -30,6 +30,9 @@ pub enum Error {
     /// See [`imprecise::Error`].
     #[error(transparent)]
     Imprecise(#[from] imprecise::Error),
+    /// See [`render::Error`].
+    #[error(transparent)]
+    Render(#[from] render::Error),
     /// See [`mesh::MeshError`].
     #[error(transparent)]
     Mesh(#[from] mesh::MeshError),

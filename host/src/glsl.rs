@@ -9,6 +9,7 @@ mod glslang;
 
 use crate::catalogue::{Element, Format, Operation, UnknownCodec};
 use crate::manifest;
+use crate::render::shaders;
 use crate::textbook::Textbook;
 use glslang::Glslang;
 
@@ -22,9 +23,9 @@ pub enum Error {
     #[error("the GLSL compiler (shaderc) cannot be started: {0}")]
     NoCompiler(String),
     /// There is no such source file.
-    #[error("there is no file glsl/{file}")]
+    #[error("there is no file {file}")]
     NoSource {
-        /// Path in `glsl/`.
+        /// Path in the repository.
         file: String,
     },
     /// A function of `glsl/textbook/` has no codec.
@@ -36,9 +37,9 @@ pub enum Error {
         error: UnknownCodec,
     },
     /// glslang rejects the source.
-    #[error("glsl/{file} does not compile for {kernel}: {error}")]
+    #[error("{file} does not compile for {kernel}: {error}")]
     Rejected {
-        /// Path in `glsl/`.
+        /// Path in the repository.
         file: String,
         /// Kernel: `oct16_encode`.
         kernel: String,
@@ -53,6 +54,27 @@ enum SourceLanguage {
     Glsl,
     Hlsl,
 }
+
+/// The stages of shaders that glslang takes here.
+#[derive(Clone, Copy)]
+enum Stage {
+    Compute,
+    Vertex,
+    Fragment,
+}
+
+/// What glslang compiles.
+#[cfg_attr(not(feature = "glsl"), expect(dead_code, reason = "only glslang reads them"))]
+struct Source<'a> {
+    language: SourceLanguage,
+    stage: Stage,
+    /// Its name, which includes are relative to.
+    file: &'a str,
+    text: &'a str,
+}
+
+/// The folder of the renderer's shaders, in the repository.
+const RENDER_SHADERS: &str = "host/render-shaders/glsl";
 
 /// Name of the entry point of all GLSL kernels.
 pub const ENTRY_POINT: &str = "main";
@@ -128,8 +150,30 @@ impl Compiler {
     fn kernel_file(&self, file: &str, kernel: &str, macros: &[(String, String)]) -> Result<Vec<u8>, Error> {
         let file = format!("kernels/{file}");
         self.compile(&file, source(&file)?, macros).map_err(|error| Error::Rejected {
-            file,
+            file: format!("glsl/{file}"),
             kernel: kernel.to_owned(),
+            error,
+        })
+    }
+
+    /// The SPIR-V of a shader of the renderer, `vertex.vert`, for a variant of that name, optimised; its entry point is
+    /// [`ENTRY_POINT`].
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn render_shader(
+        &self,
+        file: &str,
+        variant: &str,
+        macros: &[(String, String)],
+    ) -> Result<Vec<u8>, Error> {
+        let path = || format!("{RENDER_SHADERS}/{file}");
+        let text = shaders::glsl(file).ok_or_else(|| Error::NoSource { file: path() })?;
+        let stage = if file.ends_with(".vert") { Stage::Vertex } else { Stage::Fragment };
+        let source = Source { language: SourceLanguage::Glsl, stage, file, text };
+        self.0.compile(&source, macros).map_err(|error| Error::Rejected {
+            file: path(),
+            kernel: variant.to_owned(),
             error,
         })
     }
@@ -139,7 +183,7 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
-        self.0.compile(SourceLanguage::Glsl, file, text, macros)
+        self.0.compile(&Source { language: SourceLanguage::Glsl, stage: Stage::Compute, file, text }, macros)
     }
 
     /// Compiles a compute shader in HLSL, whose entry point is [`ENTRY_POINT`].
@@ -147,7 +191,7 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
-        self.0.compile(SourceLanguage::Hlsl, file, text, &[])
+        self.0.compile(&Source { language: SourceLanguage::Hlsl, stage: Stage::Compute, file, text }, &[])
     }
 }
 
@@ -171,5 +215,11 @@ fn macros(format: Format, operation: Operation, function: &str) -> Vec<(String, 
 /// # Errors
 /// [`Error::NoSource`] where there is none of that name.
 pub fn source(file: &str) -> Result<&'static str, Error> {
-    unitvec_shaders::glsl(file).ok_or_else(|| Error::NoSource { file: file.to_owned() })
+    unitvec_shaders::glsl(file).ok_or_else(|| Error::NoSource { file: format!("glsl/{file}") })
+}
+
+/// Text of a file that a shader includes: of the renderer's own, or of `glsl/`.
+#[cfg(feature = "glsl")]
+fn included(file: &str) -> Result<&'static str, Error> {
+    shaders::glsl(file).map_or_else(|| source(file), Ok)
 }

@@ -9,6 +9,8 @@
 //! * [`textbook`]: what people write today, to measure against.
 //! * [`accuracy`]: errors, beside the survey's tables. [`bench`](mod@bench): costs. [`isa`]: what compilers make of the
 //!   kernels. [`choose`]: what to take.
+//! * [`render`]: a deferred renderer, and whether the codecs go through the graphics pipeline unchanged.
+//! * [`figures`]: pictures of all that. [`report`]: a page of all that.
 //! * [`loss`]: errors over the vectors of files.
 //! * [`link`]: links shaders with the library of functions.
 //! * [`input`], [`mesh`], [`stream`] and [`output`]: files in and out.
@@ -21,6 +23,7 @@ pub mod bench;
 pub mod choose;
 pub mod conform;
 mod error;
+pub mod figures;
 pub mod glsl;
 pub mod imprecise;
 pub mod input;
@@ -32,6 +35,8 @@ pub mod measure;
 pub mod mesh;
 pub mod modules;
 pub mod output;
+pub mod render;
+pub mod report;
 pub mod sampling;
 pub mod shader;
 pub mod stream;

@@ -255,23 +255,47 @@ fn hex(bytes: &[u8]) -> String {
 /// # Errors
 /// Any error of reading those files.
 pub fn sources_sha256(repository: &Path) -> io::Result<String> {
-    let mut files =
-        vec![repository.join("shader-crate/Cargo.toml"), repository.join("xtask/spirv/Cargo.toml")];
-    rust_files(&repository.join("shader-crate/src"), &mut files)?;
-    rust_files(&repository.join("xtask/spirv/src"), &mut files)?;
+    let mut hash = Sha256::new();
+    hash_crates(&mut hash, repository, &["shader-crate", "xtask/spirv"])?;
+    hash_locked(&mut hash, &repository.join("Cargo.lock"))?;
+    Ok(hex(&hash.finalize()))
+}
+
+/// A hash of what the renderer's modules are made from: their crate's sources, and those that [`sources_sha256`] is of.
+///
+/// # Errors
+/// Any error of reading those files.
+pub fn render_sources_sha256(repository: &Path) -> io::Result<String> {
+    let folder = "host/render-shaders/rust";
+    let mut hash = Sha256::new();
+    hash_entry(&mut hash, "unitvec", sources_sha256(repository)?.as_bytes());
+    hash_crates(&mut hash, repository, &[folder])?;
+    hash_locked(&mut hash, &repository.join(folder).join("Cargo.lock"))?;
+    Ok(hex(&hash.finalize()))
+}
+
+/// The manifests and sources of crates in these folders.
+fn hash_crates(hash: &mut Sha256, repository: &Path, folders: &[&str]) -> io::Result<()> {
+    let mut files = Vec::new();
+    for folder in folders {
+        files.push(repository.join(folder).join("Cargo.toml"));
+        rust_files(&repository.join(folder).join("src"), &mut files)?;
+    }
     let mut named: Vec<(String, PathBuf)> =
         files.into_iter().map(|file| (portable_name(repository, &file), file)).collect();
     named.sort();
-
-    let mut hash = Sha256::new();
     for (name, file) in named {
-        hash_entry(&mut hash, &name, code(&fs::read_to_string(file)?).as_bytes());
+        hash_entry(hash, &name, code(&fs::read_to_string(file)?).as_bytes());
     }
-    let lock = fs::read_to_string(repository.join("Cargo.lock"))?;
-    for package in locked_packages(&lock) {
-        hash_entry(&mut hash, "Cargo.lock", package.trim().as_bytes());
+    Ok(())
+}
+
+/// The packages of a lock file that decide the bytes of modules.
+fn hash_locked(hash: &mut Sha256, lock: &Path) -> io::Result<()> {
+    for package in locked_packages(&fs::read_to_string(lock)?) {
+        hash_entry(hash, "Cargo.lock", package.trim().as_bytes());
     }
-    Ok(hex(&hash.finalize()))
+    Ok(())
 }
 
 /// Packages whose version decides the bytes of the modules.

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
 
-/// Names that temporary files were given; those of finished files are gone.
+/// Names that temporary files and folders were given; those of finished ones are gone.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
 /// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
@@ -188,12 +188,22 @@ fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
     Ok((Destination::Temporary(file), false))
 }
 
-/// Removes the temporary files of all unfinished outputs: for a program that is interrupted, in which nothing is
+/// Takes in a temporary folder, for [`remove_unfinished`].
+pub(crate) fn remember(folder: &Path) {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).push(folder.to_owned());
+}
+
+/// Leaves a folder alone from here on.
+pub(crate) fn forget(folder: &Path) {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| path != folder);
+}
+
+/// Removes the temporary files and folders of all unfinished outputs: for a program that is interrupted, in which nothing is
 /// dropped.
 pub fn remove_unfinished() {
     for path in TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
         // Those that were finished or dropped are no more; of others there is nobody left to tell.
-        let _ = std::fs::remove_file(path);
+        let _ = if path.is_dir() { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) };
     }
 }
 

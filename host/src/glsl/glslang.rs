@@ -1,6 +1,6 @@
 //! glslang through shaderc.
 
-use super::{ENTRY_POINT, Error, SourceLanguage, source};
+use super::{ENTRY_POINT, Error, Source, SourceLanguage, Stage, included};
 use shaderc::{
     CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
@@ -12,13 +12,13 @@ impl Glslang {
         shaderc::Compiler::new().map(Self).map_err(|error| Error::NoCompiler(error.to_string()))
     }
 
-    pub fn compile(
-        &self,
-        language: SourceLanguage,
-        file: &str,
-        text: &str,
-        macros: &[(String, String)],
-    ) -> Result<Vec<u8>, String> {
+    pub fn compile(&self, source: &Source<'_>, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
+        let &Source { language, stage, file, text } = source;
+        let kind = match stage {
+            Stage::Compute => ShaderKind::Compute,
+            Stage::Vertex => ShaderKind::Vertex,
+            Stage::Fragment => ShaderKind::Fragment,
+        };
         let compile = || {
             let mut options = CompileOptions::new()?;
             options.set_target_env(TargetEnv::Vulkan, EnvVersion::Vulkan1_1 as u32);
@@ -31,8 +31,7 @@ impl Glslang {
             for (name, value) in macros {
                 options.add_macro_definition(name, Some(value));
             }
-            let artifact =
-                self.0.compile_into_spirv(text, ShaderKind::Compute, file, ENTRY_POINT, Some(&options))?;
+            let artifact = self.0.compile_into_spirv(text, kind, file, ENTRY_POINT, Some(&options))?;
             Ok(artifact.as_binary_u8().to_vec())
         };
         compile().map_err(|error: shaderc::Error| error.to_string())
@@ -45,7 +44,7 @@ fn include(wanted: &str, kind: IncludeType, from: &str) -> Result<ResolvedInclud
         IncludeType::Relative => relative(from, wanted),
         IncludeType::Standard => wanted.to_owned(),
     };
-    match source(&path) {
+    match included(&path) {
         Ok(text) => Ok(ResolvedInclude { resolved_name: path, content: text.to_owned() }),
         Err(error) => Err(error.to_string()),
     }

@@ -33,6 +33,9 @@ pub struct Generation {
     costs: &'static [u8],
 }
 
+/// The generation whose costs are taken where none is named.
+pub const USUAL: &str = "rdna2";
+
 /// The generations whose costs ship with the program, the oldest first.
 pub const GENERATIONS: [Generation; 5] = [
     generation("gcn4", "GCN 4", "polaris10", "22.3", include_bytes!("../../data/costs_polaris10.json")),
