@@ -46,6 +46,12 @@ pub fn spirv(path: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(path)?.contents())
 }
 
+/// A tile of 64 x 64 texels of blue noise, two bytes each, row by row: a VK_FORMAT_R8G8_UNORM for the offsets of dithered codes.
+/// In each channel every byte occurs equally often.
+pub fn blue_noise() -> &'static [u8] {
+    include_bytes!("blue_noise_64x64.rg8")
+}
+
 /// The paths of all files that [`glsl`] gives.
 pub fn glsl_paths() -> impl Iterator<Item = &'static str> {
     paths(&GLSL)
@@ -69,6 +75,49 @@ fn paths(folder: &'static Dir<'_>) -> Box<dyn Iterator<Item = &'static str>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The share of a channel's variance in frequencies of up to `most` periods a tile, by the definition of Fourier's transform,
+    /// and the share of these frequencies in all.
+    fn low_share(channel: &[f64], most: i32) -> (f64, f64) {
+        let mean = channel.iter().sum::<f64>() / 4096.0;
+        let variance = channel.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>();
+        let (mut power, mut frequencies) = (0.0, 0.0);
+        for (fx, fy) in (-most..=most).flat_map(|fx| (-most..=most).map(move |fy| (fx, fy))) {
+            if (fx, fy) == (0, 0) || fx * fx + fy * fy > most * most {
+                continue;
+            }
+            let (mut real, mut imaginary) = (0.0, 0.0);
+            for (texel, x) in channel.iter().enumerate() {
+                let turns = f64::from(fx * (texel % 64) as i32 + fy * (texel / 64) as i32) / 64.0;
+                let (sine, cosine) = (turns * std::f64::consts::TAU).sin_cos();
+                (real, imaginary) = (real + (x - mean) * cosine, imaginary + (x - mean) * sine);
+            }
+            (power, frequencies) =
+                (power + (real * real + imaginary * imaginary) / 4096.0, frequencies + 1.0);
+        }
+        (power / variance, frequencies / 4095.0)
+    }
+
+    /// Uniform, so that no error is added, and blue: white noise has in low frequencies their share of all frequencies, this
+    /// less than a hundredth of it.
+    #[test]
+    fn the_tile_is_uniform_blue_noise() {
+        let channels = [0, 1].map(|c| blue_noise().iter().skip(c).step_by(2).copied().collect::<Vec<u8>>());
+        for channel in &channels {
+            for byte in 0..=255 {
+                assert_eq!(channel.iter().filter(|other| **other == byte).count(), 16, "{byte}");
+            }
+            let values: Vec<f64> = channel.iter().map(|byte| f64::from(*byte)).collect();
+            let (low, of_white) = low_share(&values, 8);
+            assert!(low < 0.01 * of_white, "{low} of the variance, white noise {of_white}");
+        }
+        let products = channels[0]
+            .iter()
+            .zip(&channels[1])
+            .map(|(r, g)| (f64::from(*r) - 127.5) * (f64::from(*g) - 127.5));
+        let correlation = products.sum::<f64>() / 4096.0 / (256.0 * 256.0 / 12.0);
+        assert!(correlation.abs() < 0.05, "the channels' correlation is {correlation}");
+    }
 
     /// Every path leads to its file, of text or of words.
     #[test]

@@ -7,8 +7,12 @@
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
 //   cylindrical16_encode(v), cylindrical16_decode(code)      also cylindrical24, 32
+//   float32x3_to_cylindrical(v)                              (phi / pi, z), on [-1, 1], for an snorm format
+//   cylindrical_to_float32x3(e)                              the direction of such a pair
+//   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: phi /
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. Layout: phi /
 // pi in the low half, z in the high half, two's complement snorm.
 
 #ifndef UNITVEC_CYLINDRICAL_GLSL
@@ -17,16 +21,22 @@
 precision highp float;
 precision highp int;
 
-// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
-vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
+// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+vec2 unitvec_cylindrical_height(vec3 v) {
     float norm = unitvec_l1_norm(v);
     vec3 p = unitvec_angles_scaled(v, norm);
     float magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
     float height = unitvec_with_sign(magnitude, v.z);
-    float steps = (unitvec_is_usable(norm) ? height : 1.0) * m;
+    return vec2(unitvec_is_usable(norm) ? height : 1.0, unitvec_angles_azimuth(v, p));
+}
+
+// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
+vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
+    vec2 height = unitvec_cylindrical_height(v);
+    float steps = height.x * m;
     // An inexact reciprocal could take z beyond m.
     float z = max(min(steps, m), -m);
-    float phi = unitvec_angles_azimuth(v, p) * (0.5 * m);
+    float phi = height.y * (0.5 * m);
     return vec2(abs(z) > m - 0.5 ? 0.0 : phi, z);
 }
 
@@ -38,6 +48,23 @@ vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
     float quarters = e.x * (2.0 * step_size);
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);
 }
+
+// Unquantised: phi / pi and z, both on [-1, 1].
+vec2 float32x3_to_cylindrical(vec3 v) {
+    vec2 height = unitvec_cylindrical_height(v);
+    float z = max(min(height.x, 1.0), -1.0);
+    float turn = 0.5 * height.y;
+    return vec2(abs(z) < 1.0 ? turn : 0.0, z);
+}
+
+// The direction of such a pair.
+vec3 cylindrical_to_float32x3(vec2 e) {
+    return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+vec2 float32x3_to_cylindrical_unorm(vec3 v) { return unitvec_biased(float32x3_to_cylindrical(v)); }
+vec3 cylindrical_unorm_to_float32x3(vec2 e) { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 
 uint unitvec_cylindrical_encode(vec3 v, uint bits) {
     vec2 e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));

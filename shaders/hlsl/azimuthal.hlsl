@@ -9,6 +9,8 @@
 //   stereo16_encode(v), stereo16_decode(code)      stereographic; also eqarea (Lambert), eqdist (equidistant)
 //   stereo_concentric16_encode(v), ...             the disk on the square by Shirley and Chiu's map
 //   stereo_ellipse16_encode(v), ...                the disk on the square by the ellipse map
+//   float32x3_to_stereo(v), stereo_to_float32x3(e)       u and v on [-1, 1], and 1 for z < 0, else 0; so for all nine
+//   float32x3_to_stereo_unorm(v), stereo_unorm_to_float32x3(e)    the same with u and v on [0, 1]
 //
 // Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for what has no direction.
 // Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1), above it;
@@ -158,6 +160,14 @@ float4 unitvec_plain_to_disk(float2 e, uint bits) {
     return rim > 0.0 ? float4(p, 0.0, rim) : float4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
 }
 
+// Disk point of a point on the square of the disk as it is; what is beyond the rim is moved to it.
+float4 unitvec_plain_square_to_disk(float2 s) {
+    precise float square = s.x * s.x + s.y * s.y;
+    precise float2 on_rim = s * (1.0 / sqrt(square));
+    precise float rim = 1.0 - square;
+    return square < 1.0 ? float4(s, 0.0, rim) : float4(on_rim, 0.0, 0.0);
+}
+
 float2 unitvec_concentric_to_square(float4 disk) {
     bool steep = disk.y > disk.x;
     float shorter = steep ? disk.x : disk.y;
@@ -166,8 +176,7 @@ float2 unitvec_concentric_to_square(float4 disk) {
     return steep ? float2(across, disk.z) : float2(disk.z, across);
 }
 
-float4 unitvec_concentric_to_disk(float2 e, uint bits) {
-    float2 s = unitvec_azimuthal_parts(e, bits);
+float4 unitvec_concentric_to_disk(float2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
@@ -187,8 +196,7 @@ float2 unitvec_ellipse_to_square(float4 disk) {
     return s;
 }
 
-float4 unitvec_ellipse_to_disk(float2 e, uint bits) {
-    float2 s = unitvec_azimuthal_parts(e, bits);
+float4 unitvec_ellipse_to_disk(float2 s) {
     precise float2 root = float2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
     precise float2 at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
@@ -202,14 +210,51 @@ float unitvec_azimuthal_signed(bool negative, float x) {
     return x > 0.0 ? unitvec_negate_if(negative, x) : 0.0;
 }
 
-// Code of the direction of v at any width, for one of the projections and one of the maps.
-uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
-    v = unitvec_or_z(v);
+// Where the direction of v lies on the square, without signs.
+float2 unitvec_azimuthal_to_square(float3 v, int projection, int map) {
     precise float3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
-    float2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
+    return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
         : unitvec_ellipse_to_square(disk));
+}
+
+float3 unitvec_azimuthal_from_disk(float4 disk, int projection) {
+    return projection == UNITVEC_STEREO ? unitvec_disk_to_stereo(disk.xy, disk.w)
+        : (projection == UNITVEC_EQAREA ? unitvec_disk_to_eqarea(disk.xy, disk.w)
+        : unitvec_disk_to_eqdist(disk.xy, disk.w));
+}
+
+// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+float3 unitvec_azimuthal_project(float3 v, int projection, int map) {
+    v = unitvec_or_z(v);
+    float2 s = unitvec_azimuthal_to_square(v, projection, map);
+    return float3(unitvec_azimuthal_signed(unitvec_is_negative(v.x), s.x),
+        unitvec_azimuthal_signed(unitvec_is_negative(v.y), s.y), unitvec_is_negative(v.z) ? 1.0 : 0.0);
+}
+
+// The direction of u and v on [-1, 1], below the equator where e.z is 1/2 or more.
+float3 unitvec_azimuthal_unproject(float3 e, int projection, int map) {
+    float2 s = unitvec_snorm_clamp(e.xy);
+    float4 disk = map == UNITVEC_PLAIN ? unitvec_plain_square_to_disk(abs(s))
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(s)) : unitvec_ellipse_to_disk(abs(s)));
+    float3 n = unitvec_azimuthal_from_disk(disk, projection);
+    return float3(unitvec_azimuthal_signed(s.x < 0.0, n.x), unitvec_azimuthal_signed(s.y < 0.0, n.y),
+        unitvec_azimuthal_signed(unitvec_is_set(e.z), n.z));
+}
+
+float3 unitvec_azimuthal_biased(float3 e) {
+    return float3(unitvec_biased(e.xy), e.z);
+}
+
+float3 unitvec_azimuthal_unbiased(float3 e) {
+    return float3(unitvec_unbiased(e.xy), e.z);
+}
+
+// Code of the direction of v at any width, for one of the projections and one of the maps.
+uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
+    v = unitvec_or_z(v);
+    float2 s = unitvec_azimuthal_to_square(v, projection, map);
     float2 m = unitvec_azimuthal_largest(bits);
     precise float2 position = s * m + 0.5;
     float2 e = floor(position);
@@ -227,15 +272,88 @@ float3 unitvec_azimuthal_decode(uint code, int projection, int map, uint bits) {
     float2 e =
         float2(unitvec_snorm_integer(code, bits / 2u), float(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    float2 s = unitvec_azimuthal_parts(abs(e), bits);
     float4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(e), bits)
-        : unitvec_ellipse_to_disk(abs(e), bits));
-    float3 n = projection == UNITVEC_STEREO ? unitvec_disk_to_stereo(disk.xy, disk.w)
-        : (projection == UNITVEC_EQAREA ? unitvec_disk_to_eqarea(disk.xy, disk.w)
-        : unitvec_disk_to_eqdist(disk.xy, disk.w));
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(s) : unitvec_ellipse_to_disk(s));
+    float3 n = unitvec_azimuthal_from_disk(disk, projection);
     bool back = e.y < 0.0 && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
     return float3(unitvec_azimuthal_signed(e.x < 0.0, n.x), unitvec_azimuthal_signed(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
+}
+
+float3 float32x3_to_stereo(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_PLAIN); }
+float3 stereo_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_PLAIN); }
+float3 float32x3_to_stereo_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_stereo(v)); }
+float3 stereo_unorm_to_float32x3(float3 e) { return stereo_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+float3 float32x3_to_stereo_concentric(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC);
+}
+float3 stereo_concentric_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_CONCENTRIC);
+}
+float3 float32x3_to_stereo_concentric_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_stereo_concentric(v));
+}
+float3 stereo_concentric_unorm_to_float32x3(float3 e) {
+    return stereo_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+float3 float32x3_to_stereo_ellipse(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_ELLIPSE); }
+float3 stereo_ellipse_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_ELLIPSE); }
+float3 float32x3_to_stereo_ellipse_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_stereo_ellipse(v)); }
+float3 stereo_ellipse_unorm_to_float32x3(float3 e) {
+    return stereo_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+float3 float32x3_to_eqarea(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_PLAIN); }
+float3 eqarea_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_PLAIN); }
+float3 float32x3_to_eqarea_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_eqarea(v)); }
+float3 eqarea_unorm_to_float32x3(float3 e) { return eqarea_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+float3 float32x3_to_eqarea_concentric(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC);
+}
+float3 eqarea_concentric_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_CONCENTRIC);
+}
+float3 float32x3_to_eqarea_concentric_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_eqarea_concentric(v));
+}
+float3 eqarea_concentric_unorm_to_float32x3(float3 e) {
+    return eqarea_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+float3 float32x3_to_eqarea_ellipse(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE); }
+float3 eqarea_ellipse_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_ELLIPSE); }
+float3 float32x3_to_eqarea_ellipse_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_eqarea_ellipse(v)); }
+float3 eqarea_ellipse_unorm_to_float32x3(float3 e) {
+    return eqarea_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+float3 float32x3_to_eqdist(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_PLAIN); }
+float3 eqdist_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_PLAIN); }
+float3 float32x3_to_eqdist_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_eqdist(v)); }
+float3 eqdist_unorm_to_float32x3(float3 e) { return eqdist_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+float3 float32x3_to_eqdist_concentric(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC);
+}
+float3 eqdist_concentric_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_CONCENTRIC);
+}
+float3 float32x3_to_eqdist_concentric_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_eqdist_concentric(v));
+}
+float3 eqdist_concentric_unorm_to_float32x3(float3 e) {
+    return eqdist_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+float3 float32x3_to_eqdist_ellipse(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE); }
+float3 eqdist_ellipse_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_ELLIPSE); }
+float3 float32x3_to_eqdist_ellipse_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_eqdist_ellipse(v)); }
+float3 eqdist_ellipse_unorm_to_float32x3(float3 e) {
+    return eqdist_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
 }
 
 uint stereo16_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }

@@ -5,8 +5,12 @@
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
 //   cylindrical16_encode(v), cylindrical16_decode(code)      also cylindrical24, 32
+//   float32x3_to_cylindrical(v)                              (phi / pi, z), on [-1, 1], for an snorm format
+//   cylindrical_to_float32x3(e)                              the direction of such a pair
+//   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: phi /
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. Layout: phi /
 // pi in the low half, z in the high half, two's complement snorm.
 
 #ifndef UNITVEC_CYLINDRICAL_HLSL
@@ -14,16 +18,22 @@
 
 #include "arith.hlsl"
 
-// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
-float2 unitvec_cylindrical_lattice(float3 v, float m) {
+// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+float2 unitvec_cylindrical_height(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
     precise float magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
     float height = unitvec_with_sign(magnitude, v.z);
-    precise float steps = (unitvec_is_usable(norm) ? height : 1.0) * m;
+    return float2(unitvec_is_usable(norm) ? height : 1.0, unitvec_angles_azimuth(v, p));
+}
+
+// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
+float2 unitvec_cylindrical_lattice(float3 v, float m) {
+    float2 height = unitvec_cylindrical_height(v);
+    precise float steps = height.x * m;
     // An inexact reciprocal could take z beyond m.
     float z = max(min(steps, m), -m);
-    precise float phi = unitvec_angles_azimuth(v, p) * (0.5 * m);
+    precise float phi = height.y * (0.5 * m);
     return float2(abs(z) > m - 0.5 ? 0.0 : phi, z);
 }
 
@@ -35,6 +45,23 @@ float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
     precise float quarters = e.x * (2.0 * step_size);
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);
 }
+
+// Unquantised: phi / pi and z, both on [-1, 1].
+float2 float32x3_to_cylindrical(float3 v) {
+    float2 height = unitvec_cylindrical_height(v);
+    float z = max(min(height.x, 1.0), -1.0);
+    precise float turn = 0.5 * height.y;
+    return float2(abs(z) < 1.0 ? turn : 0.0, z);
+}
+
+// The direction of such a pair.
+float3 cylindrical_to_float32x3(float2 e) {
+    return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+float2 float32x3_to_cylindrical_unorm(float3 v) { return unitvec_biased(float32x3_to_cylindrical(v)); }
+float3 cylindrical_unorm_to_float32x3(float2 e) { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 
 uint unitvec_cylindrical_encode(float3 v, uint bits) {
     float2 e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));

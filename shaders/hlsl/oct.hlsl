@@ -9,7 +9,10 @@
 //   float32x3_to_oct(v)                      a pair on [-1, 1], for an snorm format to which the hardware converts
 //   float32x3_to_octn_precise(v, n)          the precise code as such a pair, for a format of n bits (even, 4 to 32)
 //   oct_to_float32x3(e)                      the direction of such a pair
+//   float32x3_to_oct_unorm(v), oct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
+//
+//   snorm12x2_to_uint8x3(f), uint8x3_to_snorm12x2(u)         the same as three bytes, for an integer format
 //
 // To an attachment of RG16_SNORM, float32x3_to_octn_precise(v, 32) stores the code of oct32p, exactly, and
 // float32x3_to_oct(v) that of oct32 but for at most 3 codes in 1000, which are a step off: it rounds, and the hardware
@@ -171,6 +174,10 @@ float3 oct_to_float32x3(float2 e) {
     return unitvec_oct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+float2 float32x3_to_oct_unorm(float3 v) { return unitvec_biased(float32x3_to_oct(v)); }
+float3 oct_unorm_to_float32x3(float2 e) { return oct_to_float32x3(unitvec_unbiased(e)); }
+
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 float2 float32x3_to_octn_precise(float3 v, int n) {
     float m = unitvec_snorm_max(uint(n / 2));
@@ -178,23 +185,45 @@ float2 float32x3_to_octn_precise(float3 v, int n) {
     return e;
 }
 
-// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target. Ties go up.
-float3 snorm12x2_to_unorm8x3(float2 f) {
+// The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
+float3 unitvec_oct_bytes(float2 f) {
     precise float2 u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
     float high = floor(u.x / 16.0);
     float carry = floor(u.y / 256.0);
     precise float3 bytes = float3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
-    precise float3 parts = bytes / 255.0;
+    return bytes;
+}
+
+// The inverse, of whole numbers up to 255.
+float2 unitvec_oct_from_bytes(float3 bytes) {
+    float high = floor(bytes.y / 16.0);
+    precise float2 biased = float2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
+    precise float2 s = (biased - 2047.0) / 2047.0;
+    return min(s, 1.0);
+}
+
+// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
+float3 snorm12x2_to_unorm8x3(float2 f) {
+    precise float3 parts = unitvec_oct_bytes(f) / 255.0;
     return parts;
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.
 float2 unorm8x3_to_snorm12x2(float3 u) {
     precise float3 bytes = floor(clamp(u, 0.0, 1.0) * 255.0 + 0.5);
-    float high = floor(bytes.y / 16.0);
-    precise float2 biased = float2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
-    precise float2 s = (biased - 2047.0) / 2047.0;
-    return unitvec_is_nan(unitvec_l1_norm(u)) ? float2(0.0, 0.0) : clamp(s, -1.0, 1.0);
+    return unitvec_is_nan(unitvec_l1_norm(u)) ? float2(0.0, 0.0) : unitvec_oct_from_bytes(bytes);
+}
+
+// Listing 5 for an integer target such as RGB8UI: the bytes themselves.
+uint3 snorm12x2_to_uint8x3(float2 f) {
+    float3 bytes = unitvec_oct_bytes(f);
+    return uint3(unitvec_whole_to_u32(bytes.x), unitvec_whole_to_u32(bytes.y), unitvec_whole_to_u32(bytes.z));
+}
+
+// The inverse. What is above 255 counts as 255.
+float2 uint8x3_to_snorm12x2(uint3 u) {
+    uint3 bytes = min(u, 255u);
+    return unitvec_oct_from_bytes(float3(float(bytes.x), float(bytes.y), float(bytes.z)));
 }
 
 // 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.

@@ -4,9 +4,13 @@
 //
 // Source: White 2017, "Signed Octahedron Normal Encoding"; Cigolle et al. 2014, listing 6.
 //
-//   soct17_encode(v), soct17_decode(code)      also soct25, and soct33, whose codes are a uint2
+//   soct17_encode(v), soct17_decode(code)        also soct25, and soct33, whose codes are a uint2
+//   float32x3_to_soct(v), soct_to_float32x3(e)   u and v on [-1, 1], for an snorm format that the hardware converts, and
+//                                                1 for z < 0, else 0
+//   float32x3_to_soct_unorm(v), soct_unorm_to_float32x3(e)    the same with u and v on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: u = x + y
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it. u and v are
+// clamped, 0 where one is NaN, and below the equator is where the third is 1/2 or more. Layout: u = x + y
 // and v = x - y of (x, y, |z|) in two's complement snorm as in hemioct.hlsl, u lowest, and above them 1 for z < 0. Of
 // the 33 bits the sign is bit 0 of the second word.
 
@@ -20,16 +24,40 @@ uint unitvec_soct_pair(float3 v, float norm, uint bits) {
     return unitvec_nearest_pair(unitvec_hemioct_position(v, norm, unitvec_snorm_max(bits)), bits);
 }
 
-// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31: unit length to within 2 ULP. z is the
-// difference of two numbers that both have the sign, since a sum of them may be 0, which has none.
-float3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
-    float2 e = unitvec_snorm_integers(code, bits);
+// The direction of a point of [-m, m]^2 and the sign, in bit 31: unit length to within 2 ULP. z is the difference of two
+// numbers that both have the sign, since a sum of them may be 0, which has none.
+float3 unitvec_soct_from_lattice(float2 e, uint sign_bit, float m) {
     float below = asfloat(sign_bit & UNITVEC_SIGN_BIT);
     float across = 2.0 * max(abs(e.x), abs(e.y));
-    precise float3 v = float3(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below)
-        - unitvec_with_sign(across, below));
+    precise float3 v =
+        float3(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below));
     return unitvec_normalize(v);
 }
+
+// The same of the code of u and v, of `bits` bits each.
+float3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
+    return unitvec_soct_from_lattice(unitvec_snorm_integers(code, bits), sign_bit, unitvec_snorm_max(bits));
+}
+
+// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+float3 float32x3_to_soct(float3 v) {
+    float norm = unitvec_l1_norm(v);
+    float3 e = float3(unitvec_hemioct_position(v, norm, 1.0), unitvec_is_negative(v.z) ? 1.0 : 0.0);
+    return unitvec_is_usable(norm) ? e : float3(0.0, 0.0, 0.0);
+}
+
+// The direction of u and v on [-1, 1], below the equator where e.z is 1/2 or more.
+float3 soct_to_float32x3(float3 e) {
+    uint sign_bit = unitvec_is_set(e.z) ? UNITVEC_SIGN_BIT : 0u;
+    return unitvec_soct_from_lattice(unitvec_snorm_clamp(e.xy), sign_bit, 1.0);
+}
+
+// The same with u and v biased on [0, 1], for a UNORM format.
+float3 float32x3_to_soct_unorm(float3 v) {
+    float3 e = float32x3_to_soct(v);
+    return float3(unitvec_biased(e.xy), e.z);
+}
+float3 soct_unorm_to_float32x3(float3 e) { return soct_to_float32x3(float3(unitvec_unbiased(e.xy), e.z)); }
 
 uint unitvec_soct_encode(float3 v, uint bits) {
     float norm = unitvec_l1_norm(v);

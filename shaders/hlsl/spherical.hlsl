@@ -5,8 +5,13 @@
 // Source: Cigolle et al. 2014, section 2, "spherical".
 //
 //   spherical16_encode(v), spherical16_decode(code)      also spherical20, 22, 24, 32
+//   float32x3_to_spherical(v)                            (2 theta / pi - 1, phi / pi), on [-1, 1]
+//   spherical_to_float32x3(e)                            the direction of such a pair
+//   float32x3_to_spherical_unorm(v), spherical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout, with b
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. An snorm format that holds such a pair has another code than these: its phi has a step less.
+// Layout, with b
 // half the bits and m = 2^(b-1) - 1: round((2 theta / pi - 1) m) in the low half, theta from +Z; round(phi / pi
 // 2^(b-1)) in the high half, periodic; both in two's complement.
 
@@ -15,13 +20,19 @@
 
 #include "arith.hlsl"
 
-// The integers of the direction of v, before rounding: m is the largest of theta, half_turn the one of phi = pi.
-float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
+// The latitude and the azimuth of the direction of v in quarter turns.
+float2 unitvec_spherical_angles(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
     float latitude = unitvec_with_sign(unitvec_angles_quarter(p.z, unitvec_horizontal_length(p)), v.z);
-    precise float i = (unitvec_is_usable(norm) ? latitude : 1.0) * -m;
-    precise float j = unitvec_angles_azimuth(v, p) * (0.5 * half_turn);
+    return float2(unitvec_is_usable(norm) ? latitude : 1.0, unitvec_angles_azimuth(v, p));
+}
+
+// The integers of the direction of v, before rounding: m is the largest of theta, half_turn the one of phi = pi.
+float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
+    float2 angles = unitvec_spherical_angles(v);
+    precise float i = angles.x * -m;
+    precise float j = angles.y * (0.5 * half_turn);
     // Half a step from a pole, i rounds to the even integer, which is not the pole's.
     return float2(i, abs(i) > m - 0.5 ? 0.0 : j);
 }
@@ -37,6 +48,28 @@ float3 unitvec_spherical_from_lattice(float2 e, float m, float half_turn) {
     precise float quarters = e.y * (2.0 / half_turn);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), latitude < 1.0 ? quarters : 0.0);
 }
+
+// The angles, unquantised: 2 theta / pi - 1 and phi / pi, both on [-1, 1].
+float2 float32x3_to_spherical(float3 v) {
+    float2 angles = unitvec_spherical_angles(v);
+    precise float turn = 0.5 * angles.y;
+    return float2(-angles.x, abs(angles.x) < 1.0 ? turn : 0.0);
+}
+
+// 2^-26. Angles of theta that are less differ from the equator by less than the decoder rounds: without them no zero of z gets a
+// sign.
+static const float UNITVEC_SPHERICAL_LEAST = 1.4901161193847656e-8;
+
+// The direction of such a pair.
+float3 spherical_to_float32x3(float2 e) {
+    float2 angles = unitvec_snorm_clamp(e);
+    float theta = abs(angles.x) > UNITVEC_SPHERICAL_LEAST ? angles.x : 0.0;
+    return unitvec_spherical_from_lattice(float2(theta, angles.y), 1.0, 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+float2 float32x3_to_spherical_unorm(float3 v) { return unitvec_biased(float32x3_to_spherical(v)); }
+float3 spherical_unorm_to_float32x3(float2 e) { return spherical_to_float32x3(unitvec_unbiased(e)); }
 
 uint unitvec_spherical_encode(float3 v, uint bits) {
     float m = unitvec_snorm_max(bits / 2u);

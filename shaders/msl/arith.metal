@@ -260,6 +260,23 @@ inline float2 unitvec_snorm_clamp(float2 e) {
     return unitvec_is_nan(abs(e.x) + abs(e.y)) ? float2(0.0f) : clamp(e, float2(-1.0f), float2(1.0f));
 }
 
+// [-1, 1] on [0, 1], for a UNORM format.
+inline float2 unitvec_biased(float2 e) {
+    float2 on_unorm = e * 0.5f + 0.5f;
+    return on_unorm;
+}
+
+// The inverse.
+inline float2 unitvec_unbiased(float2 e) {
+    float2 on_snorm = e * 2.0f - 1.0f;
+    return on_snorm;
+}
+
+// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+inline bool unitvec_is_set(float x) {
+    return x >= 0.5f && !unitvec_is_nan(x);
+}
+
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
 inline float unitvec_snorm_decode(uint code, uint bits) {
     return unitvec_snorm_quotient(unitvec_snorm_integer(code, bits), bits);

@@ -255,6 +255,23 @@ fn unitvec_snorm_clamp(e: vec2f) -> vec2f {
     return select(clamp(e, vec2f(-1.0), vec2f(1.0)), vec2f(0.0), unitvec_is_nan(abs(e.x) + abs(e.y)));
 }
 
+// [-1, 1] on [0, 1], for a UNORM format.
+fn unitvec_biased(e: vec2f) -> vec2f {
+    let on_unorm = e * 0.5 + 0.5;
+    return on_unorm;
+}
+
+// The inverse.
+fn unitvec_unbiased(e: vec2f) -> vec2f {
+    let on_snorm = e * 2.0 - 1.0;
+    return on_snorm;
+}
+
+// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+fn unitvec_is_set(x: f32) -> bool {
+    return x >= 0.5 && !unitvec_is_nan(x);
+}
+
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
 fn unitvec_snorm_decode(code: u32, bits: u32) -> f32 {
     return unitvec_snorm_quotient(unitvec_snorm_integer(code, bits), bits);

@@ -5,25 +5,35 @@
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
 //   cylindrical16_encode(v), cylindrical16_decode(code)      also cylindrical24, 32
+//   float32x3_to_cylindrical(v)                              (phi / pi, z), on [-1, 1], for an snorm format
+//   cylindrical_to_float32x3(e)                              the direction of such a pair
+//   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: phi /
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. Layout: phi /
 // pi in the low half, z in the high half, two's complement snorm.
 
 #define_import_path unitvec::cylindrical
-#import unitvec::arith::{unitvec_angles_around_z, unitvec_angles_azimuth, unitvec_angles_scaled, unitvec_dot,
-    unitvec_is_usable, unitvec_l1_norm, unitvec_nearest_code, unitvec_snorm_integer, unitvec_snorm_max,
-    unitvec_with_sign}
+#import unitvec::arith::{unitvec_angles_around_z, unitvec_angles_azimuth, unitvec_angles_scaled, unitvec_biased,
+    unitvec_dot, unitvec_is_usable, unitvec_l1_norm, unitvec_nearest_code, unitvec_snorm_clamp, unitvec_snorm_integer,
+    unitvec_snorm_max, unitvec_unbiased, unitvec_with_sign}
 
-// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
-fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
+// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+fn unitvec_cylindrical_height(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
     let magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
     let height = unitvec_with_sign(magnitude, v.z);
-    let steps = select(1.0, height, unitvec_is_usable(norm)) * m;
+    return vec2f(select(1.0, height, unitvec_is_usable(norm)), unitvec_angles_azimuth(v, p));
+}
+
+// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
+fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
+    let height = unitvec_cylindrical_height(v);
+    let steps = height.x * m;
     // An inexact reciprocal could take z beyond m.
     let z = max(min(steps, m), -m);
-    let phi = unitvec_angles_azimuth(v, p) * (0.5 * m);
+    let phi = height.y * (0.5 * m);
     return vec2f(select(phi, 0.0, abs(z) > m - 0.5), z);
 }
 
@@ -35,6 +45,23 @@ fn unitvec_cylindrical_from_lattice(e: vec2f, m: f32) -> vec3f {
     let quarters = e.x * (2.0 * step_size);
     return unitvec_angles_around_z(radius, z, select(0.0, quarters, radius > 0.0));
 }
+
+// Unquantised: phi / pi and z, both on [-1, 1].
+fn float32x3_to_cylindrical(v: vec3f) -> vec2f {
+    let height = unitvec_cylindrical_height(v);
+    let z = max(min(height.x, 1.0), -1.0);
+    let turn = 0.5 * height.y;
+    return vec2f(select(0.0, turn, abs(z) < 1.0), z);
+}
+
+// The direction of such a pair.
+fn cylindrical_to_float32x3(e: vec2f) -> vec3f {
+    return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+fn float32x3_to_cylindrical_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_cylindrical(v)); }
+fn cylindrical_unorm_to_float32x3(e: vec2f) -> vec3f { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 
 fn unitvec_cylindrical_encode(v: vec3f, bits: u32) -> u32 {
     let e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));

@@ -7,18 +7,29 @@
 // Source: Cigolle et al. 2014, section 2, "spherical".
 //
 //   spherical16_encode(v), spherical16_decode(code)      also spherical20, 22, 24, 32
+//   float32x3_to_spherical(v)                            (2 theta / pi - 1, phi / pi), on [-1, 1]
+//   spherical_to_float32x3(e)                            the direction of such a pair
+//   float32x3_to_spherical_unorm(v), spherical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout, with b
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. An snorm format that holds such a pair has another code than these: its phi has a step less.
+// Layout, with b
 // half the bits and m = 2^(b-1) - 1: round((2 theta / pi - 1) m) in the low half, theta from +Z; round(phi / pi
 // 2^(b-1)) in the high half, periodic; both in two's complement.
 
-// The integers of the direction of v, before rounding: m is the largest of theta, half_turn the one of phi = pi.
-fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
+// The latitude and the azimuth of the direction of v in quarter turns.
+fn unitvec_spherical_angles(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
     let latitude = unitvec_with_sign(unitvec_angles_quarter(p.z, unitvec_horizontal_length(p)), v.z);
-    let i = select(1.0, latitude, unitvec_is_usable(norm)) * -m;
-    let j = unitvec_angles_azimuth(v, p) * (0.5 * half_turn);
+    return vec2f(select(1.0, latitude, unitvec_is_usable(norm)), unitvec_angles_azimuth(v, p));
+}
+
+// The integers of the direction of v, before rounding: m is the largest of theta, half_turn the one of phi = pi.
+fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
+    let angles = unitvec_spherical_angles(v);
+    let i = angles.x * -m;
+    let j = angles.y * (0.5 * half_turn);
     // Half a step from a pole, i rounds to the even integer, which is not the pole's.
     return vec2f(i, select(j, 0.0, abs(i) > m - 0.5));
 }
@@ -34,6 +45,28 @@ fn unitvec_spherical_from_lattice(e: vec2f, m: f32, half_turn: f32) -> vec3f {
     let quarters = e.y * (2.0 / half_turn);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), select(0.0, quarters, latitude < 1.0));
 }
+
+// The angles, unquantised: 2 theta / pi - 1 and phi / pi, both on [-1, 1].
+fn float32x3_to_spherical(v: vec3f) -> vec2f {
+    let angles = unitvec_spherical_angles(v);
+    let turn = 0.5 * angles.y;
+    return vec2f(-angles.x, select(0.0, turn, abs(angles.x) < 1.0));
+}
+
+// 2^-26. Angles of theta that are less differ from the equator by less than the decoder rounds: without them no zero of z gets a
+// sign.
+const UNITVEC_SPHERICAL_LEAST: f32 = 1.4901161193847656e-8;
+
+// The direction of such a pair.
+fn spherical_to_float32x3(e: vec2f) -> vec3f {
+    let angles = unitvec_snorm_clamp(e);
+    let theta = select(0.0, angles.x, abs(angles.x) > UNITVEC_SPHERICAL_LEAST);
+    return unitvec_spherical_from_lattice(vec2f(theta, angles.y), 1.0, 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+fn float32x3_to_spherical_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_spherical(v)); }
+fn spherical_unorm_to_float32x3(e: vec2f) -> vec3f { return spherical_to_float32x3(unitvec_unbiased(e)); }
 
 fn unitvec_spherical_encode(v: vec3f, bits: u32) -> u32 {
     let m = unitvec_snorm_max(bits / 2u);

@@ -260,6 +260,23 @@ vec2 unitvec_snorm_clamp(vec2 e) {
     return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
 }
 
+// [-1, 1] on [0, 1], for a UNORM format.
+vec2 unitvec_biased(vec2 e) {
+    vec2 on_unorm = min(e * 0.5 + 0.5, UNITVEC_HUGE);
+    return on_unorm;
+}
+
+// The inverse.
+vec2 unitvec_unbiased(vec2 e) {
+    vec2 on_snorm = min(e * 2.0 - 1.0, UNITVEC_HUGE);
+    return on_snorm;
+}
+
+// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+bool unitvec_is_set(float x) {
+    return x >= 0.5 && !unitvec_is_nan(x);
+}
+
 // clamp(i / (2^(bits-1) - 1), -1, 1). Bits above `bits` are ignored.
 float unitvec_snorm_decode(uint code, uint bits) {
     return unitvec_snorm_quotient(unitvec_snorm_integer(code, bits), bits);

@@ -12,7 +12,9 @@
 //   eaoct16_encode(v), eaoct16_decode(code)      integer codes; also eaoct20, eaoct22, eaoct24, eaoct32
 //   eaoct16p_encode(v), ...                      precise encoders of the same formats
 //   float32x3_to_eaoct(v)                        a pair on [-1, 1], for an snorm format that the hardware converts
+//   float32x3_to_eaoctn_precise(v, n)            the precise code as such a pair, for a format of n bits (even, 16 to 32)
 //   eaoct_to_float32x3(e)                        the direction of such a pair
+//   float32x3_to_eaoct_unorm(v), eaoct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
 // All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; a pair
 // is clamped to [-1, 1]. Layout: that of oct.glsl. With m the snorm's largest integer, the lattice points of an octant
@@ -107,18 +109,28 @@ vec2 unitvec_eaoct_lattice_precise(vec3 v, float norm, float m) {
     return unitvec_eaoct_unfolded(v, p.swapped, nearest.x, nearest.y, m);
 }
 
-// Direction of a lattice point, unit length to within 2 ULP.
-vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
+// Where a lattice point is: on ring `ring`, the one of number `place`, mirrored so that this is at most half of `ring`. `above`
+// is negative below the equator.
+struct UnitvecEaoctRing {
+    float ring;
+    float place;
+    float above;
+    bool swapped;
+};
+
+UnitvecEaoctRing unitvec_eaoct_ring_of(vec2 e, float m) {
     vec2 a = abs(e);
     float sum = min(a.x + a.y, UNITVEC_HUGE);
     float above = min(m - sum, UNITVEC_HUGE);
     float folded_ring = min(2.0 * m - sum, UNITVEC_HUGE);
     float ring = min(sum, folded_ring);
     float folded_place = min(m - max(a.x, a.y), UNITVEC_HUGE);
-    float place = min(min(a.x, a.y), folded_place);
-    bool swapped = a.y > a.x;
+    UnitvecEaoctRing at = UnitvecEaoctRing(ring, min(min(a.x, a.y), folded_place), above, a.y > a.x);
+    return at;
+}
 
-    float turn = min(place / max(ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+// Direction at phi = `turn`, 0 to 1/2, on a ring, with the signs of e: unit length to within 2 ULP.
+vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float above, float m) {
     float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
@@ -131,6 +143,13 @@ vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     float y = swapped ? near_axis : off_axis;
     return vec3(unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y),
         unitvec_with_sign(z, above));
+}
+
+// Direction of a lattice point.
+vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
+    UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
+    float turn = min(at.place / max(at.ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+    return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
 // The projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds: a mean error 8 % and a
@@ -146,6 +165,18 @@ vec2 float32x3_to_eaoct(vec3 v) {
 // The direction of a pair of snorm values on [-1, 1].
 vec3 eaoct_to_float32x3(vec2 e) {
     return unitvec_eaoct_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+vec2 float32x3_to_eaoct_unorm(vec3 v) { return unitvec_biased(float32x3_to_eaoct(v)); }
+vec3 eaoct_unorm_to_float32x3(vec2 e) { return eaoct_to_float32x3(unitvec_unbiased(e)); }
+
+// The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
+vec2 float32x3_to_eaoctn_precise(vec3 v, int n) {
+    float norm = unitvec_l1_norm(v);
+    float m = unitvec_snorm_max(uint(n / 2));
+    vec2 e = min(unitvec_eaoct_lattice_precise(v, norm, m) / m, UNITVEC_HUGE);
+    return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 
 uint unitvec_eaoct_encode(vec3 v, uint bits) {

@@ -12,6 +12,8 @@
 //   stereo16_encode(v), stereo16_decode(code)      stereographic; also eqarea (Lambert), eqdist (equidistant)
 //   stereo_concentric16_encode(v), ...             the disk on the square by Shirley and Chiu's map
 //   stereo_ellipse16_encode(v), ...                the disk on the square by the ellipse map
+//   float32x3_to_stereo(v), stereo_to_float32x3(e)       u and v on [-1, 1], and 1 for z < 0, else 0; so for all nine
+//   float32x3_to_stereo_unorm(v), stereo_unorm_to_float32x3(e)    the same with u and v on [0, 1]
 //
 // Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for what has no direction.
 // Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1), above it;
@@ -169,6 +171,14 @@ inline float4 unitvec_plain_to_disk(float2 e, uint bits) {
     return rim > 0.0f ? float4(p, 0.0f, rim) : float4(on_rim, 0.0f, rest < 0.0f ? rest : 0.0f);
 }
 
+// Disk point of a point on the square of the disk as it is; what is beyond the rim is moved to it.
+inline float4 unitvec_plain_square_to_disk(float2 s) {
+    float square = min(min(s.x * s.x, UNITVEC_HUGE) + min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float2 on_rim = min(s * min(1.0f / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE), float2(UNITVEC_HUGE));
+    float rim = min(1.0f - square, UNITVEC_HUGE);
+    return square < 1.0f ? float4(s, 0.0f, rim) : float4(on_rim, 0.0f, 0.0f);
+}
+
 inline float2 unitvec_concentric_to_square(float4 disk) {
     bool steep = disk.y > disk.x;
     float shorter = steep ? disk.x : disk.y;
@@ -177,8 +187,7 @@ inline float2 unitvec_concentric_to_square(float4 disk) {
     return steep ? float2(across, disk.z) : float2(disk.z, across);
 }
 
-inline float4 unitvec_concentric_to_disk(float2 e, uint bits) {
-    float2 s = unitvec_azimuthal_parts(e, bits);
+inline float4 unitvec_concentric_to_disk(float2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
@@ -200,8 +209,7 @@ inline float2 unitvec_ellipse_to_square(float4 disk) {
     return s;
 }
 
-inline float4 unitvec_ellipse_to_disk(float2 e, uint bits) {
-    float2 s = unitvec_azimuthal_parts(e, bits);
+inline float4 unitvec_ellipse_to_disk(float2 s) {
     float2 root = float2(min(sqrt(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
         min(sqrt(min(1.0f - min(0.5f * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
     float2 at = min(s * root, float2(UNITVEC_HUGE));
@@ -216,14 +224,51 @@ inline float unitvec_azimuthal_signed(bool negative, float x) {
     return x > 0.0f ? unitvec_negate_if(negative, x) : 0.0f;
 }
 
-// Code of the direction of v at any width, for one of the projections and one of the maps.
-inline uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
-    v = unitvec_or_z(v);
+// Where the direction of v lies on the square, without signs.
+inline float2 unitvec_azimuthal_to_square(float3 v, int projection, int map) {
     float3 octant = min(abs(v) * min(1.0f / unitvec_l1_norm(v), UNITVEC_HUGE), float3(UNITVEC_HUGE));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
-    float2 s = map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
+    return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)
         : unitvec_ellipse_to_square(disk));
+}
+
+inline float3 unitvec_azimuthal_from_disk(float4 disk, int projection) {
+    return projection == UNITVEC_STEREO ? unitvec_disk_to_stereo(disk.xy, disk.w)
+        : (projection == UNITVEC_EQAREA ? unitvec_disk_to_eqarea(disk.xy, disk.w)
+        : unitvec_disk_to_eqdist(disk.xy, disk.w));
+}
+
+// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+inline float3 unitvec_azimuthal_project(float3 v, int projection, int map) {
+    v = unitvec_or_z(v);
+    float2 s = unitvec_azimuthal_to_square(v, projection, map);
+    return float3(unitvec_azimuthal_signed(unitvec_is_negative(v.x), s.x),
+        unitvec_azimuthal_signed(unitvec_is_negative(v.y), s.y), unitvec_is_negative(v.z) ? 1.0f : 0.0f);
+}
+
+// The direction of u and v on [-1, 1], below the equator where e.z is 1/2 or more.
+inline float3 unitvec_azimuthal_unproject(float3 e, int projection, int map) {
+    float2 s = unitvec_snorm_clamp(e.xy);
+    float4 disk = map == UNITVEC_PLAIN ? unitvec_plain_square_to_disk(abs(s))
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(s)) : unitvec_ellipse_to_disk(abs(s)));
+    float3 n = unitvec_azimuthal_from_disk(disk, projection);
+    return float3(unitvec_azimuthal_signed(s.x < 0.0f, n.x), unitvec_azimuthal_signed(s.y < 0.0f, n.y),
+        unitvec_azimuthal_signed(unitvec_is_set(e.z), n.z));
+}
+
+inline float3 unitvec_azimuthal_biased(float3 e) {
+    return float3(unitvec_biased(e.xy), e.z);
+}
+
+inline float3 unitvec_azimuthal_unbiased(float3 e) {
+    return float3(unitvec_unbiased(e.xy), e.z);
+}
+
+// Code of the direction of v at any width, for one of the projections and one of the maps.
+inline uint unitvec_azimuthal_encode(float3 v, int projection, int map, uint bits) {
+    v = unitvec_or_z(v);
+    float2 s = unitvec_azimuthal_to_square(v, projection, map);
     float2 m = unitvec_azimuthal_largest(bits);
     float2 position = min(min(s * m, float2(UNITVEC_HUGE)) + 0.5f, float2(UNITVEC_HUGE));
     float2 e = floor(position);
@@ -241,15 +286,106 @@ inline float3 unitvec_azimuthal_decode(uint code, int projection, int map, uint 
     float2 e =
         float2(unitvec_snorm_integer(code, bits / 2u), float(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
     bool flag = ((code >> (bits - 1u)) & 1u) != 0u;
+    float2 s = unitvec_azimuthal_parts(abs(e), bits);
     float4 disk = map == UNITVEC_PLAIN ? unitvec_plain_to_disk(abs(e), bits)
-        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(abs(e), bits)
-        : unitvec_ellipse_to_disk(abs(e), bits));
-    float3 n = projection == UNITVEC_STEREO ? unitvec_disk_to_stereo(disk.xy, disk.w)
-        : (projection == UNITVEC_EQAREA ? unitvec_disk_to_eqarea(disk.xy, disk.w)
-        : unitvec_disk_to_eqdist(disk.xy, disk.w));
+        : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_disk(s) : unitvec_ellipse_to_disk(s));
+    float3 n = unitvec_azimuthal_from_disk(disk, projection);
     bool back = e.y < 0.0f && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
     return float3(unitvec_azimuthal_signed(e.x < 0.0f, n.x), unitvec_azimuthal_signed(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
+}
+
+inline float3 float32x3_to_stereo(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_PLAIN); }
+inline float3 stereo_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_PLAIN); }
+inline float3 float32x3_to_stereo_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_stereo(v)); }
+inline float3 stereo_unorm_to_float32x3(float3 e) { return stereo_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+inline float3 float32x3_to_stereo_concentric(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC);
+}
+inline float3 stereo_concentric_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_CONCENTRIC);
+}
+inline float3 float32x3_to_stereo_concentric_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_stereo_concentric(v));
+}
+inline float3 stereo_concentric_unorm_to_float32x3(float3 e) {
+    return stereo_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+inline float3 float32x3_to_stereo_ellipse(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_ELLIPSE);
+}
+inline float3 stereo_ellipse_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_ELLIPSE);
+}
+inline float3 float32x3_to_stereo_ellipse_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_stereo_ellipse(v));
+}
+inline float3 stereo_ellipse_unorm_to_float32x3(float3 e) {
+    return stereo_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+inline float3 float32x3_to_eqarea(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_PLAIN); }
+inline float3 eqarea_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_PLAIN); }
+inline float3 float32x3_to_eqarea_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_eqarea(v)); }
+inline float3 eqarea_unorm_to_float32x3(float3 e) { return eqarea_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+inline float3 float32x3_to_eqarea_concentric(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC);
+}
+inline float3 eqarea_concentric_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_CONCENTRIC);
+}
+inline float3 float32x3_to_eqarea_concentric_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_eqarea_concentric(v));
+}
+inline float3 eqarea_concentric_unorm_to_float32x3(float3 e) {
+    return eqarea_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+inline float3 float32x3_to_eqarea_ellipse(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE);
+}
+inline float3 eqarea_ellipse_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_ELLIPSE);
+}
+inline float3 float32x3_to_eqarea_ellipse_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_eqarea_ellipse(v));
+}
+inline float3 eqarea_ellipse_unorm_to_float32x3(float3 e) {
+    return eqarea_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+inline float3 float32x3_to_eqdist(float3 v) { return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_PLAIN); }
+inline float3 eqdist_to_float32x3(float3 e) { return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_PLAIN); }
+inline float3 float32x3_to_eqdist_unorm(float3 v) { return unitvec_azimuthal_biased(float32x3_to_eqdist(v)); }
+inline float3 eqdist_unorm_to_float32x3(float3 e) { return eqdist_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+inline float3 float32x3_to_eqdist_concentric(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC);
+}
+inline float3 eqdist_concentric_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_CONCENTRIC);
+}
+inline float3 float32x3_to_eqdist_concentric_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_eqdist_concentric(v));
+}
+inline float3 eqdist_concentric_unorm_to_float32x3(float3 e) {
+    return eqdist_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+inline float3 float32x3_to_eqdist_ellipse(float3 v) {
+    return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE);
+}
+inline float3 eqdist_ellipse_to_float32x3(float3 e) {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_ELLIPSE);
+}
+inline float3 float32x3_to_eqdist_ellipse_unorm(float3 v) {
+    return unitvec_azimuthal_biased(float32x3_to_eqdist_ellipse(v));
+}
+inline float3 eqdist_ellipse_unorm_to_float32x3(float3 e) {
+    return eqdist_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
 }
 
 inline uint stereo16_encode(float3 v) { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }

@@ -8,8 +8,12 @@
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
 //   cylindrical16_encode(v), cylindrical16_decode(code)      also cylindrical24, 32
+//   float32x3_to_cylindrical(v)                              (phi / pi, z), on [-1, 1], for an snorm format
+//   cylindrical_to_float32x3(e)                              the direction of such a pair
+//   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: phi /
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. Layout: phi /
 // pi in the low half, z in the high half, two's complement snorm.
 
 #ifndef UNITVEC_CYLINDRICAL_METAL
@@ -17,16 +21,22 @@
 
 #include "arith.metal"
 
-// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
-inline float2 unitvec_cylindrical_lattice(float3 v, float m) {
+// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+inline float2 unitvec_cylindrical_height(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
     float magnitude = min(p.z * min(1.0f / min(sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     float height = unitvec_with_sign(magnitude, v.z);
-    float steps = min((unitvec_is_usable(norm) ? height : 1.0f) * m, UNITVEC_HUGE);
+    return float2(unitvec_is_usable(norm) ? height : 1.0f, unitvec_angles_azimuth(v, p));
+}
+
+// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
+inline float2 unitvec_cylindrical_lattice(float3 v, float m) {
+    float2 height = unitvec_cylindrical_height(v);
+    float steps = min(height.x * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
     float z = max(min(steps, m), -m);
-    float phi = min(unitvec_angles_azimuth(v, p) * (0.5f * m), UNITVEC_HUGE);
+    float phi = min(height.y * (0.5f * m), UNITVEC_HUGE);
     return float2(abs(z) > m - 0.5f ? 0.0f : phi, z);
 }
 
@@ -39,6 +49,23 @@ inline float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
     float quarters = min(e.x * (2.0f * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, radius > 0.0f ? quarters : 0.0f);
 }
+
+// Unquantised: phi / pi and z, both on [-1, 1].
+inline float2 float32x3_to_cylindrical(float3 v) {
+    float2 height = unitvec_cylindrical_height(v);
+    float z = max(min(height.x, 1.0f), -1.0f);
+    float turn = 0.5f * height.y;
+    return float2(abs(z) < 1.0f ? turn : 0.0f, z);
+}
+
+// The direction of such a pair.
+inline float3 cylindrical_to_float32x3(float2 e) {
+    return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0f);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+inline float2 float32x3_to_cylindrical_unorm(float3 v) { return unitvec_biased(float32x3_to_cylindrical(v)); }
+inline float3 cylindrical_unorm_to_float32x3(float2 e) { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 
 inline uint unitvec_cylindrical_encode(float3 v, uint bits) {
     float2 e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));

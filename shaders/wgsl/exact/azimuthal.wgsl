@@ -14,6 +14,8 @@
 //   stereo16_encode(v), stereo16_decode(code)      stereographic; also eqarea (Lambert), eqdist (equidistant)
 //   stereo_concentric16_encode(v), ...             the disk on the square by Shirley and Chiu's map
 //   stereo_ellipse16_encode(v), ...                the disk on the square by the ellipse map
+//   float32x3_to_stereo(v), stereo_to_float32x3(e)       u and v on [-1, 1], and 1 for z < 0, else 0; so for all nine
+//   float32x3_to_stereo_unorm(v), stereo_unorm_to_float32x3(e)    the same with u and v on [0, 1]
 //
 // Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for what has no direction.
 // Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1), above it;
@@ -165,6 +167,14 @@ fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
     return select(vec4f(on_rim, 0.0, select(0.0, rest, rest < 0.0)), vec4f(p, 0.0, rim), rim > 0.0);
 }
 
+// Disk point of a point on the square of the disk as it is; what is beyond the rim is moved to it.
+fn unitvec_plain_square_to_disk(s: vec2f) -> vec4f {
+    let square = min(min(s.x * s.x, UNITVEC_HUGE) + min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let on_rim = min(s * min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE), vec2f(UNITVEC_HUGE));
+    let rim = min(1.0 - square, UNITVEC_HUGE);
+    return select(vec4f(on_rim, 0.0, 0.0), vec4f(s, 0.0, rim), square < 1.0);
+}
+
 fn unitvec_concentric_to_square(disk: vec4f) -> vec2f {
     let steep = disk.y > disk.x;
     let shorter = select(disk.y, disk.x, steep);
@@ -173,8 +183,7 @@ fn unitvec_concentric_to_square(disk: vec4f) -> vec2f {
     return select(vec2f(disk.z, across), vec2f(across, disk.z), steep);
 }
 
-fn unitvec_concentric_to_disk(e: vec2f, bits: u32) -> vec4f {
-    let s = unitvec_azimuthal_parts(e, bits);
+fn unitvec_concentric_to_disk(s: vec2f) -> vec4f {
     let steep = s.y > s.x;
     let shorter = select(s.y, s.x, steep);
     let radius = select(s.x, s.y, steep);
@@ -196,8 +205,7 @@ fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
     return s;
 }
 
-fn unitvec_ellipse_to_disk(e: vec2f, bits: u32) -> vec4f {
-    let s = unitvec_azimuthal_parts(e, bits);
+fn unitvec_ellipse_to_disk(s: vec2f) -> vec4f {
     let root = vec2f(min(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
         min(sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
     let at = min(s * root, vec2f(UNITVEC_HUGE));
@@ -212,15 +220,52 @@ fn unitvec_azimuthal_signed(negative: bool, x: f32) -> f32 {
     return select(0.0, unitvec_negate_if(negative, x), x > 0.0);
 }
 
+// Where the direction of v lies on the square, without signs.
+fn unitvec_azimuthal_to_square(v: vec3f, projection: i32, map: i32) -> vec2f {
+    let octant = min(abs(v) * min(1.0 / unitvec_l1_norm(v), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
+    let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),
+        projection == UNITVEC_EQAREA), unitvec_stereo_to_disk(octant), projection == UNITVEC_STEREO);
+    return select(select(unitvec_ellipse_to_square(disk), unitvec_concentric_to_square(disk),
+        map == UNITVEC_CONCENTRIC), disk.xy, map == UNITVEC_PLAIN);
+}
+
+fn unitvec_azimuthal_from_disk(disk: vec4f, projection: i32) -> vec3f {
+    return select(select(unitvec_disk_to_eqdist(disk.xy, disk.w), unitvec_disk_to_eqarea(disk.xy, disk.w),
+        projection == UNITVEC_EQAREA), unitvec_disk_to_stereo(disk.xy, disk.w), projection == UNITVEC_STEREO);
+}
+
+// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+fn unitvec_azimuthal_project(v_in: vec3f, projection: i32, map: i32) -> vec3f {
+    var v = v_in;
+    v = unitvec_or_z(v);
+    let s = unitvec_azimuthal_to_square(v, projection, map);
+    return vec3f(unitvec_azimuthal_signed(unitvec_is_negative(v.x), s.x),
+        unitvec_azimuthal_signed(unitvec_is_negative(v.y), s.y), select(0.0, 1.0, unitvec_is_negative(v.z)));
+}
+
+// The direction of u and v on [-1, 1], below the equator where e.z is 1/2 or more.
+fn unitvec_azimuthal_unproject(e: vec3f, projection: i32, map: i32) -> vec3f {
+    let s = unitvec_snorm_clamp(e.xy);
+    let disk = select(select(unitvec_ellipse_to_disk(abs(s)), unitvec_concentric_to_disk(abs(s)),
+        map == UNITVEC_CONCENTRIC), unitvec_plain_square_to_disk(abs(s)), map == UNITVEC_PLAIN);
+    let n = unitvec_azimuthal_from_disk(disk, projection);
+    return vec3f(unitvec_azimuthal_signed(s.x < 0.0, n.x), unitvec_azimuthal_signed(s.y < 0.0, n.y),
+        unitvec_azimuthal_signed(unitvec_is_set(e.z), n.z));
+}
+
+fn unitvec_azimuthal_biased(e: vec3f) -> vec3f {
+    return vec3f(unitvec_biased(e.xy), e.z);
+}
+
+fn unitvec_azimuthal_unbiased(e: vec3f) -> vec3f {
+    return vec3f(unitvec_unbiased(e.xy), e.z);
+}
+
 // Code of the direction of v at any width, for one of the projections and one of the maps.
 fn unitvec_azimuthal_encode(v_in: vec3f, projection: i32, map: i32, bits: u32) -> u32 {
     var v = v_in;
     v = unitvec_or_z(v);
-    let octant = min(abs(v) * min(1.0 / unitvec_l1_norm(v), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
-    let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),
-        projection == UNITVEC_EQAREA), unitvec_stereo_to_disk(octant), projection == UNITVEC_STEREO);
-    let s = select(select(unitvec_ellipse_to_square(disk), unitvec_concentric_to_square(disk),
-        map == UNITVEC_CONCENTRIC), disk.xy, map == UNITVEC_PLAIN);
+    let s = unitvec_azimuthal_to_square(v, projection, map);
     let m = unitvec_azimuthal_largest(bits);
     let position = min(min(s * m, vec2f(UNITVEC_HUGE)) + 0.5, vec2f(UNITVEC_HUGE));
     var e = floor(position);
@@ -237,13 +282,106 @@ fn unitvec_azimuthal_decode(code: u32, projection: i32, map: i32, bits: u32) -> 
     // v without regard to the highest bit.
     let e = vec2f(unitvec_snorm_integer(code, bits / 2u), f32(unitvec_signed_field(code, bits / 2u, bits / 2u - 1u)));
     let flag = ((code >> (bits - 1u)) & 1u) != 0u;
-    let disk = select(select(unitvec_ellipse_to_disk(abs(e), bits), unitvec_concentric_to_disk(abs(e), bits),
-        map == UNITVEC_CONCENTRIC), unitvec_plain_to_disk(abs(e), bits), map == UNITVEC_PLAIN);
-    let n = select(select(unitvec_disk_to_eqdist(disk.xy, disk.w), unitvec_disk_to_eqarea(disk.xy, disk.w),
-        projection == UNITVEC_EQAREA), unitvec_disk_to_stereo(disk.xy, disk.w), projection == UNITVEC_STEREO);
+    let s = unitvec_azimuthal_parts(abs(e), bits);
+    let disk = select(select(unitvec_ellipse_to_disk(s), unitvec_concentric_to_disk(s), map == UNITVEC_CONCENTRIC),
+        unitvec_plain_to_disk(abs(e), bits), map == UNITVEC_PLAIN);
+    let n = unitvec_azimuthal_from_disk(disk, projection);
     let back = e.y < 0.0 && !(flag && e.y <= -unitvec_azimuthal_largest(bits).y);
     return vec3f(unitvec_azimuthal_signed(e.x < 0.0, n.x), unitvec_azimuthal_signed(back, n.y),
         unitvec_azimuthal_signed(flag, n.z));
+}
+
+fn float32x3_to_stereo(v: vec3f) -> vec3f { return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_PLAIN); }
+fn stereo_to_float32x3(e: vec3f) -> vec3f { return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_PLAIN); }
+fn float32x3_to_stereo_unorm(v: vec3f) -> vec3f { return unitvec_azimuthal_biased(float32x3_to_stereo(v)); }
+fn stereo_unorm_to_float32x3(e: vec3f) -> vec3f { return stereo_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+fn float32x3_to_stereo_concentric(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_CONCENTRIC);
+}
+fn stereo_concentric_to_float32x3(e: vec3f) -> vec3f {
+    return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_CONCENTRIC);
+}
+fn float32x3_to_stereo_concentric_unorm(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_biased(float32x3_to_stereo_concentric(v));
+}
+fn stereo_concentric_unorm_to_float32x3(e: vec3f) -> vec3f {
+    return stereo_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+fn float32x3_to_stereo_ellipse(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_project(v, UNITVEC_STEREO, UNITVEC_ELLIPSE);
+}
+fn stereo_ellipse_to_float32x3(e: vec3f) -> vec3f {
+    return unitvec_azimuthal_unproject(e, UNITVEC_STEREO, UNITVEC_ELLIPSE);
+}
+fn float32x3_to_stereo_ellipse_unorm(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_biased(float32x3_to_stereo_ellipse(v));
+}
+fn stereo_ellipse_unorm_to_float32x3(e: vec3f) -> vec3f {
+    return stereo_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+fn float32x3_to_eqarea(v: vec3f) -> vec3f { return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_PLAIN); }
+fn eqarea_to_float32x3(e: vec3f) -> vec3f { return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_PLAIN); }
+fn float32x3_to_eqarea_unorm(v: vec3f) -> vec3f { return unitvec_azimuthal_biased(float32x3_to_eqarea(v)); }
+fn eqarea_unorm_to_float32x3(e: vec3f) -> vec3f { return eqarea_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+fn float32x3_to_eqarea_concentric(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_CONCENTRIC);
+}
+fn eqarea_concentric_to_float32x3(e: vec3f) -> vec3f {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_CONCENTRIC);
+}
+fn float32x3_to_eqarea_concentric_unorm(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_biased(float32x3_to_eqarea_concentric(v));
+}
+fn eqarea_concentric_unorm_to_float32x3(e: vec3f) -> vec3f {
+    return eqarea_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+fn float32x3_to_eqarea_ellipse(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_project(v, UNITVEC_EQAREA, UNITVEC_ELLIPSE);
+}
+fn eqarea_ellipse_to_float32x3(e: vec3f) -> vec3f {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQAREA, UNITVEC_ELLIPSE);
+}
+fn float32x3_to_eqarea_ellipse_unorm(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_biased(float32x3_to_eqarea_ellipse(v));
+}
+fn eqarea_ellipse_unorm_to_float32x3(e: vec3f) -> vec3f {
+    return eqarea_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+fn float32x3_to_eqdist(v: vec3f) -> vec3f { return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_PLAIN); }
+fn eqdist_to_float32x3(e: vec3f) -> vec3f { return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_PLAIN); }
+fn float32x3_to_eqdist_unorm(v: vec3f) -> vec3f { return unitvec_azimuthal_biased(float32x3_to_eqdist(v)); }
+fn eqdist_unorm_to_float32x3(e: vec3f) -> vec3f { return eqdist_to_float32x3(unitvec_azimuthal_unbiased(e)); }
+
+fn float32x3_to_eqdist_concentric(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_CONCENTRIC);
+}
+fn eqdist_concentric_to_float32x3(e: vec3f) -> vec3f {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_CONCENTRIC);
+}
+fn float32x3_to_eqdist_concentric_unorm(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_biased(float32x3_to_eqdist_concentric(v));
+}
+fn eqdist_concentric_unorm_to_float32x3(e: vec3f) -> vec3f {
+    return eqdist_concentric_to_float32x3(unitvec_azimuthal_unbiased(e));
+}
+
+fn float32x3_to_eqdist_ellipse(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_project(v, UNITVEC_EQDIST, UNITVEC_ELLIPSE);
+}
+fn eqdist_ellipse_to_float32x3(e: vec3f) -> vec3f {
+    return unitvec_azimuthal_unproject(e, UNITVEC_EQDIST, UNITVEC_ELLIPSE);
+}
+fn float32x3_to_eqdist_ellipse_unorm(v: vec3f) -> vec3f {
+    return unitvec_azimuthal_biased(float32x3_to_eqdist_ellipse(v));
+}
+fn eqdist_ellipse_unorm_to_float32x3(e: vec3f) -> vec3f {
+    return eqdist_ellipse_to_float32x3(unitvec_azimuthal_unbiased(e));
 }
 
 fn stereo16_encode(v: vec3f) -> u32 { return unitvec_azimuthal_encode(v, UNITVEC_STEREO, UNITVEC_PLAIN, 16u); }

@@ -10,20 +10,30 @@
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
 //   cylindrical16_encode(v), cylindrical16_decode(code)      also cylindrical24, 32
+//   float32x3_to_cylindrical(v)                              (phi / pi, z), on [-1, 1], for an snorm format
+//   cylindrical_to_float32x3(e)                              the direction of such a pair
+//   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: phi /
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
+// and (0, 0) where one is NaN. Layout: phi /
 // pi in the low half, z in the high half, two's complement snorm.
 
-// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
-fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
+// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+fn unitvec_cylindrical_height(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
     let magnitude = min(p.z * min(1.0 / min(sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     let height = unitvec_with_sign(magnitude, v.z);
-    let steps = min(select(1.0, height, unitvec_is_usable(norm)) * m, UNITVEC_HUGE);
+    return vec2f(select(1.0, height, unitvec_is_usable(norm)), unitvec_angles_azimuth(v, p));
+}
+
+// The snorm integers of the direction of v, before rounding: phi / pi and z. m is the snorm's largest.
+fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
+    let height = unitvec_cylindrical_height(v);
+    let steps = min(height.x * m, UNITVEC_HUGE);
     // An inexact reciprocal could take z beyond m.
     let z = max(min(steps, m), -m);
-    let phi = min(unitvec_angles_azimuth(v, p) * (0.5 * m), UNITVEC_HUGE);
+    let phi = min(height.y * (0.5 * m), UNITVEC_HUGE);
     return vec2f(select(phi, 0.0, abs(z) > m - 0.5), z);
 }
 
@@ -36,6 +46,23 @@ fn unitvec_cylindrical_from_lattice(e: vec2f, m: f32) -> vec3f {
     let quarters = min(e.x * (2.0 * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, select(0.0, quarters, radius > 0.0));
 }
+
+// Unquantised: phi / pi and z, both on [-1, 1].
+fn float32x3_to_cylindrical(v: vec3f) -> vec2f {
+    let height = unitvec_cylindrical_height(v);
+    let z = max(min(height.x, 1.0), -1.0);
+    let turn = 0.5 * height.y;
+    return vec2f(select(0.0, turn, abs(z) < 1.0), z);
+}
+
+// The direction of such a pair.
+fn cylindrical_to_float32x3(e: vec2f) -> vec3f {
+    return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+fn float32x3_to_cylindrical_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_cylindrical(v)); }
+fn cylindrical_unorm_to_float32x3(e: vec2f) -> vec3f { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 
 fn unitvec_cylindrical_encode(v: vec3f, bits: u32) -> u32 {
     let e = unitvec_cylindrical_lattice(v, unitvec_snorm_max(bits / 2u));

@@ -12,7 +12,9 @@
 //   eaoct16_encode(v), eaoct16_decode(code)      integer codes; also eaoct20, eaoct22, eaoct24, eaoct32
 //   eaoct16p_encode(v), ...                      precise encoders of the same formats
 //   float32x3_to_eaoct(v)                        a pair on [-1, 1], for an snorm format that the hardware converts
+//   float32x3_to_eaoctn_precise(v, n)            the precise code as such a pair, for a format of n bits (even, 16 to 32)
 //   eaoct_to_float32x3(e)                        the direction of such a pair
+//   float32x3_to_eaoct_unorm(v), eaoct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
 // All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; a pair
 // is clamped to [-1, 1]. Layout: that of oct.wgsl. With m the snorm's largest integer, the lattice points of an octant
@@ -101,18 +103,28 @@ fn unitvec_eaoct_lattice_precise(v: vec3f, norm: f32, m: f32) -> vec2f {
     return unitvec_eaoct_unfolded(v, p.swapped, nearest.x, nearest.y, m);
 }
 
-// Direction of a lattice point, unit length to within 2 ULP.
-fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
+// Where a lattice point is: on ring `ring`, the one of number `place`, mirrored so that this is at most half of `ring`. `above`
+// is negative below the equator.
+struct UnitvecEaoctRing {
+    ring: f32,
+    place: f32,
+    above: f32,
+    swapped: bool,
+}
+
+fn unitvec_eaoct_ring_of(e: vec2f, m: f32) -> UnitvecEaoctRing {
     let a = abs(e);
     let sum = min(a.x + a.y, UNITVEC_HUGE);
     let above = min(m - sum, UNITVEC_HUGE);
     let folded_ring = min(2.0 * m - sum, UNITVEC_HUGE);
     let ring = min(sum, folded_ring);
     let folded_place = min(m - max(a.x, a.y), UNITVEC_HUGE);
-    let place = min(min(a.x, a.y), folded_place);
-    let swapped = a.y > a.x;
+    let at = UnitvecEaoctRing(ring, min(min(a.x, a.y), folded_place), above, a.y > a.x);
+    return at;
+}
 
-    let turn = min(place / max(ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+// Direction at phi = `turn`, 0 to 1/2, on a ring, with the signs of e: unit length to within 2 ULP.
+fn unitvec_eaoct_from_ring(e: vec2f, ring: f32, turn: f32, swapped: bool, above: f32, m: f32) -> vec3f {
     let eighth = 0.5 * turn;
     let sine = unitvec_sin_eighth(eighth);
     let cosine = unitvec_cos_eighth(eighth);
@@ -125,6 +137,13 @@ fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let y = select(off_axis, near_axis, swapped);
     return vec3f(unitvec_negate_positive(e.x < 0.0, x), unitvec_negate_positive(e.y < 0.0, y),
         unitvec_with_sign(z, above));
+}
+
+// Direction of a lattice point.
+fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
+    let at = unitvec_eaoct_ring_of(e, m);
+    let turn = min(at.place / max(at.ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+    return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
 // The projection, unquantised, on [-1, 1]^2, for an snorm target that the hardware rounds: a mean error 8 % and a
@@ -140,6 +159,18 @@ fn float32x3_to_eaoct(v: vec3f) -> vec2f {
 // The direction of a pair of snorm values on [-1, 1].
 fn eaoct_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_eaoct_from_lattice(unitvec_snorm_clamp(e), 1.0);
+}
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+fn float32x3_to_eaoct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_eaoct(v)); }
+fn eaoct_unorm_to_float32x3(e: vec2f) -> vec3f { return eaoct_to_float32x3(unitvec_unbiased(e)); }
+
+// The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
+fn float32x3_to_eaoctn_precise(v: vec3f, n: i32) -> vec2f {
+    let norm = unitvec_l1_norm(v);
+    let m = unitvec_snorm_max(u32(n / 2));
+    let e = min(unitvec_eaoct_lattice_precise(v, norm, m) / m, vec2f(UNITVEC_HUGE));
+    return select(vec2f(0.0), e, unitvec_is_usable(norm));
 }
 
 fn unitvec_eaoct_encode(v: vec3f, bits: u32) -> u32 {

@@ -12,6 +12,7 @@
 //   hemioct16_encode(v), hemioct16_decode(code)      integer codes; also hemioct24, hemioct32
 //   float32x3_to_hemioct(v)                          a pair on [-1, 1], for an snorm format that the hardware converts
 //   hemioct_to_float32x3(e)                          the direction of such a pair
+//   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
 // All take any input. Below the equator z counts as 0, and +Z stands in for what has no direction, or NaN in it; a pair
 // is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
@@ -55,6 +56,10 @@ fn float32x3_to_hemioct(v: vec3f) -> vec2f {
 fn hemioct_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_hemioct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
+
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+fn float32x3_to_hemioct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_hemioct(v)); }
+fn hemioct_unorm_to_float32x3(e: vec2f) -> vec3f { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 
 fn unitvec_hemioct_encode(v: vec3f, bits: u32) -> u32 {
     let norms = unitvec_hemioct_norms(v);

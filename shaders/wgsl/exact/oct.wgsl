@@ -14,7 +14,10 @@
 //   float32x3_to_oct(v)                      a pair on [-1, 1], for an snorm format to which the hardware converts
 //   float32x3_to_octn_precise(v, n)          the precise code as such a pair, for a format of n bits (even, 4 to 32)
 //   oct_to_float32x3(e)                      the direction of such a pair
+//   float32x3_to_oct_unorm(v), oct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
+//
+//   snorm12x2_to_uint8x3(f), uint8x3_to_snorm12x2(u)         the same as three bytes, for an integer format
 //
 // To an attachment of RG16_SNORM, float32x3_to_octn_precise(v, 32) stores the code of oct32p, exactly, and
 // float32x3_to_oct(v) that of oct32 but for at most 3 codes in 1000, which are a step off: it rounds, and the hardware
@@ -176,6 +179,10 @@ fn oct_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_oct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
+// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+fn float32x3_to_oct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_oct(v)); }
+fn oct_unorm_to_float32x3(e: vec2f) -> vec3f { return oct_to_float32x3(unitvec_unbiased(e)); }
+
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
     let m = unitvec_snorm_max(u32(n / 2));
@@ -183,14 +190,28 @@ fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
     return e;
 }
 
-// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target. Ties go up.
-fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
+// The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
+fn unitvec_oct_bytes(f: vec2f) -> vec3f {
     let u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, vec2f(UNITVEC_HUGE)) + 2047.5, vec2f(UNITVEC_HUGE)));
     let high = floor(u.x / 16.0);
     let carry = floor(u.y / 256.0);
     let bytes = vec3f(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0, UNITVEC_HUGE));
-    let parts = min(bytes / 255.0, vec3f(UNITVEC_HUGE));
+    return bytes;
+}
+
+// The inverse, of whole numbers up to 255.
+fn unitvec_oct_from_bytes(bytes: vec3f) -> vec2f {
+    let high = floor(bytes.y / 16.0);
+    let biased = vec2f(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
+        min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
+    let s = min(min(biased - 2047.0, vec2f(UNITVEC_HUGE)) / 2047.0, vec2f(UNITVEC_HUGE));
+    return min(s, vec2f(1.0));
+}
+
+// Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
+fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
+    let parts = min(unitvec_oct_bytes(f) / 255.0, vec3f(UNITVEC_HUGE));
     return parts;
 }
 
@@ -198,11 +219,19 @@ fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
 fn unorm8x3_to_snorm12x2(u: vec3f) -> vec2f {
     let bytes =
         floor(min(min(clamp(u, vec3f(0.0), vec3f(1.0)) * 255.0, vec3f(UNITVEC_HUGE)) + 0.5, vec3f(UNITVEC_HUGE)));
-    let high = floor(bytes.y / 16.0);
-    let biased = vec2f(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
-        min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
-    let s = min(min(biased - 2047.0, vec2f(UNITVEC_HUGE)) / 2047.0, vec2f(UNITVEC_HUGE));
-    return select(clamp(s, vec2f(-1.0), vec2f(1.0)), vec2f(0.0), unitvec_is_nan(unitvec_l1_norm(u)));
+    return select(unitvec_oct_from_bytes(bytes), vec2f(0.0), unitvec_is_nan(unitvec_l1_norm(u)));
+}
+
+// Listing 5 for an integer target such as RGB8UI: the bytes themselves.
+fn snorm12x2_to_uint8x3(f: vec2f) -> vec3u {
+    let bytes = unitvec_oct_bytes(f);
+    return vec3u(unitvec_whole_to_u32(bytes.x), unitvec_whole_to_u32(bytes.y), unitvec_whole_to_u32(bytes.z));
+}
+
+// The inverse. What is above 255 counts as 255.
+fn uint8x3_to_snorm12x2(u: vec3u) -> vec2f {
+    let bytes = min(u, vec3u(255u));
+    return unitvec_oct_from_bytes(vec3f(f32(bytes.x), f32(bytes.y), f32(bytes.z)));
 }
 
 // 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.

@@ -9,9 +9,13 @@
 //
 // Source: White 2017, "Signed Octahedron Normal Encoding"; Cigolle et al. 2014, listing 6.
 //
-//   soct17_encode(v), soct17_decode(code)      also soct25, and soct33, whose codes are a vec2u
+//   soct17_encode(v), soct17_decode(code)        also soct25, and soct33, whose codes are a vec2u
+//   float32x3_to_soct(v), soct_to_float32x3(e)   u and v on [-1, 1], for an snorm format that the hardware converts, and
+//                                                1 for z < 0, else 0
+//   float32x3_to_soct_unorm(v), soct_unorm_to_float32x3(e)    the same with u and v on [0, 1], for a unorm format
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: u = x + y
+// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it. u and v are
+// clamped, 0 where one is NaN, and below the equator is where the third is 1/2 or more. Layout: u = x + y
 // and v = x - y of (x, y, |z|) in two's complement snorm as in hemioct.wgsl, u lowest, and above them 1 for z < 0. Of
 // the 33 bits the sign is bit 0 of the second word.
 
@@ -20,16 +24,40 @@ fn unitvec_soct_pair(v: vec3f, norm: f32, bits: u32) -> u32 {
     return unitvec_nearest_pair(unitvec_hemioct_position(v, norm, unitvec_snorm_max(bits)), bits);
 }
 
-// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31: unit length to within 2 ULP. z is the
-// difference of two numbers that both have the sign, since a sum of them may be 0, which has none.
-fn unitvec_soct_from_parts(code: u32, sign_bit: u32, bits: u32) -> vec3f {
-    let e = unitvec_snorm_integers(code, bits);
+// The direction of a point of [-m, m]^2 and the sign, in bit 31: unit length to within 2 ULP. z is the difference of two
+// numbers that both have the sign, since a sum of them may be 0, which has none.
+fn unitvec_soct_from_lattice(e: vec2f, sign_bit: u32, m: f32) -> vec3f {
     let below = bitcast<f32>(sign_bit & UNITVEC_SIGN_BIT);
     let across = 2.0 * max(abs(e.x), abs(e.y));
     let v = vec3f(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
-        min(unitvec_with_sign(2.0 * unitvec_snorm_max(bits), below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
+        min(unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
     return unitvec_normalize(v);
 }
+
+// The same of the code of u and v, of `bits` bits each.
+fn unitvec_soct_from_parts(code: u32, sign_bit: u32, bits: u32) -> vec3f {
+    return unitvec_soct_from_lattice(unitvec_snorm_integers(code, bits), sign_bit, unitvec_snorm_max(bits));
+}
+
+// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+fn float32x3_to_soct(v: vec3f) -> vec3f {
+    let norm = unitvec_l1_norm(v);
+    let e = vec3f(unitvec_hemioct_position(v, norm, 1.0), select(0.0, 1.0, unitvec_is_negative(v.z)));
+    return select(vec3f(0.0), e, unitvec_is_usable(norm));
+}
+
+// The direction of u and v on [-1, 1], below the equator where e.z is 1/2 or more.
+fn soct_to_float32x3(e: vec3f) -> vec3f {
+    let sign_bit = select(0u, UNITVEC_SIGN_BIT, unitvec_is_set(e.z));
+    return unitvec_soct_from_lattice(unitvec_snorm_clamp(e.xy), sign_bit, 1.0);
+}
+
+// The same with u and v biased on [0, 1], for a UNORM format.
+fn float32x3_to_soct_unorm(v: vec3f) -> vec3f {
+    let e = float32x3_to_soct(v);
+    return vec3f(unitvec_biased(e.xy), e.z);
+}
+fn soct_unorm_to_float32x3(e: vec3f) -> vec3f { return soct_to_float32x3(vec3f(unitvec_unbiased(e.xy), e.z)); }
 
 fn unitvec_soct_encode(v: vec3f, bits: u32) -> u32 {
     let norm = unitvec_l1_norm(v);
