@@ -18,6 +18,7 @@ mod eaoct;
 mod exhaustive;
 mod faults;
 mod fib;
+mod figures;
 mod frame;
 mod fuzz;
 #[cfg(feature = "glsl")]
@@ -36,6 +37,9 @@ mod oct;
 mod oct_wide;
 mod parallel;
 mod porting;
+#[cfg(feature = "glsl")]
+mod render;
+mod report;
 #[cfg(feature = "glsl")]
 mod shaders;
 mod slices;

@@ -7,8 +7,9 @@ use unitvec::best_fit;
 use unitvec_host::catalogue::{self, Operation, find_format, formats};
 use unitvec_host::link::{LIBRARY, Signature};
 use unitvec_host::manifest::{
-    BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, schema, sha256_hex, sources_sha256,
+    BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, render_sources_sha256, schema, sha256_hex, sources_sha256,
 };
+use unitvec_host::render::shaders;
 use unitvec_host::vulkan::{GROUP, WORKGROUP};
 #[cfg(feature = "glsl")]
 use unitvec_host::{
@@ -35,6 +36,13 @@ fn manifest() -> Manifest {
 fn modules_are_built_from_the_sources_as_they_are() {
     let sources = sources_sha256(&repository()).unwrap();
     assert_eq!(manifest().sources_sha256, sources, "run `cargo xtask spirv`");
+}
+
+/// Likewise those of the renderer.
+#[test]
+fn render_modules_are_built_from_the_sources_as_they_are() {
+    let sources = render_sources_sha256(&repository()).unwrap();
+    assert_eq!(shaders::sources_sha256(), Some(sources.as_str()), "run `cargo xtask spirv`");
 }
 
 /// Two modules of two entry points a codec, the two baselines, and the decoder by table.
@@ -154,14 +162,19 @@ fn the_table_file_is_the_table_that_the_crate_fills() {
 
 #[test]
 fn spirv_val_accepts_every_module() {
-    for (module, _) in all_modules() {
+    let kernels = manifest().modules.into_iter().map(|module| folder().join(module.file));
+    for file in kernels.chain(shaders::modules().map(|name| render_folder().join(name))) {
         let output = Command::new("spirv-val")
             .args(["--target-env", "vulkan1.1"])
-            .arg(folder().join(&module.file))
+            .arg(&file)
             .output()
             .expect("spirv-val is missing: `cargo xtask setup` installs it");
-        assert!(output.status.success(), "{}: {}", module.file, String::from_utf8_lossy(&output.stderr));
+        assert!(output.status.success(), "{}: {}", file.display(), String::from_utf8_lossy(&output.stderr));
     }
+}
+
+fn render_folder() -> PathBuf {
+    repository().join("host/render-shaders/spirv")
 }
 
 #[test]
@@ -175,6 +188,23 @@ fn every_float_result_is_marked_no_contraction() {
     let unmarked: Vec<_> =
         all_modules().into_iter().filter(is_unmarked).map(|(module, _)| module.file).collect();
     assert!(unmarked.is_empty(), "{unmarked:?}");
+}
+
+/// The renderer's modules keep to what the kernels do: exact arithmetic, no feature, no text. All but the one without arithmetic
+/// have some.
+#[test]
+fn render_modules_keep_the_rules_of_the_kernels() {
+    for name in shaders::modules() {
+        let bytes = shaders::module(name).unwrap();
+        let spirv = Spirv::parse(bytes);
+        let fewest = if name == "fullscreen.spv" { 0 } else { 6 };
+        assert_eq!(unmarked_results(name, &spirv, &FLOAT_ARITHMETIC, fewest), 0, "{name}");
+        assert_eq!(bytes[4..8], 0x0001_0300_u32.to_le_bytes(), "{name}: SPIR-V's version");
+        assert_eq!(spirv.all(OP_CAPABILITY).collect::<Vec<_>>(), [[SHADER]], "{name}");
+        assert_eq!(spirv.all(OP_EXTENSION).count(), 0, "{name}");
+        assert_eq!(spirv.all(OP_MEMORY_MODEL).collect::<Vec<_>>(), [[LOGICAL, GLSL450]], "{name}");
+        assert!(DEBUG_TEXT.iter().all(|opcode| spirv.all(*opcode).count() == 0), "{name}");
+    }
 }
 
 /// `precise` is nowhere forgotten in the GLSL. glslang does not mark negation, which is exact. Decoders' kernels take

@@ -27,8 +27,10 @@ fn chromium_has_the_same_flags() {
 /// The program and its libraries lie where Debian's packages have them.
 #[test]
 fn chromium_has_the_same_paths() {
-    let [example, languages] =
-        [quoted("xtask/src/examples.rs", "\nfn page(", "\n}"), quoted(LANGUAGES, "\nfn chromium(", "\n}")];
+    let [example, languages] = [
+        quoted("xtask/src/examples.rs", "\nfn with_chromium", "\n}"),
+        quoted(LANGUAGES, "\nfn chromium(", "\n}"),
+    ];
     let paths: Vec<_> =
         languages.iter().filter(|text| text.starts_with("usr/") || text.as_str() == "pulseaudio").collect();
     assert_eq!(paths.len(), 3);

@@ -2,7 +2,7 @@
 
 use super::{BEGIN, END, files, markdown, tables};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use unitvec_host::catalogue::{CATALOGUE, FRAMES};
 use unitvec_tests::program::run;
 use unitvec_tests::repository;
@@ -68,10 +68,12 @@ const NOT_MEASURED: [&str; 17] = [
     "2.5", "4.5", "22.3", "25.0",
 ];
 
-/// Measurements stand in generated parts only, where they cannot grow old.
+/// Measurements stand in generated parts only, where they cannot grow old. The program writes the page of figures whole.
 #[test]
 fn measurements_are_generated() {
-    for path in markdown().iter().filter(|path| !path.ends_with("CHANGELOG.md")) {
+    let is_by_hand =
+        |path: &&PathBuf| !path.ends_with("CHANGELOG.md") && !path.ends_with("docs/figures/figures.md");
+    for path in markdown().iter().filter(is_by_hand) {
         for word in by_hand(&read(path)).split(|c: char| !(c.is_ascii_alphanumeric() || c == '.')) {
             let word = word.trim_matches('.');
             let is_decimal = word.contains('.') && word.chars().all(|c| c.is_ascii_digit() || c == '.');

@@ -1,7 +1,9 @@
 //! The tables of README, docs and module docs.
 
 use super::accuracy::{self, Errors};
-use super::{costs, drivers, files, imprecise, languages, processors, slices, textbook};
+use super::{
+    costs, dither, drivers, files, imprecise, languages, pictures, processors, projected, slices, textbook,
+};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use unitvec_host::accuracy::{Table, covering_bound_deg};
@@ -13,7 +15,6 @@ use unitvec_tests::repository;
 pub fn table(name: &str) -> Option<String> {
     let (kind, rest) = name.split_once(' ').unwrap_or((name, ""));
     Some(match kind {
-        "mirror" => mirror(),
         "which" => which(false, |id| format!("`{id}`")),
         "which-type" => which(true, |id| format!("[`{}`]", type_of(id))),
         "families" => families(),
@@ -26,11 +27,14 @@ pub fn table(name: &str) -> Option<String> {
         "costs-compilers" => costs::compilers(),
         "costs-gpus" => costs::gpus(),
         "costs-navi21" => costs::navi21(),
+        "dither" => dither::table(),
+        "dither-pictures" => pictures::dither(),
         "drivers" => drivers::table(),
         "imprecise" => imprecise::table(),
         "languages" => languages::table(),
         "languages-barriers" => languages::barriers(),
         "processors" => processors::table(),
+        "projected" => projected::table(),
         "slices" => slices::table(rest),
         "textbook" => textbook::table(),
         "textbook-input" => textbook::input_table(),
@@ -40,7 +44,7 @@ pub fn table(name: &str) -> Option<String> {
 }
 
 /// Three digits; decimals where those do not take too many zeros.
-fn degrees(error: f64) -> String {
+pub fn degrees(error: f64) -> String {
     if error < 5e-4 {
         return format!("{error:.2e}");
     }
@@ -64,20 +68,6 @@ fn bound_of(codec: &CodecInfo) -> String {
 
 fn type_of(id: &str) -> &'static str {
     find_frame(id).map_or_else(|| find(id).unwrap().rust_type, |frame| frame.rust_type)
-}
-
-/// README's pictures.
-fn mirror() -> String {
-    let ids = ["oct24p", "snorm8x3", "oct16p"];
-    let heads = ids.map(|id| format!("| `{id}`: {} bits ", find(id).unwrap().bits));
-    let pictures = ids.map(|id| format!("| ![{id}](docs/mirror/{id}.png) "));
-    let errors = ids.map(|id| format!("| {}° off on average ", degrees(accuracy::of(id, "direction").mean)));
-    format!(
-        "| floats: 96 bits {}|\n|---|---|---|---|\n| ![floats](docs/mirror/float32x3.png) {}|\n| as they are {}|\n",
-        heads.concat(),
-        pictures.concat(),
-        errors.concat()
-    )
 }
 
 fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {

@@ -26,10 +26,11 @@ pub fn repository() -> PathBuf {
     here.parent().unwrap_or(here).to_owned()
 }
 
-/// The families' files of GLSL: `oct.glsl`.
+/// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and what serves several of them.
 pub fn glsl_families() -> BTreeSet<String> {
     let vectors = CATALOGUE.iter().map(CodecInfo::glsl_file);
-    vectors.chain(FRAMES.iter().map(|codec| codec.glsl_file().to_owned())).collect()
+    let frames = FRAMES.iter().map(|codec| codec.glsl_file().to_owned());
+    vectors.chain(frames).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
 }
 
 /// lavapipe, with validation.
