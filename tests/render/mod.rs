@@ -57,8 +57,9 @@ fn codecs_go_through_the_pipeline() {
     let options = Options { count: 2000, seed: 3 };
     let traits = conform::traits(&device, &options).unwrap();
     assert_eq!(traits.changed, 0);
-    assert_eq!(traits.rounding_8, Some(HardwareRounding::NearestEven));
-    assert_eq!(traits.rounding_16, Some(HardwareRounding::NearestEven));
+    for format in [ImageFormat::R8G8_SNORM, ImageFormat::R16G16_SNORM, ImageFormat::R8G8_UNORM] {
+        assert_eq!(traits.rounding(format), Some(HardwareRounding::NearestEven), "{format:?}");
+    }
     let mut rows: Vec<Row> = Vec::new();
     conform::run(IDS.map(format).to_vec(), &options, &device, &traits, &mut |row| {
         rows.push(row);
@@ -75,7 +76,35 @@ fn codecs_go_through_the_pipeline() {
     }
     let projected: Vec<&str> =
         rows.iter().filter(|row| !row.projected.is_empty()).map(|row| row.id).collect();
-    assert_eq!(projected, ["oct16", "oct32", "hemioct16", "cylindrical16"]);
+    assert_eq!(projected, ["oct16", "oct16p", "oct32", "hemioct16", "cylindrical16"]);
+    let precise = &rows.iter().find(|row| row.id == "oct16p").unwrap().projected;
+    assert!(precise.values().all(|projected| projected.differing == 0), "{precise:?}");
+    assert_no_validation_messages(device);
+}
+
+/// Projections are stored as the CPU's numbers, rounded, and come back as the CPU's normals, in all formats.
+#[test]
+fn projections_go_through_the_pipeline() {
+    let device = device();
+    let options = Options { count: 1000, seed: 4 };
+    let traits = conform::traits(&device, &options).unwrap();
+    let pairs = conform::pairs();
+    let (count, mut rows) = (pairs.len(), Vec::new());
+    conform::run_pairs(pairs, &options, &device, &traits, &mut |row: Row| {
+        rows.push(row);
+        Ok(())
+    })
+    .unwrap();
+    assert_eq!(rows.len(), count);
+    for row in &rows {
+        assert!(row.agrees(), "{row:#?}");
+        for source in [BackendKind::Rust, BackendKind::Glsl] {
+            let [attachment, texture, vertex, _] = row.checks[&source].all();
+            assert!(texture.compared > 1000 && vertex.compared > 1000, "{row:#?}");
+            let rounds = !row.texel.contains("A2B10G10R10_SNORM");
+            assert_eq!(attachment.compared > 1000, rounds, "{row:#?}");
+        }
+    }
     assert_no_validation_messages(device);
 }
 

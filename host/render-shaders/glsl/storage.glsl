@@ -3,8 +3,8 @@
 //   ENCODE, DECODE     the codec's functions; without them the normal itself is stored
 //   FRAME              the codec is one of tangent frames
 //   DITHERED           the functions take an offset
-//   PROJECT            instead of ENCODE: the projection, unquantised, which the hardware rounds
-//   STORAGE_...        what holds the code; the value's other components are 0
+//   PRECISE_BITS       ENCODE takes the bits of both components
+//   STORAGE_...        what holds the code, or the numbers that the hardware rounds; the value's other components are 0
 
 #include "unitvec/unitvec.glsl"
 #include "unitvec/formats.glsl"
@@ -34,6 +34,10 @@
 #endif
 #if defined(STORAGE_UINT2) || defined(STORAGE_SNORM16X3) || defined(STORAGE_FLOAT16X3)
 #define CODE uvec2
+#elif defined(STORAGE_PAIR)
+#define CODE vec2
+#elif defined(STORAGE_PAIR_AND_BIT)
+#define CODE vec3
 #else
 #define CODE uint
 #endif
@@ -74,15 +78,23 @@
 #elif defined(STORAGE_FLOAT16X3)
 #define TO_VALUE(code) vec4(code_to_float16x3(code), 0.0)
 #define TO_CODE(value) float16x3_to_code(value.xyz)
+#elif defined(STORAGE_PAIR)
+#define TO_VALUE(pair) vec4(pair, 0.0, 0.0)
+#define TO_CODE(value) value.xy
+#elif defined(STORAGE_PAIR_AND_BIT)
+// Evaluates its argument once.
+vec4 unitvec_pair_and_bit(vec3 e) { return vec4(e.xy, 0.0, e.z); }
+#define TO_VALUE(e) unitvec_pair_and_bit(e)
+#define TO_CODE(value) value.xyw
 #elif !defined(STORAGE_FLOAT)
 #error "no STORAGE_... is defined"
 #endif
 
-#if defined(ENCODE) || defined(PROJECT)
+#ifdef ENCODE
 // The value to store for the normal n.
 VALUE value_of(vec3 n, vec2 offset) {
-#if defined(PROJECT)
-    return vec4(PROJECT(n), 0.0, 0.0);
+#if defined(PRECISE_BITS)
+    return TO_VALUE(ENCODE(n, PRECISE_BITS));
 #elif defined(DITHERED)
     return TO_VALUE(ENCODE(n, offset));
 #elif defined(FRAME)
@@ -91,7 +103,7 @@ VALUE value_of(vec3 n, vec2 offset) {
     return TO_VALUE(ENCODE(n));
 #endif
 }
-#elif !defined(DECODE)
+#else
 VALUE value_of(vec3 n, vec2 offset) {
     return vec4(n, 0.0);
 }

@@ -8,7 +8,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use unitvec_host::backend::BackendKind;
 use unitvec_host::catalogue::Format;
-use unitvec_host::render::conform::{self, HardwareRounding, Options, Projected, Report, Row, Traits};
+use unitvec_host::render::conform::{self, Conversion, Options, Projected, Report, Row, Traits};
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, output};
 
@@ -34,9 +34,12 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     if !to_stdout {
         print(&(heading(device.info(), &options, &traits, columns) + &table.heading()))?;
     }
-    let bar = progress::bar(Some(formats.len() as u64), "{msg:<20} {wide_bar} {percent}%, {eta} left");
-    let mut rows = Vec::new();
-    conform::run(formats, &options, &device, &traits, &mut |row| {
+    // One codec says nothing of projections.
+    let pairs = if arguments.codec.is_empty() { conform::pairs() } else { Vec::new() };
+    let count = (formats.len() + pairs.len()) as u64;
+    let bar = progress::bar(Some(count), "{msg:<20} {wide_bar} {percent}%, {eta} left");
+    let (mut rows, mut projections) = (Vec::new(), Vec::new());
+    let show = |row: Row, rows: &mut Vec<Row>| {
         progress::show_if_due(&bar);
         bar.inc(1);
         bar.set_message(row.id);
@@ -45,7 +48,12 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
         }
         rows.push(row);
         Ok(())
-    })?;
+    };
+    conform::run(formats, &options, &device, &traits, &mut |row| show(row, &mut rows))?;
+    if !to_stdout && !pairs.is_empty() {
+        bar.suspend(|| print(&("\n".to_owned() + &wrapped(PROJECTIONS, "", columns))))?;
+    }
+    conform::run_pairs(pairs, &options, &device, &traits, &mut |row| show(row, &mut projections))?;
     bar.finish_and_clear();
     // What the layer says of objects that outlive their device counts as well.
     let (info, instance) = (device.info().clone(), device.instance().clone());
@@ -56,9 +64,10 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
         device: info,
         random_directions: options.count,
         glsl_compared: cfg!(feature = "glsl"),
-        agreed: traits.changed == 0 && rows.iter().all(Row::agrees),
+        agreed: traits.changed == 0 && rows.iter().chain(&projections).all(Row::agrees),
         traits,
         rows,
+        projections,
     };
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&report).as_bytes())?;
@@ -70,14 +79,12 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
 }
 
 fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Option<usize>) -> String {
-    let rounding = |rounding: &Option<HardwareRounding>| {
-        rounding.map_or("cannot be drawn to".to_owned(), |rounding| format!("rounded {rounding}"))
-    };
+    let conversions: String = traits.conversions.iter().map(conversion).collect();
     let text = format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), special vectors; all codes of up to 16 bits, random and special codes \
          of more; the normals of the rendered scene\n\
-         snorm attachments of 8 bits: {}; of 10 bits: {}; of 16 bits: {}\n\
+         {conversions}\
          from vertex to fragment shader: {} of {} vectors changed beyond what Vulkan allows ({} lost a denormal or an infinity)\n\
          diff: texels and vertices that differ from the CPU in any bit\n\
          projected: codes that differ, and by how many steps at most, where the hardware rounds the codec's projection instead \
@@ -88,15 +95,27 @@ fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Opt
         device.api_version,
         options.count,
         options.seed,
-        rounding(&traits.rounding_8),
-        rounding(&traits.rounding_10),
-        rounding(&traits.rounding_16),
         traits.changed,
         traits.interpolated,
         traits.flushed,
     );
     wrapped(&text, "    ", columns)
 }
+
+/// What a device does to the numbers of a format, in a line.
+fn conversion(Conversion { format, rounding, fetched, inexact }: &Conversion) -> String {
+    let written = rounding.map_or("no attachment".to_owned(), |rounding| format!("rounded {rounding}"));
+    let read = match (fetched, inexact) {
+        (0, _) => "no texture".to_owned(),
+        (_, 0) => "fetched exactly".to_owned(),
+        _ => format!("{inexact} of {fetched} fetched inexactly"),
+    };
+    format!("{}: {written}; {read}\n", format.trim_end_matches("_PACK32"))
+}
+
+/// What stands over the rows of projections.
+const PROJECTIONS: &str = "projections that the hardware rounds; diff: texels that are not the CPU's numbers, rounded as above, \
+     and normals that are not what the CPU makes of the numbers fetched\n";
 
 /// As wide as the longest name of a format in it.
 const FORMAT: usize = 24;
@@ -146,7 +165,8 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
     if validation_messages > 0 {
         return fail(format!("{validation_messages} messages of the validation layer"));
     }
-    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id).collect();
+    let rows = || report.rows.iter().chain(&report.projections);
+    let failed: Vec<&str> = rows().filter(|row| !row.agrees()).map(|row| row.id).collect();
     if !failed.is_empty() {
         return fail(format!("differences in {}", failed.join(", ")));
     }
@@ -156,9 +176,14 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
     let sources: Vec<String> = conform::sources().map(|kind: BackendKind| kind.to_string()).collect();
     let without =
         if report.glsl_compared { "" } else { " (this build has no GLSL compiler: `--features glsl`)" };
-    let compared: u64 = report.rows.iter().map(Row::compared).sum();
+    let compared: u64 = rows().map(Row::compared).sum();
+    let projections = match report.projections.len() {
+        0 => String::new(),
+        count => format!(", {count} pairs of projection and format"),
+    };
     format!(
-        "\nconform --pipeline: PASS: cpu, {}{without} agree to the bit: {} codecs, {compared} texels and vertices\n",
+        "\nconform --pipeline: PASS: cpu, {}{without} agree to the bit: {} codecs{projections}, {compared} texels and \
+         vertices\n",
         sources.join(", "),
         report.rows.len(),
     )

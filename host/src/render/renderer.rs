@@ -12,7 +12,7 @@ use crate::Result;
 use crate::backend::BackendKind;
 use crate::catalogue::{Element, Format};
 use crate::vulkan::{
-    Device, Draw, FormatUse, Graphics, Image, ImageFormat, Mesh, Pipeline, PipelineOptions, Shader, Target,
+    Device, Draw, Graphics, Image, ImageFormat, Mesh, Pipeline, PipelineOptions, Shader, Target,
 };
 use bytemuck::{Pod, Zeroable};
 use std::collections::HashMap;
@@ -219,14 +219,9 @@ impl Renderer {
         self.graphics.device()
     }
 
-    /// What holds a codec's codes in the G-buffer: its own format, or integers where the device does not draw to that and there
-    /// are shaders for them. The device is not asked for 10 bits, which software devices round wrong.
+    /// What holds a codec's codes in the G-buffer. The device is not asked how it rounds 10 bits.
     pub(super) fn storage(&self, format: &Format) -> Storage {
-        let (own, integers) = (Storage::of(format), Storage::integers(format));
-        let is_drawn =
-            own != Storage::Snorm10x3 && self.device().supports(own.texel(), FormatUse::Attachment);
-        let has_integers = self.shaders.has(&Variant::codec(*format, integers));
-        if is_drawn || !has_integers { own } else { integers }
+        Storage::drawn(format, self.device(), false)
     }
 
     fn variant(&self, normals: Normals) -> Result<Variant> {

@@ -11,8 +11,8 @@ static GLSL: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/render-shaders/glsl");
 
 /// A SPIR-V module. That of a codec, `oct16.spv`, has the entry points `oct16_vertex`, `oct16_gbuffer` and `oct16_light`;
 /// `oct16_uint.spv` has those that store its codes as integers, `float.spv` those that store normals as they are, and
-/// `fullscreen.spv` the vertex shader `fullscreen_vertex`. `oct16_dithered.spv`, of integers too, has no vertices of its own; of
-/// `oct16_projected.spv`, whose codes the hardware rounds, there is only `oct16_projected_gbuffer`.
+/// `fullscreen.spv` the vertex shader `fullscreen_vertex`. `oct16_dithered.spv`, of integers too, has no vertices of its own;
+/// `oct_snorm.spv` and `oct_unorm.spv` have those of projections, which the hardware rounds.
 pub fn module(name: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(name)?.contents())
 }
@@ -70,10 +70,13 @@ mod tests {
             let vertex = Interface { is_vertex: true, ..Default::default() };
             return BTreeMap::from([("fullscreen_vertex".to_owned(), vertex)]);
         }
-        let plain = name.trim_end_matches("_dithered").trim_end_matches("_projected");
-        let (is_dithered, is_projected) = (name.ends_with("_dithered"), name.ends_with("_projected"));
+        let plain = name.trim_end_matches("_dithered");
+        let is_dithered = name.ends_with("_dithered");
         let [attribute, value, texture] = match plain.trim_end_matches("_uint") {
             "float" => ["vec4", "vec4", "texture2D"],
+            projected if crate::render::Projection::find(projected).is_some() => {
+                ["vec4", "vec4", "texture2D"]
+            }
             id => {
                 let format = find_format(id).unwrap_or_else(|_| panic!("{name} is of no codec"));
                 types(&format, is_dithered || plain.ends_with("_uint"))
@@ -101,9 +104,9 @@ mod tests {
             push_constants: 80,
             ..Default::default()
         };
-        let passes = [("vertex", vertex, !is_dithered && !is_projected), ("gbuffer", gbuffer, true)];
-        let passes = passes.into_iter().chain([("light", light, !is_projected)]);
-        passes.filter(|(.., has)| *has).map(|(pass, of, _)| (format!("{name}_{pass}"), of)).collect()
+        let passes = [("vertex", vertex), ("gbuffer", gbuffer), ("light", light)].into_iter();
+        let passes = passes.filter(|(pass, _)| !(is_dithered && *pass == "vertex"));
+        passes.map(|(pass, of)| (format!("{name}_{pass}"), of)).collect()
     }
 
     #[test]
@@ -123,41 +126,40 @@ mod tests {
         }
     }
 
-    /// The GLSL for each storage, and with dithered and projected codes.
+    /// The GLSL for each storage, and with dithered and projected normals.
     #[cfg(feature = "glsl")]
     #[test]
     fn glsl_has_the_interfaces_of_the_modules() {
+        use crate::render::storage::Storage;
+        use crate::render::variant::{DITHERED, Variant};
+        use crate::render::{PROJECTIONS, Projection};
+        const IDS: [&str; 14] = [
+            "oct20",
+            "frame32",
+            "oct48",
+            "frame64",
+            "oct16",
+            "oct32p",
+            "snorm8x3p",
+            "snorm16x3",
+            "snorm10x3",
+            "oct24",
+            "spherical16",
+            "spherical32",
+            "float16x3",
+            "xyonly32f",
+        ];
+        let format = |id: &str| find_format(id).unwrap();
+        let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(&format(id))));
+        let dithered = DITHERED.into_iter().map(|id| Variant::dithered(format(id)).unwrap());
+        let projected = PROJECTIONS.iter().map(|projection: &Projection| Variant::projected(projection));
         let compiler = crate::glsl::Compiler::new().unwrap();
-        for (storage, name) in [
-            ("FLOAT", "float"),
-            ("UINT", "oct20"),
-            ("UINT", "frame32"),
-            ("UINT2", "oct48"),
-            ("UINT2", "frame64"),
-            ("SNORM8X2", "oct16"),
-            ("SNORM16X2", "oct32p"),
-            ("SNORM8X3", "snorm8x3p"),
-            ("SNORM16X3", "snorm16x3"),
-            ("SNORM10X3", "snorm10x3"),
-            ("UNORM8X3", "oct24"),
-            ("SINT8X2", "spherical16"),
-            ("SINT16X2", "spherical32"),
-            ("FLOAT16X3", "float16x3"),
-            ("FLOAT16X2", "xyonly32f"),
-            ("UINT", "oct16p_dithered"),
-            ("UINT", "oct24_dithered"),
-            ("UINT", "hemioct16_dithered"),
-            ("UINT", "soct17_dithered"),
-            ("UINT", "eaoct16p_dithered"),
-            ("SNORM16X2", "oct32_projected"),
-            ("SNORM8X2", "hemioct16_projected"),
-            ("SNORM8X2", "eaoct16_projected"),
-            ("SNORM16X2", "cylindrical32_projected"),
-        ] {
-            for (entry_point, interface) in expected(name) {
-                let pass = entry_point.trim_start_matches(name).trim_start_matches('_');
+        for variant in codecs.chain(dithered).chain(projected).chain([Variant::FLOAT]) {
+            let name = variant.name();
+            for (entry_point, interface) in expected(&name) {
+                let pass = entry_point.trim_start_matches(&name).trim_start_matches('_');
                 let file = format!("{pass}.{}", if pass == "vertex" { "vert" } else { "frag" });
-                let spirv = compiler.render_shader(&file, name, &macros(storage, name)).unwrap();
+                let spirv = compiler.render_shader(&file, &name, &variant.macros()).unwrap();
                 assert_eq!(
                     interfaces(&spirv).into_values().collect::<Vec<_>>(),
                     [interface],
@@ -165,31 +167,6 @@ mod tests {
                 );
             }
         }
-    }
-
-    /// The macros of the GLSL of a module of this name.
-    #[cfg(feature = "glsl")]
-    fn macros(storage: &str, name: &str) -> Vec<(String, String)> {
-        let mut macros = vec![(format!("STORAGE_{storage}"), "1".to_owned())];
-        let mut define = |name: &str, value: String| macros.push((name.to_owned(), value));
-        if let Some(id) = name.strip_suffix("_projected") {
-            define("PROJECT", format!("float32x3_to_{}", id.trim_end_matches(char::is_numeric)));
-            return macros;
-        }
-        let (id, suffix) = match name.strip_suffix("_dithered") {
-            Some(id) => (id, "_dithered"),
-            None => (name, ""),
-        };
-        let Ok(format) = find_format(id) else { return macros };
-        define("ENCODE", format!("{id}_encode{suffix}"));
-        define("DECODE", format!("{id}_decode{suffix}"));
-        if !suffix.is_empty() {
-            define("DITHERED", "1".to_owned());
-        }
-        if format.element == crate::catalogue::Element::Frame {
-            define("FRAME", "1".to_owned());
-        }
-        macros
     }
 
     /// The entry points of a module.

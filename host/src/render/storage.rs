@@ -32,6 +32,10 @@ pub enum Storage {
     Float16x3,
     /// Two half floats.
     Float16x2,
+    /// Two numbers that the hardware rounds, in a format to choose.
+    Pair,
+    /// The same, and 0 or 1 in alpha.
+    PairAndBit,
 }
 
 /// The formats of codecs, and what holds their codes.
@@ -61,6 +65,15 @@ impl Storage {
         if format.bits > 32 { Self::Uint2 } else { Self::Uint }
     }
 
+    /// What a codec's codes are drawn to: its own format, or integers where the device does not draw to that.
+    /// `keeps_10_bits`: A2B10G10R10_SNORM_PACK32 keeps codes, which software devices round wrong.
+    pub fn drawn(format: &Format, device: &Device, keeps_10_bits: bool) -> Self {
+        let own = Self::of(format);
+        let keeps = own != Self::Snorm10x3 || keeps_10_bits;
+        let is_drawn = keeps && device.supports(own.texel(), FormatUse::Attachment);
+        if is_drawn || own.is_drawn_everywhere() { own } else { Self::integers(format) }
+    }
+
     /// True where Vulkan promises that devices draw to [`texel`](Self::texel): they need not draw to any snorm.
     pub const fn is_drawn_everywhere(self) -> bool {
         use Storage::{Snorm8x2, Snorm8x3, Snorm10x3, Snorm16x2, Snorm16x3};
@@ -71,7 +84,7 @@ impl Storage {
     /// four stand in for them; the fourth is 0.
     pub const fn texel(self) -> ImageFormat {
         match self {
-            Self::Float => ImageFormat::R32G32B32A32_SFLOAT,
+            Self::Float | Self::Pair | Self::PairAndBit => ImageFormat::R32G32B32A32_SFLOAT,
             Self::Uint => ImageFormat::R32_UINT,
             Self::Uint2 => ImageFormat::R32G32_UINT,
             Self::Snorm8x2 => ImageFormat::R8G8_SNORM,
@@ -120,6 +133,8 @@ impl Storage {
             Self::Sint16x2 => "STORAGE_SINT16X2",
             Self::Float16x3 => "STORAGE_FLOAT16X3",
             Self::Float16x2 => "STORAGE_FLOAT16X2",
+            Self::Pair => "STORAGE_PAIR",
+            Self::PairAndBit => "STORAGE_PAIR_AND_BIT",
         }
     }
 }

@@ -1,99 +1,89 @@
 //! The variants of the renderer's shaders, and where they come from.
 
+use super::projection::Projection;
 use super::shaders;
 use super::storage::Storage;
 use crate::Result;
 use crate::backend::BackendKind;
-use crate::catalogue::{self, Element, Format};
+use crate::catalogue::{Element, Format};
 use crate::glsl;
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
 
-/// What shaders are compiled for: a codec and what holds its codes, or normals as they are.
+/// What shaders are compiled for, and what holds it.
 #[derive(Clone, Copy)]
 pub struct Variant {
-    format: Option<Format>,
+    normals: Stored,
     pub(super) storage: Storage,
-    kind: Kind,
 }
 
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
-    Plain,
-    Dithered,
-    Projected,
+/// What is stored of normals.
+#[derive(Clone, Copy)]
+enum Stored {
+    Float,
+    Codec(Format),
+    Dithered(Format),
+    Projected(&'static Projection),
 }
 
 /// Codecs whose offsets the shaders know.
 pub const DITHERED: [&str; 8] =
     ["oct16", "oct16p", "oct24", "oct24p", "hemioct16", "soct17", "eaoct16", "eaoct16p"];
 
-/// Codecs whose projections the shaders leave to the hardware to round.
-pub const PROJECTED: [&str; 8] =
-    ["oct16", "oct32", "hemioct16", "hemioct32", "eaoct16", "eaoct32", "cylindrical16", "cylindrical32"];
-
 impl Variant {
     /// The normal itself.
-    pub const FLOAT: Self = Self { format: None, storage: Storage::Float, kind: Kind::Plain };
+    pub const FLOAT: Self = Self { normals: Stored::Float, storage: Storage::Float };
 
     /// A codec.
     pub const fn codec(format: Format, storage: Storage) -> Self {
-        Self { format: Some(format), storage, kind: Kind::Plain }
+        Self { normals: Stored::Codec(format), storage }
     }
 
     /// A codec with an offset, its codes in integers; `None` for one that is not among [`DITHERED`].
     pub fn dithered(format: Format) -> Option<Self> {
         let storage = Storage::integers(&format);
-        DITHERED.contains(&format.id).then_some(Self { format: Some(format), storage, kind: Kind::Dithered })
+        DITHERED.contains(&format.id).then_some(Self { normals: Stored::Dithered(format), storage })
     }
 
-    /// A codec's projection; `None` for one that is not among [`PROJECTED`].
-    pub fn projected(format: Format) -> Option<Self> {
-        let storage = Storage::of(&format);
-        PROJECTED.contains(&format.id).then_some(Self {
-            format: Some(format),
-            storage,
-            kind: Kind::Projected,
-        })
+    /// The numbers of a projection, in a format to choose.
+    pub const fn projected(projection: &'static Projection) -> Self {
+        Self { normals: Stored::Projected(projection), storage: projection.storage }
     }
 
     /// Its module's name, and what the names of its entry points begin with: `oct16_dithered`.
     pub fn name(&self) -> String {
-        let Some(format) = self.format else { return "float".to_owned() };
-        let ending = match self.kind {
-            Kind::Plain if self.storage == Storage::of(&format) => "",
+        match self.normals {
+            Stored::Float => "float".to_owned(),
+            Stored::Codec(format) if self.storage == Storage::of(&format) => format.id.to_owned(),
             // Codes in integers though the codec has a format.
-            Kind::Plain => "_uint",
-            Kind::Dithered => "_dithered",
-            Kind::Projected => "_projected",
-        };
-        format!("{}{ending}", format.id)
+            Stored::Codec(format) => format!("{}_uint", format.id),
+            Stored::Dithered(format) => format!("{}_dithered", format.id),
+            Stored::Projected(projection) => projection.name.to_owned(),
+        }
     }
 
     /// The macros of its GLSL.
-    fn macros(&self) -> Vec<(String, String)> {
-        let one = || "1".to_owned();
-        let mut macros = vec![(self.storage.macro_name().to_owned(), one())];
-        let Some(format) = self.format else { return macros };
+    pub(super) fn macros(&self) -> Vec<(String, String)> {
+        let mut macros = vec![(self.storage.macro_name().to_owned(), "1".to_owned())];
         let mut define = |name: &str, value: String| macros.push((name.to_owned(), value));
-        match self.kind {
-            Kind::Plain => {
+        match self.normals {
+            Stored::Float => {}
+            Stored::Codec(format) => {
                 define("ENCODE", format!("{}_encode", format.id));
                 define("DECODE", format!("{}_decode", format.id));
+                if format.element == Element::Frame {
+                    define("FRAME", "1".to_owned());
+                }
             }
-            Kind::Dithered => {
+            Stored::Dithered(format) => {
                 define("ENCODE", format!("{}_encode_dithered", format.id));
                 define("DECODE", format!("{}_decode_dithered", format.id));
-                define("DITHERED", one());
+                define("DITHERED", "1".to_owned());
             }
-            Kind::Projected => {
-                let family = catalogue::find(format.id).map_or("", |codec| codec.family);
-                define("PROJECT", format!("float32x3_to_{family}"));
+            Stored::Projected(projection) => {
+                projection.macros().into_iter().for_each(|(name, value)| define(name, value));
             }
-        }
-        if format.element == Element::Frame {
-            define("FRAME", one());
         }
         macros
     }
@@ -181,6 +171,8 @@ impl Shaders {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::catalogue;
+    use crate::render::PROJECTIONS;
 
     #[test]
     fn names_say_codec_and_kind() {
@@ -192,23 +184,22 @@ mod tests {
         for id in DITHERED {
             assert_eq!(Variant::dithered(format(id)).unwrap().name(), format!("{id}_dithered"));
         }
-        for id in PROJECTED {
-            assert_eq!(Variant::projected(format(id)).unwrap().name(), format!("{id}_projected"));
-        }
+        let projection = Projection::find("oct16p_snorm").unwrap();
+        assert_eq!(Variant::projected(projection).name(), "oct16p_snorm");
         assert!(Variant::dithered(format("fib16")).is_none());
     }
 
     /// The lists of codecs name the modules that there are.
     #[test]
     fn lists_are_those_of_the_modules() {
-        for (ending, ids) in [("_dithered", DITHERED), ("_projected", PROJECTED)] {
-            let mut modules: Vec<&str> = shaders::modules()
-                .filter_map(|name| name.strip_suffix(".spv")?.strip_suffix(ending))
-                .collect();
-            let mut ids = ids.to_vec();
-            modules.sort_unstable();
-            ids.sort_unstable();
-            assert_eq!(modules, ids, "{ending}");
+        let mut modules: Vec<&str> =
+            shaders::modules().filter_map(|name| name.strip_suffix("_dithered.spv")).collect();
+        let mut ids = DITHERED.to_vec();
+        modules.sort_unstable();
+        ids.sort_unstable();
+        assert_eq!(modules, ids);
+        for projection in PROJECTIONS {
+            assert!(shaders::module(&format!("{}.spv", projection.name)).is_some(), "{}", projection.name);
         }
     }
 

@@ -77,12 +77,17 @@ pub const fn bytes_per_texel(format: ImageFormat) -> Option<usize> {
         ImageFormat::R8G8B8A8_SNORM
         | ImageFormat::R8G8B8A8_UNORM
         | ImageFormat::R16G16_SNORM
+        | ImageFormat::R16G16_UNORM
         | ImageFormat::R16G16_SINT
         | ImageFormat::R16G16_SFLOAT
         | ImageFormat::A2B10G10R10_SNORM_PACK32
+        | ImageFormat::A2B10G10R10_UNORM_PACK32
         | ImageFormat::R32_UINT => 4,
         ImageFormat::R16G16B16_SNORM | ImageFormat::R16G16B16_SFLOAT => 6,
-        ImageFormat::R16G16B16A16_SNORM | ImageFormat::R16G16B16A16_SFLOAT | ImageFormat::R32G32_UINT => 8,
+        ImageFormat::R16G16B16A16_SNORM
+        | ImageFormat::R16G16B16A16_UNORM
+        | ImageFormat::R16G16B16A16_SFLOAT
+        | ImageFormat::R32G32_UINT => 8,
         ImageFormat::R32G32B32_SFLOAT => 12,
         ImageFormat::R32G32B32A32_SFLOAT => 16,
         _ => return None,

@@ -5,7 +5,7 @@ use crate::geometry::Geometry;
 use crate::key::Key;
 use crate::normals::{DitheredNormals, Normals, ValueOf};
 use crate::storage::Storage;
-use spirv_std::glam::{Vec2, Vec3, Vec4};
+use spirv_std::glam::{Vec3, Vec4};
 use spirv_std::image::Image2d;
 use spirv_std::spirv;
 use unitvec::arith::normalize;
@@ -20,14 +20,8 @@ fn value_of<N: Normals>(n: Vec3) -> ValueOf<N> {
     N::In::value_of(N::encode(n))
 }
 
-/// What is stored of a normal, where the hardware rounds it.
-fn projected(e: Vec2) -> Vec4 {
-    e.extend(0.0).extend(0.0)
-}
-
-/// The shader, in a module of this name, that stores this value of a normal `n`.
 macro_rules! gbuffer {
-    ($id:ident $value:ty: $n:ident => $value_of:expr) => {
+    ($id:ident $normals:path) => {
         #[doc = concat!("Stores normals as `", stringify!($id), "`.")]
         pub mod $id {
             use super::*;
@@ -38,13 +32,13 @@ macro_rules! gbuffer {
                 world_normal: Vec3,
                 object_position: Vec3,
                 #[spirv(push_constant)] constants: &Geometry,
-                stored: &mut $value,
+                stored: &mut ValueOf<$normals>,
                 normal: &mut Vec4,
                 surface: &mut Vec4,
             ) {
-                let $n = normal_of(world_normal, constants);
-                *stored = $value_of;
-                *normal = $n.extend(1.0);
+                let n = normal_of(world_normal, constants);
+                *stored = value_of::<$normals>(n);
+                *normal = n.extend(1.0);
                 // In object space, with the object's number as the fourth component.
                 *surface = object_position.extend(constants.object as f32);
             }
@@ -52,22 +46,7 @@ macro_rules! gbuffer {
     };
 }
 
-macro_rules! of_codec {
-    ($id:ident $normals:path) => {
-        gbuffer!($id ValueOf<$normals>: n => value_of::<$normals>(n));
-    };
-}
-
-crate::for_all_normals!($ of_codec);
-
-gbuffer!(oct16_projected Vec4: n => projected(unitvec::oct::project(n)));
-gbuffer!(oct32_projected Vec4: n => projected(unitvec::oct::project(n)));
-gbuffer!(hemioct16_projected Vec4: n => projected(unitvec::hemioct::project(n)));
-gbuffer!(hemioct32_projected Vec4: n => projected(unitvec::hemioct::project(n)));
-gbuffer!(eaoct16_projected Vec4: n => projected(unitvec::eaoct::project(n)));
-gbuffer!(eaoct32_projected Vec4: n => projected(unitvec::eaoct::project(n)));
-gbuffer!(cylindrical16_projected Vec4: n => projected(unitvec::cylindrical::project(n)));
-gbuffer!(cylindrical32_projected Vec4: n => projected(unitvec::cylindrical::project(n)));
+crate::for_all_normals!($ gbuffer);
 
 macro_rules! dithered_gbuffer {
     ($id:ident $normals:path) => {

@@ -37,6 +37,24 @@ macro_rules! for_all_normals {
         unitvec::for_each_codec!(rows);
         unitvec::for_each_frame!(rows);
         $callback!(float crate::normals::Float);
+        $callback!(oct_snorm crate::normals::OctSnorm);
+        $callback!(oct_unorm crate::normals::OctUnorm);
+        $callback!(oct16p_snorm crate::normals::OctPrecise16Snorm);
+        $callback!(oct32p_snorm crate::normals::OctPrecise32Snorm);
+        $callback!(hemioct_snorm crate::normals::HemiOctSnorm);
+        $callback!(hemioct_unorm crate::normals::HemiOctUnorm);
+        $callback!(eaoct_snorm crate::normals::EaOctSnorm);
+        $callback!(eaoct_unorm crate::normals::EaOctUnorm);
+        $callback!(eaoct16p_snorm crate::normals::EaOctPrecise16Snorm);
+        $callback!(eaoct32p_snorm crate::normals::EaOctPrecise32Snorm);
+        $callback!(spherical_snorm crate::normals::SphericalSnorm);
+        $callback!(spherical_unorm crate::normals::SphericalUnorm);
+        $callback!(cylindrical_snorm crate::normals::CylindricalSnorm);
+        $callback!(cylindrical_unorm crate::normals::CylindricalUnorm);
+        $callback!(soct_snorm crate::normals::SOctSnorm);
+        $callback!(soct_unorm crate::normals::SOctUnorm);
+        $callback!(eqarea_ellipse_snorm crate::normals::EqareaEllipseSnorm);
+        $callback!(eqarea_ellipse_unorm crate::normals::EqareaEllipseUnorm);
         // Those with a format of snorm, as integers.
         $callback!(oct16_uint crate::normals::AsIntegers<unitvec::Oct16>);
         $callback!(oct16p_uint crate::normals::AsIntegers<unitvec::OctPrecise16>);

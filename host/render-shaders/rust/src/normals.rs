@@ -3,8 +3,10 @@
 use crate::storage::*;
 use core::marker::PhantomData;
 use spirv_std::glam::{Vec2, Vec3};
+use unitvec::azimuthal::{self, Ellipse, Eqarea};
 use unitvec::dither::Dithered;
 use unitvec::{Codec, Frame, FrameCodec, for_each_codec, for_each_frame};
+use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
 
 /// A way to store normals.
 pub trait Normals {
@@ -143,6 +145,49 @@ impl Normals for Float {
     fn decode(code: Vec3) -> Vec3 {
         code
     }
+}
+
+/// Projections, which the hardware rounds.
+macro_rules! projections {
+    ($($name:ident in $storage:ident: $project:expr, $unproject:expr;)*) => { $(
+        #[doc = concat!("`", stringify!($project), "`, rounded by the hardware.")]
+        pub struct $name;
+
+        impl Normals for $name {
+            type In = $storage;
+
+            fn encode(n: Vec3) -> CodeOf<Self> {
+                $project(n)
+            }
+
+            fn decode(code: CodeOf<Self>) -> Vec3 {
+                $unproject(code)
+            }
+        }
+    )* };
+}
+
+projections! {
+    OctSnorm in Pair: oct::project, oct::unproject;
+    OctUnorm in Pair: oct::project_unorm, oct::unproject_unorm;
+    OctPrecise16Snorm in Pair: oct::project_precise::<16>, oct::unproject;
+    OctPrecise32Snorm in Pair: oct::project_precise::<32>, oct::unproject;
+    HemiOctSnorm in Pair: hemioct::project, hemioct::unproject;
+    HemiOctUnorm in Pair: hemioct::project_unorm, hemioct::unproject_unorm;
+    EaOctSnorm in Pair: eaoct::project, eaoct::unproject;
+    EaOctUnorm in Pair: eaoct::project_unorm, eaoct::unproject_unorm;
+    EaOctPrecise16Snorm in Pair: eaoct::project_precise::<16>, eaoct::unproject;
+    EaOctPrecise32Snorm in Pair: eaoct::project_precise::<32>, eaoct::unproject;
+    SphericalSnorm in Pair: spherical::project, spherical::unproject;
+    SphericalUnorm in Pair: spherical::project_unorm, spherical::unproject_unorm;
+    CylindricalSnorm in Pair: cylindrical::project, cylindrical::unproject;
+    CylindricalUnorm in Pair: cylindrical::project_unorm, cylindrical::unproject_unorm;
+    SOctSnorm in PairAndBit: soct::project, soct::unproject;
+    SOctUnorm in PairAndBit: soct::project_unorm, soct::unproject_unorm;
+    EqareaEllipseSnorm in PairAndBit:
+        azimuthal::project::<Eqarea, Ellipse>, azimuthal::unproject::<Eqarea, Ellipse>;
+    EqareaEllipseUnorm in PairAndBit:
+        azimuthal::project_unorm::<Eqarea, Ellipse>, azimuthal::unproject_unorm::<Eqarea, Ellipse>;
 }
 
 /// A codec whose codes are stored as integers, though there is a format with their layout. Vulkan promises no device that draws

@@ -179,6 +179,58 @@ impl Storage for Uint2 {
     }
 }
 
+/// Two numbers that the hardware rounds, in any format of floats, SNORM or UNORM.
+pub struct Pair;
+
+impl Storage for Pair {
+    type Code = Vec2;
+    type Attribute = Vec4;
+    type Value = Vec4;
+    type Texture = Image2d;
+
+    fn value_of(code: Vec2) -> Vec4 {
+        code.extend(0.0).extend(0.0)
+    }
+
+    fn code_of(value: Vec4) -> Vec2 {
+        Vec2::new(value.x, value.y)
+    }
+
+    fn code_of_attribute(attribute: Vec4) -> Vec2 {
+        Self::code_of(attribute)
+    }
+
+    fn fetch(texture: &Image2d, pixel: UVec2) -> Vec4 {
+        texture.fetch(pixel)
+    }
+}
+
+/// Two numbers that the hardware rounds, and 0 or 1 in alpha, which may have few bits.
+pub struct PairAndBit;
+
+impl Storage for PairAndBit {
+    type Code = Vec3;
+    type Attribute = Vec4;
+    type Value = Vec4;
+    type Texture = Image2d;
+
+    fn value_of(code: Vec3) -> Vec4 {
+        Vec4::new(code.x, code.y, 0.0, code.z)
+    }
+
+    fn code_of(value: Vec4) -> Vec3 {
+        Vec3::new(value.x, value.y, value.w)
+    }
+
+    fn code_of_attribute(attribute: Vec4) -> Vec3 {
+        Self::code_of(attribute)
+    }
+
+    fn fetch(texture: &Image2d, pixel: UVec2) -> Vec4 {
+        texture.fetch(pixel)
+    }
+}
+
 /// R32G32B32A32_SFLOAT: the normal itself.
 pub struct Float32x3;
 

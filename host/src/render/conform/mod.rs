@@ -2,13 +2,18 @@
 //! code that the CPU gives, and what texel and vertex fetch give is decoded as on the CPU; to the bit, with the shaders in Rust
 //! and in GLSL.
 
+mod fields;
+mod pairs;
 mod points;
 mod projected;
 mod report;
+mod rounding;
 mod texels;
 
-pub use projected::{HardwareRounding, Projected};
+pub use pairs::{Pair, pairs};
+pub use projected::Projected;
 pub use report::{Checks, Report, Row, Tally, Traits};
+pub use rounding::{Conversion, HardwareRounding};
 
 use super::renderer::{decoded, encoded};
 use super::storage::{Storage, codes_of};
@@ -16,12 +21,14 @@ use super::variant::Variant;
 use super::{Normals, Renderer, Shot, Size, View};
 use crate::Result;
 use crate::backend::BackendKind;
-use crate::catalogue::{Format, formats};
+use crate::catalogue::{Domain, Format};
 use crate::render::Material;
 use crate::sampling;
 use crate::vulkan::{Device, DeviceChoice, FormatUse, ImageFormat};
 use crate::workers;
+use fields::Fields;
 use points::Points;
+use rounding::conversion;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -70,10 +77,31 @@ pub fn run(
     let work = |format: Format, renderers: &mut Renderers, _: &mut dyn FnMut(u64)| {
         row(format, options, device, renderers, traits)
     };
-    // Each thread has a device of its own: drivers that run on the CPU may compile for a queue while it is drawing.
+    workers::run(formats, open_on(device), work, &mut |_| {}, each)
+}
+
+/// Runs projections in formats, on several threads. `each` is told the rows, in the order of the pairs.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_pairs(
+    pairs: Vec<Pair>,
+    options: &Options,
+    device: &Arc<Device>,
+    traits: &Traits,
+    each: &mut dyn FnMut(Row) -> Result<()>,
+) -> Result<()> {
+    let work = |pair: Pair, renderers: &mut Renderers, _: &mut dyn FnMut(u64)| {
+        pairs::row(pair, options, device, renderers, traits)
+    };
+    workers::run(pairs, open_on(device), work, &mut |_| {}, each)
+}
+
+/// What opens the renderers of a thread, on a device of its own: drivers that run on the CPU may compile for a queue while it is
+/// drawing.
+fn open_on(device: &Arc<Device>) -> impl Fn() -> Result<Renderers> + Sync {
     let choice = DeviceChoice::Named(device.info().index.to_string());
-    let open = || open(&Device::open_for_graphics(device.instance(), &choice)?);
-    workers::run(formats, open, work, &mut |_| {}, each)
+    move || open(&Device::open_for_graphics(device.instance(), &choice)?)
 }
 
 /// What the device does besides codecs, with shaders of the first source.
@@ -84,11 +112,9 @@ pub fn traits(device: &Arc<Device>, options: &Options) -> Result<Traits> {
     let renderers = open(device)?;
     let mut found = Traits::default();
     let Some(renderer) = renderers.values().next() else { return Ok(found) };
-    found.rounding_8 = projected::rounding(renderer, Storage::Snorm8x2.texel(), 127)?;
-    found.rounding_16 = projected::rounding(renderer, Storage::Snorm16x2.texel(), 32767)?;
-    found.rounding_10 = projected::rounding(renderer, Storage::Snorm10x3.texel(), 511)?;
-    // Any codec of the whole sphere.
-    let sphere = formats().next().map_or_else(Vec::new, |format| directions(&format, options));
+    let converted = Fields::all().filter(|fields| !fields.has_alpha() || fields.bits() == 10);
+    found.conversions = converted.map(|fields| conversion(renderer, fields)).collect::<Result<_>>()?;
+    let sphere = directions_of(Domain::Sphere, options);
     let points = Points::of_normals(renderer, &sphere)?;
     let [_, passed] = points.draw(renderer, &Variant::FLOAT)?;
     found.interpolated = sphere.len() as u64;
@@ -109,9 +135,9 @@ fn is_changed(sent: f32, passed: f32) -> bool {
     sent != passed && !(sent.is_nan() && passed.is_nan())
 }
 
-/// Random directions of the codec's domain, and special vectors.
-fn directions(format: &Format, options: &Options) -> Vec<[f32; 3]> {
-    let random = sampling::random_directions(format.domain, options.seed).take(options.count);
+/// Random directions of a domain, and special vectors.
+fn directions_of(domain: Domain, options: &Options) -> Vec<[f32; 3]> {
+    let random = sampling::random_directions(domain, options.seed).take(options.count);
     sampling::special_vectors().into_iter().chain(random).collect()
 }
 
@@ -142,10 +168,12 @@ fn row(
     renderers: &mut Renderers,
     traits: &Traits,
 ) -> Result<Row> {
-    let drawn = drawn(device, &format, traits);
+    let keeps_10_bits =
+        traits.rounding(Storage::Snorm10x3.texel()).is_some_and(HardwareRounding::keeps_codes);
+    let drawn = Storage::drawn(&format, device, keeps_10_bits);
     let own = Variant::codec(format, Storage::of(&format));
     let mut row = Row::new(device, &format, drawn);
-    let (directions, codes) = (directions(&format, options), codes(&format, options));
+    let (directions, codes) = (directions_of(format.domain, options), codes(&format, options));
     for (source, renderer) in renderers.iter_mut() {
         let mut checks = Checks::default();
         let variant = Variant::codec(format, drawn);
@@ -169,13 +197,6 @@ fn row(
     Ok(row)
 }
 
-/// What a codec's codes are drawn to: its own format where the device keeps codes in it.
-fn drawn(device: &Device, format: &Format, traits: &Traits) -> Storage {
-    let own = Storage::of(format);
-    let keeps = own != Storage::Snorm10x3 || traits.rounding_10.is_some_and(HardwareRounding::keeps_codes);
-    if keeps && device.supports(own.texel(), FormatUse::Attachment) { own } else { Storage::integers(format) }
-}
-
 /// Normals as points, encoded into an attachment.
 fn attachment(
     row: &mut Row,
@@ -186,7 +207,7 @@ fn attachment(
     directions: &[[f32; 3]],
 ) -> Result<Tally> {
     let points = Points::of_normals(renderer, directions)?;
-    let (texels, normals) = points.draw_codes(renderer, variant)?;
+    let (texels, normals) = points.draw_texels(renderer, variant, variant.storage.texel())?;
     compare_codes(row, &format!("{source} attachment"), format, variant.storage.texel(), &texels, &normals)
 }
 
@@ -233,25 +254,7 @@ fn vertex(
     let cpu = decoded(format, codes)?;
     let [_, expected] = Points::of_normals(renderer, &cpu)?.draw(renderer, &Variant::FLOAT)?;
     let [_, found] = Points::of_codes(renderer, variant, format, codes)?.draw(renderer, &Variant::FLOAT)?;
-    Ok(compare_normals(row, &format!("{source} vertex"), format, codes, &expected, &found))
-}
-
-/// Decoded normals, of which all NaN are one.
-fn compare_normals(
-    row: &mut Row,
-    what: &str,
-    format: Format,
-    codes: &[u8],
-    cpu: &[[f32; 3]],
-    device: &[[f32; 3]],
-) -> Tally {
-    let bytes = |normals: &[[f32; 3]]| -> Vec<u8> {
-        let one_nan = |c: &f32| if c.is_nan() { f32::NAN } else { *c };
-        normals.iter().flatten().flat_map(|c| one_nan(c).to_le_bytes()).collect()
-    };
-    row.compare(what, 12, &bytes(cpu), &bytes(device), |at| {
-        format!("{:02x?}", &codes[at * format.bytes..][..format.bytes])
-    })
+    Ok(row.compare_normals(&format!("{source} vertex"), codes, format.bytes, &expected, &found))
 }
 
 fn shown(vector: &[f32; 3]) -> String {

@@ -6,7 +6,7 @@ use super::super::storage::{Storage, float_texels, texels_of};
 use super::super::variant::{Stage, Variant};
 use crate::Result;
 use crate::catalogue::Format;
-use crate::vulkan::{Draw, ImageFormat, Mesh, Target};
+use crate::vulkan::{Draw, ImageFormat, Mesh, Target, bytes_per_texel};
 
 /// Pixels of a row.
 pub(super) const WIDTH: usize = 512;
@@ -38,6 +38,17 @@ impl Points {
         Self::new(renderer, *variant, attribute, codes.len() / format.bytes, &values)
     }
 
+    /// With the normals of these attributes.
+    pub(super) fn of_attributes(
+        renderer: &Renderer,
+        vertices: Variant,
+        format: ImageFormat,
+        attributes: &[u8],
+    ) -> Result<Self> {
+        let count = attributes.len() / bytes_per_texel(format).unwrap_or(1);
+        Self::new(renderer, vertices, format, count, attributes)
+    }
+
     fn new(
         renderer: &Renderer,
         vertices: Variant,
@@ -63,13 +74,14 @@ impl Points {
         Ok([stored.collect(), all_vectors(&normals, self.count)?])
     }
 
-    /// Draws with the geometry shader of a codec; texels, and the normals beside them.
-    pub(super) fn draw_codes(
+    /// Draws to an attachment of this format; texels, and the normals beside them.
+    pub(super) fn draw_texels(
         &self,
         renderer: &Renderer,
         variant: &Variant,
+        format: ImageFormat,
     ) -> Result<(Vec<u8>, Vec<[f32; 3]>)> {
-        let [mut texels, normals] = self.draw_to(renderer, variant, variant.storage.texel())?;
+        let [mut texels, normals] = self.draw_to(renderer, variant, format)?;
         let size = texels.len() / (self.rows() * WIDTH);
         texels.truncate(self.count * size);
         Ok((texels, all_vectors(&normals, self.count)?))

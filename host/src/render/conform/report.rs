@@ -1,7 +1,7 @@
 //! What a run found.
 
 use super::super::storage::Storage;
-use super::{HardwareRounding, Projected};
+use super::{Conversion, HardwareRounding, Projected};
 use crate::backend::BackendKind;
 use crate::catalogue::Format;
 use crate::vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
@@ -23,17 +23,15 @@ pub struct Report {
     pub agreed: bool,
     /// One row a codec.
     pub rows: Vec<Row>,
+    /// One row for each projection and format that holds its numbers.
+    pub projections: Vec<Row>,
 }
 
 /// What a device does to normals before and after they are codes.
 #[derive(Debug, Default, Serialize)]
 pub struct Traits {
-    /// How it rounds what is written to R8G8_SNORM; `None` where that is no attachment.
-    pub rounding_8: Option<HardwareRounding>,
-    /// The same for A2B10G10R10_SNORM_PACK32.
-    pub rounding_10: Option<HardwareRounding>,
-    /// The same for R16G16_SNORM.
-    pub rounding_16: Option<HardwareRounding>,
+    /// How it converts to and from formats of two numbers.
+    pub conversions: Vec<Conversion>,
     /// Special and random vectors that went from vertex to fragment shader.
     pub interpolated: u64,
     /// Those of which a denormal became zero on the way, or an infinity NaN, as Vulkan allows.
@@ -42,10 +40,20 @@ pub struct Traits {
     pub changed: u64,
 }
 
-/// The outcome for one codec.
+impl Traits {
+    /// How the device rounds what is written to a format; `None` where that is no attachment.
+    pub fn rounding(&self, format: ImageFormat) -> Option<HardwareRounding> {
+        let name = format!("{format:?}");
+        // Formats of four numbers are converted as those of two.
+        let name = name.replace("R8G8B8A8", "R8G8").replace("R16G16B16A16", "R16G16");
+        self.conversions.iter().find(|conversion| conversion.format == name)?.rounding
+    }
+}
+
+/// The outcome for one codec, or for one projection in one format.
 #[derive(Debug, Serialize)]
 pub struct Row {
-    /// Codec.
+    /// Codec or projection.
     pub id: &'static str,
     /// Its bits.
     pub bits: u32,
@@ -135,16 +143,23 @@ impl Row {
                 FormatUse::Attachment.words()
             ));
         }
-        Self {
-            id: format.id,
-            bits: format.bits,
-            texel: named(drawn.texel()),
-            attribute: named(own.attribute(device)),
-            unsupported,
-            checks: BTreeMap::new(),
-            projected: BTreeMap::new(),
-            examples: Vec::new(),
-        }
+        let (texel, attribute) = (named(drawn.texel()), named(own.attribute(device)));
+        Self { unsupported, ..Self::empty(format.id, format.bits, texel, attribute) }
+    }
+
+    /// Nothing compared yet of numbers in this format.
+    pub(super) fn of_format(device: &Device, id: &'static str, bits: u32, format: ImageFormat) -> Self {
+        let name = format!("{format:?}");
+        let lacking = |usage: &FormatUse| !device.supports(format, *usage);
+        let uses = [FormatUse::Attachment, FormatUse::Texture, FormatUse::Vertex].into_iter().filter(lacking);
+        let unsupported = uses.map(|usage| format!("{name} {}", usage.words())).collect();
+        Self { unsupported, ..Self::empty(id, bits, name.clone(), name) }
+    }
+
+    fn empty(id: &'static str, bits: u32, texel: String, attribute: String) -> Self {
+        let (unsupported, examples) = (Vec::new(), Vec::new());
+        let (checks, projected) = (BTreeMap::new(), BTreeMap::new());
+        Self { id, bits, texel, attribute, unsupported, checks, projected, examples }
     }
 
     /// Counts where two lists of bytes differ, element by element, and tells the first differences in words.
@@ -167,5 +182,23 @@ impl Row {
             }
         }
         Tally { compared, differing }
+    }
+
+    /// The same for the normals of codes of this size; all NaN are one.
+    pub(super) fn compare_normals(
+        &mut self,
+        what: &str,
+        codes: &[u8],
+        size: usize,
+        cpu: &[[f32; 3]],
+        device: &[[f32; 3]],
+    ) -> Tally {
+        let bytes = |normals: &[[f32; 3]]| -> Vec<u8> {
+            let one_nan = |c: &f32| if c.is_nan() { f32::NAN } else { *c };
+            normals.iter().flatten().flat_map(|c| one_nan(c).to_le_bytes()).collect()
+        };
+        self.compare(what, 12, &bytes(cpu), &bytes(device), |at| {
+            format!("{:02x?}", &codes[at * size..][..size])
+        })
     }
 }

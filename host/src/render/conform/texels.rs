@@ -1,10 +1,10 @@
 //! Codes in a texture, decoded by the lighting pass.
 
-use super::super::renderer::{FLOATS, Lighting, RAW, Renderer, decoded, pipeline};
+use super::super::renderer::{self, FLOATS, Lighting, RAW, Renderer, pipeline};
 use super::super::storage::texels_of;
 use super::super::variant::{Stage, Variant};
 use super::points::{WIDTH, vectors};
-use super::{Row, Tally, compare_normals};
+use super::{Row, Tally};
 use crate::Result;
 use crate::backend::BackendKind;
 use crate::catalogue::Format;
@@ -19,10 +19,27 @@ pub(super) fn check(
     format: Format,
     codes: &[u8],
 ) -> Result<Tally> {
-    let count = codes.len() / format.bytes;
-    let size = (WIDTH as u32, count.div_ceil(WIDTH) as u32);
     let texel = variant.storage.texel();
-    let texture = texture(renderer, texel, size, texels_of(codes, texel, format.bytes))?;
+    let found = self::decoded(renderer, variant, texel, &texels_of(codes, texel, format.bytes))?;
+    let cpu = renderer::decoded(format, codes)?;
+    Ok(row.compare_normals(&format!("{source} texture"), codes, format.bytes, &cpu, &found))
+}
+
+/// The first three numbers of texels as the device fetches them.
+pub(super) fn fetched(renderer: &Renderer, format: ImageFormat, texels: &[u8]) -> Result<Vec<[f32; 3]>> {
+    decoded(renderer, &Variant::FLOAT, format, texels)
+}
+
+/// The normals that the lighting pass makes of texels.
+pub(super) fn decoded(
+    renderer: &Renderer,
+    variant: &Variant,
+    format: ImageFormat,
+    texels: &[u8],
+) -> Result<Vec<[f32; 3]>> {
+    let count = texels.len() / bytes_per_texel(format).unwrap_or(1);
+    let size = (WIDTH as u32, count.div_ceil(WIDTH) as u32);
+    let texture = texture(renderer, format, size, texels.to_vec())?;
     // The shader reads it and does nothing with it.
     let surfaces = self::texture(renderer, ImageFormat::R32G32B32A32_SFLOAT, size, Vec::new())?;
     let target = Target::new(&renderer.graphics, size, &FLOATS, false)?;
@@ -32,9 +49,7 @@ pub(super) fn check(
     let draw = Draw { pipeline: &pipeline, mesh: None, constants: bytemuck::bytes_of(&lighting) };
     renderer.graphics.draw(&target, &[(0, &texture), (1, &surfaces)], &[draw])?;
     let normals = target.read(1)?;
-    let found: Vec<[f32; 3]> = vectors(&normals).take(count).map_while(|normal| normal).collect();
-    let cpu = decoded(format, codes)?;
-    Ok(compare_normals(row, &format!("{source} texture"), format, codes, &cpu, &found))
+    Ok(vectors(&normals).take(count).map_while(|normal| normal).collect())
 }
 
 /// A texture of this size; what texels do not fill is 0.
