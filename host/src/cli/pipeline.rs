@@ -8,7 +8,9 @@ use std::path::Path;
 use std::process::ExitCode;
 use unitvec_host::backend::BackendKind;
 use unitvec_host::catalogue::Format;
-use unitvec_host::render::conform::{self, Conversion, Options, Projected, Report, Row, Traits};
+use unitvec_host::render::conform::{
+    self, Conversion, HardwareRounding, Options, Projected, Report, Row, Traits,
+};
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, output};
 
@@ -103,8 +105,12 @@ fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Opt
 }
 
 /// What a device does to the numbers of a format, in a line.
-fn conversion(Conversion { format, rounding, fetched, inexact }: &Conversion) -> String {
-    let written = rounding.map_or("no attachment".to_owned(), |rounding| format!("rounded {rounding}"));
+fn conversion(Conversion { format, rounding, steps_off, fetched, inexact }: &Conversion) -> String {
+    let written = match rounding {
+        None => "no attachment".to_owned(),
+        Some(HardwareRounding::Other) => format!("not rounded to nearest, up to {steps_off:.2} steps off"),
+        Some(rounding) => format!("rounded {rounding}"),
+    };
     let read = match (fetched, inexact) {
         (0, _) => "no texture".to_owned(),
         (_, 0) => "fetched exactly".to_owned(),
@@ -114,8 +120,8 @@ fn conversion(Conversion { format, rounding, fetched, inexact }: &Conversion) ->
 }
 
 /// What stands over the rows of projections.
-const PROJECTIONS: &str = "projections that the hardware rounds; diff: texels that are not the CPU's numbers, rounded as above, \
-     and normals that are not what the CPU makes of the numbers fetched\n";
+const PROJECTIONS: &str = "projections that the hardware rounds; diff: texels that are not the CPU's numbers, rounded as the \
+     device does, and normals that are not what the CPU makes of the numbers fetched\n";
 
 /// As wide as the longest name of a format in it.
 const FORMAT: usize = 24;

@@ -46,16 +46,12 @@ pub(super) fn row(
     traits: &Traits,
 ) -> Result<Row> {
     let mut row = Row::of_format(device, projection.name, 2 * fields.bits(), fields.format);
-    let rule = traits.rounding(fields.format).filter(|rule| rule.keeps_codes());
-    if rule.is_none() && row.unsupported.is_empty() {
-        row.unsupported.push(format!("{:?} as an attachment that rounds to nearest", fields.format));
-    }
     let directions = directions_of(Domain::Sphere, options);
     let supports = |usage| device.supports(fields.format, usage);
     for (source, renderer) in renderers.iter() {
         let mut checks = Checks::default();
         let one = One { source: *source, renderer, projection, fields };
-        if let Some(rule) = rule {
+        if let Some(rule) = traits.rounding(fields.format) {
             checks.attachment = one.attachment(&mut row, &directions, rule)?;
         }
         let texels = one.texels(&directions, options);
@@ -83,30 +79,52 @@ impl One<'_> {
         Variant::projected(self.projection)
     }
 
-    /// What this rounding makes of the CPU's numbers of these normals.
-    fn stored(&self, normals: &[[f32; 3]], rule: HardwareRounding) -> Vec<u8> {
+    /// The CPU's numbers of normals.
+    fn projected(&self, normals: &[[f32; 3]]) -> Vec<[f32; 3]> {
+        normals.iter().map(|normal| self.projection.project(*normal)).collect()
+    }
+
+    /// What this rule makes of numbers.
+    fn rounded(&self, numbers: &[[f32; 3]], rule: HardwareRounding) -> Vec<u8> {
         let mut texels = Vec::new();
-        for normal in normals {
-            let [x, y, bit] = self.projection.project(*normal);
-            let bit = if self.fields.has_alpha() { rule.of(bit, self.fields.most(3)) } else { 0 };
-            let [red, green] = [(x, 0), (y, 1)].map(|(x, at)| rule.of(x, self.fields.most(at)));
-            self.fields.push(&mut texels, [red, green, bit]);
+        for [x, y, bit] in numbers {
+            let alpha = if self.fields.has_alpha() { rule.of(*bit, self.fields.most(3)) } else { 0 };
+            let [red, green] = [(x, 0), (y, 1)].map(|(x, at)| rule.of(*x, self.fields.most(at)));
+            self.fields.push(&mut texels, [red, green, alpha]);
         }
         texels
+    }
+
+    /// What the device itself makes of numbers that are written as they are. Alpha, 0 or 1, takes no rounding.
+    fn stored(&self, numbers: &[[f32; 3]]) -> Result<Vec<u8>> {
+        let pairs: Vec<[f32; 3]> = numbers.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
+        let points = Points::of_normals(self.renderer, &pairs)?;
+        let (stored, _) = points.draw_texels(self.renderer, &Variant::FLOAT, self.fields.format)?;
+        let mut texels = Vec::new();
+        for (texel, [.., bit]) in stored.chunks_exact(self.fields.size()).zip(numbers) {
+            let alpha =
+                if self.fields.has_alpha() { *bit as i64 * i64::from(self.fields.most(3)) } else { 0 };
+            self.fields.push(&mut texels, [self.fields.get(texel, 0), self.fields.get(texel, 1), alpha]);
+        }
+        Ok(texels)
     }
 
     /// What the attachment holds of normals, against the CPU's numbers, rounded as the device rounds.
     fn attachment(&self, row: &mut Row, normals: &[[f32; 3]], rule: HardwareRounding) -> Result<Tally> {
         let points = Points::of_normals(self.renderer, normals)?;
         let (texels, normals) = points.draw_texels(self.renderer, &self.variant(), self.fields.format)?;
-        let expected = self.stored(&normals, rule);
+        let numbers = self.projected(&normals);
+        let expected = match rule {
+            HardwareRounding::Other => self.stored(&numbers)?,
+            rule => self.rounded(&numbers, rule),
+        };
         let what = format!("{} attachment", self.source);
         Ok(row.compare(&what, self.fields.size(), &expected, &texels, |at| shown(&normals[at])))
     }
 
     /// Texels of normals, and random ones.
     fn texels(&self, normals: &[[f32; 3]], options: &Options) -> Vec<u8> {
-        let mut texels = self.stored(normals, HardwareRounding::NearestEven);
+        let mut texels = self.rounded(&self.projected(normals), HardwareRounding::NearestEven);
         let size = self.fields.size();
         let random = sampling::random_codes(options.seed).take(options.count);
         for code in sampling::special_codes().into_iter().chain(random) {

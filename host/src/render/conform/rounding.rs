@@ -76,6 +76,8 @@ pub struct Conversion {
     pub format: String,
     /// How it rounds what is written; `None` where the format is no attachment.
     pub rounding: Option<HardwareRounding>,
+    /// The farthest that an integer is from the exact product, in steps: a half where it is rounded to nearest.
+    pub steps_off: f64,
     /// Integers whose value was fetched from a texture.
     pub fetched: u64,
     /// Values that are not the exact quotient, rounded once.
@@ -86,8 +88,19 @@ pub struct Conversion {
 pub(super) fn conversion(renderer: &Renderer, fields: Fields) -> Result<Conversion> {
     let device = renderer.graphics.device();
     let is = |usage| device.supports(fields.format, usage);
-    let rounding = if is(FormatUse::Attachment) { Some(rounding(renderer, fields)?) } else { None };
-    let mut found = Conversion { format: format!("{:?}", fields.format), rounding, fetched: 0, inexact: 0 };
+    let mut found = Conversion {
+        format: format!("{:?}", fields.format),
+        rounding: None,
+        steps_off: 0.0,
+        fetched: 0,
+        inexact: 0,
+    };
+    if is(FormatUse::Attachment) {
+        let (m, stored) = (fields.most(0), ramp(renderer, fields)?);
+        let off = |(x, integer): &(f32, i64)| (f64::from(*x) * f64::from(m) - *integer as f64).abs();
+        found.rounding = Some(HardwareRounding::explaining(&stored, m));
+        found.steps_off = stored.iter().map(off).fold(0.0, f64::max);
+    }
     if !is(FormatUse::Texture) {
         return Ok(found);
     }
@@ -111,7 +124,8 @@ fn every_integer(fields: Fields) -> Vec<u8> {
     texels
 }
 
-fn rounding(renderer: &Renderer, fields: Fields) -> Result<HardwareRounding> {
+/// Numbers that were written, and the integers that are stored of them.
+fn ramp(renderer: &Renderer, fields: Fields) -> Result<Vec<(f32, i64)>> {
     const FRACTIONS: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.9];
     /// Integers of the ramp, each way.
     const STEPS: i32 = 2000;
@@ -121,6 +135,7 @@ fn rounding(renderer: &Renderer, fields: Fields) -> Result<HardwareRounding> {
     let values: Vec<[f32; 3]> = (1 - STEPS..STEPS)
         .flat_map(|step| FRACTIONS.map(|fraction| (whole(step) + fraction) / m as f32))
         .flat_map(|x| [x.next_down(), x, x.next_up()])
+        .chain([least, 1.0])
         .filter(|x| (least..=1.0).contains(x))
         .map(|x| [x, x, 0.0])
         .collect();
@@ -128,8 +143,7 @@ fn rounding(renderer: &Renderer, fields: Fields) -> Result<HardwareRounding> {
     let [texels, normals] = points.draw_to(renderer, &Variant::FLOAT, fields.format)?;
     let written = vectors(&normals).take(values.len()).flatten().map(|[x, ..]| x);
     let stored = texels.chunks_exact(fields.size()).map(|texel| fields.get(texel, 0));
-    let pairs: Vec<(f32, i64)> = written.zip(stored).collect();
-    Ok(HardwareRounding::explaining(&pairs, m))
+    Ok(written.zip(stored).collect())
 }
 
 #[cfg(test)]
