@@ -37,7 +37,8 @@ pub fn both(id: &str) -> String {
     Operation::ALL.map(|operation| format!("{:.1}", cost(id, operation))).join(" / ")
 }
 
-fn number(value: Option<f64>, digits: usize) -> String {
+/// A number with so many digits, or a dash where there is none.
+pub fn number(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
 }
 
@@ -103,6 +104,11 @@ fn compiled() -> &'static [(&'static Generation, Report)] {
 fn rdna2() -> &'static Report {
     let rdna2 = find_generation("rdna2").unwrap();
     &compiled().iter().find(|(generation, _)| generation.name == rdna2.name).unwrap().1
+}
+
+/// The vector instructions of encoding or decoding a vector on RDNA 2.
+pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
+    rdna2().row(id, operation, Source::Glsl)?.vector_instructions
 }
 
 /// Which compilers the figures are of.

@@ -1,10 +1,14 @@
 //! What dither does to errors, as docs/dither.md has it.
 
+use super::costs;
 use super::tables::degrees;
+use crate::isa::dithered;
 use std::collections::BTreeMap;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec::*;
+use unitvec_host::catalogue::Operation;
+use unitvec_host::isa::Source as Compiled;
 use unitvec_oracle::{angle_deg, normalize};
 use unitvec_tests::directions::{Rng, sphere};
 use unitvec_tests::repository;
@@ -169,6 +173,42 @@ pub fn table() -> String {
             let (mean, max) = (degrees(noise.mean), degrees(noise.max));
             text += &format!("| `{id}` | {name} | {mean} | {max} | {:.3} |\n", noise.autocorrelation);
         }
+    }
+    text
+}
+
+/// Vector instructions of a dithered function on RDNA 2, for one vector.
+fn cost(id: &str, key: &str, operation: Operation) -> Option<f64> {
+    dithered::committed().row(&dithered::row_id(id, key), operation, Compiled::Glsl)?.vector_instructions
+}
+
+/// What dither costs: vector instructions without and with it, for a vector, and what is between them.
+pub fn cost_table() -> String {
+    let mut text = String::from(
+        "| codec | encode: plain | dithered | more | decode: plain | dithered | more |\n|---|---|---|---|---|---|---|\n",
+    );
+    for id in dithered::CODECS {
+        let cells = Operation::ALL.map(|operation| {
+            let plain = costs::vector_instructions(id, operation);
+            let dithered = cost(id, dithered::GIVEN, operation);
+            let more = plain.zip(dithered).map(|(plain, dithered)| dithered - plain);
+            [plain, dithered, more].map(|number| costs::number(number, 1)).join(" | ")
+        });
+        text += &format!("| `{id}` | {} |\n", cells.join(" | "));
+    }
+    text
+}
+
+/// What the keys cost: vector instructions more than with an offset that is at hand.
+pub fn key_table() -> String {
+    let mut text = String::from("| offset | encode | decode |\n|---|---|---|\n");
+    for key in dithered::KEYS {
+        let cells = Operation::ALL.map(|operation| {
+            let of = |key| cost(dithered::KEYED, key, operation);
+            let more = of(key).zip(of(dithered::GIVEN)).map(|(with, without)| with - without);
+            costs::number(more, 1)
+        });
+        text += &format!("| `dither_from_{key}` | {} |\n", cells.join(" | "));
     }
     text
 }

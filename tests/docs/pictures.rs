@@ -3,7 +3,9 @@
 use super::tables::degrees;
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use unitvec_host::figures::{Difference, Figures};
+use unitvec_tests::program::{command, stderr};
 use unitvec_tests::repository;
 
 fn folder() -> PathBuf {
@@ -80,4 +82,131 @@ fn the_set_is_whole_and_small() {
     assert_eq!(named, there);
     let bytes: u64 = files.iter().map(|file| file.metadata().unwrap().len()).sum();
     assert!(bytes < 3_000_000, "{bytes}");
+}
+
+/// How to draw them again.
+const RENEW: &str = "unitvec figures --small --device lavapipe --out docs/figures";
+
+/// How far what is drawn again may be from what is committed.
+#[derive(Clone, Copy)]
+struct Tolerance {
+    /// Mean difference of a picture, in steps of 1/255.
+    picture: f64,
+    /// Difference of a number: so much, and this share of it besides.
+    number: [f64; 2],
+    /// Whether largest differences are compared, which are those of a single pixel.
+    largest: bool,
+}
+
+/// What the CPU draws, and what the driver of the record draws: lavapipe with vectors of 256 bits and of 512 gives the same pixels.
+const EXACT: Tolerance = Tolerance { picture: 0.0, number: [0.0, 0.0], largest: true };
+
+/// Other drivers round otherwise, and an edge in a mirror may move by a pixel. SwiftShader's pictures are up to 0.23 steps off in
+/// the mean, its numbers up to 3 %, and small ones up to 0.011.
+const OTHER_DRIVER: Tolerance = Tolerance { picture: 0.5, number: [0.02, 0.05], largest: false };
+
+/// How a picture differs from the committed one, where it does.
+fn difference(file: &str, drawn: &Path, tolerance: Tolerance) -> Option<String> {
+    let paths = [folder(), drawn.to_owned()].map(|folder| folder.join(file));
+    let [before, after] = paths.each_ref().map(|path| std::fs::read(path).unwrap_or_default());
+    if before == after {
+        return None;
+    }
+    // Another version of the encoder may pack the same pixels into other bytes.
+    let pictures = paths.map(|path| image::open(path).ok().map(image::DynamicImage::into_rgb8));
+    let [Some(before), Some(after)] = pictures else { return Some(format!("{file}: another content")) };
+    if before.dimensions() != after.dimensions() {
+        return Some(format!(
+            "{file}: {:?} pixels before, {:?} now",
+            before.dimensions(),
+            after.dimensions()
+        ));
+    }
+    let Difference { mean, max, .. } = Difference::of(&before, &after);
+    (mean > tolerance.picture)
+        .then(|| format!("{file}: {mean:.4} steps of 1/255 off in the mean, {max} at most"))
+}
+
+/// How two values of figures.json differ, a line for each; `at` says where they are.
+fn differences(at: &str, before: &Value, after: &Value, tolerance: Tolerance) -> Vec<String> {
+    match (before, after) {
+        (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
+            a.iter().zip(b).flat_map(|(a, b)| differences(at, a, b, tolerance)).collect()
+        }
+        (Value::Object(a), Value::Object(b)) if a.keys().eq(b.keys()) => {
+            let name = ["id", "file", "label", "name"].iter().find_map(|key| b.get(*key)?.as_str());
+            let at = name.map_or_else(|| at.to_owned(), |name| format!("{at}, {name}"));
+            let compared = a.iter().filter(|(key, _)| tolerance.largest || *key != "max");
+            compared
+                .flat_map(|(key, a)| differences(&format!("{at}, {key}"), a, &b[key], tolerance))
+                .collect()
+        }
+        (Value::Number(a), Value::Number(b)) => {
+            let ([a, b], [least, share]) = ([a, b].map(|number| number.as_f64().unwrap()), tolerance.number);
+            let is_close = (a - b).abs() <= least + share * a.abs().max(b.abs());
+            if is_close { Vec::new() } else { vec![format!("{at}: {a} before, {b} now")] }
+        }
+        _ if before == after => Vec::new(),
+        _ => vec![format!("{at}: {before} before, {after} now")],
+    }
+}
+
+/// Draws these figures of the small set again and compares.
+fn are_current(only: &str) {
+    let place = tempfile::tempdir().unwrap();
+    let run = command(["figures", "--small", "--only", only, "--out"]).arg(place.path()).output().unwrap();
+    assert!(run.status.success(), "{}", stderr(&run));
+    let list = std::fs::read(place.path().join("figures.json")).unwrap();
+    let (before, after): (Value, Value) = (figures(), serde_json::from_slice(&list).unwrap());
+    let is_of_record = after["device"].is_null() || after["device"]["driver"] == before["device"]["driver"];
+    let tolerance = if is_of_record { EXACT } else { OTHER_DRIVER };
+    let mut found = Vec::new();
+    for figure in after["figures"].as_array().unwrap() {
+        let mut all = before["figures"].as_array().unwrap().iter();
+        let before = all.find(|before| before["id"] == figure["id"]).unwrap_or(&Value::Null);
+        found.extend(differences("figures.json", before, figure, tolerance));
+        let files =
+            figure["pictures"].as_array().unwrap().iter().map(|shown| shown["file"].as_str().unwrap());
+        found.extend(files.filter_map(|file| difference(file, place.path(), tolerance)));
+    }
+    assert!(found.is_empty(), "docs/figures is stale: `{RENEW}` draws it again\n{}", found.join("\n"));
+}
+
+/// The pictures that take no device are those that the program draws now.
+#[test]
+fn drawn_pictures_are_current() {
+    are_current("2,3,4,5,errors,front");
+}
+
+/// Of those that are rendered, all but the figure on dither.
+#[test]
+fn rendered_pictures_are_current() {
+    are_current("1,6,7,8,meyer");
+}
+
+/// The figure on dither, which takes as long as all others.
+#[test]
+fn pictures_of_dither_are_current() {
+    are_current("dither");
+}
+
+/// Between drivers small differences pass, and others do not; figures.json's words are always the same.
+#[test]
+fn drivers_may_differ_a_little() {
+    let of = |mean: f64, max: u8| serde_json::json!({"differences": [{"label": "oct16", "mean": mean, "max": max}]});
+    let lines = |a: &Value, b: &Value, tolerance| differences("figures.json", a, b, tolerance);
+    let before = of(1.0, 170);
+    assert!(lines(&before, &of(1.06, 200), OTHER_DRIVER).is_empty());
+    assert_eq!(lines(&before, &of(1.06, 200), EXACT).len(), 2);
+    let found = lines(&before, &of(1.1, 170), OTHER_DRIVER);
+    assert!(found.len() == 1 && found[0].ends_with("oct16, mean: 1 before, 1.1 now"), "{found:?}");
+    assert_eq!(lines(&before, &Value::Null, OTHER_DRIVER).len(), 1);
+}
+
+/// The page says what the list says.
+#[test]
+fn the_page_is_of_the_list() {
+    let figures: Figures = serde_json::from_value(figures()).unwrap();
+    let page = std::fs::read_to_string(folder().join("figures.md")).unwrap();
+    assert!(page == figures.to_markdown(), "docs/figures/figures.md is stale: `{RENEW}` writes it again");
 }

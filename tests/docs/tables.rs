@@ -28,6 +28,8 @@ pub fn table(name: &str) -> Option<String> {
         "costs-gpus" => costs::gpus(),
         "costs-navi21" => costs::navi21(),
         "dither" => dither::table(),
+        "dither-costs" => dither::cost_table(),
+        "dither-keys" => dither::key_table(),
         "dither-pictures" => pictures::dither(),
         "drivers" => drivers::table(),
         "imprecise" => imprecise::table(),

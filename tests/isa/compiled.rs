@@ -34,7 +34,7 @@ fn key(row: &Row) -> Key {
 }
 
 /// A line for each kernel that takes over 2 % more than before, or that had no figures.
-fn dearer(before: &Report, after: &Report) -> Vec<String> {
+pub fn dearer(before: &Report, after: &Report) -> Vec<String> {
     let known: BTreeMap<Key, &Row> = before.rows.iter().map(|row| (key(row), row)).collect();
     let mut found = Vec::new();
     for row in &after.rows {
@@ -64,7 +64,7 @@ fn is_unchanged(id: &str, before: &Report, after: &Report) -> bool {
 }
 
 /// Says aloud, even where tests pass, that figures could not be compared.
-fn cannot_compare(reason: &str) {
+pub fn cannot_compare(reason: &str) {
     let said = format!("the costs on {} are not compared: {reason}", rdna2().gpu);
     assert!(std::env::var_os("UNITVEC_REQUIRE_ISA").is_none(), "UNITVEC_REQUIRE_ISA is set, but {said}");
     let _ = writeln!(std::io::stderr(), "warning: {said}");

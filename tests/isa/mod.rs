@@ -3,6 +3,7 @@
 
 #[cfg(feature = "glsl")]
 mod compiled;
+pub mod dithered;
 
 use unitvec_host::catalogue::{Format, Operation, formats};
 use unitvec_host::isa::{self, GENERATIONS, Generation, Report, Source};

@@ -175,7 +175,8 @@ fn costs(arguments: &[String]) -> Result<(), String> {
     };
     setup::run()?;
     let mut renew = cargo(&["test", "--package", "unitvec-tests", "--test", "unitvec"]);
-    renew.args(WITH_GLSL).args(["--", "--ignored", "--exact", "--nocapture", "isa::compiled::renew"]);
+    renew.args(WITH_GLSL).args(["--", "--ignored", "--exact", "--nocapture"]);
+    renew.args(["isa::compiled::renew", "isa::dithered::compiled::renew"]);
     renew.envs(driver.map(|file| ("UNITVEC_NEWER_RADV_ICD", file)));
     let renewed = run(&mut renew);
     // The docs hold what could be renewed.

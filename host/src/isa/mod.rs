@@ -252,7 +252,8 @@ fn of_codec(inspector: &Inspector, modules: &Modules, format: Format) -> Result<
 }
 
 impl Row {
-    fn new(
+    /// What the driver told of a kernel that it compiled for the device of this name; the textbook is that of [`Source::Textbook`].
+    pub fn new(
         id: &str,
         operation: Operation,
         source: Source,

@@ -86,7 +86,7 @@ impl Radv {
 
     /// True where this process has the environment.
     pub fn is_here(&self) -> bool {
-        self.variables().iter().all(|(name, value)| std::env::var_os(name).as_ref() == Some(value))
+        self.environment().iter().all(|(name, value)| std::env::var_os(name).as_ref() == Some(value))
     }
 
     /// This program with the same arguments in the environment; whatever UNITVEC_DEVICE names is not there.
@@ -123,12 +123,12 @@ impl Radv {
 
     fn here(&self) -> Result<Command, Error> {
         let mut command = Command::new(std::env::current_exe().map_err(Error::NotStarted)?);
-        command.envs(self.variables()).env_remove("UNITVEC_DEVICE");
+        command.envs(self.environment()).env_remove("UNITVEC_DEVICE");
         Ok(command)
     }
 
-    /// Older loaders know the first name of the driver's file, newer ones the second as well.
-    fn variables(&self) -> [(&'static str, OsString); 3] {
+    /// Its variables. Older loaders know the first name of the driver's file, newer ones the second as well.
+    pub fn environment(&self) -> [(&'static str, OsString); 3] {
         let driver = self.driver.as_os_str();
         [
             ("VK_ICD_FILENAMES", driver.to_owned()),

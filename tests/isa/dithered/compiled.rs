@@ -1,0 +1,93 @@
+//! The kernels compiled again, by the RADV that is installed here.
+
+use super::{CODECS, GIVEN, KERNEL, KEYED, KEYS, committed, path, row_id, sources};
+use crate::isa::compiled::{cannot_compare, dearer};
+use crate::isa::{RENEW, rdna2};
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+use unitvec_host::catalogue::{Operation, find_format};
+use unitvec_host::glsl::{Compiler, ENTRY_POINT};
+use unitvec_host::isa::radv::Radv;
+use unitvec_host::isa::{Report, Row, Source};
+use unitvec_host::vulkan::{DeviceChoice, Inspector, Instance};
+
+/// Names the file that [`compile`] writes to.
+const OUTPUT: &str = "UNITVEC_DITHERED_COSTS";
+
+/// What the system's RADV makes of the kernels. A process compiles for one GPU only, and a driver that does not know it ends the
+/// process: so another one of this program does that.
+fn compiled() -> Result<Report, String> {
+    let radv = Radv::new(rdna2().gpu, None).map_err(|error| error.to_string())?;
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("costs.json");
+    let mut program = Command::new(std::env::current_exe().unwrap());
+    program.args(["--ignored", "--exact", "isa::dithered::compiled::compile"]);
+    let ended = program.envs(radv.environment()).env(OUTPUT, &output).output().unwrap();
+    if !ended.status.success() {
+        let said = [ended.stdout, ended.stderr].concat();
+        return Err(String::from_utf8_lossy(&said).into_owned());
+    }
+    Ok(Report::parse(&output, &std::fs::read(&output).unwrap()).unwrap())
+}
+
+/// Compiles the kernels for the device of this process.
+#[test]
+#[ignore = "other tests run it with the environment of a driver"]
+fn compile() {
+    let Some(output) = std::env::var_os(OUTPUT) else { return };
+    let instance = Arc::new(Instance::new(None, false).unwrap());
+    let inspector = Inspector::open(&instance, &DeviceChoice::Best).unwrap();
+    let compiler = Compiler::new().unwrap();
+    let given = CODECS.map(|codec| (codec, GIVEN));
+    let kernels = given.into_iter().chain(KEYS.map(|key| (KEYED, key)));
+    let rows = kernels.flat_map(|(codec, key)| {
+        Operation::ALL.map(|operation| row(&inspector, &compiler, codec, operation, key))
+    });
+    let device = inspector.device().info().clone();
+    let report = Report { device, sources: sources(), rows: rows.collect() };
+    unitvec_host::output::write_file(Path::new(&output), report.to_json().as_bytes()).unwrap();
+}
+
+fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Operation, key: &str) -> Row {
+    let format = find_format(codec).unwrap();
+    let macros = [
+        (operation.to_string().to_uppercase(), format!("{codec}_{operation}_dithered")),
+        ("BYTES".to_owned(), format.bytes.to_string()),
+        ("KEY".to_owned(), key.to_owned()),
+    ];
+    let module = compiler.compile("kernels/dithered.comp", KERNEL, &macros).unwrap();
+    let statistics = inspector.statistics(&module, ENTRY_POINT).unwrap();
+    let device = &inspector.device().info().name;
+    Row::new(&row_id(codec, key), operation, Source::Glsl, None, &statistics, device)
+}
+
+/// Each function is compiled again, and costs what is recorded.
+#[test]
+fn dithered_functions_cost_what_is_recorded() {
+    let before = committed();
+    let after = match compiled() {
+        Ok(after) => after,
+        Err(reason) => return cannot_compare(&reason),
+    };
+    if before.device != after.device {
+        let [before, after] = [&before, &after].map(Report::subject);
+        return cannot_compare(&format!("the figures are of {before}, and the driver here is {after}"));
+    }
+    let (dearer, cheaper) = (dearer(&before, &after), dearer(&after, &before));
+    assert!(
+        dearer.is_empty() && cheaper.is_empty(),
+        "not as recorded; dearer:\n{}\ncheaper, with before and after the other way around:\n{}\n{RENEW}",
+        dearer.join("\n"),
+        cheaper.join("\n")
+    );
+}
+
+/// Compiles all again.
+#[test]
+#[ignore = "`cargo xtask costs` runs it"]
+fn renew() {
+    let report = compiled().unwrap();
+    unitvec_host::output::write_file(&path(), report.to_json().as_bytes()).unwrap();
+    println!("{}: written, of {}", path().display(), report.subject());
+}
