@@ -8,11 +8,11 @@ use super::points::Points;
 use crate::Result;
 use crate::catalogue::Format;
 use crate::vulkan::{FormatUse, ImageFormat};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// How a device rounds what it writes to an SNORM format, `x` times the largest integer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum HardwareRounding {
     /// The product in f32 to nearest, halves to even.

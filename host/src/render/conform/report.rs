@@ -5,7 +5,7 @@ use super::{HardwareRounding, Projected};
 use crate::backend::BackendKind;
 use crate::catalogue::Format;
 use crate::vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The outcome for all codecs.
@@ -26,7 +26,7 @@ pub struct Report {
 }
 
 /// What a device does to normals before and after they are codes.
-#[derive(Debug, Default, Serialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Traits {
     /// How it rounds what is written to R8G8_SNORM; `None` where that is no attachment.
     pub rounding_8: Option<HardwareRounding>,
@@ -65,7 +65,7 @@ pub struct Row {
 }
 
 /// What was compared with the CPU.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Checks {
     /// Codes in an attachment, with those that the CPU encodes the same normals to.
     pub attachment: Tally,
@@ -78,7 +78,7 @@ pub struct Checks {
 }
 
 /// How many were compared, and how many differ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
     /// Compared.
     pub compared: u64,
