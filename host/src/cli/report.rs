@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_host::backend::BackendKind;
-use unitvec_host::catalogue::{Format, formats};
-use unitvec_host::choose::Costs;
+use unitvec_host::catalogue::{Format, find_format, formats};
+use unitvec_host::choose::{Costs, RECOMMENDED};
 use unitvec_host::conform::{self, Backends, Plan, Rounding};
 use unitvec_host::figures::{Figures, Options, Part};
 use unitvec_host::input::{Input, read_small};
@@ -27,7 +27,8 @@ pub struct Arguments {
     /// Report of `unitvec conform --json` to show; a short run is made now if it is not given.
     #[arg(long, value_name = "FILE")]
     conform: Option<PathBuf>,
-    /// Report of `unitvec conform --pipeline --json` to show; a short run is made now if it is not given.
+    /// Report of `unitvec conform --pipeline --json` to show; a short run with the recommended codecs is made now if it
+    /// is not given.
     #[arg(long, value_name = "FILE")]
     pipeline: Option<PathBuf>,
     /// Costs to begin with: a report of `unitvec bench --json`, with --isa or without.
@@ -167,11 +168,12 @@ fn draw_figures(arguments: &Arguments, draws: bool, messages: &mut Vec<String>) 
     Ok((figures, files))
 }
 
-/// A short run of the graphics pipeline with all codecs.
+/// A short run of the graphics pipeline with the codecs that the page recommends: all of them take minutes.
 fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<Pipeline> {
     let options = render::conform::Options { count: SHORT_PIPELINE, seed: 1 };
     let traits = render::conform::traits(&device, &options)?;
-    let formats: Vec<Format> = formats().collect();
+    let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
+    let formats = ids.map(|id| Ok(find_format(id)?)).collect::<Result<Vec<Format>>>()?;
     let bar = progress::bar(Some(formats.len() as u64), "graphics pipeline {wide_bar} {pos} of {len}");
     let mut rows = Vec::new();
     render::conform::run(formats, &options, &device, &traits, &mut |row| {

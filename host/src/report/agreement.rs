@@ -128,7 +128,7 @@ impl Pipeline {
         const WHAT: [&str; 4] = [
             "codes in attachments",
             "normals from textures",
-            "normals from vertex attributes",
+            "normals from vertices",
             "codes of the rendered scene",
         ];
         let mut checks = WHAT.map(|what| Check { what, compared: 0, differing: 0 });
