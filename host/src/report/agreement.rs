@@ -129,7 +129,7 @@ impl Pipeline {
             "codes in attachments",
             "normals from textures",
             "normals from vertices",
-            "codes of the rendered scene",
+            "codes in the scene",
         ];
         let mut checks = WHAT.map(|what| Check { what, compared: 0, differing: 0 });
         for of_source in rows.iter().flat_map(|row| row.checks.values()) {
