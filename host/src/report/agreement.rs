@@ -125,12 +125,8 @@ impl Pipeline {
     /// What the parser says of something else.
     pub fn parse(json: &[u8]) -> serde_json::Result<Self> {
         let PipelineReport { device, agreed, traits, rows } = serde_json::from_slice(json)?;
-        const WHAT: [&str; 4] = [
-            "codes in attachments",
-            "normals from textures",
-            "normals from vertices",
-            "codes in the scene",
-        ];
+        const WHAT: [&str; 4] =
+            ["codes in attachments", "normals from textures", "normals from vertices", "codes in the scene"];
         let mut checks = WHAT.map(|what| Check { what, compared: 0, differing: 0 });
         for of_source in rows.iter().flat_map(|row| row.checks.values()) {
             for (check, tally) in checks.iter_mut().zip(of_source.all()) {
