@@ -46,6 +46,55 @@ fn figures_without_a_device() {
     assert_eq!(ids, ["2", "3", "5", "front"]);
 }
 
+/// Figures that are not drawn again stay, in the lists too, and what a figure had and has no more is removed. A list that cannot
+/// be read is not replaced.
+#[test]
+fn figures_of_earlier_runs_stay() {
+    let place = tempfile::tempdir().unwrap();
+    let list = place.path().join("figures.json");
+    let run = |only: &str| figures(place.path(), &["--only", only, "--codec", "oct16"]);
+    let listed = || -> Value { serde_json::from_slice(&std::fs::read(&list).unwrap()).unwrap() };
+    assert!(run("front,3").status.success());
+
+    // As if an earlier run had drawn more, on a device.
+    std::fs::write(place.path().join("figure3_old.png"), b"old").unwrap();
+    std::fs::write(place.path().join("notes.txt"), b"mine").unwrap();
+    let mut earlier = listed();
+    let three = earlier["figures"].as_array_mut().unwrap().iter_mut().find(|one| one["id"] == "3").unwrap();
+    for file in ["figure3_old.png", "notes.txt"] {
+        let shown = serde_json::json!({"file": file, "alt": ""});
+        three["pictures"].as_array_mut().unwrap().push(shown);
+    }
+    earlier["version"] = "0.0.1".into();
+    std::fs::write(&list, earlier.to_string()).unwrap();
+    let output = run("5");
+    assert!(
+        String::from_utf8_lossy(&output.stdout).contains("2 earlier figures stay"),
+        "{}",
+        stderr(&output)
+    );
+    let ids = |json: &Value| -> Vec<String> {
+        json["figures"].as_array().unwrap().iter().map(|one| one["id"].as_str().unwrap().to_owned()).collect()
+    };
+    let json = listed();
+    assert_eq!(ids(&json), ["3", "5", "front"]);
+    assert_eq!(json["figures"][0]["earlier"]["version"], "0.0.1");
+    assert!(json["figures"][1].get("earlier").is_none());
+    let page = || std::fs::read_to_string(place.path().join("figures.md")).unwrap();
+    assert!(page().contains("figure3_old.png") && page().contains("Made by unitvec 0.0.1"), "{}", page());
+
+    assert!(run("3").status.success());
+    assert_eq!(ids(&listed()), ["3", "5", "front"]);
+    let kept = ["figure3.png", "figure5.png", "figures.json", "figures.md", "front.svg", "notes.txt"];
+    assert_eq!(names(place.path()), kept);
+
+    std::fs::write(&list, "{}").unwrap();
+    let output = run("3");
+    assert_eq!((output.status.code(), stderr(&output).lines().count()), (Some(2), 1), "{}", stderr(&output));
+    assert!(stderr(&output).contains("figures.json"), "{}", stderr(&output));
+    assert_eq!(names(place.path()), kept);
+}
+
 /// The figures of a run with rendered pictures, small.
 fn rendered(folder: &Path, arguments: &[&str]) -> Value {
     let output = figures(folder, arguments);
@@ -73,6 +122,11 @@ fn pictures_bear_the_survey_out() {
     let place = tempfile::tempdir().unwrap();
     let json = rendered(place.path(), &["--only", "6,8", "--material", "mirror", "--validate"]);
     let [six, eight] = [0, 1].map(|at| &json["figures"][at]);
+    // What a report slides between.
+    let sheet = &eight["pictures"][0];
+    let cells = sheet["cells"].as_array().unwrap();
+    assert_eq!(cells.len(), 1 + sheet["differences"].as_array().unwrap().len());
+    assert!(cells.iter().all(|cell| cell["material"] == "mirror") && cells[0]["codec"] == "float");
     assert!(number(six, "eqarea_ellipse16, pixels off by one step") > 0.9);
     let [precise, finer, plain] = ["oct16P", "oct24P", "snorm8x3"].map(|label| difference(eight, label));
     assert!(finer < plain && plain < precise, "{finer} {plain} {precise}");
@@ -115,6 +169,16 @@ fn faults_leave_nothing() {
     let none = place.path().join("none/figures");
     let output = figures(&none, &["--only", "2"]);
     assert_eq!((output.status.code(), stderr(&output).lines().count()), (Some(1), 1), "{}", stderr(&output));
+
+    let file = place.path().join("file");
+    std::fs::write(&file, b"mine").unwrap();
+    for folder in [file.clone(), file.join("figures")] {
+        let output = figures(&folder, &["--only", "2"]);
+        let text = stderr(&output);
+        assert_eq!((output.status.code(), text.lines().count()), (Some(1), 1), "{text}");
+        assert!(text.contains("a file stands where a folder has to be"), "{text}");
+    }
+    assert_eq!(std::fs::read(&file).unwrap(), b"mine");
 
     let folder = place.path().join("figures");
     for (arguments, word) in [

@@ -95,7 +95,7 @@ pub enum Error {
         path: PathBuf,
     },
     /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
-    #[error("cannot write {}: {source}; check that its folder exists, may be written to and has room", .path.display())]
+    #[error("cannot write {}: {source}; {}", .path.display(), remedy(source))]
     Write {
         /// Its path.
         path: PathBuf,
@@ -142,6 +142,17 @@ pub(crate) fn one_line(text: impl std::fmt::Display) -> String {
     }
     line.truncate(line.trim_end_matches([';', '.', ' ']).len());
     line
+}
+
+/// What to do about a file or folder that cannot be written.
+fn remedy(source: &io::Error) -> &'static str {
+    match source.kind() {
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
+            "a file stands where a folder has to be: name another path, or move the file away"
+        }
+        io::ErrorKind::IsADirectory => "a folder has this name: name another path, or move the folder away",
+        _ => "check that its folder exists, may be written to and has room",
+    }
 }
 
 impl Error {

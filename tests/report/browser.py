@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Opens a report in headless Chromium, and fails unless it says nothing, fits, shows every picture, filters and slides.
 
-usage: browser.py [--screenshots FOLDER] [--choose JSON] REPORT [CHROMIUM [FOLDER OF ITS LIBRARIES...]]
+usage: browser.py [--screenshots FOLDER] [--choose JSON] [--hemisphere JSON] REPORT [CHROMIUM [FOLDER OF ITS LIBRARIES...]]
 
-JSON is what `unitvec choose --max-error 0.1 --json` says: the page has to choose the same.
+JSON is what `unitvec choose --max-error 0.1 --json` says, and the same with --hemisphere: the page has to choose the same, and show
+the same means.
 """
 
 import argparse
@@ -130,11 +131,14 @@ CONTRAST = """(() => {
 SHOWN = "[...document.querySelectorAll('#codecs tbody tr')].filter((row) => !row.hidden).map((row) => row.cells[0].textContent)"
 FILTER = """(() => { const fields = document.getElementById('demand').elements; fields.%s.value = '%s';
     fields.%s.dispatchEvent(new Event('input', {bubbles: true})); })()"""
+HEMISPHERE = """(() => { const box = document.getElementById('demand').elements.hemisphere; box.checked = %s;
+    box.dispatchEvent(new Event('input', {bubbles: true})); })()"""
+MEANS = "[...document.querySelectorAll('#codecs tbody tr')].filter((row) => !row.hidden).map((row) => Number(row.cells[3].textContent))"
 UNLABELLED = """[...document.querySelectorAll('input, select')].filter((one) => one.labels.length === 0).length +
     [...document.images].filter((one) => !one.alt).length"""
 
 
-def check(page, choose):
+def check(page, choose, hemisphere):
     """Complaints about an open page."""
     found = []
     if page.run("document.documentElement.scrollWidth > innerWidth"):
@@ -154,11 +158,23 @@ def check(page, choose):
         found.append("the filter by bits does not work")
     page.run(FILTER % ("bits", "64", "bits"))
     page.run(FILTER % ("max", MAX_ERROR, "max"))
-    if choose is not None and page.run(SHOWN) != choose:
-        found.append(f"the page chooses {page.run(SHOWN)[:3]}, the program {choose[:3]}")
+    for candidates, above in [(choose, "false"), (hemisphere, "true"), (choose, "false")]:
+        page.run(HEMISPHERE % above)
+        found += check_choice(page, candidates)
     page.run(FILTER % ("max", "", "max"))
     found += check_viewer(page)
     return found
+
+
+def check_choice(page, candidates):
+    if candidates is None:
+        return []
+    ids, shown = [codec["id"] for codec in candidates], page.run(SHOWN)
+    if shown != ids:
+        return [f"the page chooses {shown[:3]}, the program {ids[:3]}"]
+    means = zip(page.run(MEANS), (codec["mean_error_deg"] for codec in candidates), ids)
+    # The page has three digits.
+    return [f"the page's mean of {id} is {mean}, the program's {exact}" for mean, exact, id in means if abs(mean - exact) > 0.006 * exact]
 
 
 def check_viewer(page):
@@ -181,19 +197,20 @@ def main():
     parser.add_argument("report", type=Path)
     parser.add_argument("--screenshots", type=Path)
     parser.add_argument("--choose", type=Path)
+    parser.add_argument("--hemisphere", type=Path)
     parser.add_argument("chromium", nargs="?", default="chromium")
     parser.add_argument("libraries", nargs="*")
     arguments = parser.parse_args()
-    choose = None
-    if arguments.choose:
-        choose = [codec["id"] for codec in json.loads(arguments.choose.read_text())["candidates"]]
+    choose, hemisphere = (
+        json.loads(path.read_text())["candidates"] if path else None for path in [arguments.choose, arguments.hemisphere]
+    )
     complaints = []
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         page = Page(arguments.chromium, arguments.libraries, profile)
         for width, height in WIDTHS.items():
             for scheme in ["light", "dark"]:
                 page.open(arguments.report, width, height, scheme)
-                complaints += [f"{width} pixels, {scheme}: {one}" for one in check(page, choose)]
+                complaints += [f"{width} pixels, {scheme}: {one}" for one in check(page, choose, hemisphere)]
                 if arguments.screenshots:
                     arguments.screenshots.mkdir(exist_ok=True)
                     page.screenshot(arguments.screenshots / f"{width}_{scheme}.png")

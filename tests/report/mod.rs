@@ -5,6 +5,7 @@ use serde_json::Value;
 use std::process::Output;
 use unitvec_catalogue::{CATALOGUE, FRAMES};
 use unitvec_tests::program::{command, stderr};
+use unitvec_tests::repository;
 
 fn report(arguments: &[&str], place: &tempfile::TempDir) -> Output {
     command(["report", "--no-device", "--count", "100", "--out"])
@@ -42,6 +43,11 @@ fn the_page_is_whole() {
     }
     let (_, data) = page.split_once("id=\"codecs-data\">").unwrap();
     let data: Value = serde_json::from_str(data.split_once("</script>").unwrap().0).unwrap();
+    // Means over z >= 0 are of their own.
+    let whole = data.as_array().unwrap().iter().find(|codec| codec["id"] == "fib16").unwrap();
+    assert_ne!(whole["mean"], whole["mean_above"]);
+    let hemisphere = data.as_array().unwrap().iter().find(|codec| codec["id"] == "hemioct16").unwrap();
+    assert_eq!(hemisphere["mean"], hemisphere["mean_above"]);
     let in_data = |id: &str| data.as_array().unwrap().iter().any(|codec| codec["id"] == id);
     assert!(
         data.as_array().unwrap().len() == CATALOGUE.len() && CATALOGUE.iter().all(|codec| in_data(codec.id))
@@ -53,6 +59,43 @@ fn the_page_is_whole() {
     }
 }
 
+/// Without a device the page says what is missing and what to run; given files are shown.
+#[test]
+fn the_page_says_what_it_lacks() {
+    let place = tempfile::tempdir().unwrap();
+    let page = |arguments: &[&str]| {
+        let output = report(arguments, &place);
+        assert!(output.status.success(), "{}", stderr(&output));
+        std::fs::read_to_string(place.path().join("report.html")).unwrap()
+    };
+    let (viewer, no_slider) = ("<div class=\"viewer\"", "id=\"no-slider\"");
+    let without = page(&[]);
+    assert!(without.contains(no_slider) && !without.contains(viewer));
+    assert!(without.contains("<code>unitvec report</code>"));
+    assert!(without.contains("No Vulkan device was used. Whether codes go through"));
+
+    // The small figures are sheets, whose parts the page slides between.
+    let small = repository().join("docs/figures");
+    let with = page(&["--figures", small.to_str().unwrap()]);
+    assert!(with.contains(viewer) && !with.contains(no_slider));
+    let (_, pictures) = with.split_once("<script type=\"application/json\">").unwrap();
+    let pictures: Value = serde_json::from_str(pictures.split_once("</script>").unwrap().0).unwrap();
+    assert_eq!(pictures.as_object().unwrap().len(), 3 * 17);
+    assert!(pictures.as_object().unwrap().iter().all(|(name, one)| {
+        one["uri"].as_str().unwrap().starts_with("data:image/png;")
+            && (name.ends_with("/float") || one["words"].as_str().unwrap().contains("SSIM"))
+    }));
+
+    let file = place.path().join("pipeline.json");
+    let run = ["conform", "--pipeline", "--codec", "oct16", "--codec", "snorm8x3", "--count", "16", "--json"];
+    let output = command(run).arg(&file).output().unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+    let with = page(&["--pipeline", file.to_str().unwrap()]);
+    let (_, section) = with.split_once("id=\"pipeline\">").unwrap();
+    assert!(section.contains("agree with the CPU to the bit: 2 codecs"), "{section}");
+    assert!(section.contains("<dt>snorm attachments</dt><dd>8 bits: "), "{section}");
+}
+
 /// Inputs that are not what they should be are said in one line, and no page is left.
 #[test]
 fn faults_leave_no_page() {
@@ -62,6 +105,7 @@ fn faults_leave_no_page() {
     let file = file.to_str().unwrap();
     for (arguments, word) in [
         (["--conform", file], "unitvec conform --json"),
+        (["--pipeline", file], "unitvec conform --pipeline --json"),
         (["--costs", file], "unitvec bench --json"),
         (["--figures", place.path().to_str().unwrap()], "figures.json"),
     ] {

@@ -47,21 +47,31 @@ fn page(repository: &Path, chromium: &Path) -> Result<(), String> {
 fn report(repository: &Path, chromium: &Path) -> Result<(), String> {
     let folder = target(repository)?.join("report");
     fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;
-    let (report, chosen) = (folder.join("report.html"), folder.join("choose.json"));
+    let [report, of_sheets] = ["report.html", "sheets.html"].map(|name| folder.join(name));
     let unitvec = |arguments: &[&str]| {
         let mut command = cargo(&["run", "--quiet", "--package", "unitvec-host", "--bin", "unitvec", "--"]);
         command.args(arguments);
         command
     };
     run_command(unitvec(&["report", "--out"]).arg(&report))?;
-    let mut choose = unitvec(&["choose", "--max-error", "0.1", "--json"]);
-    let file =
-        fs::File::create(&chosen).map_err(|error| format!("cannot write {}: {error}", chosen.display()))?;
-    run_command(choose.stdout(file))?;
-    let mut check = Command::new("python3");
-    check.arg(repository.join("tests/report/browser.py")).arg("--choose").arg(&chosen);
-    check.arg("--screenshots").arg(&folder).arg(&report);
-    run_command(with_chromium(&mut check, chromium))
+    let sheets = repository.join("docs/figures");
+    let mut without_device = unitvec(&["report", "--no-device", "--count", "100", "--figures"]);
+    run_command(without_device.arg(sheets).arg("--out").arg(&of_sheets))?;
+    let mut chosen = Vec::new();
+    for (option, domain) in [("--choose", &[][..]), ("--hemisphere", &["--hemisphere"])] {
+        let path = folder.join(format!("{}.json", option.trim_start_matches('-')));
+        let file =
+            fs::File::create(&path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+        run_command(unitvec(&["choose", "--max-error", "0.1", "--json"]).args(domain).stdout(file))?;
+        chosen.extend([option.into(), path.into_os_string()]);
+    }
+    for (page, screenshots) in [(&report, folder.clone()), (&of_sheets, folder.join("sheets"))] {
+        let mut check = Command::new("python3");
+        check.arg(repository.join("tests/report/browser.py")).args(&chosen);
+        check.arg("--screenshots").arg(screenshots).arg(page);
+        run_command(with_chromium(&mut check, chromium))?;
+    }
+    Ok(())
 }
 
 /// Adds the arguments that the scripts find Chromium by.

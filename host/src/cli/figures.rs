@@ -7,13 +7,14 @@ use std::sync::Arc;
 use unitvec_host::Result;
 use unitvec_host::backend::BackendKind;
 use unitvec_host::catalogue::find;
-use unitvec_host::figures::{Camera, Figures, Folder, Options, Part, draw};
+use unitvec_host::figures::{Camera, Figures, Folder, Options, Origin, Part, draw};
 use unitvec_host::render::{MAX_SAMPLES, Material, Renderer, Seen, Shot, Size};
 use unitvec_host::vulkan::{Device, DeviceInfo};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Figures to make, by the survey's numbers or by name; all if not given.
+    /// Figures to make, by the survey's numbers or by name; all if not given. The others that the folder has of earlier runs stay,
+    /// in figures.json and figures.md too. A figure that is made again replaces all its pictures.
     #[arg(long, value_name = "FIGURE", value_delimiter = ',')]
     only: Vec<Part>,
     /// Folder for the pictures, figures.md and figures.json; made if it is not there.
@@ -137,7 +138,8 @@ pub fn draw_all(
         bar.inc(1);
     }
     bar.finish_and_clear();
-    Ok(Figures { device: studio.device(), version: env!("CARGO_PKG_VERSION").to_owned(), figures })
+    let origin = Origin { device: studio.device(), version: env!("CARGO_PKG_VERSION").to_owned() };
+    Ok(Figures { origin, figures })
 }
 
 /// A list without what it has before.
@@ -163,12 +165,23 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         if only.is_empty() { Part::value_variants() } else { &each_once(only.clone(), |a, b| a == b) };
     let mut studio = Studio::new(rendering, *size, *small);
     let mut folder = Folder::create(out)?;
-    let figures = draw_all(parts, &options, &mut studio, |file, bytes| folder.write(file, &bytes))?;
+    // What cannot be kept is told before the work.
+    let earlier = Figures::read_if_there(out)?;
+    let mut figures = draw_all(parts, &options, &mut studio, |file, bytes| folder.write(file, &bytes))?;
+    let count: usize = figures.figures.iter().map(|figure| figure.pictures.len()).sum();
+    let drawn = figures.figures.len();
+    if let Some(earlier) = earlier {
+        folder.remove(figures.keep(earlier, out));
+    }
     folder.write("figures.json", to_json(&figures).as_bytes())?;
     folder.write("figures.md", figures.to_markdown().as_bytes())?;
     folder.finish()?;
-    let count: usize = figures.figures.iter().map(|figure| figure.pictures.len()).sum();
     let pictures = if count == 1 { "picture" } else { "pictures" };
-    print(&format!("figures: {count} {pictures}, figures.md and figures.json in {}\n", out.display()))?;
+    let kept = match figures.figures.len() - drawn {
+        0 => String::new(),
+        1 => "; 1 earlier figure stays".to_owned(),
+        kept => format!("; {kept} earlier figures stay"),
+    };
+    print(&format!("figures: {count} {pictures}, figures.md and figures.json in {}{kept}\n", out.display()))?;
     Ok(status_after_validation(&studio.close(), true))
 }

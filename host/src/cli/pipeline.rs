@@ -8,9 +8,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use unitvec_host::backend::BackendKind;
 use unitvec_host::catalogue::Format;
-use unitvec_host::render::conform::{
-    self, Conversion, HardwareRounding, Options, Projected, Report, Row, Traits,
-};
+use unitvec_host::render::conform::{self, Options, Projected, Report, Row, Traits};
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, output};
 
@@ -62,15 +60,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     drop(device);
     let messages = instance.validation_messages();
 
-    let report = Report {
-        device: info,
-        random_directions: options.count,
-        glsl_compared: cfg!(feature = "glsl"),
-        agreed: traits.changed == 0 && rows.iter().chain(&projections).all(Row::agrees),
-        traits,
-        rows,
-        projections,
-    };
+    let report = Report::new(&info, &options, traits, rows, projections);
     if let Some(path) = &arguments.json {
         output::write_file(path, to_json(&report).as_bytes())?;
     }
@@ -81,7 +71,8 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
 }
 
 fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Option<usize>) -> String {
-    let conversions: String = traits.conversions.iter().map(conversion).collect();
+    let conversions: String =
+        traits.conversions.iter().map(|one| format!("{}: {}\n", one.name(), one.in_words())).collect();
     let text = format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), special vectors; all codes of up to 16 bits, random and special codes \
@@ -102,21 +93,6 @@ fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Opt
         traits.flushed,
     );
     wrapped(&text, "    ", columns)
-}
-
-/// What a device does to the numbers of a format, in a line.
-fn conversion(Conversion { format, rounding, steps_off, fetched, inexact }: &Conversion) -> String {
-    let written = match rounding {
-        None => "no attachment".to_owned(),
-        Some(HardwareRounding::Other) => format!("not rounded to nearest, up to {steps_off:.2} steps off"),
-        Some(rounding) => format!("rounded {rounding}"),
-    };
-    let read = match (fetched, inexact) {
-        (0, _) => "no texture".to_owned(),
-        (_, 0) => "fetched exactly".to_owned(),
-        _ => format!("{inexact} of {fetched} fetched inexactly"),
-    };
-    format!("{}: {written}; {read}\n", format.trim_end_matches("_PACK32"))
 }
 
 /// What stands over the rows of projections.

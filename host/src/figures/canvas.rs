@@ -73,19 +73,51 @@ pub struct Cell {
     pub lines: Vec<String>,
 }
 
+/// How a sheet lays out its cells.
+struct Layout {
+    /// Width and height of the largest picture.
+    picture: (u32, u32),
+    /// The same of a cell, with its lines and a gap.
+    cell: (u32, u32),
+    columns: u32,
+    rows: u32,
+}
+
+impl Layout {
+    fn of(cells: &[Cell], columns: u32) -> Self {
+        let widest = cells.iter().map(|cell| cell.picture.width()).max().unwrap_or(1);
+        let highest = cells.iter().map(|cell| cell.picture.height()).max().unwrap_or(1);
+        let lines = cells.iter().map(|cell| cell.lines.len()).max().unwrap_or(0) as u32;
+        let columns = columns.clamp(1, cells.len().max(1) as u32);
+        let letter = font(Self::is_small(widest)).character_size;
+        Self {
+            picture: (widest, highest),
+            cell: (widest + GAP, highest + lines * letter.height + 2 * GAP),
+            columns,
+            rows: (cells.len() as u32).div_ceil(columns),
+        }
+    }
+
+    /// True where pictures are too narrow for large letters.
+    fn is_small(widest: u32) -> bool {
+        widest < 300
+    }
+
+    /// Left and top of a cell.
+    fn corner(&self, at: u32) -> (u32, u32) {
+        (GAP + at % self.columns * self.cell.0, GAP + at / self.columns * self.cell.1)
+    }
+}
+
 /// Pictures of one size in rows, with their lines below them.
 pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
-    let widest = cells.iter().map(|cell| cell.picture.width()).max().unwrap_or(1);
-    let highest = cells.iter().map(|cell| cell.picture.height()).max().unwrap_or(1);
-    let small = widest < 300;
+    let layout = Layout::of(cells, columns);
+    let (widest, highest) = layout.picture;
+    let small = Layout::is_small(widest);
     let letter = font(small).character_size;
-    let lines = cells.iter().map(|cell| cell.lines.len()).max().unwrap_or(0) as u32;
-    let (width, height) = (widest + GAP, highest + lines * letter.height + 2 * GAP);
-    let columns = columns.clamp(1, cells.len().max(1) as u32);
-    let rows = (cells.len() as u32).div_ceil(columns);
-    let mut canvas = Canvas::new(columns * width + GAP, rows * height + GAP);
+    let mut canvas = Canvas::new(layout.columns * layout.cell.0 + GAP, layout.rows * layout.cell.1 + GAP);
     for (at, cell) in (0u32..).zip(cells) {
-        let (left, top) = (GAP + at % columns * width, GAP + at / columns * height);
+        let (left, top) = layout.corner(at);
         canvas.put(&cell.picture, left, top);
         for (line, text) in (0u32..).zip(&cell.lines) {
             let text: String = text.chars().take((widest / letter.width) as usize).collect();
@@ -94,6 +126,16 @@ pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
         }
     }
     canvas.0
+}
+
+/// Where [`sheet`] puts each picture: left, top, width and height.
+pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
+    let layout = Layout::of(cells, columns);
+    let place = |(at, cell): (u32, &Cell)| {
+        let (left, top) = layout.corner(at);
+        [left, top, cell.picture.width(), cell.picture.height()]
+    };
+    (0u32..).zip(cells).map(place).collect()
 }
 
 /// As PNG: in grey where there is no colour.
@@ -119,6 +161,27 @@ pub fn crop(picture: &RgbImage, [left, top, width, height]: [u32; 4]) -> RgbImag
     image::imageops::crop_imm(picture, left, top, width, height).to_image()
 }
 
+/// As PNG, the parts of a PNG at these places.
+///
+/// # Errors
+/// In words: bytes that are no picture, or a place that is not in it.
+pub fn cut(sheet: &[u8], places: &[[u32; 4]]) -> Result<Vec<Vec<u8>>, String> {
+    let sheet = image::load_from_memory(sheet).map_err(|error| error.to_string())?.to_rgb8();
+    let part = |place: &[u32; 4]| {
+        let [left, top, width, height] = place.map(u64::from);
+        let is_in = left + width <= u64::from(sheet.width()) && top + height <= u64::from(sheet.height());
+        if !is_in || width == 0 || height == 0 {
+            return Err(format!(
+                "there is no part {place:?} in its {} x {} pixels",
+                sheet.width(),
+                sheet.height()
+            ));
+        }
+        png(&crop(&sheet, *place)).map_err(|error| error.to_string())
+    };
+    places.iter().map(part).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -132,6 +195,24 @@ mod tests {
         let count = |colour: [u8; 3]| sheet.pixels().filter(|pixel| pixel.0 == colour).count();
         assert_eq!(count([255, 0, 0]), 3 * 200);
         assert!(count(INK) > 0);
+    }
+
+    /// What is cut out of a sheet is what went into it.
+    #[test]
+    fn cells_are_cut_out_of_their_sheet() {
+        let cell = |shade| Cell {
+            picture: RgbImage::from_fn(20, 10, |x, y| Rgb([shade, x as u8, y as u8])),
+            lines: vec!["oct".to_owned()],
+        };
+        let cells = [1, 2, 3].map(cell);
+        let sheet = png(&sheet(&cells, 2)).unwrap();
+        for (cut, cell) in cut(&sheet, &places(&cells, 2)).unwrap().iter().zip(&cells) {
+            assert_eq!(image::load_from_memory(cut).unwrap().to_rgb8(), cell.picture);
+        }
+        for place in [[40, 0, 20, 10], [0, 0, 0, 10], [u32::MAX, 0, 2, 2]] {
+            assert!(cut(&sheet, &[place]).unwrap_err().contains("no part"), "{place:?}");
+        }
+        assert!(cut(b"<svg", &[]).is_err());
     }
 
     /// A grey picture takes a byte a pixel, and reads back as it was.

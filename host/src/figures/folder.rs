@@ -11,6 +11,7 @@ pub struct Folder {
     is_new: bool,
     unfinished: Option<TempDir>,
     names: Vec<String>,
+    removed: Vec<String>,
 }
 
 impl Folder {
@@ -25,7 +26,8 @@ impl Folder {
             std::fs::create_dir(path).map_err(error)?;
             crate::output::remember(path);
         }
-        let mut folder = Self { path: path.to_owned(), is_new, unfinished: None, names: Vec::new() };
+        let mut folder =
+            Self { path: path.to_owned(), is_new, unfinished: None, names: Vec::new(), removed: Vec::new() };
         // The error's own text names the temporary folder.
         let made = tempfile::Builder::new().prefix(".unitvec-").tempdir_in(path);
         let made = made.map_err(|error| Error::writing(path, error.kind().into()))?;
@@ -46,7 +48,12 @@ impl Folder {
         Ok(())
     }
 
-    /// Gives all files their names, in place of those that had them.
+    /// Removes files in the end, those that are there.
+    pub fn remove(&mut self, names: Vec<String>) {
+        self.removed.extend(names);
+    }
+
+    /// Gives all files their names, in place of those that had them, and removes what is to be removed.
     ///
     /// # Errors
     /// [`Error::Write`]; where a folder has one of the names, before anything is changed.
@@ -64,6 +71,9 @@ impl Folder {
                 .map_err(|source| Error::writing(&to, source))?;
         }
         self.is_new = false;
+        for path in self.removed.iter().map(|name| self.path.join(name)).filter(|path| path.is_file()) {
+            std::fs::remove_file(&path).map_err(|source| Error::writing(&path, source))?;
+        }
         Ok(())
     }
 }
@@ -99,11 +109,16 @@ mod tests {
         let mut folder = Folder::create(&path).unwrap();
         folder.write("a.png", b"later").unwrap();
         folder.write("c.png", b"c").unwrap();
+        folder.remove(vec!["a.png".to_owned()]);
         assert!(folder.finish().is_err());
         assert_eq!(std::fs::read(path.join("a.png")).unwrap(), b"b");
         std::fs::remove_dir(path.join("c.png")).unwrap();
         let names: Vec<_> = path.read_dir().unwrap().map(|entry| entry.unwrap().file_name()).collect();
         assert_eq!(names, ["a.png"]);
+        let mut folder = Folder::create(&path).unwrap();
+        folder.remove(vec!["a.png".to_owned(), "gone.png".to_owned()]);
+        folder.finish().unwrap();
+        assert_eq!(path.read_dir().unwrap().count(), 0);
         assert!(Folder::create(&place.path().join("none/figures")).is_err());
     }
 }

@@ -1,5 +1,6 @@
 //! Pictures from functions: of the sphere as seen from far away, and of a square.
 
+use crate::catalogue::Domain;
 use crate::render::srgb8;
 use glam::{DMat3, DVec2, DVec3};
 use image::{Rgb, RgbImage};
@@ -7,6 +8,9 @@ use rayon::prelude::*;
 
 /// Linear red, green and blue.
 pub type Colour = DVec3;
+
+/// Samples of a pixel in a row.
+pub const SAMPLES: u32 = 4;
 
 /// Around a disc.
 const MARGIN: f64 = 1.03;
@@ -23,6 +27,11 @@ pub fn from_the_side() -> DMat3 {
 /// Along the axis z, for hemispheres.
 pub fn from_above() -> DMat3 {
     DMat3::IDENTITY
+}
+
+/// As [`from_above`] for the hemisphere, as [`from_the_side`] for the sphere.
+pub fn of_domain(domain: Domain) -> DMat3 {
+    if domain == Domain::Hemisphere { from_above() } else { from_the_side() }
 }
 
 /// A square picture of a function of the plane [-1, 1]^2, y upwards; `samples` by `samples` samples a pixel.

@@ -1,9 +1,9 @@
 //! Figures of the rendered scene: 1, 6, 7, 8 and Meyer's third.
 
 use super::camera::{Camera, coded, shot};
-use super::canvas::{Cell, crop, sheet};
+use super::canvas::{Cell, crop, places, sheet};
 use super::compare::{Difference, amplified, mean_where, most_different, rank_correlation};
-use super::{Figure, Labelled, Number, Options, Shown, Subject, sphere};
+use super::{Figure, Labelled, Number, Options, Place, Shown, Subject, named};
 use crate::Result;
 use crate::accuracy::measure;
 use crate::backend::Cpu;
@@ -48,13 +48,16 @@ impl Compared {
         self.codec.map_or("float", |codec| codec.id)
     }
 
+    fn subject(&self, material: Material) -> Subject {
+        Subject { codec: self.id().to_owned(), material: name(material).to_owned() }
+    }
+
     /// This picture as a file of its own.
     fn shown(&self, figure: &str, material: Material) -> Shown {
         let alt = format!("{} surfaces, normals as {}", name(material), self.label);
         let file = format!("{figure}_{}_{}.png", name(material), self.id());
-        let of = Subject { codec: self.id().to_owned(), material: name(material).to_owned() };
         let shown = Shown::picture(&file, &alt, self.picture.clone());
-        Shown { of: Some(of), differences: differences([self]), ..shown }
+        Shown { of: Some(self.subject(material)), differences: differences([self]), ..shown }
     }
 }
 
@@ -219,9 +222,11 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let window = window(options, MANY, float, &compared[1].picture);
         let name = name(*material);
         let alt = format!("{name} surfaces with the normals of all codecs of the figure");
-        let all = sheet(&cells(compared.iter(), window), columns);
-        let all = Shown::picture(&format!("figure8_{name}.png"), &alt, all);
-        sheets.push(Shown { differences: differences(&compared), ..all });
+        let cells = cells(compared.iter(), window);
+        let all = Shown::picture(&format!("figure8_{name}.png"), &alt, sheet(&cells, columns));
+        let of = compared.iter().map(|shown| shown.subject(*material));
+        let places = of.zip(places(&cells, columns)).map(|(of, place)| Place { of, place });
+        sheets.push(Shown { differences: differences(&compared), cells: places.collect(), ..all });
         let amplified: Vec<Cell> = compared
             .iter()
             .skip(1)
@@ -338,11 +343,8 @@ const MEYER: [(&str, &str); 7] = [
 
 /// Meyer's figure 3: a highlight on the panel at 16 bits.
 pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
-    let codecs = if options.codecs.is_empty() {
-        sphere::named(&MEYER.map(|(id, _)| id))?
-    } else {
-        options.codecs.clone()
-    };
+    let codecs =
+        if options.codecs.is_empty() { named(&MEYER.map(|(id, _)| id))? } else { options.codecs.clone() };
     let mut compared = compare(camera, &codecs, Material::Glossy, View::Panel)?;
     for shown in &mut compared {
         let meyers = MEYER.iter().find(|(id, _)| *id == shown.id());

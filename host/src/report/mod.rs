@@ -1,28 +1,36 @@
 //! One page to decide from: what to take, the published tables beside ours, the figures, and whether this device agrees. It is one
 //! file, loads nothing and works without scripts.
 
+mod agreement;
 mod tables;
+mod viewer;
 
-pub use tables::{Agreement, Machine, shipped_costs, work};
+pub use agreement::{Agreement, Pipeline};
+pub use tables::{Machine, shipped_costs, work};
 
 use crate::choose::Costs;
-use crate::figures::{Difference, Figure, Figures, Labelled, Shown, Subject};
+use crate::figures::{Difference, Figure, Figures, Labelled, Shown};
 use crate::vulkan::DeviceInfo;
 use crate::{Error, Result};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use minijinja::{AutoEscape, Environment, Value};
+use minijinja::{AutoEscape, Environment, HtmlEscape, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
+use viewer::{VIEWED, Viewer};
 
 /// What goes into a report besides what ships with the program.
 pub struct Contents {
     /// The figures, with the bytes of each picture's file.
     pub figures: Figures,
     /// Those bytes, by the file's name.
-    pub files: BTreeMap<String, Vec<u8>>,
+    pub files: Files,
+    /// Why rendered figures were left out, in a sentence, where they were.
+    pub not_rendered: Option<String>,
     /// Whether the device agrees with the CPU, where that was looked at.
     pub agreement: Option<Agreement>,
+    /// Whether its graphics pipeline does; else why that was not looked at, in a sentence.
+    pub pipeline: Result<Pipeline, String>,
     /// What the report was made on.
     pub machine: Machine,
     /// Costs, those to begin with first.
@@ -30,6 +38,9 @@ pub struct Contents {
     /// Random directions of each row of the tables.
     pub count: usize,
 }
+
+/// Files by their names.
+pub type Files = BTreeMap<String, Vec<u8>>;
 
 const TEMPLATES: [(&str, &str); 3] = [
     ("page.html", include_str!("page.html")),
@@ -49,7 +60,11 @@ struct Page<'a> {
     codecs_json: String,
     tables: Vec<tables::PageTable>,
     figures: Vec<PageFigure<'a>>,
+    /// What is missing of the figures.
+    note: Option<String>,
     agreement: Option<&'a Agreement>,
+    pipeline: Option<&'a Pipeline>,
+    no_pipeline: Option<&'a String>,
 }
 
 /// A figure of the page.
@@ -57,6 +72,7 @@ struct Page<'a> {
 struct PageFigure<'a> {
     heading: String,
     caption: &'a str,
+    earlier: Option<String>,
     anchor: String,
     pictures: Vec<PagePicture<'a>>,
     numbers: Vec<[String; 2]>,
@@ -71,24 +87,6 @@ struct PagePicture<'a> {
     differences: Vec<[String; 4]>,
 }
 
-/// Pictures of codecs over those of floats, to slide between.
-#[derive(Serialize)]
-struct Viewer {
-    materials: Vec<String>,
-    codecs: Vec<String>,
-    /// The codec and the material of the first look.
-    first: [String; 2],
-    width: u32,
-    height: u32,
-    pictures: BTreeMap<String, ViewerPicture>,
-}
-
-#[derive(Serialize)]
-struct ViewerPicture {
-    uri: String,
-    words: String,
-}
-
 /// The page. `progress` hears of each row of the tables that is measured.
 ///
 /// # Errors
@@ -98,17 +96,23 @@ pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
     let tables = tables::published(&contents.costs, contents.count, progress)?;
     let figures: Result<Vec<PageFigure<'_>>> =
         contents.figures.figures.iter().map(|figure| page_figure(figure, &contents.files)).collect();
+    let figures = figures?;
+    let has_viewer = figures.iter().any(|figure| figure.viewer.is_some());
+    let note = (!has_viewer).then(|| viewer::note(&contents.figures, contents.not_rendered.as_deref()));
     let page = Page {
-        version: &contents.figures.version,
+        version: env!("CARGO_PKG_VERSION"),
         machine: &contents.machine,
-        device: contents.figures.device.as_ref(),
+        device: contents.figures.origin.device.as_ref(),
         answers: tables::answers(&codecs),
         gpus: contents.costs.iter().map(Costs::device).collect(),
         codecs_json: json(&codecs),
         codecs,
         tables,
-        figures: figures?,
+        figures,
+        note,
         agreement: contents.agreement.as_ref(),
+        pipeline: contents.pipeline.as_ref().ok(),
+        no_pipeline: contents.pipeline.as_ref().err(),
     };
     render(&page).map_err(|error| Error::Usage(format!("the report's page cannot be made: {error}")))
 }
@@ -122,10 +126,17 @@ fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
     });
     environment.add_filter("degrees", |value: f64| tables::degrees(value));
     environment.add_filter("json", |value: Value| Value::from_safe_string(json(&value)));
+    environment.add_filter("code", |text: &str| Value::from_safe_string(with_code(text)));
     for (name, text) in TEMPLATES {
         environment.add_template(name, text)?;
     }
     environment.get_template("page.html")?.render(Value::from_serialize(page))
+}
+
+/// HTML of a sentence with what is typed between backticks.
+fn with_code(text: &str) -> String {
+    let parts = text.split('`').map(|part| HtmlEscape(part).to_string()).enumerate();
+    parts.map(|(at, part)| if at % 2 == 1 { format!("<code>{part}</code>") } else { part }).collect()
 }
 
 /// JSON that may stand within a page: no tag ends or begins in it.
@@ -134,7 +145,7 @@ fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default().replace('<', "\\u003c")
 }
 
-fn page_figure<'a>(figure: &'a Figure, files: &BTreeMap<String, Vec<u8>>) -> Result<PageFigure<'a>> {
+fn page_figure<'a>(figure: &'a Figure, files: &Files) -> Result<PageFigure<'a>> {
     let (compared, sheets): (Vec<&Shown>, Vec<&Shown>) =
         figure.pictures.iter().partition(|shown| shown.of.is_some());
     let picture = |shown: &&'a Shown| {
@@ -148,39 +159,25 @@ fn page_figure<'a>(figure: &'a Figure, files: &BTreeMap<String, Vec<u8>>) -> Res
     Ok(PageFigure {
         heading: figure.heading(),
         caption: &figure.caption,
+        earlier: figure.earlier_in_words(),
         anchor: format!("figure-{}", figure.id),
         pictures: sheets.iter().map(picture).collect::<Result<_>>()?,
         numbers: figure.numbers.iter().map(|number| [number.name.clone(), number.in_words()]).collect(),
-        viewer: if figure.id == VIEWED { viewer(&compared, files)? } else { None },
+        viewer: if figure.id == VIEWED { viewer::of(&compared, &sheets, files)? } else { None },
     })
 }
 
-/// The figure whose pictures the page slides between.
-const VIEWED: &str = "8";
-
-fn viewer(compared: &[&Shown], files: &BTreeMap<String, Vec<u8>>) -> Result<Option<Viewer>> {
-    let Some([width, height]) = compared.first().and_then(|shown| shown.size) else { return Ok(None) };
-    let (mut materials, mut codecs, mut pictures) = (Vec::new(), Vec::new(), BTreeMap::new());
-    for shown in compared {
-        let Some(Subject { codec, material }) = &shown.of else { continue };
-        for (list, name) in [(&mut materials, material), (&mut codecs, codec)] {
-            if !list.contains(name) {
-                list.push(name.clone());
-            }
-        }
-        let words = shown.differences.first().map_or_else(String::new, |one| one.difference.in_words());
-        pictures
-            .insert(format!("{material}/{codec}"), ViewerPicture { uri: uri(&shown.file, files)?, words });
-    }
-    codecs.retain(|codec| codec != "float");
-    let first = [codecs.first(), materials.last()].map(|name| name.cloned().unwrap_or_default());
-    Ok(Some(Viewer { materials, codecs, first, width, height, pictures }))
+/// A file as part of the page.
+fn uri(file: &str, files: &Files) -> Result<String> {
+    let kind = if file.ends_with(".svg") { "image/svg+xml" } else { "image/png" };
+    Ok(data(kind, bytes(file, files)?))
 }
 
-/// A file as part of the page.
-fn uri(file: &str, files: &BTreeMap<String, Vec<u8>>) -> Result<String> {
+fn data(kind: &str, bytes: &[u8]) -> String {
+    format!("data:{kind};base64,{}", STANDARD.encode(bytes))
+}
+
+fn bytes<'a>(file: &str, files: &'a Files) -> Result<&'a [u8]> {
     let missing = || Error::Usage(format!("the figures lack {file}; make them again with `unitvec figures`"));
-    let bytes = files.get(file).ok_or_else(missing)?;
-    let kind = if file.ends_with(".svg") { "image/svg+xml" } else { "image/png" };
-    Ok(format!("data:{kind};base64,{}", STANDARD.encode(bytes)))
+    files.get(file).map(Vec::as_slice).ok_or_else(missing)
 }

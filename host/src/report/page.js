@@ -7,17 +7,18 @@ function candidates(codecs, demand) {
     const [encode, decode] = codec.costs[demand.gpu];
     return encode === null || decode === null ? Infinity : encode + decode;
   };
+  const mean = (codec) => (demand.hemisphere ? codec.mean_above : codec.mean);
   const meets = (codec) =>
     codec.bits <= demand.bits &&
     (codec.unit || demand.raw) &&
     (!codec.hemisphere || demand.hemisphere) &&
     !(codec.by_table && demand.noTable) &&
     codec.max <= demand.max &&
-    codec.mean <= demand.mean &&
+    mean(codec) <= demand.mean &&
     (demand.cost === Infinity || cost(codec) <= demand.cost) &&
     (demand.format === "" || (demand.format === "*" ? codec.format !== null : codec.format === demand.format));
   const asked = demand.max < Infinity || demand.mean < Infinity;
-  const finest = (a, b) => a.mean - b.mean;
+  const finest = (a, b) => mean(a) - mean(b);
   const cheapest = (a, b) => a.bytes - b.bytes || (cost(a) === cost(b) ? 0 : cost(a) - cost(b)) || finest(a, b);
   return codecs.filter(meets).sort(asked ? cheapest : finest);
 }
@@ -26,6 +27,7 @@ function startTable() {
   const codecs = JSON.parse(document.getElementById("codecs-data").textContent);
   const form = document.getElementById("demand");
   const body = document.querySelector("#codecs tbody");
+  const domain = document.getElementById("domain");
   const choice = document.getElementById("choice");
   const fields = form.elements;
   const seen = new Set();
@@ -49,6 +51,7 @@ function startTable() {
       raw: fields.raw.checked,
     };
     const found = candidates(codecs, demand);
+    domain.textContent = demand.hemisphere ? "z >= 0" : "the directions that a codec is for";
     for (const row of body.rows) {
       row.hidden = true;
       row.classList.remove("best");
@@ -57,6 +60,8 @@ function startTable() {
       const row = document.getElementById(`codec-${codec.id}`);
       row.hidden = false;
       row.querySelectorAll(".cost").forEach((cell, at) => { cell.textContent = shown(codec.costs[demand.gpu][at]); });
+      const mean = row.querySelector(".mean");
+      mean.textContent = demand.hemisphere ? mean.dataset.above : mean.dataset.all;
       body.append(row);
     }
     if (found.length === 0) {

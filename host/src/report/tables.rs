@@ -9,9 +9,7 @@ use crate::catalogue::{CATALOGUE, Domain, FRAMES, Format, Operation, find_format
 use crate::choose::{COUNT, Costs, RECOMMENDED};
 use crate::isa::{GENERATIONS, USUAL};
 use crate::render::Storage;
-use crate::vulkan::DeviceInfo;
-use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use serde::Serialize;
 
 /// What the report was made on.
 #[derive(Clone, Debug, Serialize)]
@@ -37,60 +35,6 @@ impl Machine {
     }
 }
 
-/// Whether a device agrees with the CPU: of a report of `unitvec conform --json`.
-#[derive(Clone, Debug, Serialize)]
-pub struct Agreement {
-    device: DeviceInfo,
-    codecs: usize,
-    vectors: u64,
-    codes: u64,
-    mismatches: u64,
-    /// The backends that were compared.
-    backends: Vec<String>,
-    /// The codecs that differ, with how often.
-    differing: Vec<(String, u64)>,
-}
-
-#[derive(Deserialize)]
-struct Conform {
-    device: DeviceInfo,
-    rows: Vec<ConformRow>,
-}
-
-#[derive(Deserialize)]
-struct ConformRow {
-    id: String,
-    vectors: u64,
-    codes: u64,
-    encode_mismatches: BTreeMap<String, u64>,
-    decode_mismatches: BTreeMap<String, u64>,
-}
-
-impl Agreement {
-    /// Of such a report.
-    ///
-    /// # Errors
-    /// What the parser says of something else.
-    pub fn parse(json: &[u8]) -> serde_json::Result<Self> {
-        let Conform { device, rows } = serde_json::from_slice(json)?;
-        let count = |row: &ConformRow| {
-            row.encode_mismatches.values().chain(row.decode_mismatches.values()).sum::<u64>()
-        };
-        let of_row = rows.iter().map(|row| (row.id.clone(), count(row)));
-        Ok(Self {
-            codecs: rows.len(),
-            vectors: rows.iter().map(|row| row.vectors).sum(),
-            codes: rows.iter().map(|row| row.codes).sum(),
-            mismatches: rows.iter().map(count).sum(),
-            backends: rows
-                .first()
-                .map_or_else(Vec::new, |row| row.encode_mismatches.keys().cloned().collect()),
-            differing: of_row.filter(|(_, count)| *count > 0).collect(),
-            device,
-        })
-    }
-}
-
 /// A codec of the table to choose from.
 #[derive(Clone, Debug, Serialize)]
 pub struct Codec {
@@ -102,7 +46,10 @@ pub struct Codec {
     hemisphere: bool,
     unit: bool,
     by_table: bool,
+    /// Over the directions that the codec is for.
     mean: f64,
+    /// Over z >= 0.
+    mean_above: f64,
     max: f64,
     /// On each device that costs are known of, encoding and decoding as multiples of oct32's.
     costs: Vec<[Option<f64>; 2]>,
@@ -122,16 +69,21 @@ pub fn codecs(all: &[Costs], progress: &mut dyn FnMut()) -> Result<Vec<Codec>> {
     let mut codecs = Vec::new();
     for codec in CATALOGUE {
         let of_gpu = |costs: &Costs| Operation::ALL.map(|operation| costs.of(codec.id, operation));
+        let mean_over =
+            |domain| -> Result<f64> { Ok(measure(&mut Cpu, codec, domain, COUNT, 1)?.mean_deg()) };
+        let mean_above = mean_over(Domain::Hemisphere)?;
+        let is_for_above = codec.domain == Domain::Hemisphere;
         codecs.push(Codec {
             id: codec.id,
             name: codec.survey_name,
             bits: codec.bits,
             bytes: codec.bytes,
             format: codec.vk_format.map(short_format),
-            hemisphere: codec.domain == Domain::Hemisphere,
+            hemisphere: is_for_above,
             unit: codec.is_unit,
             by_table: codec.encodes_by_table,
-            mean: measure(&mut Cpu, codec, codec.domain, COUNT, 1)?.mean_deg(),
+            mean: if is_for_above { mean_above } else { mean_over(codec.domain)? },
+            mean_above,
             max: f64::from(codec.max_error_deg),
             costs: all.iter().map(of_gpu).collect(),
         });
@@ -330,20 +282,5 @@ mod tests {
         {
             assert_eq!(degrees(value), text);
         }
-    }
-
-    /// A report of `conform` with one codec that differs.
-    #[test]
-    fn agreement_is_read_from_conforms_report() {
-        let json = br#"{"device": {"index": 0, "name": "n", "kind": "software", "driver": "d", "api_version": "1.3"},
-            "rows": [{"id": "oct16", "vectors": 5, "codes": 6, "encode_mismatches": {"rust": 2}, "decode_mismatches": {"rust": 1}},
-                     {"id": "oct32", "vectors": 5, "codes": 6, "encode_mismatches": {"rust": 0}, "decode_mismatches": {"rust": 0}}]}"#;
-        let agreement = Agreement::parse(json).unwrap();
-        assert_eq!(
-            (agreement.codecs, agreement.vectors, agreement.codes, agreement.mismatches),
-            (2, 10, 12, 3)
-        );
-        assert_eq!(agreement.differing, [("oct16".to_owned(), 3)]);
-        assert!(Agreement::parse(b"{}").is_err());
     }
 }

@@ -1,11 +1,11 @@
 //! What a run found.
 
 use super::super::storage::Storage;
-use super::{Conversion, HardwareRounding, Projected};
+use super::{Conversion, HardwareRounding, Options, Projected};
 use crate::backend::BackendKind;
 use crate::catalogue::Format;
 use crate::vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// The outcome for all codecs.
@@ -27,8 +27,29 @@ pub struct Report {
     pub projections: Vec<Row>,
 }
 
+impl Report {
+    /// Of what a run found.
+    pub fn new(
+        device: &DeviceInfo,
+        options: &Options,
+        traits: Traits,
+        rows: Vec<Row>,
+        projections: Vec<Row>,
+    ) -> Self {
+        Self {
+            device: device.clone(),
+            random_directions: options.count,
+            glsl_compared: cfg!(feature = "glsl"),
+            agreed: traits.changed == 0 && rows.iter().chain(&projections).all(Row::agrees),
+            traits,
+            rows,
+            projections,
+        }
+    }
+}
+
 /// What a device does to normals before and after they are codes.
-#[derive(Debug, Default, Serialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Traits {
     /// How it converts to and from formats of two numbers.
     pub conversions: Vec<Conversion>,
@@ -73,7 +94,7 @@ pub struct Row {
 }
 
 /// What was compared with the CPU.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Checks {
     /// Codes in an attachment, with those that the CPU encodes the same normals to.
     pub attachment: Tally,
@@ -86,7 +107,7 @@ pub struct Checks {
 }
 
 /// How many were compared, and how many differ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
     /// Compared.
     pub compared: u64,

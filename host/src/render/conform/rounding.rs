@@ -7,11 +7,11 @@ use crate::Result;
 use crate::render::Renderer;
 use crate::render::variant::Variant;
 use crate::vulkan::FormatUse;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// How a device rounds what it writes to an SNORM or UNORM format, `x` times the largest integer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum HardwareRounding {
     /// The product in f32 to nearest, halves to even.
@@ -70,7 +70,7 @@ impl HardwareRounding {
 }
 
 /// What a device does to a format's numbers.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Conversion {
     /// The format.
     pub format: String,
@@ -82,6 +82,30 @@ pub struct Conversion {
     pub fetched: u64,
     /// Values that are not the exact quotient, rounded once.
     pub inexact: u64,
+}
+
+impl Conversion {
+    /// The format, `R8G8_SNORM`.
+    pub fn name(&self) -> &str {
+        self.format.trim_end_matches("_PACK32")
+    }
+
+    /// How numbers are written and read.
+    pub fn in_words(&self) -> String {
+        let Self { rounding, steps_off, fetched, inexact, .. } = self;
+        let written = match rounding {
+            None => "no attachment".to_owned(),
+            Some(HardwareRounding::Other) => {
+                format!("not rounded to nearest, up to {steps_off:.2} steps off")
+            }
+            Some(rounding) => format!("rounded {rounding}"),
+        };
+        match (fetched, inexact) {
+            (0, _) => format!("{written}; no texture"),
+            (_, 0) => format!("{written}; fetched exactly"),
+            _ => format!("{written}; {inexact} of {fetched} fetched inexactly"),
+        }
+    }
 }
 
 /// Measures a format: writes a ramp of quarters, halves and their neighbours, and fetches integers.
