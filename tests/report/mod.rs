@@ -93,7 +93,7 @@ fn the_page_says_what_it_lacks() {
     let with = page(&["--pipeline", file.to_str().unwrap()]);
     let (_, section) = with.split_once("id=\"pipeline\">").unwrap();
     assert!(section.contains("agree with the CPU to the bit: 2 codecs"), "{section}");
-    assert!(section.contains("<dt>snorm attachments</dt><dd>8 bits: "), "{section}");
+    assert!(section.contains("<dt>R8G8_SNORM</dt><dd>rounded to nearest"), "{section}");
 }
 
 /// Inputs that are not what they should be are said in one line, and no page is left.

@@ -95,18 +95,25 @@ impl One<'_> {
         texels
     }
 
-    /// What the device itself makes of numbers that are written as they are. Alpha, 0 or 1, takes no rounding.
-    fn stored(&self, numbers: &[[f32; 3]]) -> Result<Vec<u8>> {
+    /// What the device itself makes of numbers that are written as they are. Alpha, which is not written, is that of `drawn`.
+    fn stored(&self, numbers: &[[f32; 3]], drawn: &[u8]) -> Result<Vec<u8>> {
+        let (fields, size) = (self.fields, self.fields.size());
         let pairs: Vec<[f32; 3]> = numbers.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
         let points = Points::of_normals(self.renderer, &pairs)?;
-        let (stored, _) = points.draw_texels(self.renderer, &Variant::FLOAT, self.fields.format)?;
+        let (stored, _) = points.draw_texels(self.renderer, &Variant::FLOAT, fields.format)?;
         let mut texels = Vec::new();
-        for (texel, [.., bit]) in stored.chunks_exact(self.fields.size()).zip(numbers) {
-            let alpha =
-                if self.fields.has_alpha() { *bit as i64 * i64::from(self.fields.most(3)) } else { 0 };
-            self.fields.push(&mut texels, [self.fields.get(texel, 0), self.fields.get(texel, 1), alpha]);
+        for (stored, drawn) in stored.chunks_exact(size).zip(drawn.chunks_exact(size)) {
+            let alpha = if fields.has_alpha() { fields.get(drawn, 3) } else { 0 };
+            fields.push(&mut texels, [fields.get(stored, 0), fields.get(stored, 1), alpha]);
         }
         Ok(texels)
+    }
+
+    /// Texels whose alpha is not the integer of the number that was written, 0 or 1.
+    fn lost_alpha(&self, numbers: &[[f32; 3]], drawn: &[u8]) -> usize {
+        let expected = |bit: f32| bit as i64 * i64::from(self.fields.most(3));
+        let texels = drawn.chunks_exact(self.fields.size()).zip(numbers);
+        texels.filter(|(texel, [.., bit])| self.fields.get(texel, 3) != expected(*bit)).count()
     }
 
     /// What the attachment holds of normals, against the CPU's numbers, rounded as the device rounds.
@@ -115,9 +122,19 @@ impl One<'_> {
         let (texels, normals) = points.draw_texels(self.renderer, &self.variant(), self.fields.format)?;
         let numbers = self.projected(&normals);
         let expected = match rule {
-            HardwareRounding::Other => self.stored(&numbers)?,
+            HardwareRounding::Other => self.stored(&numbers, &texels)?,
             rule => self.rounded(&numbers, rule),
         };
+        if rule == HardwareRounding::Other && self.projection.has_bit() {
+            let lost = self.lost_alpha(&numbers, &texels);
+            if lost > 0 {
+                let (format, count) = (self.fields.format, numbers.len());
+                row.unsupported.push(format!(
+                    "{} {format:?} that keeps alpha: {lost} of {count} texels lost it",
+                    self.source
+                ));
+            }
+        }
         let what = format!("{} attachment", self.source);
         Ok(row.compare(&what, self.fields.size(), &expected, &texels, |at| shown(&normals[at])))
     }
