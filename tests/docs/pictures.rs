@@ -98,8 +98,12 @@ struct Tolerance {
     largest: bool,
 }
 
-/// What the CPU draws, and what the driver of the record draws: lavapipe with vectors of 256 bits and of 512 gives the same pixels.
+/// What is drawn without a device.
 const EXACT: Tolerance = Tolerance { picture: 0.0, number: [0.0, 0.0], largest: true };
+
+/// The driver of the record, lavapipe, compiles for the processor. One without AVX is up to 0.008 steps off in the mean, and its
+/// numbers up to 6e-5.
+const SAME_DRIVER: Tolerance = Tolerance { picture: 0.02, number: [2e-4, 1e-3], largest: false };
 
 /// Other drivers round otherwise, and an edge in a mirror may move by a pixel. SwiftShader's pictures are up to 0.23 steps off in
 /// the mean, its numbers up to 3 %, and small ones up to 0.011.
@@ -158,8 +162,12 @@ fn are_current(only: &str) {
     assert!(run.status.success(), "{}", stderr(&run));
     let list = std::fs::read(place.path().join("figures.json")).unwrap();
     let (before, after): (Value, Value) = (figures(), serde_json::from_slice(&list).unwrap());
-    let is_of_record = after["device"].is_null() || after["device"]["driver"] == before["device"]["driver"];
-    let tolerance = if is_of_record { EXACT } else { OTHER_DRIVER };
+    let (of_record, here) = (&before["device"]["driver"], &after["device"]["driver"]);
+    let tolerance = match here {
+        Value::Null => EXACT,
+        here if here == of_record => SAME_DRIVER,
+        _ => OTHER_DRIVER,
+    };
     let mut found = Vec::new();
     for figure in after["figures"].as_array().unwrap() {
         let mut all = before["figures"].as_array().unwrap().iter();
@@ -198,6 +206,7 @@ fn drivers_may_differ_a_little() {
     let before = of(1.0, 170);
     assert!(lines(&before, &of(1.06, 200), OTHER_DRIVER).is_empty());
     assert_eq!(lines(&before, &of(1.06, 200), EXACT).len(), 2);
+    assert_eq!(lines(&before, &of(1.06, 200), SAME_DRIVER).len(), 1);
     let found = lines(&before, &of(1.1, 170), OTHER_DRIVER);
     assert!(found.len() == 1 && found[0].ends_with("oct16, mean: 1 before, 1.1 now"), "{found:?}");
     assert_eq!(lines(&before, &Value::Null, OTHER_DRIVER).len(), 1);
