@@ -27,7 +27,7 @@ usage: cargo xtask <command>
        of `cargo test`]                      2^32 codes of the 32-bit codecs, minutes a codec; --fuzz adds 10^6 mutated
                                              files, minutes
   test --languages [--all] [--record]        fetch the compilers of all shading languages, run what they make of the
-       [--codec ID]...                       codecs, and compare with the CPU; --all fails where one cannot be had, as
+       [--widest | --codec ID...]            codecs, and compare with the CPU; --all fails where one cannot be had, as
                                              with CI set; --record writes what the docs say of it
   setup                                      install what is missing, and nothing else
   spirv [--check] [--render] | --example     test the SPIR-V passes, then rebuild spirv/ and the renderer's modules with

@@ -3,9 +3,11 @@
 
 mod plan;
 mod rounding;
+mod series;
 
 pub use plan::Plan;
 pub use rounding::Rounding;
+pub use series::widest_of_each_series;
 
 use crate::Result;
 use crate::backend::{Backend, BackendKind, Cpu};

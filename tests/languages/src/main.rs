@@ -27,6 +27,7 @@ use std::thread;
 use std::time::Instant;
 use tally::Tally;
 use unitvec_host::catalogue::{find_format, formats};
+use unitvec_host::conform::widest_of_each_series;
 use unitvec_host::link;
 use unitvec_host::shader::{Edition, Language};
 use unitvec_host::vulkan::DeviceChoice;
@@ -76,6 +77,9 @@ struct Options {
     /// Only these codecs
     #[arg(long)]
     codec: Vec<String>,
+    /// Only the widest codec of each series
+    #[arg(long, conflicts_with = "codec")]
+    widest: bool,
 }
 
 fn main() -> ExitCode {
@@ -93,7 +97,9 @@ fn run(options: &Options) -> Result<()> {
         let cases = cases_of(barriers::CODECS.iter().copied())?;
         return barriers::record(&cases, &dxc_to_spirv(dxc), slang, path);
     }
-    let mut cases = if options.codec.is_empty() {
+    let mut cases = if options.widest {
+        cases::cases(&widest_of_each_series())
+    } else if options.codec.is_empty() {
         cases::cases(&formats().collect::<Vec<_>>())
     } else {
         cases_of(options.codec.iter().map(String::as_str))
