@@ -34,8 +34,7 @@ impl Points {
         codes: &[u8],
     ) -> Result<Self> {
         let attribute = variant.storage.attribute(renderer.graphics.device());
-        let values = texels_of(codes, attribute, format.bytes);
-        Self::new(renderer, *variant, attribute, codes.len() / format.bytes, &values)
+        Self::of_attributes(renderer, *variant, attribute, &texels_of(codes, attribute, format.bytes))
     }
 
     /// With the normals of these attributes.
