@@ -3,10 +3,10 @@
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
-use unitvec_host::accuracy::meyer::{METHODS, WIDTHS};
-use unitvec_host::accuracy::{Table, beyond};
-use unitvec_host::backend::Backend;
-use unitvec_host::catalogue::{FRAMES, Format};
+use unitvec_catalogue::{FRAMES, Format};
+use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
+use unitvec_lab::accuracy::{Table, beyond};
+use unitvec_run::backend::Backend;
 use unitvec_tests::BACKENDS;
 use unitvec_tests::program::{run, stderr, stdout};
 
@@ -132,11 +132,11 @@ fn backends_measure_the_same() {
 struct Constant;
 
 impl Backend for Constant {
-    fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> unitvec_host::Result<()> {
+    fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> unitvec_run::Result<()> {
         Ok(())
     }
 
-    fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> unitvec_host::Result<()> {
+    fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
         elements
             .chunks_exact_mut(7)
             .for_each(|frame| frame.copy_from_slice(&[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0]));

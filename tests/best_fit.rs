@@ -3,8 +3,8 @@
 use glam::Vec3;
 use unitvec::best_fit::{EncodeByTable, TABLE_COLUMNS, TABLE_WORDS, fill_table, table_word};
 use unitvec::{Codec, CrytekBfn24, SnormBest8, SnormBest16, SnormNearest8};
-use unitvec_host::sampling::special_vectors;
 use unitvec_oracle::{Summary, angle_deg, best_fit, normalize};
+use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere, usable};
 use unitvec_tests::tested::{Tested, widen};
 

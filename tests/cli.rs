@@ -5,8 +5,9 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;
 use unitvec::angle_deg;
-use unitvec_host::catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
-use unitvec_host::{mesh, sampling};
+use unitvec_catalogue::{CATALOGUE, Domain, Element, FRAMES, Operation, formats};
+use unitvec_mesh as mesh;
+use unitvec_run::sampling;
 use unitvec_tests::program::{command, run, run_with_input, stderr, stdout};
 use unitvec_tests::{BACKENDS, repository};
 
@@ -157,7 +158,7 @@ fn standard_streams_are_a_pipe() {
 #[test]
 fn a_mesh_is_encoded_as_its_normals() {
     let folder = tempfile::tempdir().unwrap();
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let codes = folder.path().join("bunny.oct16p");
     let output = run(["encode", "--codec", "oct16p", path(&bunny), path(&codes)]);
     assert!(output.status.success(), "{}", stderr(&output));
@@ -310,7 +311,7 @@ fn another_name_of_the_standard_output() {
     let out = folder.path().join("out");
     std::fs::write(&out, b"before").unwrap();
     let appended = std::fs::File::options().append(true).open(&out).unwrap();
-    let arguments = ["encode", "--json", "--codec", "oct16", "host/data/bunny.obj", "/dev/stdout"];
+    let arguments = ["encode", "--json", "--codec", "oct16", "host/mesh/data/bunny.obj", "/dev/stdout"];
     let to_file = command(arguments).current_dir(repository()).stdout(appended).output().unwrap();
     let to_pipe = command(arguments).current_dir(repository()).output().unwrap();
     for output in [&to_file, &to_pipe] {
@@ -404,7 +405,7 @@ fn normals_are_exported() {
 fn conform_reports_in_words_and_json() {
     let folder = tempfile::tempdir().unwrap();
     let json = folder.path().join("report.json");
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let arguments = ["conform", "--validate", "--codec", "oct16", "--codec", "hemioct32", "--count", "1000"];
     let output = run([&arguments[..], &["--json", path(&json), path(&bunny)]].concat());
     assert!(output.status.success(), "{}", stderr(&output));

@@ -4,9 +4,9 @@
 use std::fs::File;
 use std::io::Write;
 use std::process::{Command, Output};
-use unitvec_host::backend::{Backend, Cpu};
-use unitvec_host::catalogue::{Domain, Operation, find_format};
-use unitvec_host::sampling;
+use unitvec_catalogue::{Domain, Operation, find_format};
+use unitvec_run::backend::{Backend, Cpu};
+use unitvec_run::sampling;
 use unitvec_tests::repository;
 
 /// Runs a kernel on lavapipe, with validation.

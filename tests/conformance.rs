@@ -2,13 +2,16 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use unitvec_host::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
-use unitvec_host::catalogue::{self, Domain, Operation, find, find_format, formats};
-use unitvec_host::conform::{self, Backends, Mismatches, Options, Plan};
-use unitvec_host::modules::Modules;
-use unitvec_host::vulkan::{Buffers, Device, Error, Runner, SENTINEL};
-use unitvec_host::{glsl, mesh, sampling};
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::{Domain, Operation, find, find_format, formats};
+use unitvec_manifest::modules::Modules;
+use unitvec_mesh as mesh;
+use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
+use unitvec_run::conform;
+use unitvec_run::conform::{Backends, Mismatches, Options, Plan};
+use unitvec_run::{glsl, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
+use unitvec_vulkan::{Buffers, Device, Error, Runner, SENTINEL};
 
 fn embedded() -> KernelSource {
     KernelSource::Rust(Modules::open(None).unwrap())
@@ -24,7 +27,7 @@ fn backends(device: &Arc<Device>, rust: KernelSource) -> Backends {
 }
 
 fn options(count: usize) -> Options {
-    let bunny = mesh::read(&repository().join("host/data/bunny.obj")).unwrap();
+    let bunny = mesh::read(&repository().join("host/mesh/data/bunny.obj")).unwrap();
     Options { count, seed: 7, normals: bunny.normals, all_codes_up_to: 16 }
 }
 
@@ -41,7 +44,7 @@ fn the_three_agree_to_the_bit() {
     let open = || Ok(backends(&device, embedded()));
     conform::run(plans, open, &mut |more| done += more, &mut |row| {
         rows.push(row);
-        Ok(())
+        Ok::<(), unitvec_run::Error>(())
     })
     .unwrap();
     assert_eq!(done, work);
@@ -204,7 +207,7 @@ fn backends_refuse_wrong_lengths() {
             let decoded = backend.decode(format, &codes, &mut elements);
             for result in [encoded, decoded] {
                 assert!(
-                    matches!(result, Err(unitvec_host::Error::LengthMismatch(_))),
+                    matches!(result, Err(unitvec_run::Error::LengthMismatch(_))),
                     "{id} {floats} {bytes}"
                 );
             }

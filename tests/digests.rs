@@ -37,6 +37,6 @@ fn codes_are_the_released_ones() {
         let new = rows.iter().filter(|row| !RELEASED.contains(row.as_str()));
         let text = new.fold(RELEASED.to_owned(), |text, row| text + row + "\n");
         let path = unitvec_tests::repository().join("vectors/digests.csv");
-        unitvec_host::output::write_file(&path, text.as_bytes()).unwrap();
+        unitvec_files::write_file(&path, text.as_bytes()).unwrap();
     }
 }

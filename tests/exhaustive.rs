@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Coding};
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding};
 
 const CHUNK: u64 = 1 << 16;
 

@@ -239,7 +239,7 @@ fn gltf_extensions_that_are_not_read() {
 fn a_mesh_without_tangents() {
     let folder = folder();
     let bare = r#"{"asset":{"version":"2.0"}}"#;
-    let inputs = [file(&folder, "bare.gltf", bare.as_bytes()), repository().join("host/data/bunny.obj")];
+    let inputs = [file(&folder, "bare.gltf", bare.as_bytes()), repository().join("host/mesh/data/bunny.obj")];
     for input in inputs {
         let name = input.file_name().unwrap().to_str().unwrap();
         let mut encode = encode("frame32", &input, &folder.path().join("out"));
@@ -398,7 +398,7 @@ fn options_that_do_not_go_together() {
         let mut on_cpu = encode("oct16", &input, &folder.path().join("out"));
         assert_fails(on_cpu.args(option), 2, &["--backend rust"]);
     }
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let mut decode = command(["decode", "--codec", "oct16"]);
     assert_fails(decode.args([&bunny, &folder.path().join("out")]), 2, &["is a mesh", "unitvec encode"]);
     assert_fails(&mut command(["accuracy", "--json", "-", "--csv", "-"]), 2, &["--csv -"]);
@@ -439,7 +439,7 @@ fn a_module_of_something_else() {
 #[test]
 fn meshes_are_not_overwritten() {
     let folder = tempfile::tempdir().unwrap();
-    let bunny = std::fs::read(repository().join("host/data/bunny.obj")).unwrap();
+    let bunny = std::fs::read(repository().join("host/mesh/data/bunny.obj")).unwrap();
     let path = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
     let [mesh, other, raw] = ["a.obj", "b.obj", "a.bin"].map(path);
     for file in [&mesh, &other] {

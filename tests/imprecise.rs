@@ -3,14 +3,15 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use unitvec_host::backend::{BackendKind, Gpu, KernelSource};
-use unitvec_host::catalogue::{find_format, formats};
-use unitvec_host::glsl::Compiler;
-use unitvec_host::imprecise::{self, Bounds, Error, Gpus, Model, Options, Row, rewrite};
-use unitvec_host::modules::Modules;
-use unitvec_host::vulkan::{Device, Runner};
+use unitvec_catalogue::{find_format, formats};
+use unitvec_lab::imprecise;
+use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
+use unitvec_manifest::modules::Modules;
+use unitvec_run::backend::{BackendKind, Gpu, KernelSource};
+use unitvec_run::glsl::Compiler;
 use unitvec_tests::directions::Rng;
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
+use unitvec_vulkan::{Device, Runner};
 
 /// Of `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c` as float, taken
 /// as signed and as unsigned. Quotients, product and the signed integer are those of vectors.
@@ -249,7 +250,7 @@ fn codecs_keep_within_their_bounds_on_every_device() {
     let (mut work, mut rows) = (0, Vec::new());
     imprecise::run(formats.clone(), &options, open, &mut |done| work += done, &mut |row| {
         rows.push(row);
-        Ok(())
+        Ok::<(), unitvec_lab::Error>(())
     })
     .unwrap();
     assert_eq!(rows.iter().map(|row| row.id.as_str()).collect::<Vec<_>>(), CODECS);

@@ -3,13 +3,15 @@
 
 use std::path::Path;
 use std::process::Command;
-use unitvec_host::catalogue::{Domain, Element, Format, Operation, formats};
-use unitvec_host::link::stubs::{self, Language};
-use unitvec_host::link::{self, Error, Signature, Type};
-use unitvec_host::sampling;
-use unitvec_host::vulkan::Runner;
+use unitvec_catalogue::{Domain, Element, Format, Operation, formats};
+use unitvec_link as link;
+use unitvec_link::stubs;
+use unitvec_link::stubs::Language;
+use unitvec_link::{Error, Signature, Type};
+use unitvec_run::sampling;
 use unitvec_tests::program::{command, stderr};
 use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
+use unitvec_vulkan::Runner;
 
 /// Codecs of a module: each module takes the linker as long as a few codecs do.
 const CODECS: usize = 10;

@@ -6,13 +6,13 @@ use crate::docs::costs::is_measured;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
 use unitvec_catalogue::{Operation, formats};
-use unitvec_host::accuracy::meyer::{METHODS, WIDTHS};
-use unitvec_host::accuracy::{Table, beyond};
-#[cfg(feature = "glsl")]
-use unitvec_host::glsl::Compiler;
-use unitvec_host::modules::Modules;
+use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
+use unitvec_lab::accuracy::{Table, beyond};
+use unitvec_manifest::modules::Modules;
 use unitvec_oracle::Reference;
 use unitvec_oracle::frame::Format;
+#[cfg(feature = "glsl")]
+use unitvec_run::glsl::Compiler;
 use unitvec_tests::repository;
 
 /// Whether a codec has something, by its identifier.
@@ -61,7 +61,7 @@ fn no_released_codec_is_gone() {
 #[test]
 fn costs_are_complete() {
     let lacking: Vec<&str> = formats().map(|format| format.id).filter(|id| !is_measured(id)).collect();
-    assert!(lacking.is_empty(), "host/data/costs_lavapipe.json lacks {lacking:?}");
+    assert!(lacking.is_empty(), "host/choose/data/costs_lavapipe.json lacks {lacking:?}");
 }
 
 /// Every file of tests belongs to the program of tests: cargo would not miss one that does not.

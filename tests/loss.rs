@@ -3,10 +3,10 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use unitvec_host::catalogue::{Coding, Domain, FRAMES, find};
-use unitvec_host::choose::RECOMMENDED;
-use unitvec_host::sampling;
+use unitvec_catalogue::{Coding, Domain, FRAMES, find};
+use unitvec_choose::RECOMMENDED;
 use unitvec_oracle::angle_deg;
+use unitvec_run::sampling;
 use unitvec_tests::program::{run, run_with_input, stderr, stdout};
 use unitvec_tests::repository;
 
@@ -177,7 +177,7 @@ fn inputs_and_backends_are_alike() {
 /// Without `--codec`, what README recommends for any direction; a line for each file and codec, and for both together.
 #[test]
 fn the_table_has_the_recommended_codecs() {
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let [one, two] = [1, 2].map(|count| {
         let arguments = ["error".into()].into_iter().chain(vec![bunny.clone(); count]);
         stdout(&run(arguments.collect::<Vec<PathBuf>>()))
@@ -208,7 +208,7 @@ fn what_was_measured_is_told() {
     let file = folder.path().join("own.obj");
     std::fs::write(&file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n").unwrap();
     let own = file.to_str().unwrap();
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let computed = stdout(&run(["error", "--codec", "hemioct16", bunny.to_str().unwrap(), own]));
     let line = computed.lines().find(|line| line.starts_with("normals computed from faces: ")).unwrap();
     assert!(line.ends_with("bunny.obj"), "{line}");

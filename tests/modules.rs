@@ -4,24 +4,23 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
-use unitvec_host::catalogue::{self, Operation, find_format, formats};
-use unitvec_host::link::{LIBRARY, Signature};
-use unitvec_host::manifest::{
+use unitvec_catalogue as catalogue;
+#[cfg(feature = "glsl")]
+use unitvec_catalogue::Domain;
+use unitvec_catalogue::{Operation, find_format, formats};
+use unitvec_link::{LIBRARY, Signature};
+use unitvec_manifest::modules::Modules;
+use unitvec_manifest::{
     BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, render_sources_sha256, schema, sha256_hex, sources_sha256,
 };
-use unitvec_host::render::shaders;
-use unitvec_host::vulkan::{GROUP, WORKGROUP};
-#[cfg(feature = "glsl")]
-use unitvec_host::{
-    catalogue::Domain,
-    glsl::{Compiler, ENTRY_POINT},
-    modules::Modules,
-    sampling,
-    vulkan::{Buffers, Runner, SENTINEL},
-};
+use unitvec_render::shaders;
+use unitvec_run::glsl::{Compiler, ENTRY_POINT};
+use unitvec_run::sampling;
 use unitvec_tests::repository;
 #[cfg(feature = "glsl")]
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
+use unitvec_vulkan::{Buffers, Runner, SENTINEL};
+use unitvec_vulkan::{GROUP, WORKGROUP};
 
 fn folder() -> PathBuf {
     repository().join("spirv")
@@ -174,7 +173,7 @@ fn spirv_val_accepts_every_module() {
 }
 
 fn render_folder() -> PathBuf {
-    repository().join("host/render-shaders/spirv")
+    repository().join("host/render/shaders/spirv")
 }
 
 #[test]

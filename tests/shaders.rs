@@ -1,13 +1,14 @@
 //! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and what `unitvec shader` writes.
 
 use std::sync::Arc;
-use unitvec_host::backend::{Backend, BackendKind};
-use unitvec_host::catalogue::{Format, Operation, find_format, formats};
-use unitvec_host::conform::{self, Backends, Options, Plan};
-use unitvec_host::shader::{Edition, Language, LanguageGpu, compile, kernel, text};
-use unitvec_host::vulkan::Device;
+use unitvec_catalogue::{Format, Operation, find_format, formats};
+use unitvec_run::backend::{Backend, BackendKind};
+use unitvec_run::conform;
+use unitvec_run::conform::{Backends, Options, Plan};
+use unitvec_run::shader::{Edition, Language, LanguageGpu, compile, kernel, text};
 use unitvec_tests::program::{run, stderr, stdout};
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
+use unitvec_vulkan::Device;
 
 fn backends(device: &Arc<Device>, edition: Edition) -> Backends {
     let gpu =
@@ -37,7 +38,7 @@ fn hlsl_and_exact_wgsl_agree_to_the_bit() {
         conform::run(plans, open, &mut |_| {}, &mut |row| {
             assert!(row.agrees(), "{row:#?}");
             codecs += 1;
-            Ok(())
+            Ok::<(), unitvec_run::Error>(())
         })
         .unwrap();
         assert_eq!(codecs, formats().count());

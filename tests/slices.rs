@@ -14,7 +14,7 @@ use unitvec::slice::{
 use unitvec::table::{DecodeTable, TableSize};
 use unitvec::{Codec, Listed, for_each_codec};
 use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
-use unitvec_host::sampling::special_vectors;
+use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{Rng, sphere};
 
 /// Calls `check::<codec>(arguments)` for each of these codecs.

@@ -343,7 +343,7 @@ fn readers_that_leave() {
     File::options().write(true).open(&input).unwrap().set_len(12 << 20).unwrap();
     let fifo = folder.path().join("fifo");
     make_fifo(&fifo);
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let mut normals = command(["normals"]);
     normals.args([&bunny, Path::new("-")]);
     let mut decode = command(["decode", "--codec", CODEC]);

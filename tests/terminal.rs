@@ -12,8 +12,14 @@ fn tables() -> Vec<Vec<&'static str>> {
         vec!["choose", "--max-error", "0.05"],
         vec!["devices"],
         vec!["conform", "--count", "10", "--codec", "stereo_concentric32", "--codec", "frame64"],
-        vec!["error", "host/data/bunny.obj"],
-        vec!["error", "host/data/bunny.obj", "host/data/bunny.obj", "--codec", "stereo_concentric32"],
+        vec!["error", "host/mesh/data/bunny.obj"],
+        vec![
+            "error",
+            "host/mesh/data/bunny.obj",
+            "host/mesh/data/bunny.obj",
+            "--codec",
+            "stereo_concentric32",
+        ],
     ];
     if cfg!(feature = "glsl") {
         commands.push(vec!["bench", "--isa", "--gpu", "navi21", "--codec", "stereo_concentric32"]);
@@ -98,7 +104,7 @@ fn essential_columns_stay() {
     std::fs::write(&zero, [0; 12]).unwrap();
     let left_out = printed(&["error", zero.to_str().unwrap()], Some(1));
     assert!(left_out.lines().any(|line| words(line) == ["file", "codec", "left", "out", "mean", "max"]));
-    let error = printed(&["error", "host/data/bunny.obj"], Some(1));
+    let error = printed(&["error", "host/mesh/data/bunny.obj"], Some(1));
     assert!(error.lines().any(|line| words(line) == ["file", "codec", "mean", "max"]), "{error}");
 }
 
@@ -135,7 +141,7 @@ fn binary_output_to_a_terminal_is_refused() {
     let program = unitvec_tests::program::path().display();
     for arguments in ["encode --codec oct16", "decode --codec oct16 --raw", "normals"] {
         for name in ["-", "/dev/stdout", "/dev/tty"] {
-            let line = format!("'{program}' {arguments} host/data/bunny.obj {name}");
+            let line = format!("'{program}' {arguments} host/mesh/data/bunny.obj {name}");
             let output = std::process::Command::new("script")
                 .args(["-qec", &line, "/dev/null"])
                 .current_dir(repository())

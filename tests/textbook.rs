@@ -6,17 +6,17 @@ use glam::DVec3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
-use unitvec_host::accuracy::Table;
-use unitvec_host::accuracy::meyer::worst_error;
-use unitvec_host::backend::{Backend, CHUNK, Cpu, round_trip};
-use unitvec_host::catalogue::{Domain, Element, Format, Operation, find, find_format, find_frame};
-use unitvec_host::glsl::Compiler;
-use unitvec_host::measure::ElementErrors;
-use unitvec_host::sampling::{random_codes, random_directions, random_elements, random_frames};
-use unitvec_host::textbook::{TEXTBOOK, Textbook, TextbookGpu, best_fit_table};
-use unitvec_host::vulkan::Device;
+use unitvec_catalogue::{Domain, Element, Format, Operation, find, find_format, find_frame};
+use unitvec_lab::accuracy::Table;
+use unitvec_lab::accuracy::meyer::worst_error;
+use unitvec_lab::textbook::{TEXTBOOK, Textbook, TextbookGpu, best_fit_table};
 use unitvec_oracle::best_fit::error_at_length;
+use unitvec_run::backend::{Backend, CHUNK, Cpu, round_trip};
+use unitvec_run::glsl::Compiler;
+use unitvec_run::measure::ElementErrors;
+use unitvec_run::sampling::{random_codes, random_directions, random_elements, random_frames};
 use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
+use unitvec_vulkan::Device;
 
 fn gpu(device: &Arc<Device>, textbook: &Textbook) -> TextbookGpu {
     TextbookGpu::new(device, &Compiler::new().unwrap(), textbook, true)
@@ -32,7 +32,8 @@ fn every_textbook_has_a_codec_and_kernels() {
     for textbook in TEXTBOOK {
         let format = textbook.format().unwrap();
         for operation in Operation::ALL {
-            compiler.textbook_kernel(textbook, operation).unwrap_or_else(|error| panic!("{error}"));
+            unitvec_lab::textbook::kernel(&compiler, textbook, operation)
+                .unwrap_or_else(|error| panic!("{error}"));
             assert!(functions.insert(textbook.function(operation)), "{} stands twice", textbook.id);
         }
         if let Some(finer) = textbook.finer {
@@ -318,7 +319,7 @@ fn measure() {
             text += &format!("{},{source},{}\n", textbook.id, [figures, outcomes].concat().join(","));
         }
     }
-    unitvec_host::output::write_file(&repository().join("docs/data/textbook.csv"), text.as_bytes()).unwrap();
+    unitvec_files::write_file(&repository().join("docs/data/textbook.csv"), text.as_bytes()).unwrap();
 }
 
 /// The committed figures are what the functions do: errors to five standard errors of a smaller sample, the rest to the

@@ -8,7 +8,7 @@ use program::{Library, compile};
 use std::io::Write;
 use std::process::{Command, Stdio};
 use unitvec_catalogue::{Domain, Format, formats};
-use unitvec_host::sampling;
+use unitvec_run::sampling;
 use unitvec_tests::repository;
 
 /// Random vectors or frames for each codec, and as many codes.

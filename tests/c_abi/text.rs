@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::process::Command;
 use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, Format, FrameInfo, formats};
-use unitvec_host::output::write_file;
+use unitvec_files::write_file;
 use unitvec_tests::repository;
 
 /// `c/src/codecs.rs` has the functions of every codec of the list, and `c/include/unitvec.h` is what cbindgen makes of the

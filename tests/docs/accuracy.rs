@@ -3,12 +3,12 @@
 use super::compare;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-use unitvec_host::accuracy::meyer::worst_error;
-use unitvec_host::accuracy::{Row, chart, covering_bound_deg};
-use unitvec_host::backend::Cpu;
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Coding, Domain, FRAMES, FrameInfo};
-use unitvec_host::measure::ErrorStats;
-use unitvec_host::sampling;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding, Domain, FRAMES, FrameInfo};
+use unitvec_lab::accuracy::meyer::worst_error;
+use unitvec_lab::accuracy::{Row, chart, covering_bound_deg};
+use unitvec_run::backend::Cpu;
+use unitvec_run::measure::ErrorStats;
+use unitvec_run::sampling;
 use unitvec_tests::repository;
 
 /// Mean and largest error in degrees.
@@ -88,7 +88,7 @@ fn measure() {
         }
     }
     let path = repository().join("docs/data/accuracy.csv");
-    unitvec_host::output::write_file(&path, text.as_bytes()).unwrap();
+    unitvec_files::write_file(&path, text.as_bytes()).unwrap();
 }
 
 /// Fails unless another, smaller sample agrees with the committed errors: its mean to five standard errors, and its

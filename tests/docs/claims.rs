@@ -2,10 +2,10 @@
 
 use super::accuracy::{Errors, of, over_bound};
 use super::{costs, slices};
-use unitvec_host::accuracy::Table;
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Domain, Operation, find};
-use unitvec_host::vulkan::{GROUP, WORKGROUP};
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, Operation, find};
+use unitvec_lab::accuracy::Table;
 use unitvec_tests::repository;
+use unitvec_vulkan::{GROUP, WORKGROUP};
 
 fn errors(id: &str) -> Errors {
     of(id, "direction")

@@ -1,18 +1,19 @@
-//! What codecs cost: on lavapipe, as `unitvec bench --json` wrote it to `host/data/costs_lavapipe.json`, and on GPUs, by their
+//! What codecs cost: on lavapipe, as `unitvec bench --json` wrote it to `host/choose/data/costs_lavapipe.json`, and on GPUs, by their
 //! compilers.
 
 use super::compare;
 use crate::isa::committed;
 use serde_json::Value;
 use std::sync::OnceLock;
-use unitvec_host::catalogue::{Operation, formats};
-use unitvec_host::isa::{GENERATIONS, Generation, Report, Source, find_generation, pareto};
+use unitvec_catalogue::{Operation, formats};
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source, find_generation};
+use unitvec_lab::isa::pareto;
 use unitvec_tests::repository;
 
 fn report() -> &'static Value {
     static REPORT: OnceLock<Value> = OnceLock::new();
     REPORT.get_or_init(|| {
-        let text = std::fs::read(repository().join("host/data/costs_lavapipe.json")).unwrap();
+        let text = std::fs::read(repository().join("host/choose/data/costs_lavapipe.json")).unwrap();
         serde_json::from_slice(&text).unwrap()
     })
 }

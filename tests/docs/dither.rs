@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec::*;
-use unitvec_host::catalogue::Operation;
-use unitvec_host::isa::Source as Compiled;
+use unitvec_catalogue::Operation;
+use unitvec_choose::costs::Source as Compiled;
 use unitvec_oracle::{angle_deg, normalize};
 use unitvec_tests::directions::{Rng, sphere};
 use unitvec_tests::repository;
@@ -146,7 +146,7 @@ fn measure() {
             text += &format!("{id},{name},{mean:.6e},{max:.6e},{autocorrelation:.4}\n");
         }
     }
-    unitvec_host::output::write_file(&repository().join("docs/data/dither.csv"), text.as_bytes()).unwrap();
+    unitvec_files::write_file(&repository().join("docs/data/dither.csv"), text.as_bytes()).unwrap();
 }
 
 /// The committed measurements, by codec and source.

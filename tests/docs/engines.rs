@@ -1,7 +1,7 @@
 //! docs/engines.md: the files, functions and formats that it names.
 
 use std::collections::BTreeSet;
-use unitvec_host::catalogue::formats;
+use unitvec_catalogue::formats;
 use unitvec_tests::repository;
 
 fn text() -> String {

@@ -2,8 +2,8 @@
 //! `unitvec conform --imprecise --seeds 8 --csv docs/data/imprecise.csv` writes.
 
 use std::fmt::Write;
-use unitvec_host::catalogue::{find_format, formats};
-use unitvec_host::imprecise::{Bounds, Summary};
+use unitvec_catalogue::{find_format, formats};
+use unitvec_lab::imprecise::{Bounds, Summary};
 use unitvec_tests::repository;
 
 /// Random elements of a codec: eight seeds.

@@ -3,7 +3,7 @@
 
 use serde::Deserialize;
 use std::collections::BTreeSet;
-use unitvec_host::catalogue::formats;
+use unitvec_catalogue::formats;
 use unitvec_tests::repository;
 
 /// A compiler and a driver.

@@ -37,7 +37,7 @@ fn is_blessing() -> bool {
 fn compare(path: &Path, expected: &str) {
     let committed = std::fs::read_to_string(path).unwrap_or_default();
     if is_blessing() && committed != expected {
-        unitvec_host::output::write_file(path, expected.as_bytes()).unwrap();
+        unitvec_files::write_file(path, expected.as_bytes()).unwrap();
     } else {
         assert!(committed == expected, "{} is stale: cargo xtask docs writes it again", path.display());
     }

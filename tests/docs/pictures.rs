@@ -4,7 +4,7 @@ use super::tables::degrees;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use unitvec_host::figures::{Difference, Figures};
+use unitvec_render::figures::{Difference, Figures};
 use unitvec_tests::program::{command, stderr};
 use unitvec_tests::repository;
 

@@ -1,7 +1,7 @@
 //! On which processors the codecs gave the same bits, as `docs/data/processors.csv` has it.
 
 use std::collections::BTreeSet;
-use unitvec_host::catalogue::{CATALOGUE, FRAMES};
+use unitvec_catalogue::{CATALOGUE, FRAMES};
 use unitvec_tests::repository;
 
 fn record() -> String {

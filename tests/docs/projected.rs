@@ -78,7 +78,7 @@ fn measure() {
         let [mean, max, axes] = measured(row, 1 << 20);
         text += &format!("{},{},{mean:.6e},{max:.6e},{axes:.6e}\n", row.0, row.1);
     }
-    unitvec_host::output::write_file(&repository().join("docs/data/projected.csv"), text.as_bytes()).unwrap();
+    unitvec_files::write_file(&repository().join("docs/data/projected.csv"), text.as_bytes()).unwrap();
 }
 
 /// The committed measurements: mean, maximum and axes, in the order of [`ROWS`].

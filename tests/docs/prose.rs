@@ -3,7 +3,7 @@
 use super::{BEGIN, END, files, markdown, tables};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use unitvec_host::catalogue::{CATALOGUE, FRAMES};
+use unitvec_catalogue::{CATALOGUE, FRAMES};
 use unitvec_tests::program::run;
 use unitvec_tests::repository;
 
@@ -86,7 +86,7 @@ fn measurements_are_generated() {
 #[test]
 fn rust_versions_are_those_of_the_manifests() {
     let text = read(&repository().join("README.md"));
-    for manifest in ["Cargo.toml", "host/Cargo.toml"] {
+    for manifest in ["Cargo.toml", "host/program/Cargo.toml"] {
         let manifest = read(&repository().join(manifest));
         let version = manifest.lines().find_map(|line| line.strip_prefix("rust-version = \"")).unwrap();
         assert!(text.contains(&format!("needs Rust {}", version.trim_end_matches('"'))), "{version}");
@@ -97,7 +97,7 @@ fn rust_versions_are_those_of_the_manifests() {
 #[test]
 fn the_quoted_line_is_what_encode_says() {
     let folder = tempfile::tempdir().unwrap();
-    let bunny = repository().join("host/data/bunny.obj");
+    let bunny = repository().join("host/mesh/data/bunny.obj");
     let out = folder.path().join("out");
     let output = run(["encode", "--codec", "oct24p", bunny.to_str().unwrap(), out.to_str().unwrap()]);
     let said = String::from_utf8(output.stderr).unwrap();

@@ -1,7 +1,7 @@
 //! `shaders/stubs/`: what shaders include that are to be linked, made from the catalogue.
 
 use super::{compare, files};
-use unitvec_host::link::stubs::{Language, text};
+use unitvec_link::stubs::{Language, text};
 use unitvec_tests::repository;
 
 /// Every language has its file, as `unitvec link --stubs` prints it, and there is no other.

@@ -6,9 +6,9 @@ use super::{
 };
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use unitvec_host::accuracy::{Table, covering_bound_deg};
-use unitvec_host::catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, find, find_frame};
-use unitvec_host::choose::RECOMMENDED;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, find, find_frame};
+use unitvec_choose::RECOMMENDED;
+use unitvec_lab::accuracy::{Table, covering_bound_deg};
 use unitvec_tests::repository;
 
 /// The table of this name, if there is one.

@@ -5,8 +5,8 @@ use super::tables::mean_and_max;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-use unitvec_host::catalogue::{Element, Operation, find, find_format, find_frame};
-use unitvec_host::textbook::{TEXTBOOK, Textbook};
+use unitvec_catalogue::{Element, Operation, find, find_format, find_frame};
+use unitvec_lab::textbook::{TEXTBOOK, Textbook};
 use unitvec_tests::repository;
 
 /// Who did what a row tells: the textbook's functions, or those of the codec in their place.
@@ -88,7 +88,7 @@ fn joined(errors: [Option<Errors>; 2]) -> String {
 fn rows() -> &'static [Value] {
     static REPORT: OnceLock<Value> = OnceLock::new();
     let report = REPORT.get_or_init(|| {
-        let text = std::fs::read(repository().join("host/data/costs_navi21.json")).unwrap_or_default();
+        let text = std::fs::read(repository().join("host/choose/data/costs_navi21.json")).unwrap_or_default();
         serde_json::from_slice(&text).unwrap_or_default()
     });
     report["rows"].as_array().map_or(&[], Vec::as_slice)

@@ -4,7 +4,7 @@ use super::*;
 use proptest::prelude::{ProptestConfig, any, proptest};
 use proptest::test_runner::RngSeed;
 use unitvec::direction::MIN_NORM;
-use unitvec_host::sampling::special_vectors;
+use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{AXES, near_planes, sphere, usable};
 
 for_both! {

@@ -6,7 +6,8 @@
 use super::{FIXED, ZEROS, seeds};
 use base64::Engine;
 use std::path::Path;
-use unitvec_host::mesh::{self, FileFormat};
+use unitvec_mesh as mesh;
+use unitvec_mesh::FileFormat;
 
 /// What four times is allowed of: compact files hold vectors in fewer bytes than f32 take.
 pub fn size(file: usize, vectors: usize) -> usize {

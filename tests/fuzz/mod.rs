@@ -15,15 +15,17 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Instant;
-use unitvec_host::backend::Cpu;
-use unitvec_host::catalogue::{Element, find_format};
-use unitvec_host::choose::Costs;
+use unitvec_catalogue::{Element, find_format};
+use unitvec_choose::Costs;
 use unitvec_host::input::{Elements, Input};
-use unitvec_host::link;
-use unitvec_host::mesh::{self, FileFormat};
-use unitvec_host::modules::{self, Modules};
 use unitvec_host::stream::{self, Named};
-use unitvec_host::vulkan::check_spirv;
+use unitvec_link as link;
+use unitvec_manifest::modules;
+use unitvec_manifest::modules::Modules;
+use unitvec_mesh as mesh;
+use unitvec_mesh::FileFormat;
+use unitvec_run::backend::Cpu;
+use unitvec_vulkan::check_spirv;
 
 /// Inputs of the ordinary tests.
 const ORDINARY: u64 = 10_000;

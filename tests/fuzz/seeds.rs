@@ -3,9 +3,9 @@
 use crate::link;
 use base64::Engine;
 use std::fmt::Write;
-use unitvec_host::catalogue::find_format;
-use unitvec_host::manifest::Manifest;
-use unitvec_host::modules::Modules;
+use unitvec_catalogue::find_format;
+use unitvec_manifest::Manifest;
+use unitvec_manifest::modules::Modules;
 use unitvec_tests::repository;
 
 /// Vertices a side of the grid that all meshes are.
@@ -219,7 +219,7 @@ pub fn raw() -> Vec<Vec<u8>> {
 /// Reports of `unitvec bench`, with `--isa` and without, cut to a few rows.
 pub fn costs() -> Vec<Vec<u8>> {
     let shorter = |name: &str| {
-        let report = std::fs::read(repository().join("host/data").join(name)).unwrap();
+        let report = std::fs::read(repository().join("host/choose/data").join(name)).unwrap();
         let mut report: serde_json::Value = serde_json::from_slice(&report).unwrap();
         let rows = report["rows"].as_array_mut().unwrap();
         rows.retain(|row| ["oct16", "oct32"].contains(&row["id"].as_str().unwrap()));

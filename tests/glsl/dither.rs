@@ -7,7 +7,7 @@ use unitvec::codec::Code;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec::*;
-use unitvec_host::catalogue::CATALOGUE;
+use unitvec_catalogue::CATALOGUE;
 use unitvec_oracle::{angle_deg, length, normalize};
 use unitvec_tests::checks::LENGTH_ROUNDING;
 use unitvec_tests::directions::{Rng, near_planes, sphere};

@@ -8,11 +8,12 @@ mod names;
 mod projections;
 mod versions;
 
-use unitvec_host::catalogue::{CATALOGUE, Domain, FRAMES};
-use unitvec_host::glsl::{self, Compiler};
-use unitvec_host::sampling::random_directions;
-use unitvec_host::vulkan::Runner;
+use unitvec_catalogue::{CATALOGUE, Domain, FRAMES};
+use unitvec_run::glsl;
+use unitvec_run::glsl::Compiler;
+use unitvec_run::sampling::random_directions;
 use unitvec_tests::{assert_no_validation_messages, glsl_families, lavapipe};
+use unitvec_vulkan::Runner;
 
 /// A call of every function of a family's codecs, where `v` is a vec3.
 fn calls(file: &str) -> String {
@@ -219,7 +220,7 @@ fn trigonometry_is_the_crates_to_the_bit() {
             .map(|(v, exponent)| v.map(|c| c * 2f32.powi(exponent))),
     );
     inputs.extend(
-        unitvec_host::sampling::special_vectors().into_iter().filter(|v| v.iter().all(|c| c.is_finite())),
+        unitvec_run::sampling::special_vectors().into_iter().filter(|v| v.iter().all(|c| c.is_finite())),
     );
     type Reference = fn(f32, f32) -> [f32; 3];
     let functions: [(&str, Reference); 4] = [

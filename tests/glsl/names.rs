@@ -5,7 +5,7 @@ use super::formats::FORMATS;
 use super::projections::PROJECTIONS;
 use super::versions::assert_valid;
 use std::collections::BTreeSet;
-use unitvec_host::catalogue::{Operation, formats};
+use unitvec_catalogue::{Operation, formats};
 use unitvec_tests::{glsl_families, repository};
 
 /// The functions of floats, after the survey's listings, and of its bytes.

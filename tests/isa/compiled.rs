@@ -5,8 +5,9 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use unitvec_host::catalogue::{Operation, formats};
-use unitvec_host::isa::{GENERATIONS, Generation, Report, Row, Source, glsl_file};
+use unitvec_catalogue::{Operation, formats};
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
+use unitvec_lab::isa::glsl_file;
 use unitvec_tests::program::{command, run, stderr, stdout};
 use unitvec_tests::repository;
 
@@ -204,7 +205,7 @@ fn renew() {
                 let notes =
                     before.map_or_else(|error| vec![error.to_string()], |before| dearer(&before, &report));
                 notes.iter().for_each(|note| println!("{}: {note}", generation.gpu));
-                unitvec_host::output::write_file(&path, report.to_json().as_bytes()).unwrap();
+                unitvec_files::write_file(&path, report.to_json().as_bytes()).unwrap();
                 println!("{}: written, of {}", path.display(), report.subject());
             }
             Err(reason) => left.push(format!("{}: {reason}", generation.path().display())),

@@ -1,13 +1,14 @@
 //! What the compilers of GPUs that are not there make of the kernels, held against the committed figures,
-//! `host/data/costs_*.json`, and those against what they promise. `cargo xtask costs` renews them.
+//! `host/choose/data/costs_*.json`, and those against what they promise. `cargo xtask costs` renews them.
 
 #[cfg(feature = "glsl")]
 mod compiled;
 pub mod dithered;
 
-use unitvec_host::catalogue::{Format, Operation, formats};
-use unitvec_host::isa::{self, GENERATIONS, Generation, Report, Source};
-use unitvec_host::modules::Modules;
+use unitvec_catalogue::{Format, Operation, formats};
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source};
+use unitvec_lab::isa;
+use unitvec_manifest::modules::Modules;
 use unitvec_tests::repository;
 
 /// How to renew the figures.
@@ -15,7 +16,7 @@ const RENEW: &str = "renew the figures: cargo xtask costs --driver ICD.json";
 
 /// The generation whose costs are promised.
 fn rdna2() -> &'static Generation {
-    isa::find_generation("rdna2").unwrap()
+    unitvec_choose::costs::find_generation("rdna2").unwrap()
 }
 
 /// The committed figures.

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::{CATALOGUE, Coding, Domain, FRAMES, Format, formats};
-use unitvec_host::output::write_file;
+use unitvec_files::write_file;
 use unitvec_tests::repository;
 
 /// Of all codecs. A codec with another layout would be another codec.

@@ -2,15 +2,19 @@
 //! equal.
 
 use std::sync::Arc;
-use unitvec_host::Error;
-use unitvec_host::backend::BackendKind;
-use unitvec_host::catalogue::{Format, find_format};
-use unitvec_host::render::conform::{self, HardwareRounding, Options, Row};
-use unitvec_host::render::{
-    self, Key, Layers, Material, Normals, OBJECTS, Picture, Renderer, Shot, Size, Vertices, View,
+use unitvec_catalogue::{Format, find_format};
+use unitvec_lab::Error as LabError;
+use unitvec_render::Error;
+use unitvec_render::conform;
+use unitvec_render::conform::{HardwareRounding, Options, Row};
+use unitvec_render::{
+    Key, Layers, Material, Normals, OBJECTS, Picture, Renderer, Shot, Size, Vertices, View,
 };
-use unitvec_host::vulkan::{self, Device, DeviceChoice, Graphics, Image, ImageFormat, Instance, Mesh};
+use unitvec_run::Error as RunError;
+use unitvec_run::backend::BackendKind;
 use unitvec_tests::assert_no_validation_messages;
+use unitvec_vulkan as vulkan;
+use unitvec_vulkan::{Device, DeviceChoice, Graphics, Image, ImageFormat, Instance, Mesh};
 
 const SIZE: Size = Size { width: 160, height: 90 };
 
@@ -63,7 +67,7 @@ fn codecs_go_through_the_pipeline() {
     let mut rows: Vec<Row> = Vec::new();
     conform::run(IDS.map(format).to_vec(), &options, &device, &traits, &mut |row| {
         rows.push(row);
-        Ok(())
+        Ok::<(), Error>(())
     })
     .unwrap();
     assert_eq!(rows.iter().map(|row| row.id).collect::<Vec<_>>(), IDS);
@@ -92,7 +96,7 @@ fn projections_go_through_the_pipeline() {
     let (count, mut rows) = (pairs.len(), Vec::new());
     conform::run_pairs(pairs, &options, &device, &traits, &mut |row: Row| {
         rows.push(row);
-        Ok(())
+        Ok::<(), Error>(())
     })
     .unwrap();
     assert_eq!(rows.len(), count);
@@ -197,23 +201,20 @@ fn what_cannot_be_rendered_is_an_error() {
     let open = |source, width, samples| {
         Renderer::new(&device, source, Size { width, height: 90 }, samples).map(drop).unwrap_err()
     };
-    assert!(matches!(
-        open(BackendKind::Wgsl, 160, 1),
-        Error::Render(render::Error::NoSuchShaders { language: BackendKind::Wgsl })
-    ));
-    assert!(matches!(
-        open(BackendKind::Rust, 160, 0),
-        Error::Render(render::Error::BadSamples { samples: 0, .. })
-    ));
+    assert!(matches!(open(BackendKind::Wgsl, 160, 1), Error::NoSuchShaders { language: BackendKind::Wgsl }));
+    assert!(matches!(open(BackendKind::Rust, 160, 0), Error::BadSamples { samples: 0, .. }));
     for width in [0, 1 << 20] {
         let error = open(BackendKind::Rust, width, 1);
-        assert!(matches!(error, Error::Vulkan(vulkan::Error::BadSize { .. })), "{error}");
+        assert!(
+            matches!(error, Error::Lab(LabError::Run(RunError::Vulkan(vulkan::Error::BadSize { .. })))),
+            "{error}"
+        );
         assert_eq!(error.to_string().lines().count(), 1);
     }
     let shot =
         Shot { normals: Normals::Dithered(format("fib16"), Key::Pixel), ..Shot::new(Material::Mirror) };
     let error = renderer(&device, BackendKind::Rust).render(&shot).unwrap_err();
-    assert!(matches!(error, Error::Render(render::Error::NotDithered { id: "fib16" })), "{error}");
+    assert!(matches!(error, Error::NotDithered { id: "fib16" }), "{error}");
     assert_no_validation_messages(device);
 }
 

@@ -12,9 +12,10 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use unitvec_catalogue::{CATALOGUE, CodecInfo, FRAMES};
-use unitvec_host::manifest::{self, sha256_hex};
-use unitvec_host::modules::Modules;
-use unitvec_host::vulkan::{Device, DeviceChoice, Instance};
+use unitvec_manifest as manifest;
+use unitvec_manifest::modules::Modules;
+use unitvec_manifest::sha256_hex;
+use unitvec_vulkan::{Device, DeviceChoice, Instance};
 
 /// The backends that the tested program has: those of GLSL and HLSL need their compiler.
 pub const BACKENDS: &[&str] =

@@ -9,8 +9,8 @@ use glam::Vec3;
 use std::sync::LazyLock;
 use unitvec::direction::{MAX_NORM, MIN_NORM};
 use unitvec_catalogue::Domain;
-use unitvec_host::sampling::special_vectors;
 use unitvec_oracle::{Summary, angle_deg, normalize};
+use unitvec_run::sampling::special_vectors;
 
 /// Calls the macro `callback` with the names of the suite's functions.
 #[macro_export]

@@ -42,7 +42,7 @@ usage: cargo xtask <command>
                                              takes all input in emulators too, --build-std builds the standard library
                                              too, --record writes what the docs say of it
   costs [--driver ICD.json]                  compile the kernels for GPUs of all generations, without one, and write what they
-                                             cost to host/data and the docs; --driver names a newer RADV than the
+                                             cost to host/choose/data and the docs; --driver names a newer RADV than the
                                              system's, which those newer than Mesa's 22.3 need
   docs [--measure]                           write the tables of README and docs again; --measure measures errors first
   packages                                   build and test each package outside the repository, also with the oldest

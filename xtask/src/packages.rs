@@ -6,12 +6,21 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What is published, in the order of the dependencies.
-const PACKAGES: [&str; 6] = [
+const PACKAGES: [&str; 15] = [
     "unitvec",
     "unitvec-shaders",
     "unitvec-languages",
     "unitvec-oracle",
     "unitvec-catalogue",
+    "unitvec-files",
+    "unitvec-vulkan",
+    "unitvec-manifest",
+    "unitvec-mesh",
+    "unitvec-run",
+    "unitvec-choose",
+    "unitvec-lab",
+    "unitvec-render",
+    "unitvec-link",
     "unitvec-host",
 ];
 

@@ -6,11 +6,11 @@ use crate::isa::{RENEW, rdna2};
 use std::path::Path;
 use std::process::Command;
 use std::sync::Arc;
-use unitvec_host::catalogue::{Operation, find_format};
-use unitvec_host::glsl::{Compiler, ENTRY_POINT};
-use unitvec_host::isa::radv::Radv;
-use unitvec_host::isa::{Report, Row, Source};
-use unitvec_host::vulkan::{DeviceChoice, Inspector, Instance};
+use unitvec_catalogue::{Operation, find_format};
+use unitvec_choose::costs::{Report, Row, Source};
+use unitvec_lab::isa::radv::Radv;
+use unitvec_run::glsl::{Compiler, ENTRY_POINT};
+use unitvec_vulkan::{DeviceChoice, Inspector, Instance};
 
 /// Names the file that [`compile`] writes to.
 const OUTPUT: &str = "UNITVEC_DITHERED_COSTS";
@@ -46,7 +46,7 @@ fn compile() {
     });
     let device = inspector.device().info().clone();
     let report = Report { device, sources: sources(), rows: rows.collect() };
-    unitvec_host::output::write_file(Path::new(&output), report.to_json().as_bytes()).unwrap();
+    unitvec_files::write_file(Path::new(&output), report.to_json().as_bytes()).unwrap();
 }
 
 fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Operation, key: &str) -> Row {
@@ -59,7 +59,7 @@ fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Opera
     let module = compiler.compile("kernels/dithered.comp", KERNEL, &macros).unwrap();
     let statistics = inspector.statistics(&module, ENTRY_POINT).unwrap();
     let device = &inspector.device().info().name;
-    Row::new(&row_id(codec, key), operation, Source::Glsl, None, &statistics, device)
+    unitvec_lab::isa::row(&row_id(codec, key), operation, Source::Glsl, None, &statistics, device)
 }
 
 /// Each function is compiled again, and costs what is recorded.
@@ -88,6 +88,6 @@ fn dithered_functions_cost_what_is_recorded() {
 #[ignore = "`cargo xtask costs` runs it"]
 fn renew() {
     let report = compiled().unwrap();
-    unitvec_host::output::write_file(&path(), report.to_json().as_bytes()).unwrap();
+    unitvec_files::write_file(&path(), report.to_json().as_bytes()).unwrap();
     println!("{}: written, of {}", path().display(), report.subject());
 }

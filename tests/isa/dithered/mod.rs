@@ -1,7 +1,7 @@
 //! What RADV's compiler makes of the dithered functions for RDNA 2: `docs/data/dither_costs.json`, which docs/dither.md shows.
 //!
 //! The modules that ship have no kernels of dithered functions. These are of the GLSL, in `kernel.comp`, by glslang. They
-//! have the form of the shipped kernels, whose costs are in `host/data/`, so that both can be compared.
+//! have the form of the shipped kernels, whose costs are in `host/choose/data/`, so that both can be compared.
 
 #[cfg(feature = "glsl")]
 mod compiled;
@@ -9,9 +9,9 @@ mod compiled;
 use super::RENEW;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use unitvec_host::glsl;
-use unitvec_host::isa::Report;
-use unitvec_host::manifest::sha256_hex;
+use unitvec_choose::costs::Report;
+use unitvec_manifest::sha256_hex;
+use unitvec_run::glsl;
 use unitvec_tests::repository;
 
 /// The codecs that stand for the others.

@@ -8,10 +8,10 @@ use crate::{Result, job, slang_to_spirv, told};
 use serde::Serialize;
 use std::path::Path;
 use std::sync::Arc;
-use unitvec_host::catalogue::Operation;
-use unitvec_host::shader::kernel::ENTRY_POINT;
-use unitvec_host::shader::{Edition, Language, compile};
-use unitvec_host::vulkan::{DeviceChoice, Inspector, Instance};
+use unitvec_catalogue::Operation;
+use unitvec_run::shader::kernel::ENTRY_POINT;
+use unitvec_run::shader::{Edition, Language, compile};
+use unitvec_vulkan::{DeviceChoice, Inspector, Instance};
 
 /// The codecs that stand for the others.
 pub const CODECS: [&str; 8] =

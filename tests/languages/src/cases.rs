@@ -3,9 +3,9 @@
 use crate::{Result, told};
 use std::collections::HashMap;
 use std::sync::Arc;
-use unitvec_host::catalogue::{Domain, Format, Operation};
-use unitvec_host::sampling;
-use unitvec_host::shader::kernel;
+use unitvec_catalogue::{Domain, Format, Operation};
+use unitvec_run::sampling;
+use unitvec_run::shader::kernel;
 
 /// Random elements, and random codes, of each codec.
 pub const RANDOM: usize = 1 << 16;
@@ -119,7 +119,7 @@ fn codes_of(format: &Format) -> Arc<[u32]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_host::catalogue::find_format;
+    use unitvec_catalogue::find_format;
 
     #[test]
     fn words_come_back_from_stored_codes() {

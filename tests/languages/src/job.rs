@@ -2,7 +2,7 @@
 
 use crate::cases::Case;
 use crate::{Result, told, whole};
-use unitvec_host::shader::{Edition, Language, kernel, text};
+use unitvec_run::shader::{Edition, Language, kernel, text};
 
 /// A text to compile, and the case that it is for.
 pub struct Job<'a> {

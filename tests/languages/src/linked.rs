@@ -2,10 +2,10 @@
 
 use crate::cases::Case;
 use crate::job::Job;
-use unitvec_host::catalogue::{Element, Operation};
-use unitvec_host::link::stubs;
-use unitvec_host::shader::Language;
-use unitvec_host::shader::kernel::{code_words, kernel};
+use unitvec_catalogue::{Element, Operation};
+use unitvec_link::stubs;
+use unitvec_run::shader::Language;
+use unitvec_run::shader::kernel::{code_words, kernel};
 
 /// Whole shaders that call stubs, one of each case.
 pub fn jobs(cases: &[Case], language: Language) -> Vec<Job<'_>> {

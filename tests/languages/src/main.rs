@@ -26,11 +26,11 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 use tally::Tally;
-use unitvec_host::catalogue::{find_format, formats};
-use unitvec_host::conform::widest_of_each_series;
-use unitvec_host::link;
-use unitvec_host::shader::{Edition, Language};
-use unitvec_host::vulkan::DeviceChoice;
+use unitvec_catalogue::{find_format, formats};
+use unitvec_link as link;
+use unitvec_run::conform::widest_of_each_series;
+use unitvec_run::shader::{Edition, Language};
+use unitvec_vulkan::DeviceChoice;
 use vulkan::Vulkan;
 
 /// A result with what went wrong in words.

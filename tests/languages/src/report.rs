@@ -5,9 +5,9 @@ use crate::tally::Tally;
 use crate::{Result, told};
 use serde::Serialize;
 use std::path::Path;
-use unitvec_host::imprecise::Outcome;
-use unitvec_host::output::write_file;
-use unitvec_host::shader::{Edition, Language};
+use unitvec_files::write_file;
+use unitvec_lab::imprecise::Outcome;
+use unitvec_run::shader::{Edition, Language};
 
 /// A compiler and a driver.
 pub struct Subject {

@@ -3,8 +3,8 @@
 use crate::cases::{Case, RANDOM, stored};
 use crate::{Result, told};
 use unitvec::direction::{MAX_NORM, MIN_NORM};
-use unitvec_host::catalogue::{Format, Operation};
-use unitvec_host::imprecise::{Outcome, error_bounds, of_codes, of_elements};
+use unitvec_catalogue::{Format, Operation};
+use unitvec_lab::imprecise::{Outcome, error_bounds, of_codes, of_elements};
 
 /// What came of all cases.
 #[derive(Default)]
@@ -161,7 +161,7 @@ fn decoded(format: Format, code: &[u32]) -> Result<Vec<f32>> {
 mod tests {
     use super::*;
     use crate::cases::cases;
-    use unitvec_host::catalogue::find_format;
+    use unitvec_catalogue::find_format;
 
     fn tally_of(id: &str, operation: Operation, change: impl FnOnce(&mut Vec<u32>)) -> Tally {
         let cases = cases(&[find_format(id).unwrap()]).unwrap();

@@ -3,8 +3,8 @@
 use crate::cases::{COUNT, Case};
 use crate::{Result, told};
 use std::sync::Arc;
-use unitvec_host::shader::kernel::ENTRY_POINT;
-use unitvec_host::vulkan::{Device, DeviceChoice, Instance, Runner};
+use unitvec_run::shader::kernel::ENTRY_POINT;
+use unitvec_vulkan::{Device, DeviceChoice, Instance, Runner};
 
 /// A device that runs kernels.
 pub struct Vulkan {
@@ -31,7 +31,7 @@ impl Vulkan {
             let (input, output) = (bytemuck::cast_slice(&case.input), bytemuck::cast_slice_mut(&mut output));
             self.runner.run(&kernel, COUNT, input, output)
         };
-        run().map_err(|error: unitvec_host::vulkan::Error| error.to_string())?;
+        run().map_err(|error: unitvec_vulkan::Error| error.to_string())?;
         Ok(output)
     }
 }

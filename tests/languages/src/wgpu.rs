@@ -4,8 +4,8 @@ use crate::cases::{COUNT, Case};
 use crate::job::Job;
 use crate::tally::Tally;
 use crate::{Result, told};
-use unitvec_host::shader::kernel::ENTRY_POINT;
-use unitvec_host::vulkan::{GROUP, WORKGROUP};
+use unitvec_run::shader::kernel::ENTRY_POINT;
+use unitvec_vulkan::{GROUP, WORKGROUP};
 use wgpu::{
     BindGroupDescriptor, BindGroupEntry, Buffer, BufferDescriptor, BufferUsages, ComputePipeline,
     ComputePipelineDescriptor, Device, ErrorFilter, Instance, InstanceDescriptor, MapMode, PollType, Queue,

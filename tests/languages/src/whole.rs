@@ -3,9 +3,9 @@
 use crate::{Result, told};
 use std::fs;
 use std::path::PathBuf;
-use unitvec_host::catalogue::{Element, Format, Operation, formats};
-use unitvec_host::shader::kernel::code_words;
-use unitvec_host::shader::{Edition, Language, library};
+use unitvec_catalogue::{Element, Format, Operation, formats};
+use unitvec_run::shader::kernel::code_words;
+use unitvec_run::shader::{Edition, Language, library};
 
 /// The file that includes the others.
 const ALL: &str = "unitvec.glsl";

@@ -3,7 +3,7 @@
 
 use sha2::{Digest, Sha256};
 
-#[path = "../../../host/src/sampling/special.rs"]
+#[path = "../../../host/run/src/sampling/special.rs"]
 mod special;
 
 pub use special::{special_frames, special_vectors};

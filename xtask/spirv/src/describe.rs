@@ -1,13 +1,14 @@
 //! The manifest's words about kernels, modules and tables.
 
 use crate::kernel::Kernel;
-use unitvec_host::catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
-use unitvec_host::link::{LIBRARY, Signature};
-use unitvec_host::manifest::{
-    self, Binding, Codec, Constant, EntryPoint, Interface, Library, Module, PushConstant, Role,
+use unitvec_catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
+use unitvec_link::{LIBRARY, Signature};
+use unitvec_manifest as manifest;
+use unitvec_manifest::{
+    Binding, Codec, Constant, EntryPoint, Interface, Library, Module, PushConstant, Role,
     SpecializationConstant, Table,
 };
-use unitvec_host::vulkan::{GROUP, WORKGROUP};
+use unitvec_vulkan::{GROUP, WORKGROUP};
 
 /// All kernels' buffers.
 const STORAGE_BUFFER: &str = "VK_DESCRIPTOR_TYPE_STORAGE_BUFFER";

@@ -1,8 +1,8 @@
 //! What a kernel is, by the name that rust-gpu gives its entry point.
 
 use anyhow::{Context, Result};
-use unitvec_host::catalogue::{Format, Operation, formats};
-use unitvec_host::manifest::DECODE_BY_TABLE;
+use unitvec_catalogue::{Format, Operation, formats};
+use unitvec_manifest::DECODE_BY_TABLE;
 
 /// Stands for a codec in the names of the kernels that measure what the others do besides encoding or decoding.
 const BASELINE: &str = "baseline";

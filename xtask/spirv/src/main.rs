@@ -1,5 +1,5 @@
 //! `cargo xtask spirv [--check | --example]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with rust-gpu, and
-//! the modules of the renderer from `host/render-shaders`. `--render` leaves the former out.
+//! the modules of the renderer from `host/render/shaders`. `--render` leaves the former out.
 
 mod compile;
 mod describe;
@@ -15,10 +15,10 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
-use unitvec_host::catalogue::{Operation, best_fit_table, formats};
-use unitvec_host::link;
-use unitvec_host::manifest::{self, Manifest};
-use unitvec_host::output;
+use unitvec_catalogue::{Operation, best_fit_table, formats};
+use unitvec_link as link;
+use unitvec_manifest as manifest;
+use unitvec_manifest::Manifest;
 
 fn main() -> ExitCode {
     match run() {
@@ -184,7 +184,7 @@ fn replace(repository: &Path, folder: &str, files: &BTreeMap<String, Vec<u8>>) -
         if let Some(parent) = path.parent() {
             fs::create_dir_all(parent).with_context(|| format!("creating {}", parent.display()))?;
         }
-        output::write_file(&path, content)?;
+        unitvec_files::write_file(&path, content)?;
     }
     let path = repository.join(folder);
     for name in files_in(&path)?.into_iter().filter(|name| !files.contains_key(name)) {

@@ -1,4 +1,4 @@
-//! The renderer's modules, from `host/render-shaders/rust`.
+//! The renderer's modules, from `host/render/shaders/rust`.
 
 use crate::compile::Compiler;
 use crate::passes;
@@ -6,19 +6,18 @@ use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use unitvec_host::catalogue::formats;
-use unitvec_host::manifest::render_sources_sha256;
-use unitvec_host::render::shaders::SOURCES;
+use unitvec_catalogue::formats;
+use unitvec_manifest::{RENDER_SOURCES, render_sources_sha256};
 
 /// Where they lie.
-pub const FOLDER: &str = "host/render-shaders/spirv";
+pub const FOLDER: &str = "host/render/shaders/spirv";
 
 /// The shaders of a module, in their order; also the features of the crate.
 const PASSES: [&str; 3] = ["vertex", "gbuffer", "light"];
 
 /// Names in [`FOLDER`] and contents of its files.
 pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
-    let compiler = Compiler::install(repository.join("host/render-shaders/rust"))?;
+    let compiler = Compiler::install(repository.join("host/render/shaders/rust"))?;
     let mut modules: BTreeMap<String, Vec<(String, Vec<u32>)>> = BTreeMap::new();
     for pass in PASSES {
         for (name, words) in compiler.named(pass)? {
@@ -36,6 +35,6 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         Ok((format!("{id}.spv"), words.iter().flat_map(|word| word.to_le_bytes()).collect()))
     });
     let mut files = finished.collect::<Result<BTreeMap<_, Vec<u8>>>>()?;
-    files.insert(SOURCES.to_owned(), (render_sources_sha256(repository)? + "\n").into_bytes());
+    files.insert(RENDER_SOURCES.to_owned(), (render_sources_sha256(repository)? + "\n").into_bytes());
     Ok(files)
 }

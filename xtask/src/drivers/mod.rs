@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// Where Vulkan's loader looks for drivers' files.
-const FOLDERS: &str = include_str!("../../../host/data/icd_folders.txt");
+const FOLDERS: &str = include_str!("../../../host/lab/data/icd_folders.txt");
 
 /// The files of drivers that browsers bring along.
 const OF_BROWSERS: [&str; 2] =

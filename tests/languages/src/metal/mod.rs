@@ -9,8 +9,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fs, thread};
-use unitvec_host::shader::kernel::metal_name;
-use unitvec_host::shader::{Edition, Language};
+use unitvec_run::shader::kernel::metal_name;
+use unitvec_run::shader::{Edition, Language};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/metal");
 

@@ -6,7 +6,7 @@ use rspirv::binary::Assemble;
 use rspirv::dr::{Block, Function, Instruction, Module, Operand};
 use rspirv::spirv::{Capability, Decoration, FunctionControl, LinkageType, Op, StorageClass, Word};
 use std::collections::{BTreeMap, HashMap};
-use unitvec_host::link::{Signature, Type};
+use unitvec_link::{Signature, Type};
 
 /// Makes a function of the entry point of a module that has one, with one block that returns. It is not yet exported, so that
 /// equal functions make equal modules.
@@ -353,7 +353,7 @@ mod tests {
     use super::*;
     use spirv_tools::assembler::{self, Assembler, AssemblerOptions};
     use spirv_tools::val::{self, Validator};
-    use unitvec_host::catalogue::{Operation, find_format};
+    use unitvec_catalogue::{Operation, find_format};
 
     /// A vertex shader that reads a code of two words, and writes a vector %8 and another, %9, with these lines at its end.
     fn entry_point(end: &str) -> Module {

@@ -22,7 +22,7 @@ use rspirv::dr::Module;
 use spirv_tools::opt::{Optimizer, Passes};
 use spirv_tools::val::Validator;
 use spirv_tools::{TargetEnv, opt, val};
-use unitvec_host::link::Signature;
+use unitvec_link::Signature;
 
 const ENVIRONMENT: TargetEnv = TargetEnv::Vulkan_1_1;
 

@@ -1,0 +1,64 @@
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A result with this crate's [`Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// A file that cannot be read or written. Each message is one line that names the file and the remedy.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The reader of the standard output, or of another pipe, has gone away: no fault, and nothing more to do.
+    #[error("the output was closed by its reader")]
+    ReaderGone,
+    /// Binary output would go to a terminal.
+    #[error("the output is binary and would go to the terminal; name a file instead, or redirect: > FILE")]
+    Terminal,
+    /// A file or pipe cannot be read.
+    #[error("cannot read {}: {source}; check that it exists and may be read", .path.display())]
+    Read {
+        /// Its path.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
+    /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
+    #[error("cannot write {}: {source}; {}", .path.display(), remedy(source))]
+    Write {
+        /// Its path.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
+}
+
+impl Error {
+    /// The error of reading `path`.
+    pub fn reading(path: &Path, source: io::Error) -> Self {
+        Self::Read { path: path.to_owned(), source }
+    }
+
+    /// The error of writing to `path`, `-` being the standard output.
+    pub fn writing(path: &Path, source: io::Error) -> Self {
+        if source.kind() == io::ErrorKind::BrokenPipe {
+            return Self::ReaderGone;
+        }
+        let path = if path == Path::new("-") { Path::new("the standard output") } else { path };
+        Self::Write { path: path.to_owned(), source }
+    }
+
+    /// True where the command line is at fault.
+    pub fn is_usage(&self) -> bool {
+        matches!(self, Self::Terminal)
+    }
+}
+
+/// Says what to do about a file or folder that cannot be written.
+fn remedy(source: &io::Error) -> &'static str {
+    match source.kind() {
+        io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
+            "a file stands where a folder has to be: name another path, or move the file away"
+        }
+        io::ErrorKind::IsADirectory => "a folder has this name: name another path, or move the folder away",
+        _ => "check that its folder exists, may be written to and has room",
+    }
+}

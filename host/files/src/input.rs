@@ -1,0 +1,55 @@
+//! Files read within bounds.
+
+use crate::{Error, Result};
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Opens a file, or the standard input for `-`. Returns its length where it is a file.
+///
+/// # Errors
+/// Those of opening, and one for a folder.
+pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
+    if path == Path::new("-") {
+        return Ok((Box::new(io::stdin().lock()), None));
+    }
+    let file = File::open(path)?;
+    let metadata = file.metadata()?;
+    if metadata.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
+}
+
+/// Reads the whole of a file, or of the standard input for `-`, that is small if it is what it should be, such as a report
+/// of costs.
+///
+/// # Errors
+/// [`Error::Read`], also if there are more than 64 MiB.
+pub fn read_small(path: &Path) -> Result<Vec<u8>> {
+    const MOST: usize = 1 << 26;
+    let read = || {
+        let mut bytes = Vec::new();
+        open(path)?.0.take(MOST as u64 + 1).read_to_end(&mut bytes)?;
+        match bytes.len() > MOST {
+            true => Err(io::Error::other(format!("it has more than {MOST} bytes"))),
+            false => Ok(bytes),
+        }
+    };
+    read().map_err(|source| Error::reading(path, source))
+}
+
+/// Reads a file up to this length. A device or a pipe is refused: it might never end, or never begin.
+///
+/// # Errors
+/// Those of reading.
+pub fn read_start(file: &Path, length: u64) -> io::Result<Vec<u8>> {
+    let metadata = file.metadata()?;
+    if !metadata.is_file() {
+        return Err(io::Error::other("it is no file"));
+    }
+    let mut bytes = Vec::new();
+    bytes.try_reserve_exact(usize::try_from(length.min(metadata.len())).unwrap_or(usize::MAX))?;
+    File::open(file)?.take(length).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}

@@ -1,0 +1,16 @@
+//! Files of the program `unitvec`: inputs read within bounds, outputs that exist whole or not at all, and other people's text
+//! quoted in messages of one line.
+
+#![deny(unsafe_code)]
+
+mod error;
+mod folder;
+mod input;
+mod output;
+mod text;
+
+pub use error::{Error, Result};
+pub use folder::Folder;
+pub use input::{open, read_small, read_start};
+pub use output::{Output, forget, is_same_file, remember, remove_unfinished, write_file};
+pub use text::one_line;

@@ -1,0 +1,224 @@
+//! Output files that exist whole or not at all.
+
+use crate::{Error, Result};
+use std::fs::OpenOptions;
+#[cfg(unix)]
+use std::fs::{File, Metadata};
+use std::io::{self, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+use tempfile::NamedTempFile;
+
+/// Names that temporary files and folders were given; those of finished ones are gone.
+static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
+/// that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
+/// directly. Another name of the standard output, such as `/dev/stdout`, is as `-`. A link stays, and the file that it leads to
+/// is replaced.
+pub struct Output {
+    path: PathBuf,
+    target: PathBuf,
+    to: Destination,
+    is_stdout: bool,
+    is_terminal: bool,
+}
+
+enum Destination {
+    Temporary(NamedTempFile),
+    Direct(Box<dyn Write>),
+}
+
+impl Output {
+    /// Starts a file that will be `path`.
+    ///
+    /// # Errors
+    /// [`Error::Write`] if its folder cannot be written to.
+    pub fn create(path: &Path) -> Result<Self> {
+        let error = |source| Error::writing(path, source);
+        let is_stdout = is_stdout(path);
+        let target = target(path).map_err(error)?;
+        let (to, is_terminal) = open(&target, is_stdout).map_err(error)?;
+        Ok(Self { path: path.to_owned(), target, to, is_stdout, is_terminal })
+    }
+
+    /// As [`create`](Self::create), for binary data: a terminal would show noise, and might obey it.
+    ///
+    /// # Errors
+    /// As [`create`](Self::create), and [`Error::Terminal`].
+    pub fn create_binary(path: &Path) -> Result<Self> {
+        let output = Self::create(path)?;
+        if output.is_terminal {
+            return Err(Error::Terminal);
+        }
+        Ok(output)
+    }
+
+    /// True where it is the standard output, by whatever name.
+    pub fn is_stdout(&self) -> bool {
+        self.is_stdout
+    }
+
+    /// The path it will have.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Flushes the file and gives it its name, replacing any file that had it.
+    ///
+    /// # Errors
+    /// [`Error::Write`]; the file that had the name is still there then.
+    pub fn finish(mut self) -> Result<()> {
+        let path = self.path.clone();
+        let result = match self.to {
+            Destination::Temporary(ref mut file) => file.as_file().sync_all(),
+            Destination::Direct(ref mut writer) => writer.flush(),
+        };
+        let renamed = match (result, self.to) {
+            (Ok(()), Destination::Temporary(file)) => {
+                file.persist(&self.target).map(drop).map_err(|error| error.error)
+            }
+            (result, _) => result,
+        };
+        renamed.map_err(|source| Error::writing(&path, source))
+    }
+}
+
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match &mut self.to {
+            Destination::Temporary(file) => file.write(bytes),
+            Destination::Direct(writer) => writer.write(bytes),
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match &mut self.to {
+            Destination::Temporary(file) => file.flush(),
+            Destination::Direct(writer) => writer.flush(),
+        }
+    }
+}
+
+/// The path to write to. A link stays one: what it points to is replaced. That has to be there, since a file that nobody named
+/// would come to be in an unknown place.
+fn target(path: &Path) -> io::Result<PathBuf> {
+    if path.is_symlink() && path.metadata().is_err() {
+        return Err(io::Error::other("it is a link to nothing"));
+    }
+    Ok(path.canonicalize().unwrap_or_else(|_| path.to_owned()))
+}
+
+/// True where both paths are there and lead to one file, by links of any kind.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    let identities = [a, b].map(identity);
+    identities[0].is_some() && identities[0] == identities[1]
+}
+
+#[cfg(unix)]
+fn identity(path: &Path) -> Option<(u64, u64)> {
+    path.metadata().ok().map(|metadata| identity_of(&metadata))
+}
+
+#[cfg(unix)]
+fn identity_of(metadata: &Metadata) -> (u64, u64) {
+    use std::os::unix::fs::MetadataExt;
+    (metadata.dev(), metadata.ino())
+}
+
+#[cfg(not(unix))]
+fn identity(path: &Path) -> Option<PathBuf> {
+    path.canonicalize().ok()
+}
+
+/// True for `-` and, where that can be told, for what the standard output is open to.
+fn is_stdout(path: &Path) -> bool {
+    path == Path::new("-") || is_open_as_stdout(path)
+}
+
+#[cfg(unix)]
+fn is_open_as_stdout(path: &Path) -> bool {
+    use std::os::fd::AsFd;
+    let stdout = io::stdout().as_fd().try_clone_to_owned().and_then(|fd| File::from(fd).metadata());
+    stdout.is_ok_and(|stdout| identity(path) == Some(identity_of(&stdout)))
+}
+
+#[cfg(not(unix))]
+fn is_open_as_stdout(_: &Path) -> bool {
+    false
+}
+
+/// Where to write, and whether it is a terminal.
+fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
+    if is_stdout {
+        let stdout = io::stdout().lock();
+        let is_terminal = stdout.is_terminal();
+        return Ok((Destination::Direct(Box::new(stdout)), is_terminal));
+    }
+    let is_special = path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
+    if is_special {
+        let file = OpenOptions::new().write(true).open(path)?;
+        let is_terminal = file.is_terminal();
+        return Ok((Destination::Direct(Box::new(file)), is_terminal));
+    }
+    if path.is_dir() {
+        return Err(io::ErrorKind::IsADirectory.into());
+    }
+    let folder = match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    };
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".unitvec-");
+    match path.metadata() {
+        Ok(existing) => {
+            // Rename would replace a file that must not be written to.
+            OpenOptions::new().append(true).open(path)?;
+            builder.permissions(existing.permissions());
+        }
+        Err(_) => plain_permissions(&mut builder),
+    }
+    // Held until the file is listed, so that an interrupt in between leaves none behind.
+    let mut temporary = TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner);
+    // The error's own text names the temporary file.
+    let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+    temporary.push(file.path().to_owned());
+    Ok((Destination::Temporary(file), false))
+}
+
+/// Takes in a temporary folder, for [`remove_unfinished`].
+pub fn remember(folder: &Path) {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).push(folder.to_owned());
+}
+
+/// Leaves a folder alone from here on.
+pub fn forget(folder: &Path) {
+    TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| path != folder);
+}
+
+/// Removes the temporary files and folders of all unfinished outputs: for a program that is interrupted, in which nothing is
+/// dropped.
+pub fn remove_unfinished() {
+    for path in TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+        // Those that were finished or dropped are no more; of others there is nobody left to tell.
+        let _ = if path.is_dir() { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) };
+    }
+}
+
+/// Read and write for all, less the umask: what a plain new file gets. Temporary files are private otherwise.
+fn plain_permissions(builder: &mut tempfile::Builder<'_, '_>) {
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    #[cfg(not(unix))]
+    let _ = builder;
+}
+
+/// Writes a whole small file, as [`Output`] does.
+///
+/// # Errors
+/// [`Error::Write`].
+pub fn write_file(path: &Path, content: &[u8]) -> Result<()> {
+    let mut output = Output::create(path)?;
+    output.write_all(content).map_err(|source| Error::writing(path, source))?;
+    output.finish()
+}

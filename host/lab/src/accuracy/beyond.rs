@@ -1,0 +1,135 @@
+//! What no published table has: our own families, other codecs, and tangent frames.
+
+use super::{Published, Row, Table, meyer};
+use crate::Result;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding, FRAMES, FrameInfo};
+use unitvec_run::backend::{Backend, round_trip};
+use unitvec_run::measure::measure;
+use unitvec_run::measure::{ElementErrors, ErrorStats};
+use unitvec_run::sampling;
+
+/// The codecs that neither the survey's tables nor Meyer's have.
+pub fn codecs() -> impl Iterator<Item = &'static CodecInfo> {
+    let survey: Vec<Published> = [Table::One, Table::Three].into_iter().flat_map(Table::published).collect();
+    CATALOGUE.iter().filter(move |codec| {
+        let mut methods = meyer::METHODS.iter();
+        let is_meyers = meyer::WIDTHS.contains(&codec.bits)
+            && methods.any(|method| method.codec(codec.bits).is_some_and(|other| other.id == codec.id));
+        !is_meyers && survey.iter().all(|row| row.name != codec.survey_name)
+    })
+}
+
+/// The codecs of frames.
+pub fn frames() -> impl Iterator<Item = &'static FrameInfo> {
+    FRAMES.iter()
+}
+
+/// The least mean and the least maximum, of different rows perhaps, that the survey's table 1 has for this many bits.
+fn best_published(bits: u32) -> Option<(f64, f64)> {
+    let rows = Table::One.published().into_iter().filter(|row| row.bits == bits);
+    rows.map(|row| (row.mean_error_deg, row.max_error_deg))
+        .reduce(|(mean, max), (other_mean, other_max)| (mean.min(other_mean), max.min(other_max)))
+}
+
+/// Measures a codec: mean over `count` random directions, maximum by search as for Meyer's table. Published are the
+/// least mean and the least maximum of the survey's table 1 with as many bits.
+///
+/// # Errors
+/// What the backend meets.
+pub fn measure_row(
+    backend: &mut dyn Backend,
+    codec: &'static CodecInfo,
+    count: usize,
+    seed: u64,
+) -> Result<Row> {
+    let errors = measure(backend, codec, codec.domain, count, seed)?;
+    let (worst, _) = meyer::worst_error(backend, codec, seed)?;
+    let max_deg = errors.max_deg().max(worst);
+    Ok(Row::new("beyond", "best of table 1", codec, &errors, max_deg, best_published(codec.bits).unzip()))
+}
+
+/// Errors published for a 32-bit frame, fast oct22 and diamond of 9 bits, over a mesh: mean and maximum of the normal,
+/// then of the tangent.
+const PUBLISHED_FRAME: [(f64, f64); 2] = [(0.0272, 0.1136), (0.1691, 0.4485)];
+
+/// Measures a codec of frames over `count` random ones: a row for the normals and one for the tangents.
+///
+/// # Errors
+/// What the backend meets.
+pub fn measure_frame(
+    backend: &mut dyn Backend,
+    codec: &'static FrameInfo,
+    count: usize,
+    seed: u64,
+) -> Result<[Row; 2]> {
+    let mut errors = ElementErrors::default();
+    let frames = sampling::random_frames(seed);
+    round_trip(backend, codec.format(), frames, count, |frame, decoded| errors.add(&frame, &decoded))?;
+    let row = |part: &str, errors: &ErrorStats, published: (f64, f64)| {
+        let published = (codec.bits == 32).then_some(published);
+        Row {
+            table: "frames",
+            id: codec.id,
+            survey_name: part.to_owned(),
+            bits: codec.bits,
+            mean_deg: errors.mean_deg(),
+            max_deg: errors.max_deg(),
+            mean_standard_error_deg: errors.standard_error_deg(),
+            survey_mean_deg: published.map(|(mean, _)| mean),
+            survey_max_deg: published.map(|(_, max)| max),
+            bound_mean_deg: None,
+            bound_max_deg: None,
+            float64_mean_deg: None,
+            float64_max_deg: None,
+            wasted_bits: None,
+        }
+    };
+    let [normal, tangent] = PUBLISHED_FRAME;
+    Ok([row("normal", &errors.normal, normal), row("tangent", &errors.tangent, tangent)])
+}
+
+/// Of the rows measured, the codec of this many bits that has a lower maximum than any row of the survey's table 1, as
+/// published and as measured here, and a mean no higher, to three standard errors. Of several, that of the least mean.
+/// The rows have to hold both tables, or else there is none.
+pub fn beats_the_survey(rows: &[Row], bits: u32) -> Option<&Row> {
+    let survey: Vec<&Row> = rows.iter().filter(|row| row.table == "1" && row.bits == bits).collect();
+    let published = Table::One.published().into_iter().filter(|row| row.bits == bits);
+    let published: Vec<Published> = published.collect();
+    if survey.len() < published.len() {
+        return None;
+    }
+    let beats = |row: &&Row| {
+        let slack = |other: f64| 3.0 * row.mean_standard_error_deg.hypot(other);
+        survey.iter().all(|other| {
+            row.max_deg < other.max_deg
+                && row.mean_deg <= other.mean_deg + slack(other.mean_standard_error_deg)
+        }) && published.iter().all(|other| {
+            row.max_deg < other.max_error_deg
+                && row.mean_deg <= other.mean_error_deg + slack(row.mean_standard_error_deg)
+        })
+    };
+    let candidates = rows.iter().filter(|row| row.table == "beyond" && row.bits == bits).filter(beats);
+    candidates.min_by(|a, b| a.mean_deg.total_cmp(&b.mean_deg))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn our_families_are_there() {
+        for family in ["eaoct", "fib", "ico", "soct"] {
+            let count = |codecs: &mut dyn Iterator<Item = &'static CodecInfo>| {
+                codecs.filter(|codec| codec.family == family).count()
+            };
+            assert_eq!(count(&mut codecs()), count(&mut CATALOGUE.iter()), "{family}");
+        }
+        assert!(codecs().all(|codec| !["oct16", "hemioct16", "float16x3", "pp48"].contains(&codec.id)));
+    }
+
+    #[test]
+    fn the_survey_has_its_best_with_16_bits_in_latlong() {
+        assert_eq!(best_published(16), Some((0.30351, 0.56178)));
+        assert_eq!(best_published(17), None);
+    }
+}

@@ -1,0 +1,192 @@
+//! Table 1 of Meyer et al. 2010 (*On Floating-Point Normal Vectors*): error bounds, and the largest errors found.
+
+use crate::Result;
+use glam::{DVec3, Vec3};
+use rand::{Rng, SeedableRng};
+use rand_pcg::Pcg64Mcg;
+use std::f64::consts::{PI, SQRT_2};
+use unitvec::angle_deg;
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding, Domain};
+use unitvec_run::backend::{Backend, round_trip};
+use unitvec_run::sampling;
+
+/// A method of Meyer's table.
+#[derive(Clone, Copy, Debug)]
+pub struct Method {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// Bound of the error in radians at a number of bits, to first order.
+    pub bound: fn(f64) -> f64,
+    /// The family of codecs that implement it: identifiers are this, the bits, and the suffix.
+    family: &'static str,
+    suffix: &'static str,
+}
+
+/// Widths of the table.
+pub const WIDTHS: [u32; 4] = [16, 24, 32, 48];
+
+/// The methods, in the table's order, with the bounds of its second row.
+///
+/// FPNV, three floats, stands twice. The table's formula has cells of 2 2^(-b/3), which is fixed point with b / 3 bits;
+/// its figure for 48 bits, 4.60e-4, is that of eq. 3, sqrt(2) / 3 2^-m, with the m = 10 bits of a half float.
+///
+/// The bounds take a coordinate's bits to be any number, whole or not. Where PP's b - 1 or SPP's and CM's b - 3 bits are
+/// odd, one coordinate has sqrt(2) times the bound's step and the other 1 / sqrt(2) times, and the error of both is
+/// sqrt(5) / 2 times the bound, or the square root of that for PP. SC stores an angle less than it could: ours stays
+/// well below. At 48 bits the decoded vector's own rounding to f32 (5.6e-8 radians) comes on top, and PP and SPP cannot
+/// be told from their neighbours' codes by an f32 input: see their module's docs.
+pub const METHODS: [Method; 8] = [
+    Method {
+        name: "FPNV",
+        bound: |b| 32f64.sqrt() / 3.0 * (b / 6.0).exp2() * scale(b),
+        family: "fpnv",
+        suffix: "",
+    },
+    Method { name: "FPNV_half", bound: |_| SQRT_2 / 3.0 * 2f64.powi(-10), family: "float", suffix: "" },
+    Method { name: "PP", bound: |b| (1.0 + b / 4.0).exp2() * scale(b), family: "pp", suffix: "" },
+    Method { name: "SPP", bound: |b| 2.0 * 6f64.sqrt() * scale(b), family: "spp", suffix: "" },
+    Method { name: "SC", bound: |b| 2.0 * PI * scale(b), family: "spherical", suffix: "" },
+    Method { name: "CM", bound: |b| 4.0 * scale(b), family: "cube", suffix: "" },
+    Method { name: "ONV_domain", bound: |b| 3.0 * SQRT_2 * scale(b), family: "oct", suffix: "" },
+    Method { name: "ONV_range", bound: |b| 2.0 * SQRT_2 * scale(b), family: "oct", suffix: "p" },
+];
+
+fn scale(bits: f64) -> f64 {
+    (-bits / 2.0).exp2()
+}
+
+impl Method {
+    /// The codec that implements the method at this width, if the catalogue has one.
+    pub fn codec(&self, bits: u32) -> Option<&'static CodecInfo> {
+        let id = match self.name {
+            "FPNV" | "FPNV_half" if bits == 48 => "float16x3".to_owned(),
+            _ => format!("{}{bits}{}", self.family, self.suffix),
+        };
+        CATALOGUE.iter().find(|codec| codec.id == id)
+    }
+}
+
+/// Random directions of the first step.
+const RANDOM: usize = 500_000;
+/// Directions around each known worst place.
+const AROUND: usize = 20_000;
+/// Directions that the second step starts from.
+const STARTS: usize = 64;
+/// Neighbours of each that a round of the second step tries.
+const NEIGHBOURS: usize = 64;
+/// Rounds of the second step; each halves the distance of the neighbours every fourth round.
+const ROUNDS: i32 = 40;
+
+/// The largest error found, in degrees, and the direction that has it.
+///
+/// First random directions and those within a few cells of the places where a mapping is stretched most: octant middles,
+/// axes, face and edge middles of the cube, the equator. Then the worst are moved about, by steps from two cells down.
+///
+/// # Errors
+/// What the backend meets.
+pub fn worst_error(
+    backend: &mut dyn Backend,
+    codec: &'static CodecInfo,
+    seed: u64,
+) -> Result<(f64, [f32; 3])> {
+    let mut random = Pcg64Mcg::seed_from_u64(seed);
+    // Side of a cell if all were equal.
+    let cell = (4.0 * PI / 2f64.powi(codec.bits as i32)).sqrt();
+    let mut first: Vec<[f32; 3]> = sampling::random_directions(codec.domain, seed).take(RANDOM).collect();
+    for place in known_places(&mut random) {
+        let reach = (4.0 * cell).min(1.0);
+        first.extend((0..AROUND).map(|_| moved(place, reach, codec.domain, &mut random)));
+    }
+    let mut best = errors(backend, codec, &first)?;
+    keep_worst(&mut best);
+    for round in 0..ROUNDS {
+        let reach = 2.0 * cell * 0.5f64.powi(round / 4);
+        let neighbours: Vec<[f32; 3]> = best
+            .iter()
+            .flat_map(|(_, v)| std::iter::repeat_n(*v, NEIGHBOURS))
+            .map(|v| moved(v, reach, codec.domain, &mut random))
+            .collect();
+        best.extend(errors(backend, codec, &neighbours)?);
+        keep_worst(&mut best);
+    }
+    Ok(best[0])
+}
+
+/// Octant middles, axes, edge middles, and some of the equator.
+fn known_places(random: &mut impl Rng) -> Vec<[f32; 3]> {
+    let mut places = Vec::new();
+    for n in 0..27 {
+        let place = [n % 3, n / 3 % 3, n / 9].map(|c| c as f32 - 1.0);
+        if place != [0.0; 3] {
+            places.push(place);
+        }
+    }
+    places.extend((0..8).map(|_| {
+        let angle: f64 = random.random_range(0.0..2.0 * PI);
+        [angle.cos() as f32, angle.sin() as f32, 0.0]
+    }));
+    places
+}
+
+/// A direction up to about `reach` radians from `v`, in the domain.
+fn moved(v: [f32; 3], reach: f64, domain: Domain, random: &mut impl Rng) -> [f32; 3] {
+    let v = Vec3::from(v).as_dvec3();
+    let by = DVec3::from_array(std::array::from_fn(|_| random.random_range(-reach..reach)));
+    let w = v / v.length() + by;
+    let [x, y, z] = (w / w.length()).as_vec3().to_array();
+    if domain == Domain::Hemisphere { [x, y, z.abs()] } else { [x, y, z] }
+}
+
+fn errors(
+    backend: &mut dyn Backend,
+    codec: &'static CodecInfo,
+    vectors: &[[f32; 3]],
+) -> Result<Vec<(f64, [f32; 3])>> {
+    let mut errors = Vec::with_capacity(vectors.len());
+    round_trip(backend, codec.format(), vectors.iter().copied(), vectors.len(), |v, decoded| {
+        errors.push((angle_deg(v, decoded), v));
+    })?;
+    Ok(errors)
+}
+
+fn keep_worst(errors: &mut Vec<(f64, [f32; 3])>) {
+    errors.sort_by(|a, b| b.0.total_cmp(&a.0));
+    errors.truncate(STARTS);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use unitvec_run::backend::Cpu;
+
+    /// The third row of the table, worked out by Meyer et al. for 48 bits.
+    #[test]
+    fn bounds_at_48_bits_are_the_published_ones() {
+        let published = [
+            None,
+            Some(4.60e-4),
+            Some(4.88e-4),
+            Some(2.92e-7),
+            Some(3.74e-7),
+            Some(2.38e-7),
+            Some(2.53e-7),
+            Some(1.69e-7),
+        ];
+        for (method, published) in METHODS.iter().zip(published) {
+            if let Some(published) = published {
+                let ratio = (method.bound)(48.0) / published;
+                assert!((ratio - 1.0).abs() < 3e-3, "{}: {ratio}", method.name);
+            }
+        }
+    }
+
+    /// Where the bound is tight, in the octant's middle, the search comes to within 0.5 % of it, and not above.
+    #[test]
+    fn the_search_finds_the_worst_place_of_oct16p() {
+        let method = METHODS.iter().find(|method| method.name == "ONV_range").unwrap();
+        let (found, _) = worst_error(&mut Cpu, method.codec(16).unwrap(), 1).unwrap();
+        // Meyer's cell is 2 2^(-b/2); ours, 1 / 127, is a little larger.
+        let bound = (method.bound)(16.0).to_degrees() * 128.0 / 127.0;
+        assert!(found > 0.995 * bound && found < bound, "{found} of {bound}");
+    }
+}

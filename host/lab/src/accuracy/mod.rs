@@ -1,0 +1,225 @@
+//! The survey's error tables, measured again beside the published figures and the bound that no code can beat.
+
+pub mod beyond;
+pub mod chart;
+pub mod meyer;
+
+use crate::Result;
+use serde::{Deserialize, Serialize};
+use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain};
+use unitvec_oracle::survey;
+use unitvec_run::backend::Backend;
+use unitvec_run::measure::{ErrorStats, measure};
+use unitvec_run::sampling;
+
+/// A table of the survey (Cigolle et al. 2014).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Table {
+    /// Table 1: all representations, over the sphere.
+    One,
+    /// Table 3: hemi-oct and its rivals, over the hemisphere z >= 0.
+    Three,
+}
+
+impl Table {
+    /// The table's name in reports.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::One => "1",
+            Self::Three => "3",
+        }
+    }
+
+    /// The directions its errors are measured over.
+    pub fn domain(self) -> Domain {
+        match self {
+            Self::One => Domain::Sphere,
+            Self::Three => Domain::Hemisphere,
+        }
+    }
+
+    /// Its rows as published, in the survey's order: by decreasing maximum error.
+    pub fn published(self) -> Vec<Published> {
+        let text = match self {
+            Self::One => survey::TABLE_1,
+            Self::Three => survey::TABLE_3,
+        };
+        // The files are part of the program, and a test reads them whole.
+        csv::Reader::from_reader(text.as_bytes()).deserialize().filter_map(|row| row.ok()).collect()
+    }
+}
+
+/// A row of the survey's tables 1 and 3.
+#[derive(Clone, Debug, PartialEq, Deserialize)]
+pub struct Published {
+    /// The survey's name of the representation.
+    pub name: String,
+    /// Bits.
+    pub bits: u32,
+    /// Mean error, degrees.
+    pub mean_error_deg: f64,
+    /// Maximum error, degrees.
+    pub max_error_deg: f64,
+}
+
+impl Published {
+    /// The codec of this row, if it is in the catalogue.
+    pub fn codec(&self) -> Option<&'static CodecInfo> {
+        CATALOGUE.iter().find(|codec| codec.survey_name == self.name)
+    }
+}
+
+/// A row measured.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Table it belongs to.
+    pub table: &'static str,
+    /// Codec identifier.
+    pub id: &'static str,
+    /// The published name.
+    pub survey_name: String,
+    /// Bits.
+    pub bits: u32,
+    /// Mean error, degrees.
+    pub mean_deg: f64,
+    /// Maximum error, degrees.
+    pub max_deg: f64,
+    /// The published mean error, degrees; Meyer et al. give none.
+    pub survey_mean_deg: Option<f64>,
+    /// The published maximum error, degrees; Meyer's bound; none at bits that nothing is published for.
+    pub survey_max_deg: Option<f64>,
+    /// Mean error of the hexagonal covering bound with as many codes, degrees; none for frames.
+    pub bound_mean_deg: Option<f64>,
+    /// Maximum error of that bound, degrees.
+    pub bound_max_deg: Option<f64>,
+    /// Mean error with float64 intermediates, degrees, where that was asked for.
+    pub float64_mean_deg: Option<f64>,
+    /// Maximum error with float64 intermediates, degrees, where that was asked for.
+    pub float64_max_deg: Option<f64>,
+    /// Bits wasted: with so many fewer the bound has this mean error.
+    pub wasted_bits: Option<f64>,
+    /// Standard error of the mean, degrees.
+    pub mean_standard_error_deg: f64,
+}
+
+/// Mean and maximum error in degrees that no code of `bits` bits for the domain can beat.
+///
+/// In the plane the best covering is hexagonal: each code takes a hexagon of area A = (area of the domain) / 2^bits,
+/// whose corners are R = sqrt(2 A / (3 sqrt 3)) from its middle and whose points are R (1/3 + ln 3 / 4) away on
+/// average. On the sphere hexagons alone do not close, so the bound is approached and not reached.
+pub fn covering_bound_deg(bits: u32, domain: Domain) -> (f64, f64) {
+    let area = match domain {
+        Domain::Sphere => 4.0,
+        Domain::Hemisphere => 2.0,
+    } * std::f64::consts::PI;
+    let cell = area / 2f64.powi(bits as i32);
+    let radius = (2.0 * cell / (3.0 * 3f64.sqrt())).sqrt();
+    let mean = radius * (1.0 / 3.0 + 3f64.ln() / 4.0);
+    (mean.to_degrees(), radius.to_degrees())
+}
+
+/// The survey's second measurement: like [`measure`], with float64 from the f32 input to the angle. The derivation is the
+/// one that the tests hold the codecs against, and shares no code with them. `None` for a codec that it does not have.
+pub fn measure_float64(codec: &CodecInfo, domain: Domain, count: usize, seed: u64) -> Option<(f64, f64)> {
+    let round_trip = unitvec_oracle::round_trip(codec.id)?;
+    let (mut sum, mut max) = (0.0, 0.0f64);
+    for vector in sampling::random_directions(domain, seed).take(count) {
+        let vector = vector.map(f64::from);
+        let error = unitvec_oracle::angle_deg(vector, round_trip(vector));
+        sum += error;
+        max = max.max(error);
+    }
+    Some((sum / count.max(1) as f64, max))
+}
+
+/// Measures a row of a table.
+///
+/// # Errors
+/// What the backend meets.
+pub fn measure_row(
+    backend: &mut dyn Backend,
+    table: Table,
+    published: &Published,
+    codec: &'static CodecInfo,
+    count: usize,
+    seed: u64,
+) -> Result<Row> {
+    let errors = measure(backend, codec, table.domain(), count, seed)?;
+    let published_errors = (Some(published.mean_error_deg), Some(published.max_error_deg));
+    Ok(Row::new(table.name(), &published.name, codec, &errors, errors.max_deg(), published_errors))
+}
+
+/// Measures a row of Meyer's table: mean over `count` random directions, maximum by search.
+///
+/// # Errors
+/// What the backend meets.
+pub fn measure_meyer_row(
+    backend: &mut dyn Backend,
+    method: &meyer::Method,
+    codec: &'static CodecInfo,
+    count: usize,
+    seed: u64,
+) -> Result<Row> {
+    let errors = measure(backend, codec, codec.domain, count, seed)?;
+    let (worst, _) = meyer::worst_error(backend, codec, seed)?;
+    let bound = (method.bound)(f64::from(codec.bits)).to_degrees();
+    let max_deg = errors.max_deg().max(worst);
+    Ok(Row::new("meyer", method.name, codec, &errors, max_deg, (None, Some(bound))))
+}
+
+impl Row {
+    fn new(
+        table: &'static str,
+        name: &str,
+        codec: &CodecInfo,
+        errors: &ErrorStats,
+        max_deg: f64,
+        (survey_mean_deg, survey_max_deg): (Option<f64>, Option<f64>),
+    ) -> Self {
+        let mean_deg = errors.mean_deg();
+        let (bound_mean_deg, bound_max_deg) = covering_bound_deg(codec.bits, codec.domain);
+        Self {
+            table,
+            id: codec.id,
+            survey_name: name.to_owned(),
+            bits: codec.bits,
+            mean_deg,
+            max_deg,
+            mean_standard_error_deg: errors.standard_error_deg(),
+            survey_mean_deg,
+            survey_max_deg,
+            bound_mean_deg: Some(bound_mean_deg),
+            bound_max_deg: Some(bound_max_deg),
+            float64_mean_deg: None,
+            float64_max_deg: None,
+            // The bound's errors go as 2^(-bits / 2).
+            wasted_bits: Some(2.0 * (mean_deg / bound_mean_deg).log2()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The figures of the bound at 16, 24 and 32 bits, worked out by hand.
+    #[test]
+    fn the_bound_at_the_usual_widths() {
+        for (bits, mean, max) in
+            [(16, 0.29926, 0.49222), (24, 0.018704, 0.030764), (32, 0.0011690, 0.0019228)]
+        {
+            let (bound_mean, bound_max) = covering_bound_deg(bits, Domain::Sphere);
+            assert!((bound_mean / mean - 1.0).abs() < 5e-5, "{bound_mean}");
+            assert!((bound_max / max - 1.0).abs() < 5e-5, "{bound_max}");
+        }
+    }
+
+    /// All rows are read: 75 and 10.
+    #[test]
+    fn the_published_tables_are_whole() {
+        assert_eq!(Table::One.published().len(), 75);
+        assert_eq!(Table::Three.published().len(), 10);
+        let first = &Table::One.published()[0];
+        assert_eq!((first.name.as_str(), first.bits, first.max_error_deg), ("CrytekBFN24", 24, 4.7826));
+    }
+}

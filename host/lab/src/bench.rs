@@ -1,0 +1,367 @@
+//! What encoding and decoding cost on a device: arithmetic after the survey's method, and how close to memory speed the
+//! shipped kernels run.
+
+use crate::Result;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+use std::sync::Arc;
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::{CATALOGUE, Coding, Domain, Element, Format, Operation};
+use unitvec_choose::REFERENCE;
+use unitvec_manifest::modules::Modules;
+use unitvec_oracle::survey;
+use unitvec_run::backend::{BackendKind, KernelSource, decode_table};
+use unitvec_run::{glsl, sampling};
+use unitvec_vulkan as vulkan;
+use unitvec_vulkan::{Device, DeviceInfo, Kernel, Runner, Table};
+
+/// Times that a cost kernel encodes or decodes each vector, as the survey did (section 4.2).
+const REPETITIONS: u32 = 100;
+
+/// How much to measure.
+pub struct Options {
+    /// Vectors of a dispatch.
+    pub count: usize,
+    /// Dispatches of each cost kernel.
+    pub samples: usize,
+    /// Dispatches of each shipped kernel.
+    pub throughput_samples: usize,
+}
+
+/// All that was measured.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// Device.
+    pub device: DeviceInfo,
+    /// Vectors of a dispatch.
+    pub count: usize,
+    /// Times that cost kernels encode or decode each of them.
+    pub repetitions: u32,
+    /// One row a codec, operation and backend; decoding by table besides.
+    pub rows: Vec<Row>,
+}
+
+/// What was measured of one kernel.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// Codec.
+    pub id: &'static str,
+    /// Its bits.
+    pub bits: u32,
+    /// What the kernel does.
+    pub operation: Operation,
+    /// What it was compiled from.
+    pub backend: BackendKind,
+    /// True of the kernel that looks two-byte codes up in a table of their vectors: throughput alone.
+    pub by_table: bool,
+    /// Nanoseconds of arithmetic a vector, less the baseline's: the median over the dispatches.
+    pub alu_ns_per_vector: Option<f64>,
+    /// The largest less the smallest of them.
+    pub alu_spread_ns: Option<f64>,
+    /// Their ratio to those of `oct32`, of the same operation and backend, measured beside it: the median.
+    pub alu_ratio_to_oct32: Option<f64>,
+    /// For SPIR-V from Rust, their ratio to those of SPIR-V from GLSL, measured beside it: the median.
+    pub alu_ratio_to_glsl: Option<f64>,
+    /// Vectors that the shipped kernel takes in a second: of the median over the dispatches.
+    pub vectors_per_s: f64,
+    /// Bytes that it reads and writes in a second.
+    pub bytes_per_s: f64,
+    /// Bytes that a kernel which copies as many reads and writes in a second.
+    pub copy_bytes_per_s: f64,
+    /// The survey's figure, of a GeForce GTX 680.
+    pub survey_ns_per_vector: Option<f64>,
+}
+
+/// A row of the survey's table 2.
+#[derive(Deserialize)]
+struct Published {
+    name: String,
+    gpu_encode_ns_per_vector: f64,
+    gpu_decode_ns_per_vector: f64,
+}
+
+/// The survey's figure for a codec, in nanoseconds.
+pub fn survey_ns(id: &str, operation: Operation) -> Option<f64> {
+    let name = CATALOGUE.iter().find(|codec| codec.id == id)?.survey_name;
+    let mut rows = csv::Reader::from_reader(survey::TABLE_2.as_bytes());
+    let row = rows.deserialize::<Published>().filter_map(|row| row.ok()).find(|row| row.name == name)?;
+    Some(match operation {
+        Operation::Encode => row.gpu_encode_ns_per_vector,
+        Operation::Decode => row.gpu_decode_ns_per_vector,
+    })
+}
+
+/// Measures on one device.
+pub struct Bench {
+    runner: Runner,
+    sources: [KernelSource; 2],
+    compiler: glsl::Compiler,
+    best_fit_table: Table,
+    baselines: HashMap<(Operation, BackendKind), Kernel>,
+    /// Those of [`REFERENCE`].
+    references: HashMap<(Operation, BackendKind), Kernel>,
+    options: Options,
+    vectors: Vec<[f32; 3]>,
+    codes: Vec<u64>,
+}
+
+impl Bench {
+    /// Prepares to measure.
+    ///
+    /// # Errors
+    /// [`vulkan::Error::MissingFeature`] for a device without timestamps; what the kernels meet.
+    pub fn new(device: &Arc<Device>, modules: Modules, options: Options) -> Result<Self> {
+        let mut runner = Runner::new(device, options.count, false)?;
+        let best_fit_table = runner.table(bytemuck::cast_slice(catalogue::best_fit_table()))?;
+        let mut bench = Self {
+            runner,
+            sources: [KernelSource::Rust(modules), KernelSource::Glsl(glsl::Compiler::new()?)],
+            compiler: glsl::Compiler::new()?,
+            best_fit_table,
+            baselines: HashMap::new(),
+            references: HashMap::new(),
+            vectors: sampling::random_directions(Domain::Sphere, 1).take(options.count).collect(),
+            codes: sampling::random_codes(1).take(options.count).collect(),
+            options,
+        };
+        for operation in Operation::ALL {
+            for (backend, source) in BACKENDS.into_iter().zip(&bench.sources) {
+                let name = format!("baseline_{operation}_cost");
+                let compile = |compiler: &glsl::Compiler| compiler.baseline_kernel(operation);
+                let baseline = source.load(&bench.runner, &name, None, compile)?;
+                bench.baselines.insert((operation, backend), baseline);
+                let reference = bench.cost_kernel(source, catalogue::find(REFERENCE)?.format(), operation)?;
+                bench.references.insert((operation, backend), reference);
+            }
+        }
+        Ok(bench)
+    }
+
+    /// The rows measured, with what they were measured on.
+    pub fn report(&self, rows: Vec<Row>) -> Report {
+        let device = self.runner.device().info().clone();
+        Report { device, count: self.options.count, repetitions: REPETITIONS, rows }
+    }
+
+    /// Measures both operations of a codec.
+    ///
+    /// # Errors
+    /// What the kernels meet.
+    pub fn measure(&mut self, format: Format) -> Result<Vec<Row>> {
+        let mut rows = Vec::new();
+        for operation in Operation::ALL {
+            let [rust, glsl] = self.cost(format, operation)?;
+            let speeds = self.throughput(format, operation)?;
+            let traffic = (format.element.bytes() + format.bytes) as f64;
+            for (backend, by_table, vectors_per_s) in speeds.kernels {
+                let costs = if backend == BackendKind::Rust { &rust } else { &glsl };
+                let costs = (!by_table).then_some(costs);
+                let to_glsl = || ratio(&rust.codec, &glsl.codec);
+                rows.push(Row {
+                    id: format.id,
+                    bits: format.bits,
+                    operation,
+                    backend,
+                    by_table,
+                    alu_ns_per_vector: costs.map(|costs| median(costs.codec.clone())),
+                    alu_spread_ns: costs.map(|costs| spread(&costs.codec)),
+                    alu_ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
+                    alu_ratio_to_glsl: (backend == BackendKind::Rust && !by_table).then(to_glsl),
+                    vectors_per_s,
+                    bytes_per_s: vectors_per_s * traffic,
+                    copy_bytes_per_s: speeds.copy * traffic,
+                    survey_ns_per_vector: survey_ns(format.id, operation),
+                });
+            }
+        }
+        Ok(rows)
+    }
+
+    fn cost_kernel(&self, source: &KernelSource, format: Format, operation: Operation) -> Result<Kernel> {
+        let table = self.table_of(format, operation);
+        let compile = |compiler: &glsl::Compiler| compiler.cost_kernel(format, operation);
+        let name = format!("{}_cost", format.function(operation));
+        Ok(source.load(&self.runner, &name, table, compile)?)
+    }
+
+    fn table_of(&self, format: Format, operation: Operation) -> Option<&Table> {
+        (operation == Operation::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
+    }
+
+    /// Costs of the kernels from Rust and from GLSL.
+    fn cost(&mut self, format: Format, operation: Operation) -> Result<[Costs; 2]> {
+        let [rust, glsl] = &self.sources;
+        let rust = self.cost_kernel(rust, format, operation)?;
+        let glsl = self.cost_kernel(glsl, format, operation)?;
+        let input: Vec<u8> = match operation {
+            Operation::Encode => bytemuck::cast_slice(&self.vectors).to_vec(),
+            Operation::Decode => {
+                let words = |code: &u64| [*code as u32, (*code >> 32) as u32, 0];
+                let words: Vec<[u32; 3]> = self.codes.iter().map(words).collect();
+                bytemuck::cast_slice(&words).to_vec()
+            }
+        };
+        let [of_rust, of_glsl] = BACKENDS.map(|backend| (operation, backend));
+        // What is compared is side by side.
+        let kernels = [
+            &self.baselines[&of_rust],
+            &self.references[&of_rust],
+            &rust,
+            &glsl,
+            &self.references[&of_glsl],
+            &self.baselines[&of_glsl],
+        ];
+        let (runner, count) = (&mut self.runner, self.options.count);
+        let mut sums = vec![0; count * 4];
+        let mut time = |kernel: &Kernel, repetitions| -> Result<f64> {
+            let ns = runner.run_cost(kernel, count, repetitions, &input, &mut sums)?;
+            Ok(ns.ok_or_else(|| no_timestamps(runner))? / count as f64 / f64::from(REPETITIONS))
+        };
+        // Drivers compile at the first dispatch.
+        for kernel in kernels {
+            time(kernel, 4)?;
+        }
+        let mut costs = [Costs::default(), Costs::default()];
+        for sample in 0..self.options.samples {
+            let mut times = [0.0; 6];
+            for i in alternating(sample, kernels.len()) {
+                times[i] = time(kernels[i], REPETITIONS)?;
+            }
+            let [rust_baseline, rust_reference, rust, glsl, glsl_reference, glsl_baseline] = times;
+            costs[0].add(rust - rust_baseline, rust_reference - rust_baseline);
+            costs[1].add(glsl - glsl_baseline, glsl_reference - glsl_baseline);
+        }
+        Ok(costs)
+    }
+
+    /// Vectors a second of the shipped kernels and of one that copies.
+    fn throughput(&mut self, format: Format, operation: Operation) -> Result<Speeds> {
+        let count = self.options.count;
+        let copy = self.compiler.copy_kernel(format, operation)?;
+        let table = self.table_of(format, operation).cloned();
+        let kernel = |source: &KernelSource, runner| source.kernel(runner, format, operation, table.as_ref());
+        let [rust, glsl] = &self.sources;
+        let mut kernels = vec![
+            (None, self.runner.kernel(&copy, glsl::ENTRY_POINT, None)?),
+            (Some((BackendKind::Rust, false)), kernel(rust, &self.runner)?),
+            (Some((BackendKind::Glsl, false)), kernel(glsl, &self.runner)?),
+        ];
+        let codec = CATALOGUE.iter().find(|codec| codec.id == format.id && codec.bytes == 2);
+        if let (Some(codec), Operation::Decode) = (codec, operation) {
+            let table = self.runner.table(bytemuck::cast_slice(&decode_table(codec)?))?;
+            let kernel = rust.decode_by_table(&self.runner, &table)?;
+            kernels.push((Some((BackendKind::Rust, true)), kernel));
+        }
+
+        let (element, code) = (count * format.element.bytes(), count * format.bytes);
+        let (input, mut output) = match operation {
+            Operation::Encode => (self.elements(format.element), vec![0; code]),
+            Operation::Decode => (sampling::stored(&self.codes, format.bytes), vec![0; element]),
+        };
+        let mut times = vec![Vec::new(); kernels.len()];
+        for sample in 0..=self.options.throughput_samples {
+            for i in alternating(sample, kernels.len()) {
+                let ns = self.runner.run(&kernels[i].1, count, &input, &mut output)?;
+                let ns = ns.ok_or_else(|| no_timestamps(&self.runner))?;
+                // Drivers compile at the first dispatch.
+                if sample > 0 {
+                    times[i].push(ns);
+                }
+            }
+        }
+        let mut speeds = Speeds { copy: 0.0, kernels: Vec::new() };
+        for ((kind, _), times) in kernels.iter().zip(times) {
+            let vectors_per_s = count as f64 / (median(times) * 1e-9);
+            match kind {
+                Some((backend, by_table)) => speeds.kernels.push((*backend, *by_table, vectors_per_s)),
+                None => speeds.copy = vectors_per_s,
+            }
+        }
+        Ok(speeds)
+    }
+
+    fn elements(&self, element: Element) -> Vec<u8> {
+        match element {
+            Element::Vector => bytemuck::cast_slice(&self.vectors).to_vec(),
+            Element::Frame => {
+                let frames: Vec<f32> =
+                    sampling::random_frames(1).take(self.options.count).flatten().collect();
+                bytemuck::cast_slice(&frames).to_vec()
+            }
+        }
+    }
+}
+
+/// Nanoseconds a vector of each dispatch, less those of a dispatch of the baseline beside it.
+#[derive(Default)]
+struct Costs {
+    codec: Vec<f64>,
+    /// Of [`REFERENCE`], beside it.
+    reference: Vec<f64>,
+}
+
+impl Costs {
+    fn add(&mut self, codec: f64, reference: f64) {
+        self.codec.push(codec);
+        self.reference.push(reference);
+    }
+}
+
+/// Vectors a second.
+struct Speeds {
+    copy: f64,
+    /// Of each kernel: its backend, and whether it decodes by table.
+    kernels: Vec<(BackendKind, bool, f64)>,
+}
+
+/// What is measured, in the order of a [`Bench`]'s sources.
+const BACKENDS: [BackendKind; 2] = [BackendKind::Rust, BackendKind::Glsl];
+
+/// 0 to n - 1, backwards every other time: so a device that slows down or speeds up does so for all alike.
+fn alternating(sample: usize, n: usize) -> impl Iterator<Item = usize> {
+    (0..n).map(move |i| if sample & 1 == 0 { i } else { n - 1 - i })
+}
+
+fn no_timestamps(runner: &Runner) -> vulkan::Error {
+    let device = runner.device().info().name.clone();
+    vulkan::Error::MissingFeature { device, feature: "timestamps on its compute queue" }
+}
+
+/// The middle one, or the mean of the two in the middle.
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    match times.len() {
+        0 => f64::NAN,
+        n => (times[(n - 1) / 2] + times[n / 2]) / 2.0,
+    }
+}
+
+/// The median of the ratios of times that were taken side by side.
+fn ratio(times: &[f64], others: &[f64]) -> f64 {
+    median(times.iter().zip(others).map(|(time, other)| time / other).collect())
+}
+
+fn spread(times: &[f64]) -> f64 {
+    let (least, most) =
+        times.iter().fold((f64::INFINITY, 0.0f64), |(least, most), time| (least.min(*time), most.max(*time)));
+    most - least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The survey's 17 rows are read and belong to codecs of the catalogue.
+    #[test]
+    fn the_published_table_is_whole() {
+        let known = CATALOGUE.iter().filter(|codec| survey_ns(codec.id, Operation::Decode).is_some()).count();
+        assert_eq!(known, 17);
+        assert_eq!(survey_ns("oct32", Operation::Encode), Some(0.023160));
+    }
+
+    #[test]
+    fn medians_of_odd_and_even_numbers() {
+        assert_eq!(median(vec![3.0, 1.0, 2.0]), 2.0);
+        assert_eq!(median(vec![4.0, 1.0, 2.0, 3.0]), 2.5);
+    }
+}

@@ -1,0 +1,35 @@
+use crate::isa::radv;
+use unitvec_catalogue::UnknownCodec;
+use unitvec_manifest::modules;
+use unitvec_run::glsl;
+
+/// A result with this crate's [`Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// An error of a measurement. Each message is one line that names the thing and the remedy.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A backend failed.
+    #[error(transparent)]
+    Run(#[from] unitvec_run::Error),
+    /// Recorded costs cannot be read.
+    #[error(transparent)]
+    Choose(#[from] unitvec_choose::Error),
+    /// RADV cannot compile for a GPU.
+    #[error(transparent)]
+    Radv(#[from] radv::Error),
+    /// There are no kernels to run on imprecise devices.
+    #[error("no kernels to rewrite: give some source of kernels")]
+    NoKernels,
+}
+
+macro_rules! run_errors {
+    ($($error:ty),*) => {$(
+        impl From<$error> for Error {
+            fn from(error: $error) -> Self {
+                Self::Run(error.into())
+            }
+        }
+    )*};
+}
+run_errors!(UnknownCodec, unitvec::slice::LengthMismatch, unitvec_vulkan::Error, modules::Error, glsl::Error);

@@ -1,0 +1,209 @@
+//! By how much the results of devices may differ from the CPU's: limits counted from the operations that lead to them.
+//!
+//! The unit is 2^-23. A quotient's relative error is at most 2.5 on the device and 0.5 on the CPU. A square root's error is
+//! that of `1 / inversesqrt(x)`: at most `s^2 + 2.5` ULP for a significand s from 1 to 2, which is 3.5 of the root, and 0.5
+//! on the CPU. An arc function of [`unitvec::arith`] is off by at most 1.7e-7 on either, which is 1.5 each. So a number is
+//! off by `3 q + 4 r + 3 a` where q quotients, r roots and a arc functions lead to it, none of them steeper than 1 in its
+//! argument, and by 1 more for the sums and products after them, which round other numbers.
+//!
+//! That is a limit to hold results against, not a proof: slopes are mostly far below 1, and that is what pays for the
+//! roundings of a long way.
+
+use super::{Model, Outcome, error_bounds};
+use std::f64::consts::PI;
+use unitvec_catalogue::{Format, find, find_frame};
+
+/// 2^-23: a ULP of the numbers from 1 to 2.
+const UNIT: f64 = 1.0 / 8_388_608.0;
+
+/// How many quotients, square roots and arc functions lead to the result whose way is longest. Those of constants count as
+/// well: a device may compute them.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    quotients: u32,
+    roots: u32,
+    arcs: u32,
+}
+
+impl Way {
+    const fn new(quotients: u32, roots: u32, arcs: u32) -> Self {
+        Self { quotients, roots, arcs }
+    }
+
+    /// The error where it ends, in [`UNIT`]s.
+    fn error(self) -> f64 {
+        let counted = 3 * self.quotients + 4 * self.roots + 3 * self.arcs;
+        if counted == 0 { 0.0 } else { f64::from(counted + 1) }
+    }
+}
+
+/// From what an encoder's bound follows.
+#[derive(Clone, Copy, Debug)]
+enum Encoder {
+    /// The way to a coordinate, in whose unit there are half as many steps as codes in a row of the square of all codes.
+    Way(Way),
+    /// As [`Way`](Self::Way), but the coordinate is a sum of two floats, of which only the second has the error.
+    TwoFloats(Way),
+    /// Parts of a step by which a coordinate may be off on either side.
+    Steps(f64),
+    /// The way to the distance of a code. Of codes in nearly the same direction, which one is nearest depends on the last bit:
+    /// there is no bound of how many differ.
+    Choice(Way),
+}
+
+/// From what a decoder's bound follows.
+#[derive(Clone, Copy, Debug)]
+enum Decoder {
+    /// The vector is exact but for a factor, which is the inverse of its length.
+    Scaled,
+    /// The way to a coordinate whose unit is up to half a turn.
+    Way(Way),
+}
+
+/// What a codec's results may be off by.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    encoder: Encoder,
+    decoder: Decoder,
+    bits: u32,
+    error_bound_deg: f64,
+    /// True where codes come back from any two devices.
+    pub is_stable: bool,
+}
+
+impl Bounds {
+    /// Those of a codec.
+    pub fn of(format: Format) -> Self {
+        let family = find(format.id).map_or("frame", |codec| codec.family);
+        let (encoder, decoder) = derivation(family);
+        let [normal, tangent] = error_bounds(format);
+        Self {
+            encoder,
+            decoder,
+            bits: format.bits,
+            error_bound_deg: normal.min(tangent),
+            is_stable: find(format.id).is_ok_and(|codec| codec.stable_across_devices)
+                || find_frame(format.id).is_some(),
+        }
+    }
+
+    /// The most codes of `elements` random elements that may differ. `None` where there is no bound.
+    ///
+    /// A coordinate's code differs where the coordinate lies no farther from the border between two codes than it is off.
+    /// For two coordinates of m steps that is a part `4 m e` of all. Of so many on average, six standard deviations and six
+    /// more are never exceeded.
+    pub fn codes_differ(&self, elements: u64) -> Option<u64> {
+        let steps = 2f64.powi(self.bits as i32 / 2 - 1);
+        let off = match self.encoder {
+            Encoder::Way(way) => steps * way.error() * UNIT,
+            Encoder::TwoFloats(way) => steps * way.error() * UNIT * UNIT,
+            Encoder::Steps(part) => part,
+            Encoder::Choice(_) => return None,
+        };
+        let mean = 4.0 * off * elements as f64;
+        let most = if mean == 0.0 { 0.0 } else { mean + 6.0 * mean.sqrt() + 6.0 };
+        Some((most as u64).min(elements))
+    }
+
+    /// The largest difference of a component, in 2^-24, and the largest angle, in degrees.
+    pub fn decoded(&self) -> (f64, f64) {
+        // The components of two vectors are rounded, each by at most 2^-25.
+        let rounding = 3f64.sqrt() * UNIT / 2.0;
+        // The inverse of a length.
+        let factor = Way::new(1, 1, 0).error();
+        match self.decoder {
+            Decoder::Scaled => (2.0 * factor + 1.0, rounding.to_degrees()),
+            Decoder::Way(way) => {
+                let angle = PI * way.error() * UNIT;
+                (angle / UNIT * 2.0 + 2.0 * factor + 1.0, (angle + rounding).to_degrees())
+            }
+        }
+    }
+
+    /// What speaks against an outcome, in words.
+    pub(super) fn objections(&self, model: Model, elements: u64, outcome: &Outcome) -> Vec<String> {
+        // What truncation does is told, and not bounded: `unitvec conform` refuses such a device.
+        if !model.rounds_to_nearest() {
+            return Vec::new();
+        }
+        let mut objections = Vec::new();
+        let (mut codes, (mut component, mut angle)) = (self.codes_differ(elements), self.decoded());
+        if model.divides_exactly() {
+            (codes, component, angle) = (Some(0), 0.0, 0.0);
+            if outcome.elements_differ > 0 {
+                objections.push(format!("decoded elements that differ: {}", outcome.elements_differ));
+            }
+            if outcome.special_differ > 0 {
+                objections.push(format!("codes of special elements that differ: {}", outcome.special_differ));
+            }
+        }
+        if let Some(most) = codes.filter(|most| outcome.codes_differ > *most) {
+            objections.push(format!("codes that differ: {}, more than {most}", outcome.codes_differ));
+        }
+        if outcome.component_ulp > component {
+            objections
+                .push(format!("components differ by {} 2^-24, more than {component}", outcome.component_ulp));
+        }
+        if outcome.angle_deg > angle {
+            objections
+                .push(format!("vectors are {:.3e} degrees apart, more than {angle:.3e}", outcome.angle_deg));
+        }
+        if outcome.error > self.error_part() {
+            objections.push(format!("the error is {:.6} of the codec's bound", outcome.error));
+        }
+        objections
+    }
+
+    /// The largest error as a part of the codec's bound: a code that differs is as good as the CPU's, but for what the
+    /// coordinates are off, or what the distances of two candidates are misjudged by.
+    fn error_part(&self) -> f64 {
+        let off = match self.encoder {
+            Encoder::Way(way) | Encoder::TwoFloats(way) => PI * way.error(),
+            Encoder::Choice(way) => 2.0 * way.error(),
+            Encoder::Steps(_) => 0.0,
+        };
+        1.0 + off * UNIT / self.error_bound_deg.to_radians()
+    }
+}
+
+/// From what the bounds of a family follow.
+fn derivation(family: &str) -> (Encoder, Decoder) {
+    use Decoder::Scaled;
+    let exact = Way::new(0, 0, 0);
+    match family {
+        // m / norm.
+        "oct" | "hemioct" | "soct" => (Encoder::Way(Way::new(1, 0, 0)), Scaled),
+        // The reciprocal of the norm corrects what the first float of a coordinate lacks.
+        "oct_wide" => (Encoder::TwoFloats(Way::new(1, 0, 0)), Scaled),
+        // The length, r^2 by that, and r; the turn's way is shorter. Decoding: turn and 1 / m, and the distance from the axis.
+        "eaoct" => (Encoder::Way(Way::new(1, 2, 0)), Decoder::Way(Way::new(2, 1, 0))),
+        // The latitude of z and the distance from the axis. Decoding: 1 / m.
+        "spherical" => (Encoder::Way(Way::new(1, 1, 1)), Decoder::Way(Way::new(1, 0, 0))),
+        // Said in its docs: the arithmetic adds 1/16 of a step, on the CPU and on the device.
+        "spherical_wide" => (Encoder::Steps(0.125), Scaled),
+        // z by the length. Decoding: 1 / m, and the distance from the axis.
+        "cylindrical" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(1, 1, 0))),
+        // As `spherical`. Decoding: the place on the ring, and 1 / n.
+        "latlong" => (Encoder::Way(Way::new(1, 1, 1)), Decoder::Way(Way::new(2, 1, 0))),
+        // The reciprocal of the length, the area from the pole, the azimuth; the spacing of points, and their distance.
+        "fib" => (Encoder::Way(Way::new(4, 2, 1)), Decoder::Way(Way::new(0, 1, 0))),
+        // The reciprocal of the sum, that of the determinant, and 1 / n.
+        "ico" => (Encoder::Way(Way::new(3, 0, 0)), Decoder::Way(Way::new(2, 0, 0))),
+        // The parts of the longest component, the distance of each candidate. Decoding: the largest integer.
+        "best_fit" => (Encoder::Choice(Way::new(2, 1, 0)), Decoder::Way(Way::new(1, 0, 0))),
+        // The norm; length and its inverse; disk and square, each with a quotient or root, and an angle.
+        "azimuthal" => (Encoder::Way(Way::new(4, 3, 1)), Decoder::Way(Way::new(4, 2, 0))),
+        // The reciprocal of z and the scale; for angles the arc. Decoding: the scale.
+        "cube" => (Encoder::Way(Way::new(2, 0, 1)), Decoder::Way(Way::new(2, 0, 0))),
+        // The inverse of the length. Decoding: z, of what x and y leave, which is the same number on every device.
+        "parallel" | "xyonly" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(0, 1, 0))),
+        // Encoders do not divide.
+        "snorm" | "unorm" => (Encoder::Way(exact), Decoder::Way(Way::new(1, 0, 0))),
+        "float" => (Encoder::Way(exact), Decoder::Way(exact)),
+        // The normal's scale; basis, place on the diamond, and its warp. Decoding: the normal's length, basis, and that of
+        // the tangent.
+        "frame" => (Encoder::Way(Way::new(3, 1, 0)), Decoder::Way(Way::new(3, 2, 0))),
+        // Exact: a family that is missing here shows at once.
+        _ => (Encoder::Way(exact), Decoder::Way(exact)),
+    }
+}

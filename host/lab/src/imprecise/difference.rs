@@ -1,0 +1,68 @@
+//! How results differ from the CPU's.
+
+use super::{Outcome, error_bounds};
+use crate::Result;
+use unitvec::angle_deg;
+use unitvec_catalogue::{Element, Format};
+use unitvec_run::backend::{Backend, Cpu};
+
+/// The number of stored codes that differ from those expected, and the largest error of these, as a part of the codec's
+/// bound. Every element has to have a direction, or the error means nothing.
+///
+/// # Errors
+/// A wrong length.
+pub fn of_codes(format: Format, elements: &[f32], codes: &[u8], expected: &[u8]) -> Result<(u64, f64)> {
+    let pairs = codes.chunks_exact(format.bytes).zip(expected.chunks_exact(format.bytes));
+    let all = elements.chunks_exact(format.element.floats()).zip(pairs);
+    let (mut differ, mut different) = (Vec::new(), Vec::new());
+    for (element, (code, _)) in all.filter(|(_, (code, expected))| code != expected) {
+        differ.extend_from_slice(element);
+        different.extend_from_slice(code);
+    }
+    let mut decoded = vec![0.0; differ.len()];
+    Cpu.decode(format, &different, &mut decoded)?;
+    let bounds = error_bounds(format);
+    let errors = angles(format.element, &differ, &decoded);
+    let parts = errors.flat_map(|angles| [angles[0] / bounds[0], angles[1] / bounds[1]]);
+    Ok(((differ.len() / format.element.floats()) as u64, parts.fold(0.0, f64::max)))
+}
+
+/// How decoded elements differ from those expected: their number, components and angles.
+pub fn of_elements(format: Format, decoded: &[f32], expected: &[f32]) -> Outcome {
+    let floats = format.element.floats();
+    let differ = decoded.chunks_exact(floats).zip(expected.chunks_exact(floats));
+    let differ = differ.filter(|(decoded, expected)| bits_differ(decoded, expected)).count();
+    let differences = decoded.iter().zip(expected).map(|(a, b)| difference(*a, *b));
+    Outcome {
+        elements_differ: differ as u64,
+        component_ulp: differences.fold(0.0, f64::max) * f64::from(1 << 24),
+        angle_deg: angles(format.element, decoded, expected).flatten().fold(0.0, f64::max),
+        ..Outcome::default()
+    }
+}
+
+/// The difference of two numbers; infinite where one of them is NaN.
+fn difference(a: f32, b: f32) -> f64 {
+    let difference = (f64::from(a) - f64::from(b)).abs();
+    if difference.is_nan() { f64::INFINITY } else { difference }
+}
+
+pub(super) fn bits_differ(a: &[f32], b: &[f32]) -> bool {
+    a.iter().zip(b).any(|(a, b)| a.to_bits() != b.to_bits())
+}
+
+/// The angles between elements, degrees: of vectors, and 0; of normals, and of tangents.
+fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = [f64; 2]> + 'a {
+    let vector = |of: &[f32], at: usize| [of[at], of[at + 1], of[at + 2]];
+    let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
+    pairs.map(move |(a, b)| {
+        let angle = |at| if bits_differ(a, b) { angle_or_all(vector(a, at), vector(b, at)) } else { 0.0 };
+        [angle(0), if element == Element::Frame { angle(3) } else { 0.0 }]
+    })
+}
+
+/// The angle in degrees; 180 where there is none.
+fn angle_or_all(a: [f32; 3], b: [f32; 3]) -> f64 {
+    let angle = angle_deg(a, b);
+    if angle.is_nan() { 180.0 } else { angle }
+}

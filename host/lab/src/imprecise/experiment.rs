@@ -1,0 +1,189 @@
+//! What one codec does on devices of each model.
+
+use super::difference::{bits_differ, of_codes, of_elements};
+use super::{Model, Options, Outcome, Row, merged};
+use crate::{Error, Result};
+use std::collections::BTreeMap;
+use unitvec_catalogue::Format;
+use unitvec_run::backend::{Backend, BackendKind, CHUNK, Cpu, Gpu};
+use unitvec_run::sampling;
+
+/// Kernels on a device, by their source.
+pub type Gpus = BTreeMap<BackendKind, Gpu>;
+
+/// Runs one codec with all seeds.
+///
+/// # Errors
+/// What the devices meet.
+pub fn run(format: Format, options: &Options, gpus: &mut Gpus, progress: &mut dyn FnMut(u64)) -> Result<Row> {
+    let mut rows = BTreeMap::new();
+    let sources = gpus.len() as u64;
+    for (kind, gpu) in gpus {
+        let mut row = Row {
+            id: format.id.to_owned(),
+            elements: 0,
+            codes: 0,
+            models: options.models.iter().map(|model| (*model, Outcome::default())).collect(),
+            unstable: BTreeMap::new(),
+        };
+        for seed in &options.seeds {
+            let mut run = Run { format, options, seed: *seed, gpu, row: &mut row };
+            run.special_elements()?;
+            let random = sampling::random_elements(format.element, format.domain, *seed);
+            let floats = format.element.floats();
+            sampling::in_chunks(random, options.count * floats, CHUNK * floats, |elements| {
+                run.random_elements(elements)
+            })?;
+            let count = options.codes(format) as usize;
+            let codes: Box<dyn Iterator<Item = u64>> = if format.bits <= options.all_codes_up_to {
+                Box::new(0..)
+            } else {
+                Box::new(sampling::random_codes(*seed))
+            };
+            sampling::in_chunks(codes, count, CHUNK, |codes| run.codes(codes))?;
+            progress(options.work(format) / options.seeds.len() as u64 / sources);
+        }
+        gpu.forget_kernels();
+        rows.insert(*kind, row);
+    }
+    merged(rows).ok_or(Error::NoKernels)
+}
+
+/// One codec, seed and source of kernels.
+struct Run<'a> {
+    format: Format,
+    options: &'a Options,
+    seed: u64,
+    gpu: &'a mut Gpu,
+    row: &'a mut Row,
+}
+
+impl Run<'_> {
+    fn random_elements(&mut self, elements: &[f32]) -> Result<()> {
+        self.row.elements += (elements.len() / self.format.element.floats()) as u64;
+        let codes = self.encode_on_all(elements, |differ, error| Outcome {
+            codes_differ: differ,
+            error,
+            ..Outcome::default()
+        })?;
+        self.decode_on_all(&codes, false)
+    }
+
+    fn special_elements(&mut self) -> Result<()> {
+        let special = sampling::special_elements(self.format.element);
+        let outcome = |differ, _| Outcome { special_differ: differ, ..Outcome::default() };
+        self.encode_on_all(special, outcome).map(drop)
+    }
+
+    fn codes(&mut self, codes: &[u64]) -> Result<()> {
+        let codes = sampling::stored(codes, self.format.bytes);
+        // Where these are all codes, other seeds had the same.
+        let is_first = self.options.seeds.first() == Some(&self.seed);
+        self.decode_on_all(&codes, !is_first && self.format.bits <= self.options.all_codes_up_to)
+    }
+
+    /// Encodes elements on each device, and notes the number of codes that differ from the CPU's, which it returns, and
+    /// the largest error of these, as a part of the bound.
+    fn encode_on_all(&mut self, elements: &[f32], outcome: impl Fn(u64, f64) -> Outcome) -> Result<Vec<u8>> {
+        let format = self.format;
+        let mut expected = vec![0; elements.len() / format.element.floats() * format.bytes];
+        Cpu.encode(format, elements, &mut expected)?;
+        let mut codes = expected.clone();
+        for model in &self.options.models {
+            self.encode(Some(*model), elements, &mut codes)?;
+            let (differ, error) = of_codes(format, elements, &codes, &expected)?;
+            self.row.models.entry(*model).or_default().add(outcome(differ, error));
+        }
+        Ok(expected)
+    }
+
+    /// Decodes codes on each device, and encodes on each what each decoded. Of codes that another seed had, only what
+    /// depends on the seed.
+    fn decode_on_all(&mut self, codes: &[u8], are_repeated: bool) -> Result<()> {
+        let format = self.format;
+        self.row.codes += (codes.len() / format.bytes) as u64;
+        let floats = format.element.floats();
+        let mut expected = vec![0.0; codes.len() / format.bytes * floats];
+        Cpu.decode(format, codes, &mut expected)?;
+        let mut devices = vec![(None, expected.clone())];
+        for model in &self.options.models {
+            let mut decoded = vec![0.0; expected.len()];
+            self.decode(Some(*model), codes, &mut decoded)?;
+            self.row.models.entry(*model).or_default().add(of_elements(self.format, &decoded, &expected));
+            if model.rounds_to_nearest() {
+                devices.push((Some(*model), decoded));
+            }
+        }
+        self.stability(&devices, &expected, codes.len(), are_repeated)
+    }
+
+    /// Encodes on each device what each device decoded, and notes the codes that do not come back as `expected`. Codes that
+    /// do not come back from the CPU alone do not count.
+    fn stability(
+        &mut self,
+        devices: &[(Option<Model>, Vec<f32>)],
+        expected: &[f32],
+        bytes: usize,
+        are_repeated: bool,
+    ) -> Result<()> {
+        let floats = self.format.element.floats();
+        let mut codes = vec![0; bytes];
+        let mut again = vec![0.0; expected.len()];
+        let mut comes_back = vec![true; expected.len() / floats];
+        for (encoder, _) in devices {
+            for (decoder, decoded) in devices {
+                let is_exact = encoder.is_none() && decoder.is_none();
+                if are_repeated && !is_exact && ![encoder, decoder].contains(&&Some(Model::Bits)) {
+                    continue;
+                }
+                self.encode(*encoder, decoded, &mut codes)?;
+                Cpu.decode(self.format, &codes, &mut again)?;
+                let pairs = again.chunks_exact(floats).zip(expected.chunks_exact(floats));
+                let equal = pairs.map(|(again, expected)| !bits_differ(again, expected));
+                if is_exact {
+                    comes_back = equal.collect();
+                    continue;
+                }
+                let lost =
+                    equal.zip(&comes_back).filter(|(equal, comes_back)| **comes_back && !equal).count();
+                if lost > 0 {
+                    let pair = format!("from {} to {}", name(*decoder), name(*encoder));
+                    *self.row.unstable.entry(pair).or_default() += lost as u64;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// On a device of this model; on the CPU without one.
+    fn encode(
+        &mut self,
+        model: Option<Model>,
+        elements: &[f32],
+        codes: &mut [u8],
+    ) -> unitvec_run::Result<()> {
+        let Some(model) = model else { return Cpu.encode(self.format, elements, codes) };
+        self.gpu.rewrite_with(Some(model.rewrite(self.seed_of(model))));
+        self.gpu.encode(self.format, elements, codes)
+    }
+
+    /// The seed that a model takes: kernels of the others serve all seeds.
+    fn seed_of(&self, model: Model) -> u32 {
+        if model == Model::Bits { self.seed as u32 } else { 0 }
+    }
+
+    fn decode(
+        &mut self,
+        model: Option<Model>,
+        codes: &[u8],
+        elements: &mut [f32],
+    ) -> unitvec_run::Result<()> {
+        let Some(model) = model else { return Cpu.decode(self.format, codes, elements) };
+        self.gpu.rewrite_with(Some(model.rewrite(self.seed_of(model))));
+        self.gpu.decode(self.format, codes, elements)
+    }
+}
+
+fn name(model: Option<Model>) -> String {
+    model.map_or_else(|| "exact".to_owned(), |model| model.to_string())
+}

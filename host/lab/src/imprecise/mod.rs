@@ -1,0 +1,164 @@
+//! What the codecs do on devices that round as badly as Vulkan allows: the kernels' modules, rewritten, on a device that
+//! rounds well.
+
+mod bounds;
+mod difference;
+mod experiment;
+mod model;
+mod rewrite;
+mod summary;
+
+pub use bounds::Bounds;
+pub use difference::{of_codes, of_elements};
+pub use experiment::Gpus;
+pub use model::Model;
+pub use rewrite::{Error, rewrite};
+pub use summary::Summary;
+
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use unitvec_catalogue::{Format, find, find_frame};
+use unitvec_run::backend::BackendKind;
+use unitvec_run::workers;
+
+/// What to run.
+#[derive(Clone, Debug, Serialize)]
+pub struct Options {
+    /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded.
+    pub count: usize,
+    /// Seeds of the random elements and of [`Model::Bits`]: each is a run of its own.
+    pub seeds: Vec<u64>,
+    /// The models.
+    pub models: Vec<Model>,
+    /// Codecs of at most this many bits are decoded over all their codes.
+    pub all_codes_up_to: u32,
+}
+
+impl Options {
+    /// Elements and codes of a codec of this format, of each source.
+    pub fn work(&self, format: Format) -> u64 {
+        (self.count as u64 + self.codes(format)) * self.seeds.len() as u64
+    }
+
+    /// Codes for each seed.
+    fn codes(&self, format: Format) -> u64 {
+        if format.bits <= self.all_codes_up_to { 1 << format.bits } else { self.count as u64 }
+    }
+}
+
+/// The outcome for one codec: of all models, seeds and sources of kernels.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Row {
+    /// Codec.
+    pub id: String,
+    /// Random elements that each device encoded.
+    pub elements: u64,
+    /// Codes that each device decoded.
+    pub codes: u64,
+    /// What devices of each model did.
+    pub models: BTreeMap<Model, Outcome>,
+    /// Codes that do not come back, by the models of the devices that decode and encode; `exact` is the CPU. Devices that
+    /// truncate sums are not among them.
+    pub unstable: BTreeMap<String, u64>,
+}
+
+/// What devices of one model did, beside the CPU. Where kernels from Rust and from GLSL differ, the worse of both.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Outcome {
+    /// Random elements with another code than the CPU's.
+    pub codes_differ: u64,
+    /// The same of special elements: denormals, infinities, NaN, the ends of ranges, ties.
+    pub special_differ: u64,
+    /// Largest error of a random element whose code differs, as a part of the codec's error bound.
+    pub error: f64,
+    /// Decoded elements that differ from the CPU's in any bit.
+    pub elements_differ: u64,
+    /// Largest difference of a decoded component from the CPU's, in ULP of the numbers from 0.5 to 1, which are 2^-24.
+    pub component_ulp: f64,
+    /// Largest angle between a decoded vector and the CPU's, degrees.
+    pub angle_deg: f64,
+}
+
+impl Outcome {
+    /// Both, where they are of different elements.
+    pub fn add(&mut self, other: Self) {
+        self.codes_differ += other.codes_differ;
+        self.special_differ += other.special_differ;
+        self.elements_differ += other.elements_differ;
+        self.raise(other);
+    }
+
+    /// The worse of both, where they are of the same elements.
+    fn worse(&mut self, other: Self) {
+        self.codes_differ = self.codes_differ.max(other.codes_differ);
+        self.special_differ = self.special_differ.max(other.special_differ);
+        self.elements_differ = self.elements_differ.max(other.elements_differ);
+        self.raise(other);
+    }
+
+    fn raise(&mut self, other: Self) {
+        self.error = self.error.max(other.error);
+        self.component_ulp = self.component_ulp.max(other.component_ulp);
+        self.angle_deg = self.angle_deg.max(other.angle_deg);
+    }
+}
+
+impl Row {
+    /// What speaks against this row, in words: counts and differences above their bounds, and codes that do not come back
+    /// where the codec promises it.
+    pub fn objections(&self, bounds: &Bounds) -> Vec<String> {
+        let outcomes = self.models.iter().flat_map(|(model, outcome)| {
+            bounds
+                .objections(*model, self.elements, outcome)
+                .into_iter()
+                .map(move |text| format!("{model}: {text}"))
+        });
+        let worst = self.unstable.iter().max_by_key(|(_, count)| **count).filter(|_| bounds.is_stable);
+        let unstable = worst.map(|(pair, count)| {
+            let pairs = self.unstable.len();
+            format!("codes that do not come back, of {pairs} pairs of devices: {count} {pair}, the worst")
+        });
+        outcomes.chain(unstable).collect()
+    }
+}
+
+/// Runs codecs on several threads. `open` opens the devices of a thread; `progress` is told the work done since it was last
+/// called, and `each` the rows, in the codecs' order.
+///
+/// # Errors
+/// The first error of a device or of `each`. Differences are no error: they are in the rows.
+pub fn run<E: From<crate::Error> + Send>(
+    formats: Vec<Format>,
+    options: &Options,
+    open: impl Fn() -> Result<Gpus, E> + Sync,
+    progress: &mut dyn FnMut(u64),
+    each: &mut dyn FnMut(Row) -> Result<(), E>,
+) -> Result<(), E> {
+    let work = |format, gpus: &mut Gpus, progress: &mut dyn FnMut(u64)| {
+        Ok(experiment::run(format, options, gpus, progress)?)
+    };
+    workers::run(formats, open, work, progress, each)
+}
+
+/// The error bounds of a codec, degrees: of a vector, or of a frame's normal and tangent.
+pub fn error_bounds(format: Format) -> [f64; 2] {
+    match (find(format.id), find_frame(format.id)) {
+        (Ok(codec), _) => [codec.max_error_deg.into(); 2],
+        (_, Some(frame)) => [frame.max_normal_error_deg.into(), frame.max_tangent_error_deg.into()],
+        _ => [180.0; 2],
+    }
+}
+
+/// Rows by the source of their kernels, as one: the worse of each.
+fn merged(rows: BTreeMap<BackendKind, Row>) -> Option<Row> {
+    rows.into_values().reduce(|mut all, row| {
+        for (model, outcome) in row.models {
+            all.models.entry(model).or_default().worse(outcome);
+        }
+        for (pair, count) in row.unstable {
+            let worst = all.unstable.entry(pair).or_default();
+            *worst = count.max(*worst);
+        }
+        all
+    })
+}

@@ -1,0 +1,189 @@
+//! What the compiler of a GPU's driver makes of the kernels: exact, the same on every machine, and to be had of GPUs that
+//! are not there.
+
+pub mod pareto;
+pub mod radv;
+
+use crate::Result;
+use crate::textbook::{self, TEXTBOOK, Textbook};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+use unitvec_catalogue::{Format, Operation};
+pub use unitvec_choose::costs::{Report, Row, Source};
+use unitvec_manifest::modules::Modules;
+use unitvec_manifest::sha256_hex;
+use unitvec_run::glsl;
+use unitvec_vulkan::{Inspector, Statistics};
+
+/// Compiles the kernels of these codecs, of all sources; `done` hears of each codec that is finished.
+///
+/// # Errors
+/// What loading and compiling meet; [`glsl::Error::NotBuiltIn`] without the GLSL compiler.
+pub fn measure(
+    inspector: &Inspector,
+    modules: &Modules,
+    formats: &[Format],
+    done: impl Fn(Format) + Sync,
+) -> Result<Report> {
+    // glslang starts faster while another one runs.
+    let _compiler = glsl::Compiler::new()?;
+    let measured: Result<Vec<Vec<Row>>> = formats
+        .par_iter()
+        .map(|format| {
+            let rows = of_codec(inspector, modules, *format)?;
+            done(*format);
+            Ok(rows)
+        })
+        .collect();
+    Ok(Report {
+        device: inspector.device().info().clone(),
+        sources: sources(modules, formats)?,
+        rows: measured?.into_iter().flatten().collect(),
+    })
+}
+
+fn of_codec(inspector: &Inspector, modules: &Modules, format: Format) -> Result<Vec<Row>> {
+    let compiler = glsl::Compiler::new()?;
+    let mut rows = Vec::new();
+    for operation in Operation::ALL {
+        let name = format.function(operation);
+        let mut add = |source, module: &[u8], entry_point: &str, textbook: Option<&Textbook>| -> Result<()> {
+            let statistics = inspector.statistics(module, entry_point)?;
+            let device = &inspector.device().info().name;
+            rows.push(row(format.id, operation, source, textbook, &statistics, device));
+            Ok(())
+        };
+        add(Source::Rust, &modules.load(&name)?, &name, None)?;
+        add(Source::Glsl, &compiler.kernel(format, operation)?, glsl::ENTRY_POINT, None)?;
+        for textbook in TEXTBOOK.iter().filter(|textbook| textbook.codec == format.id) {
+            let module = textbook::kernel(&compiler, textbook, operation)?;
+            add(Source::Textbook, &module, glsl::ENTRY_POINT, Some(textbook))?;
+        }
+    }
+    Ok(rows)
+}
+
+/// A row of what the driver told of a kernel that it compiled for the device of this name; the textbook is that of [`Source::Textbook`].
+pub fn row(
+    id: &str,
+    operation: Operation,
+    source: Source,
+    textbook: Option<&Textbook>,
+    statistics: &Statistics,
+    device: &str,
+) -> Row {
+    // RADV's names, and that of Intel's drivers for the first.
+    let of = |names: &[&str]| names.iter().find_map(|name| statistics.get(*name).copied());
+    Row {
+        id: id.to_owned(),
+        operation,
+        source,
+        textbook: textbook.map(|textbook| textbook.id.to_owned()),
+        instructions: of(&["Instructions", "Instruction Count"]),
+        vector_instructions: vector_instructions(statistics, device),
+        inverse_throughput: of(&["Inverse Throughput"]),
+        latency: of(&["Latency"]),
+        vector_registers: of(&["VGPRs"]),
+        code_bytes: of(&["Code size"]),
+    }
+}
+
+/// Vectors that an invocation takes.
+const GROUP: f64 = unitvec_vulkan::GROUP as f64;
+
+/// Vector instructions of a kernel besides those of its vectors: three make the number of the group and compare it, two
+/// make addresses of it. Some kernels have one more or less.
+const SHARED: f64 = 5.0;
+
+/// Vector instructions a vector: by RADV's own count, which newer versions give; else from the inverse throughput T, where
+/// that tells.
+///
+/// On RDNA 1 and 2 a wave of 64 takes two cycles for any vector instruction. The compiler counts three quarters of what
+/// stands in the branch of the invocations that have vectors, so that an instruction for each of four vectors adds
+/// 4 x 2 x 3/4 = 6 to T, and [`SHARED`], three of which stand before the branch, 3 x 2 + 2 x 2 x 3/4 = 9. On GCN some
+/// instructions take four times as long as others: T does not tell how many there are. Nor does it where the latency,
+/// divided among the waves that run at once, limits the kernel.
+fn vector_instructions(statistics: &Statistics, device: &str) -> Option<f64> {
+    const RDNA: [&str; 9] =
+        ["navi10", "navi12", "navi14", "navi21", "navi22", "navi23", "navi24", "vangogh", "rembrandt"];
+    if let Some(count) = statistics.get("VALU") {
+        return Some((*count as f64 - SHARED) / GROUP);
+    }
+    let of = |name: &str| statistics.get(name).map(|value| *value as f64);
+    let (throughput, latency) = (of("Inverse Throughput")?, of("Latency")?);
+    // A wave of 64 counts as two.
+    let waves = of("Subgroups per SIMD")? / 2.0;
+    let device = device.to_lowercase();
+    let is_known = RDNA.iter().any(|gpu| device.contains(&format!("radv {gpu}")));
+    (is_known && throughput > (latency / waves).ceil()).then(|| to_hundredths((throughput - 9.0) / 6.0))
+}
+
+fn to_hundredths(number: f64) -> f64 {
+    (100.0 * number).round() / 100.0
+}
+
+/// The files that the kernels of these codecs come from, GLSL and modules, as in [`Report::sources`].
+///
+/// # Errors
+/// [`glsl::Error::NoSource`], which would be a fault of this crate.
+pub fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String, String>> {
+    let half = |sha256: &str| sha256.get(..32).unwrap_or(sha256).to_owned();
+    let mut sources = BTreeMap::new();
+    for path in unitvec_shaders::glsl_paths().filter(|path| is_source(path, formats)) {
+        let text = glsl::source(path)?;
+        sources.insert(format!("glsl/{path}"), half(&sha256_hex(text.as_bytes())));
+    }
+    for module in &modules.manifest().modules {
+        let has = |name: &str| module.entry_points.iter().any(|entry| entry.name == name);
+        if formats.iter().any(|format| has(&format.function(Operation::Encode))) {
+            sources.insert(format!("spirv/{}", module.file), half(&module.sha256));
+        }
+    }
+    Ok(sources)
+}
+
+/// True of GLSL that all codecs share, of textbooks', and of a codec's own.
+fn is_source(path: &str, formats: &[Format]) -> bool {
+    const SHARED: [&str; 6] = [
+        "unitvec/arith.glsl",
+        "kernels/encode.comp",
+        "kernels/decode.comp",
+        "kernels/group.glsl",
+        "kernels/words.glsl",
+        "kernels/table.glsl",
+    ];
+    SHARED.contains(&path)
+        || path.starts_with("textbook/")
+        || formats.iter().any(|format| path == glsl_file(format.id))
+}
+
+/// The file in `glsl/` with a codec's functions.
+pub fn glsl_file(id: &str) -> String {
+    let file = match (unitvec_catalogue::find_frame(id), unitvec_catalogue::find(id)) {
+        (Some(frame), _) => frame.glsl_file().to_owned(),
+        (None, Ok(codec)) => codec.glsl_file(),
+        (None, Err(_)) => String::new(),
+    };
+    format!("unitvec/{file}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn statistics(entries: &[(&str, u64)]) -> Statistics {
+        entries.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect()
+    }
+
+    /// The driver's own count comes first; T tells on RDNA 2 where latency is not what limits the kernel.
+    #[test]
+    fn vector_instructions_are_counted_where_that_can_be() {
+        let older = [("Inverse Throughput", 183), ("Latency", 989), ("Subgroups per SIMD", 32)];
+        let navi21 = "Null hardware (RADV NAVI21)";
+        assert_eq!(vector_instructions(&statistics(&older), navi21), Some(29.0));
+        assert_eq!(vector_instructions(&statistics(&older), "Null hardware (RADV VEGA10)"), None);
+        let bound = [("Inverse Throughput", 38), ("Latency", 600), ("Subgroups per SIMD", 32)];
+        assert_eq!(vector_instructions(&statistics(&bound), navi21), None);
+        assert_eq!(vector_instructions(&statistics(&[("VALU", 121)]), navi21), Some(29.0));
+    }
+}

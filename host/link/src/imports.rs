@@ -1,0 +1,339 @@
+//! Calls of stubs become calls of imported functions.
+//!
+//! A call passes its arguments by value, whatever the front-end makes of parameters: those of glslang's HLSL and of DXC are
+//! pointers to variables, which are loaded first. The stubs themselves are left without callers, for the optimiser to
+//! remove.
+
+use super::signature::{Signature, Type};
+use super::words::{Instruction, Module, literal, op};
+use super::{Error, stubs};
+use std::collections::HashMap;
+
+const CAPABILITY_LINKAGE: u32 = 5;
+const DECORATION_LINKAGE: u32 = 41;
+const LINKAGE_IMPORT: u32 = 1;
+const STORAGE_FUNCTION: u32 = 7;
+
+/// Source languages that tools of 2023 know are below; theirs is of no use to them.
+const SOURCE_LANGUAGES: u32 = 7;
+
+/// Where a module's stubs are: what each is to be, by its id.
+type Stubs = HashMap<u32, Signature>;
+
+/// A module that imports what its stubs stand for, and the names of that.
+pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
+    let stubs = find_stubs(module, stubs::VERSION)?;
+    let mut types = Types::of(module);
+    let mut rewritten = module.clone();
+    let mut imported: Vec<(u32, Import)> = Vec::new();
+    let mut ids: Vec<u32> = stubs.keys().copied().collect();
+    ids.sort_unstable();
+    for id in ids {
+        let Some(signature) = stubs.get(&id) else { continue };
+        let stub = declaration(module, id, &types).filter(|stub| stub.is(signature, &types));
+        let stub = stub.ok_or_else(|| Error::WrongTypes { signature: signature.to_string() })?;
+        imported.push((id, Import::new(signature, stub, &mut types, &mut rewritten)));
+    }
+    let mut names: Vec<String> = imported.iter().map(|(_, import)| import.name.clone()).collect();
+    names.sort_unstable();
+    // A module of several files can have a copy of the stubs of each.
+    names.dedup();
+    write(&mut rewritten, &imported.into_iter().collect(), types.added);
+    Ok((rewritten, names))
+}
+
+/// The functions that have the names of stubs, if they are of this version.
+fn find_stubs(module: &Module, version: &str) -> Result<Stubs, Error> {
+    let functions: Vec<u32> = module.all(op::FUNCTION).filter_map(|function| function.word(1)).collect();
+    let known: HashMap<String, Signature> =
+        Signature::all().map(|signature| (signature.name.clone(), signature)).collect();
+    let (mut stubs, mut markers) = (Stubs::new(), Vec::new());
+    for name in module.all(op::NAME) {
+        let Some(id) = name.word(0).filter(|id| functions.contains(id)) else { continue };
+        let text = name.text(1);
+        // glslang adds the types of parameters: `unitvec_oct16_encode(vf3;`.
+        let text = text.split('(').next().unwrap_or_default();
+        if text.starts_with(stubs::MARKER) {
+            markers.push(text.to_owned());
+        } else if let Some(signature) = known.get(text) {
+            stubs.insert(id, signature.clone());
+        }
+    }
+    let own = stubs::marker(version);
+    match markers.iter().find(|marker| **marker != own) {
+        Some(marker) => {
+            // Which sign `_` stands for is not known; versions have `.` mostly.
+            let found = marker.trim_start_matches(stubs::MARKER).replace('_', ".");
+            return Err(Error::OtherVersion { found: unitvec_files::one_line(found) });
+        }
+        None if stubs.is_empty() => return Err(Error::NoStubs),
+        None if markers.is_empty() => return Err(Error::NoVersion),
+        None => {}
+    }
+    Ok(stubs)
+}
+
+/// A function's result type and parameter types, by id.
+struct Declaration {
+    result: u32,
+    parameters: Vec<u32>,
+}
+
+impl Declaration {
+    fn is(&self, signature: &Signature, types: &Types) -> bool {
+        let is_one = |(id, (_, of_type)): (&u32, &(&str, Type))| types.is(types.pointee(*id), *of_type);
+        types.is(self.result, signature.result)
+            && self.parameters.len() == signature.parameters.len()
+            && self.parameters.iter().zip(&signature.parameters).all(is_one)
+    }
+}
+
+fn declaration(module: &Module, id: u32, types: &Types) -> Option<Declaration> {
+    let function = module.all(op::FUNCTION).find(|function| function.word(1) == Some(id))?;
+    match types.known.get(&function.word(3)?)? {
+        Known::Function(result, parameters) => {
+            Some(Declaration { result: *result, parameters: parameters.clone() })
+        }
+        _ => None,
+    }
+}
+
+/// What is known of a type.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Known {
+    Float,
+    Uint,
+    Vector(u32, u32),
+    Struct(Vec<u32>),
+    /// To a function's variable.
+    Pointer(u32),
+    Function(u32, Vec<u32>),
+}
+
+/// A module's types, and those that it gets.
+struct Types {
+    known: HashMap<u32, Known>,
+    added: Vec<Instruction>,
+    /// The struct of frames, as the library has it.
+    frame: Option<u32>,
+}
+
+impl Types {
+    fn of(module: &Module) -> Self {
+        let known = module.instructions.iter().filter_map(|instruction| {
+            let [id, rest @ ..] = instruction.operands.as_slice() else { return None };
+            let known = match (instruction.opcode, rest) {
+                (op::TYPE_FLOAT, [32]) => Known::Float,
+                (op::TYPE_INT, [32, 0]) => Known::Uint,
+                (op::TYPE_VECTOR, [component, count]) => Known::Vector(*component, *count),
+                (op::TYPE_STRUCT, members) => Known::Struct(members.to_vec()),
+                (op::TYPE_POINTER, [STORAGE_FUNCTION, to]) => Known::Pointer(*to),
+                (op::TYPE_FUNCTION, [result, parameters @ ..]) => {
+                    Known::Function(*result, parameters.to_vec())
+                }
+                _ => return None,
+            };
+            Some((*id, known))
+        });
+        Self { known: known.collect(), added: Vec::new(), frame: None }
+    }
+
+    fn is(&self, id: u32, of_type: Type) -> bool {
+        let vector = |scalar: Known, n: u32| {
+            matches!(self.known.get(&id), Some(Known::Vector(component, count))
+                if *count == n && self.known.get(component) == Some(&scalar))
+        };
+        match of_type {
+            Type::Uint => self.known.get(&id) == Some(&Known::Uint),
+            Type::Uvec2 => vector(Known::Uint, 2),
+            Type::Vec3 => vector(Known::Float, 3),
+            Type::Vec4 => vector(Known::Float, 4),
+            Type::Frame => matches!(self.known.get(&id), Some(Known::Struct(members))
+                if matches!(members[..], [normal, tangent]
+                    if self.is(normal, Type::Vec3) && self.is(tangent, Type::Vec4))),
+        }
+    }
+
+    /// What a pointer points to; other types themselves.
+    fn pointee(&self, id: u32) -> u32 {
+        match self.known.get(&id) {
+            Some(Known::Pointer(to)) => *to,
+            _ => id,
+        }
+    }
+
+    /// The struct of frames without decorations, such as a front-end's may have.
+    fn frame(&mut self, members: [u32; 2], module: &mut Module) -> u32 {
+        *self.frame.get_or_insert_with(|| {
+            let id = module.fresh();
+            self.added.push(Instruction::new(op::TYPE_STRUCT, [id, members[0], members[1]]));
+            id
+        })
+    }
+
+    /// The type of functions with these types: there may be only one.
+    fn function(&mut self, result: u32, parameters: &[u32], module: &mut Module) -> u32 {
+        let wanted = Known::Function(result, parameters.to_vec());
+        if let Some((id, _)) = self.known.iter().find(|(_, known)| **known == wanted) {
+            return *id;
+        }
+        let id = module.fresh();
+        let operands: Vec<u32> = [id, result].iter().chain(parameters).copied().collect();
+        self.added.push(Instruction::new(op::TYPE_FUNCTION, operands));
+        self.known.insert(id, wanted);
+        id
+    }
+}
+
+/// A function of the library, as a module declares it.
+struct Import {
+    name: String,
+    id: u32,
+    of_type: u32,
+    result: u32,
+    parameters: Vec<u32>,
+    /// The parameters that the stub takes by pointer.
+    by_pointer: Vec<bool>,
+    /// Types of the members of a result that is a struct.
+    members: Option<[u32; 2]>,
+}
+
+impl Import {
+    fn new(signature: &Signature, stub: Declaration, types: &mut Types, module: &mut Module) -> Self {
+        let parameters: Vec<u32> = stub.parameters.iter().map(|id| types.pointee(*id)).collect();
+        let by_pointer = stub.parameters.iter().zip(&parameters).map(|(id, to)| id != to).collect();
+        let members = match types.known.get(&stub.result) {
+            Some(Known::Struct(members)) => members.as_slice().try_into().ok(),
+            _ => None,
+        };
+        let result = members.map_or(stub.result, |members| types.frame(members, module));
+        let of_type = types.function(result, &parameters, module);
+        Self {
+            name: signature.name.clone(),
+            id: module.fresh(),
+            of_type,
+            result,
+            parameters,
+            by_pointer,
+            members,
+        }
+    }
+
+    /// A function without a body.
+    fn declaration(&self, module: &mut Module) -> Vec<Instruction> {
+        let mut lines = vec![Instruction::new(op::FUNCTION, [self.result, self.id, 0, self.of_type])];
+        for of_type in &self.parameters {
+            lines.push(Instruction::new(op::FUNCTION_PARAMETER, [*of_type, module.fresh()]));
+        }
+        lines.push(Instruction::new(op::FUNCTION_END, []));
+        lines
+    }
+
+    fn decoration(&self) -> Instruction {
+        let mut operands = vec![self.id, DECORATION_LINKAGE];
+        operands.extend(literal(&self.name));
+        operands.push(LINKAGE_IMPORT);
+        Instruction::new(op::DECORATE, operands)
+    }
+
+    /// What stands for a call of the stub, with this result type, result and arguments.
+    fn call(&self, of_type: u32, result: u32, arguments: &[u32], module: &mut Module) -> Vec<Instruction> {
+        let (mut lines, mut operands) = (Vec::new(), vec![self.result, result, self.id]);
+        for ((argument, is_pointer), of_type) in arguments.iter().zip(&self.by_pointer).zip(&self.parameters)
+        {
+            let mut value = *argument;
+            if *is_pointer {
+                value = module.fresh();
+                lines.push(Instruction::new(op::LOAD, [*of_type, value, *argument]));
+            }
+            operands.push(value);
+        }
+        let Some(members) = self.members else {
+            lines.push(Instruction::new(op::FUNCTION_CALL, operands));
+            return lines;
+        };
+        let frame = module.fresh();
+        operands[1] = frame;
+        lines.push(Instruction::new(op::FUNCTION_CALL, operands));
+        let mut constructed = vec![of_type, result];
+        for (n, member) in (0..).zip(members) {
+            let part = module.fresh();
+            lines.push(Instruction::new(op::COMPOSITE_EXTRACT, [member, part, frame, n]));
+            constructed.push(part);
+        }
+        lines.push(Instruction::new(op::COMPOSITE_CONSTRUCT, constructed));
+        lines
+    }
+}
+
+/// Writes capability, decorations, types, declarations and calls, each where SPIR-V wants it.
+fn write(module: &mut Module, imports: &HashMap<u32, Import>, types: Vec<Instruction>) {
+    let mut sorted: Vec<&Import> = imports.values().collect();
+    sorted.sort_unstable_by(|a, b| a.name.cmp(&b.name).then(a.id.cmp(&b.id)));
+    let mut decorations = sorted.iter().map(|import| import.decoration()).collect::<Vec<_>>();
+    let mut declarations = types;
+    for import in sorted {
+        declarations.append(&mut import.declaration(module));
+    }
+    let linkage = Instruction::new(op::CAPABILITY, [CAPABILITY_LINKAGE]);
+    let mut lines = Vec::new();
+    if !module.instructions.contains(&linkage) {
+        lines.push(linkage);
+    }
+    for mut instruction in std::mem::take(&mut module.instructions) {
+        if !decorations.is_empty() && is_after_names(instruction.opcode) {
+            lines.append(&mut decorations);
+        }
+        match (instruction.opcode, instruction.operands.as_slice()) {
+            (op::FUNCTION, _) => lines.append(&mut declarations),
+            (op::FUNCTION_CALL, [of_type, result, callee, arguments @ ..]) => {
+                if let Some(import) = imports.get(callee) {
+                    lines.extend(import.call(*of_type, *result, arguments, module));
+                    continue;
+                }
+            }
+            (op::SOURCE, [language, ..]) if *language >= SOURCE_LANGUAGES => instruction.operands[0] = 0,
+            _ => {}
+        }
+        lines.push(instruction);
+    }
+    module.instructions = lines;
+}
+
+/// True for decorations and for the types after them.
+fn is_after_names(opcode: u32) -> bool {
+    matches!(opcode, op::DECORATE..=op::GROUP_MEMBER_DECORATE
+        | op::DECORATE_ID | op::DECORATE_STRING | op::MEMBER_DECORATE_STRING
+        | op::TYPE_VOID..=op::TYPE_FORWARD_POINTER | op::FUNCTION)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::words::literal;
+    use super::*;
+
+    /// A module that has functions of these names, and nothing else.
+    fn with_functions(names: &[&str]) -> Module {
+        let header = [0x0723_0203, 0x0001_0300, 0, 99, 0_u32];
+        let bytes: Vec<u8> = header.into_iter().flat_map(u32::to_le_bytes).collect();
+        let mut module = Module::parse(&bytes).unwrap();
+        for (id, name) in (1..).zip(names) {
+            module.instructions.push(Instruction::new(op::NAME, [&[id][..], &literal(name)].concat()));
+            module.instructions.push(Instruction::new(op::FUNCTION, [90, id, 0, 91]));
+        }
+        module
+    }
+
+    /// Versions can have signs that names cannot.
+    #[test]
+    fn stubs_of_the_same_version_are_found() {
+        let stub = "unitvec_oct16_encode(vf3;";
+        let module = with_functions(&[stub, "unitvec_stubs_0_2_0_rc_1(f1;"]);
+        assert_eq!(find_stubs(&module, "0.2.0-rc.1").unwrap().len(), 1);
+        for version in ["0.2.0", "0.2.0-rc.2"] {
+            let error = find_stubs(&module, version).unwrap_err();
+            assert!(matches!(&error, Error::OtherVersion { found } if found == "0.2.0.rc.1"), "{error}");
+        }
+        assert!(matches!(find_stubs(&with_functions(&[stub]), "0.2.0"), Err(Error::NoVersion)));
+    }
+}

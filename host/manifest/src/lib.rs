@@ -1,0 +1,345 @@
+//! `spirv/manifest.json`: what the committed modules are, how to call them and which sources they came from. The types below
+//! define the file; [`schema`] is made of them.
+
+#![deny(unsafe_code)]
+
+pub mod modules;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::{fs, io};
+use unitvec_catalogue::{Element, Operation};
+
+/// Name of the manifest file in the modules' folder.
+pub const FILE_NAME: &str = "manifest.json";
+
+/// Name of the file beside the renderer's modules that has the hash of their [sources](render_sources_sha256).
+pub const RENDER_SOURCES: &str = "sources.sha256";
+
+/// Name of the manifest's JSON schema in the same folder.
+pub const SCHEMA: &str = "manifest.schema.json";
+
+/// File of the table of lengths of [`unitvec::best_fit`].
+pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
+
+/// The kernel that decodes two-byte codes of any codec by a table.
+pub const DECODE_BY_TABLE: &str = "decode_by_table";
+
+/// SPIR-V modules with compute kernels that encode and decode unit vectors, and how to call them.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Manifest {
+    /// The JSON schema of this file.
+    #[serde(rename = "$schema")]
+    pub schema: String,
+    /// The least Vulkan version that takes the modules.
+    pub vulkan: String,
+    /// The version of SPIR-V that they are in.
+    pub spirv: String,
+    /// All SPIR-V capabilities that they declare.
+    pub capabilities: Vec<String>,
+    /// Device features that have to be enabled.
+    pub features: Vec<String>,
+    /// Version of rust-gpu that compiled the modules.
+    pub rust_gpu: String,
+    /// rust-gpu's target: the SPIR-V environment.
+    pub target: String,
+    /// A hash of the sources that they were compiled from.
+    pub sources_sha256: String,
+    /// How to call a kernel, by the names that entry points refer to.
+    pub interfaces: BTreeMap<String, Interface>,
+    /// The module to link with.
+    pub library: Library,
+    /// Tables that some kernels read.
+    pub tables: Vec<Table>,
+    /// The modules, sorted by file.
+    pub modules: Vec<Module>,
+}
+
+/// A SPIR-V module.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Module {
+    /// Path relative to the manifest's folder, with `/`.
+    pub file: String,
+    /// The codec; null for kernels that serve several.
+    pub codec: Option<Codec>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+    /// Its kernels.
+    pub entry_points: Vec<EntryPoint>,
+}
+
+/// A module of functions, without entry points, to link with.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Library {
+    /// Path relative to the manifest's folder.
+    pub file: String,
+    /// All SPIR-V capabilities that it declares.
+    pub capabilities: Vec<String>,
+    /// SHA-256 of the file.
+    pub sha256: String,
+    /// The functions that it exports under their names, as GLSL would declare them. Parameters are passed by value; UnitvecFrame
+    /// is a struct of `vec3 normal` and `vec4 tangent`, whose fourth component is the handedness.
+    pub functions: Vec<String>,
+}
+
+/// A codec.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Codec {
+    /// Identifier.
+    pub id: String,
+    /// What it encodes: vectors are three packed f32, frames seven, which are normal, tangent and handedness.
+    #[schemars(schema_with = "element_names")]
+    pub element: Element,
+    /// Significant bits of a code.
+    pub bits: u32,
+    /// Bytes of a stored code.
+    pub bytes: u32,
+    /// The VkFormat that has the code's layout; null where there is none.
+    pub vk_format: Option<String>,
+    /// True where decoded vectors have unit length. The others are raw components: normalise them.
+    pub is_unit: bool,
+    /// Upper bound of the error in degrees: of a vector, or of a frame's normal and then of its tangent.
+    pub max_error_deg: Vec<f32>,
+}
+
+/// A compute kernel.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EntryPoint {
+    /// Its name, which no other entry point of the manifest has.
+    pub name: String,
+    /// Whether it encodes or decodes.
+    #[schemars(schema_with = "operation_names")]
+    pub operation: Operation,
+    /// The name of its interface.
+    pub interface: String,
+}
+
+/// How to call a kernel. A vector is whatever it encodes or decodes: a frame, with codecs of frames. Kernels that measure,
+/// those in `cost/`, take three f32 of a frame as well.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Interface {
+    /// Size of a workgroup.
+    pub workgroup_size: [u32; 3],
+    /// Vectors that a workgroup takes. Dispatch the number of vectors divided by this, rounded up, in x; 1 in y and z. For no
+    /// vectors dispatch nothing.
+    pub vectors_per_workgroup: u32,
+    /// The descriptor set that has all bindings.
+    pub descriptor_set: u32,
+    /// The buffers.
+    pub bindings: Vec<Binding>,
+    /// Push constants, for the compute stage.
+    pub push_constants: Vec<PushConstant>,
+    /// Specialization constants: values of the pipeline (VkSpecializationInfo), where the defaults are not wanted.
+    pub specialization_constants: Vec<SpecializationConstant>,
+}
+
+/// A buffer.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Binding {
+    /// Binding number.
+    pub binding: u32,
+    /// What it is to the kernel.
+    pub role: Role,
+    /// Its VkDescriptorType.
+    pub descriptor_type: String,
+    /// What it holds.
+    pub content: String,
+    /// Bytes that a vector takes in it; absent for a table.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bytes_per_vector: Option<u32>,
+    /// Bytes of a table; absent for others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bytes: Option<u32>,
+    /// The descriptor's range is what the vectors or the table take, rounded up to a multiple of these bytes. Kernels process
+    /// no vector that lies outside one of the ranges, ignore what rounding adds to the input, and write 0 to what it adds to
+    /// the output.
+    pub size_multiple: u32,
+    /// The file of the table to bind; absent where it is not one of the manifest's tables.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub table: Option<String>,
+}
+
+/// What a buffer is to a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// What is encoded or decoded: only read.
+    Input,
+    /// The result: only written.
+    Output,
+    /// Constant data: only read.
+    Table,
+}
+
+/// A file of constant data.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Table {
+    /// File name in the manifest's folder.
+    pub file: String,
+    /// Its size.
+    pub bytes: u32,
+    /// Its layout.
+    pub layout: String,
+    /// SHA-256 of the file.
+    pub sha256: String,
+}
+
+/// A push constant.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PushConstant {
+    /// Byte offset.
+    pub offset: u32,
+    /// Type: `u32`, four bytes.
+    pub r#type: String,
+    /// What it holds.
+    pub content: Constant,
+}
+
+/// What a push constant holds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Constant {
+    /// The number of vectors.
+    Count,
+    /// How often each is encoded or decoded.
+    Repetitions,
+}
+
+/// A specialization constant.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SpecializationConstant {
+    /// Its `constantID`.
+    pub id: u32,
+    /// Its name in the kernels' sources.
+    pub name: String,
+    /// Type: `u32`, four bytes.
+    pub r#type: String,
+    /// The value that it has without VkSpecializationInfo.
+    pub default: u32,
+    /// What its values mean.
+    pub meaning: String,
+}
+
+fn element_names(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": Element::ALL })
+}
+
+fn operation_names(_: &mut SchemaGenerator) -> Schema {
+    json_schema!({ "type": "string", "enum": Operation::ALL })
+}
+
+/// The JSON schema of the manifest, as text.
+pub fn schema() -> String {
+    // A schema is plain JSON: serialising it has no way to fail.
+    serde_json::to_string_pretty(&schemars::schema_for!(Manifest)).unwrap_or_default() + "\n"
+}
+
+/// SHA-256 of `bytes` in hexadecimal.
+pub fn sha256_hex(bytes: &[u8]) -> String {
+    hex(&Sha256::digest(bytes))
+}
+
+fn hex(bytes: &[u8]) -> String {
+    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+/// A hash of what the modules are made from: the crate's and the SPIR-V build's sources without comments, and the locked
+/// versions of the packages that shape the output.
+///
+/// # Errors
+/// Any error of reading those files.
+pub fn sources_sha256(repository: &Path) -> io::Result<String> {
+    let mut hash = Sha256::new();
+    hash_crates(&mut hash, repository, &["shader-crate", "xtask/spirv"])?;
+    hash_locked(&mut hash, &repository.join("Cargo.lock"))?;
+    Ok(hex(&hash.finalize()))
+}
+
+/// A hash of what the renderer's modules are made from: their crate's sources, and those that [`sources_sha256`] is of.
+///
+/// # Errors
+/// Any error of reading those files.
+pub fn render_sources_sha256(repository: &Path) -> io::Result<String> {
+    let folder = "host/render/shaders/rust";
+    let mut hash = Sha256::new();
+    hash_entry(&mut hash, "unitvec", sources_sha256(repository)?.as_bytes());
+    hash_crates(&mut hash, repository, &[folder])?;
+    hash_locked(&mut hash, &repository.join(folder).join("Cargo.lock"))?;
+    Ok(hex(&hash.finalize()))
+}
+
+/// The manifests and sources of crates in these folders.
+fn hash_crates(hash: &mut Sha256, repository: &Path, folders: &[&str]) -> io::Result<()> {
+    let mut files = Vec::new();
+    for folder in folders {
+        files.push(repository.join(folder).join("Cargo.toml"));
+        rust_files(&repository.join(folder).join("src"), &mut files)?;
+    }
+    let mut named: Vec<(String, PathBuf)> =
+        files.into_iter().map(|file| (portable_name(repository, &file), file)).collect();
+    named.sort();
+    for (name, file) in named {
+        hash_entry(hash, &name, code(&fs::read_to_string(file)?).as_bytes());
+    }
+    Ok(())
+}
+
+/// The packages of a lock file that decide the bytes of modules.
+fn hash_locked(hash: &mut Sha256, lock: &Path) -> io::Result<()> {
+    for package in locked_packages(&fs::read_to_string(lock)?) {
+        hash_entry(hash, "Cargo.lock", package.trim().as_bytes());
+    }
+    Ok(())
+}
+
+/// Packages whose version decides the bytes of the modules.
+const SHAPING_PACKAGES: [&str; 7] =
+    ["glam", "libm", "rspirv", "spirv-builder", "spirv-std", "spirv-tools", "spirv-tools-sys"];
+
+fn locked_packages(lock: &str) -> impl Iterator<Item = &str> {
+    lock.split("[[package]]").filter(|package| {
+        SHAPING_PACKAGES.iter().any(|name| package.trim_start().starts_with(&format!("name = \"{name}\"\n")))
+    })
+}
+
+/// A file's lines but for those that are comments: they change no module.
+fn code(text: &str) -> String {
+    text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
+}
+
+fn hash_entry(hash: &mut Sha256, name: &str, content: &[u8]) {
+    hash.update(name.as_bytes());
+    hash.update([0]);
+    hash.update((content.len() as u64).to_le_bytes());
+    hash.update(content);
+}
+
+fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let path = entry?.path();
+        if path.is_dir() {
+            rust_files(&path, files)?;
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            files.push(path);
+        }
+    }
+    Ok(())
+}
+
+fn portable_name(root: &Path, file: &Path) -> String {
+    let relative = file.strip_prefix(root).unwrap_or(file);
+    relative.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+}

@@ -1,0 +1,532 @@
+//! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate.
+
+#[cfg(test)]
+mod tests;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::path::Path;
+
+use ::gltf::accessor::{DataType, Dimensions, Item, Iter};
+use ::gltf::binary::Glb;
+use ::gltf::buffer::View;
+use ::gltf::json;
+use ::gltf::mesh::Mode;
+use ::gltf::{Accessor, Buffer, Document, Primitive, Semantic};
+use base64::Engine;
+use base64::alphabet;
+use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
+
+use glam::Vec3;
+use percent_encoding::percent_decode_str;
+
+use super::format::without_mark;
+use super::{Fan, Frames, Mesh, MeshError, Part, Positions, Sums, check_finite, parse_error};
+use unitvec_files::one_line;
+use unitvec_files::read_start;
+
+const FORMAT: &str = "glTF";
+
+/// Reads the normals of all primitives of all meshes, as [`Mesh`] says.
+pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let (document, file) = load(path, bytes)?;
+    let faces = file.primitives_with_faces(&document)?;
+    let (mut all, mut has_faces) = (Collected::new(&file), false);
+    for (mesh, primitive) in primitives(&document) {
+        match primitive.get(&Semantic::Normals) {
+            Some(accessor) => {
+                file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
+                all.add(&mesh, &primitive, Accessors::Normals(accessor.index()), |normals| {
+                    file.positions(&primitive, |_| ())?;
+                    normals.reserve(accessor.count());
+                    file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |normal| {
+                        normals.push(normal)
+                    })
+                })?;
+            }
+            None => {
+                let accessor = file.attribute(&primitive, &Semantic::Positions)?.index();
+                all.add(&mesh, &primitive, Accessors::Faces(accessor), |normals| {
+                    let mut positions =
+                        Vec::with_capacity(file.attribute(&primitive, &Semantic::Positions)?.count());
+                    file.positions(&primitive, |position| positions.push(position))?;
+                    let mut sums = Sums::new(path, Positions::Single(positions));
+                    for primitive in faces.get(&accessor).into_iter().flatten() {
+                        sums.add_all(triangles(primitive.mode(), file.corners(primitive)?))?;
+                    }
+                    has_faces |= sums.has_faces();
+                    normals.extend(sums.normals());
+                    Ok(())
+                })?;
+            }
+        }
+    }
+    let mesh = Mesh { normals: all.elements, parts: all.parts };
+    let is_computed = mesh.computed() == mesh.parts.len();
+    if mesh.normals.is_empty() || (is_computed && !has_faces) {
+        return Err(MeshError::NoFaces { path: path.into() });
+    }
+    Ok(mesh)
+}
+
+/// Reads the tangent frames of all primitives of all meshes, as [`Frames`] says.
+pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshError> {
+    let (document, file) = load(path, bytes)?;
+    let mut all = Collected::new(&file);
+    for (mesh, primitive) in primitives(&document) {
+        let [Some(normals), Some(tangents)] =
+            [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
+        else {
+            return Err(MeshError::NoTangents { path: path.into() });
+        };
+        file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
+        file.check_counts(&primitive, [Semantic::Normals, Semantic::Tangents])?;
+        all.add(&mesh, &primitive, Accessors::Frames(normals.index(), tangents.index()), |frames| {
+            file.positions(&primitive, |_| ())?;
+            frames.reserve(normals.count());
+            let first = frames.len();
+            file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
+                frames.push([x, y, z, 0.0, 0.0, 0.0, 0.0]);
+            })?;
+            let mut frames = frames[first..].iter_mut();
+            file.vectors(&primitive, &Semantic::Tangents, Dimensions::Vec4, |tangent: [f32; 4]| {
+                if let Some(frame) = frames.next() {
+                    frame[3..].copy_from_slice(&tangent);
+                }
+            })
+        })?;
+    }
+    if all.elements.is_empty() {
+        return Err(MeshError::NoTangents { path: path.into() });
+    }
+    Ok(Frames { frames: all.elements, parts: all.parts })
+}
+
+fn primitives(document: &Document) -> impl Iterator<Item = (::gltf::Mesh<'_>, Primitive<'_>)> {
+    document.meshes().flat_map(|mesh| mesh.primitives().map(move |primitive| (mesh.clone(), primitive)))
+}
+
+/// The accessors that the elements of a primitive come from.
+#[derive(PartialEq, Eq, Hash)]
+enum Accessors {
+    Normals(usize),
+    /// Computed: the accessor of positions.
+    Faces(usize),
+    /// Those of normals and of tangents.
+    Frames(usize, usize),
+}
+
+/// The elements of the primitives so far, and where those of each lie.
+struct Collected<'f, const N: usize> {
+    file: &'f File<'f>,
+    elements: Vec<[f32; N]>,
+    parts: Vec<Part>,
+    /// First and count of what was read already.
+    places: HashMap<Accessors, (usize, usize)>,
+}
+
+impl<'f, const N: usize> Collected<'f, N> {
+    fn new(file: &'f File<'f>) -> Self {
+        Self { file, elements: Vec::new(), parts: Vec::new(), places: HashMap::new() }
+    }
+
+    /// Adds a primitive; what comes from the same accessors is read once.
+    fn add(
+        &mut self,
+        mesh: &::gltf::Mesh,
+        primitive: &Primitive,
+        from: Accessors,
+        read: impl FnOnce(&mut Vec<[f32; N]>) -> Result<(), MeshError>,
+    ) -> Result<(), MeshError> {
+        let computed = matches!(from, Accessors::Faces(_));
+        let (first, count) = match self.places.entry(from) {
+            Entry::Occupied(place) => *place.get(),
+            Entry::Vacant(place) => {
+                let (first, vertices) =
+                    (self.elements.len(), self.file.attribute(primitive, &Semantic::Positions)?);
+                self.file.check_total(first.saturating_add(vertices.count()))?;
+                read(&mut self.elements)?;
+                *place.insert((first, self.elements.len() - first))
+            }
+        };
+        let name = mesh.name().map(str::to_owned);
+        let (mesh, primitive) = (mesh.index(), primitive.index());
+        self.parts.push(Part { mesh, name, primitive, first, count, computed });
+        Ok(())
+    }
+}
+
+/// Parses and validates the parts that hold geometry.
+fn load<'p>(path: &'p Path, bytes: &'p [u8]) -> Result<(Document, File<'p>), MeshError> {
+    let error = |error: ::gltf::Error| parse_error(path, FORMAT, error);
+    let bytes = without_mark(bytes);
+    let (json, blob) = if bytes.starts_with(b"glTF") {
+        // The parser subtracts the header's size from this length unchecked.
+        let length = bytes.get(8..12).map(u32_from_le);
+        if length.is_some_and(|length| length < 12) {
+            return Err(parse_error(path, FORMAT, "the GLB header gives a length below its own"));
+        }
+        let Glb { json, bin, .. } = Glb::from_slice(bytes).map_err(error)?;
+        (json, bin)
+    } else {
+        (bytes.into(), None)
+    };
+    let geometry: Geometry =
+        json::deserialize::from_slice(&json).map_err(|error| parse_error(path, FORMAT, error))?;
+    let root = geometry.into_root();
+    check_not_compressed(path, &root)?;
+    check_position_indices(path, &root)?;
+    let mut root = Document::from_json(root).map_err(error)?.into_json();
+    let buffers = read_buffers(path, &mut root.buffers, blob)?;
+    let outside = |buffer: &Cow<[u8]>| if matches!(buffer, Cow::Owned(_)) { buffer.len() } else { 0 };
+    let size = bytes.len() + buffers.iter().map(outside).sum::<usize>();
+    Ok((Document::from_json_without_validation(root), File { path, buffers, size }))
+}
+
+/// What normals and tangents depend on. The rest of a document is read over.
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Geometry {
+    asset: json::Asset,
+    #[serde(default)]
+    accessors: Vec<json::Accessor>,
+    #[serde(default)]
+    buffers: Vec<json::Buffer>,
+    #[serde(default)]
+    buffer_views: Vec<json::buffer::View>,
+    #[serde(default)]
+    meshes: Vec<json::Mesh>,
+    #[serde(default)]
+    extensions_required: Vec<String>,
+}
+
+fn u32_from_le(bytes: &[u8]) -> u32 {
+    bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
+}
+
+impl Geometry {
+    /// A document without what normals and tangents do not depend on, so that an unknown extension of a material, or an
+    /// attribute of the application's own, does not fail the validation of a mesh that can be read.
+    fn into_root(self) -> json::Root {
+        const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
+        /// Attributes in integers, which are read here.
+        const QUANTIZATION: &str = "KHR_mesh_quantization";
+        let Self { asset, accessors, buffers, buffer_views, mut meshes, mut extensions_required } = self;
+        // The validation has a line to say of each that it does not know.
+        extensions_required.sort_unstable();
+        extensions_required.dedup();
+        extensions_required
+            .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
+        for primitive in meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
+            primitive.attributes.retain(|semantic, _| {
+                use json::validation::Checked::Valid;
+                matches!(semantic, Valid(Semantic::Positions | Semantic::Normals | Semantic::Tangents))
+            });
+            primitive.material = None;
+            primitive.targets = None;
+        }
+        json::Root {
+            accessors,
+            asset,
+            buffers,
+            buffer_views,
+            meshes,
+            extensions_required,
+            ..Default::default()
+        }
+    }
+}
+
+/// Refuses geometry that only a decompressor can read. Where an extension is used but not required, the file has the
+/// geometry uncompressed as well.
+fn check_not_compressed(path: &Path, root: &json::Root) -> Result<(), MeshError> {
+    /// Extension, what it is, and whether glTF-Transform decompresses it.
+    const COMPRESSIONS: [(&str, &str, bool); 3] = [
+        ("KHR_draco_mesh_compression", "Draco", true),
+        ("EXT_meshopt_compression", "meshoptimizer", true),
+        ("KHR_meshopt_compression", "meshoptimizer", false),
+    ];
+    let is_required = |name: &str| root.extensions_required.iter().any(|required| required == name);
+    let Some((extension, method, decompresses)) = COMPRESSIONS.into_iter().find(|c| is_required(c.0)) else {
+        return Ok(());
+    };
+    let remedy = match decompresses {
+        true => format!(
+            "decompress it first, for example with `gltf-transform copy {} uncompressed.glb` (npm package \
+             @gltf-transform/cli)",
+            quoted(path)
+        ),
+        false => "export it without compression".to_owned(),
+    };
+    Err(MeshError::Compressed { path: path.into(), extension, method, remedy })
+}
+
+/// A path as a shell takes it.
+fn quoted(path: &Path) -> String {
+    let path = path.display().to_string();
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
+    if path.chars().all(is_plain) { path } else { format!("'{}'", path.replace('\'', r"'\''")) }
+}
+
+/// Checks the one index that the validation of the `gltf` crate uses before it is validated.
+fn check_position_indices(path: &Path, root: &json::Root) -> Result<(), MeshError> {
+    let indices = root.meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|p| p.attributes.values());
+    match indices.map(|index| index.value()).find(|&index| index >= root.accessors.len()) {
+        Some(index) => Err(parse_error(path, FORMAT, format!("no accessor {index}"))),
+        None => Ok(()),
+    }
+}
+
+/// The contents of the buffers. URIs, which may be contents themselves, are taken out of them.
+fn read_buffers<'p>(
+    path: &Path,
+    buffers: &mut [json::Buffer],
+    blob: Option<Cow<'p, [u8]>>,
+) -> Result<Vec<Cow<'p, [u8]>>, MeshError> {
+    let read = |(buffer, declared): (usize, &mut json::Buffer)| {
+        let length = declared.byte_length.0;
+        let bytes = match declared.uri.take() {
+            Some(uri) => read_uri(path, &uri, length).map(Cow::Owned),
+            None => blob.clone().ok_or_else(|| "it has neither a URI nor a BIN chunk".into()),
+        };
+        bytes
+            .and_then(|bytes| match (bytes.len() as u64) < length {
+                true => Err(format!("it has {} of its {length} bytes", bytes.len())),
+                false => Ok(bytes),
+            })
+            .map_err(|reason| MeshError::MissingBuffer {
+                path: path.into(),
+                buffer,
+                reason: one_line(reason),
+            })
+    };
+    buffers.iter_mut().enumerate().map(read).collect()
+}
+
+fn read_uri(path: &Path, uri: &str, length: u64) -> Result<Vec<u8>, String> {
+    if let Some(data) = uri.strip_prefix("data:") {
+        return decode_data(data);
+    }
+    let name = percent_decode_str(uri).decode_utf8_lossy();
+    if uri.contains(':') || Path::new(name.as_ref()).is_absolute() {
+        return Err("its URI is neither a relative file name nor base64 data".into());
+    }
+    if path == Path::new("-") {
+        return Err(format!("it lies in {name}, and the standard input has no folder; name the .gltf file"));
+    }
+    let file = path.with_file_name(name.as_ref());
+    read_start(&file, length).map_err(|error| format!("cannot read {}: {error}", file.display()))
+}
+
+fn decode_data(data: &str) -> Result<Vec<u8>, String> {
+    // Exporters differ over the padding.
+    const LENIENT: GeneralPurposeConfig =
+        GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
+    let (_, encoded) = data.split_once(";base64,").ok_or("its data URI is not in base64")?;
+    let engine = GeneralPurpose::new(&alphabet::STANDARD, LENIENT);
+    engine.decode(encoded).map_err(|error| format!("its data URI is not in base64: {error}"))
+}
+
+/// A document's buffers, at least as long as it declares them.
+struct File<'p> {
+    path: &'p Path,
+    buffers: Vec<Cow<'p, [u8]>>,
+    /// Bytes of the document and its buffers.
+    size: usize,
+}
+
+impl File<'_> {
+    /// Refuses more vertices than a file of this size has: where accessors overlap, or have no bytes at all, a short file
+    /// could ask for any memory.
+    fn check_total(&self, vertices: usize) -> Result<(), MeshError> {
+        /// Three components take a byte each, at least.
+        const LEAST_BYTES: usize = 3;
+        /// Accessors of zeros without bytes are rare, and short.
+        const ZEROS: usize = 1 << 16;
+        match vertices <= self.size / LEAST_BYTES + ZEROS {
+            true => Ok(()),
+            false => Err(self.error(format!("{vertices} vertices in a file of {} bytes", self.size))),
+        }
+    }
+
+    /// Reads the positions, and checks that all are finite.
+    fn positions(&self, primitive: &Primitive, mut each: impl FnMut([f32; 3])) -> Result<(), MeshError> {
+        let (mut vertex, mut checked) = (0, Ok(()));
+        self.vectors(primitive, &Semantic::Positions, Dimensions::Vec3, |position| {
+            if checked.is_ok() {
+                checked = check_finite(self.path, vertex, Vec3::from(position).as_dvec3());
+                vertex += 1;
+                each(position);
+            }
+        })?;
+        checked
+    }
+
+    /// The primitives without normals, by their accessor of positions: where primitives share one, all their faces count
+    /// at each vertex.
+    fn primitives_with_faces<'a>(
+        &self,
+        document: &'a Document,
+    ) -> Result<HashMap<usize, Vec<Primitive<'a>>>, MeshError> {
+        let mut faces: HashMap<usize, Vec<_>> = HashMap::new();
+        for (_, primitive) in primitives(document) {
+            if primitive.get(&Semantic::Normals).is_none() {
+                let positions = self.attribute(&primitive, &Semantic::Positions)?;
+                faces.entry(positions.index()).or_default().push(primitive);
+            }
+        }
+        Ok(faces)
+    }
+
+    /// The vertices that a primitive's faces are made of.
+    fn corners<'a>(
+        &'a self,
+        primitive: &Primitive<'a>,
+    ) -> Result<Box<dyn Iterator<Item = i64> + 'a>, MeshError> {
+        let Some(accessor) = primitive.indices() else {
+            return Ok(Box::new((0..).take(self.attribute(primitive, &Semantic::Positions)?.count())));
+        };
+        let is_integer = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
+        if !is_integer || accessor.dimensions() != Dimensions::Scalar {
+            return Err(self.error(format!("accessor {} cannot be indices", accessor.index())));
+        }
+        self.check_extents(&accessor)?;
+        let indices = primitive.reader(|buffer| self.data(buffer)).read_indices();
+        Ok(Box::new(indices.ok_or_else(|| self.error("unreadable indices"))?.into_u32().map(i64::from)))
+    }
+
+    fn attribute<'a>(
+        &self,
+        primitive: &Primitive<'a>,
+        semantic: &Semantic,
+    ) -> Result<Accessor<'a>, MeshError> {
+        primitive.get(semantic).ok_or_else(|| self.error(format!("a primitive has no {semantic:?}")))
+    }
+
+    /// Checks that a primitive has as many of one attribute as of the other.
+    fn check_counts(&self, primitive: &Primitive, semantics: [Semantic; 2]) -> Result<(), MeshError> {
+        let [a, b] = &semantics;
+        let counts = [self.attribute(primitive, a)?.count(), self.attribute(primitive, b)?.count()];
+        match counts {
+            [first, second] if first != second => {
+                Err(self.error(format!("a primitive has {first} {a:?} and {second} {b:?}")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Reads an attribute in floats or, as `KHR_mesh_quantization` has it, in integers: normalised for normals and tangents,
+    /// of any kind for positions.
+    fn vectors<const N: usize>(
+        &self,
+        primitive: &Primitive,
+        semantic: &Semantic,
+        dimensions: Dimensions,
+        mut each: impl FnMut([f32; N]),
+    ) -> Result<(), MeshError>
+    where
+        [f32; N]: Item,
+        [i8; N]: Item,
+        [u8; N]: Item,
+        [i16; N]: Item,
+        [u16; N]: Item,
+    {
+        let accessor = self.attribute(primitive, semantic)?;
+        self.check_extents(&accessor)?;
+        let is_position = *semantic == Semantic::Positions;
+        let each = &mut each;
+        let read = match (accessor.data_type(), accessor.normalized()) {
+            _ if accessor.dimensions() != dimensions => None,
+            (DataType::F32, _) => self.components(&accessor, each, |c: f32| c),
+            (DataType::I8, true) => self.components(&accessor, each, |c: i8| snorm(c, i8::MAX)),
+            (DataType::I16, true) => self.components(&accessor, each, |c: i16| snorm(c, i16::MAX)),
+            // Only faces are made of positions, and their normals do not depend on the scale.
+            (DataType::I8, false) if is_position => self.components(&accessor, each, |c: i8| c.into()),
+            (DataType::I16, false) if is_position => self.components(&accessor, each, |c: i16| c.into()),
+            (DataType::U8, _) if is_position => self.components(&accessor, each, |c: u8| c.into()),
+            (DataType::U16, _) if is_position => self.components(&accessor, each, |c: u16| c.into()),
+            _ => None,
+        };
+        read.ok_or_else(|| {
+            let kinds =
+                if is_position { "floats or short integers" } else { "floats or normalised integers" };
+            self.error(format!("accessor {} does not have {dimensions:?} of {kinds}", accessor.index()))
+        })
+    }
+
+    /// Reads the vectors of an accessor of the type `T`; `None` where the parser does not read it.
+    fn components<T, const N: usize>(
+        &self,
+        accessor: &Accessor,
+        each: &mut impl FnMut([f32; N]),
+        to_f32: impl Fn(T) -> f32,
+    ) -> Option<()>
+    where
+        [T; N]: Item,
+    {
+        let vectors = Iter::<[T; N]>::new(accessor.clone(), |buffer| self.data(buffer))?;
+        vectors.for_each(|vector| each(vector.map(&to_f32)));
+        Some(())
+    }
+
+    /// Checks that all parts of an accessor lie in their buffers: the reader takes that for granted.
+    fn check_extents(&self, accessor: &Accessor) -> Result<(), MeshError> {
+        let mut parts = Vec::new();
+        match accessor.view() {
+            Some(view) => parts.push((view, accessor.offset(), accessor.count(), accessor.size())),
+            None => self.check_total(accessor.count())?,
+        }
+        if let Some(sparse) = accessor.sparse() {
+            let (indices, values) = (sparse.indices(), sparse.values());
+            parts.push((indices.view(), indices.offset(), sparse.count(), indices.index_type().size()));
+            parts.push((values.view(), values.offset(), sparse.count(), accessor.size()));
+        }
+        match parts.iter().all(|(view, offset, count, size)| self.holds(view, *offset, *count, *size)) {
+            true => Ok(()),
+            false => {
+                Err(self.error(format!("accessor {} is empty or ends past its buffer", accessor.index())))
+            }
+        }
+    }
+
+    fn holds(&self, view: &View, offset: usize, count: usize, size: usize) -> bool {
+        let stride = view.stride().unwrap_or(size);
+        let end = || count.checked_sub(1)?.checked_mul(stride)?.checked_add(size)?.checked_add(offset);
+        let view_end = view.offset().checked_add(view.length());
+        let buffer_length = self.buffers.get(view.buffer().index()).map_or(0, |buffer| buffer.len());
+        stride >= size
+            && end().is_some_and(|end| end <= view.length())
+            && view_end.is_some_and(|end| end <= buffer_length)
+    }
+
+    fn data(&self, buffer: Buffer) -> Option<&[u8]> {
+        self.buffers.get(buffer.index()).map(|bytes| &**bytes)
+    }
+
+    fn error(&self, reason: impl std::fmt::Display) -> MeshError {
+        parse_error(self.path, FORMAT, reason)
+    }
+}
+
+/// A signed normalised integer as glTF defines it: the lowest value counts as the one above it.
+fn snorm<T: Into<f32>>(value: T, max: T) -> f32 {
+    (value.into() / max.into()).max(-1.0)
+}
+
+/// The triangles of a primitive, wound as the specification orders them; points and lines have none.
+fn triangles(mode: Mode, corners: impl Iterator<Item = i64>) -> impl Iterator<Item = [i64; 3]> {
+    let mut fan = Fan::default();
+    let mut last = [0; 2];
+    corners.enumerate().filter_map(move |(at, corner)| {
+        let [a, b] = last;
+        last = [b, corner];
+        match mode {
+            Mode::Triangles => (at % 3 == 2).then_some([a, b, corner]),
+            Mode::TriangleStrip if at < 2 => None,
+            Mode::TriangleStrip => Some(if at % 2 == 0 { [a, b, corner] } else { [a, corner, b] }),
+            Mode::TriangleFan => fan.push(corner),
+            Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => None,
+        }
+    })
+}

@@ -1,0 +1,566 @@
+//! Vertex normals from mesh files: Wavefront OBJ, PLY and glTF 2.0; from the latter tangent frames as well.
+//!
+//! A file's own vertex normals are passed on as they are, NaN included (but the PLY parser refuses `nan` and `inf` in
+//! ASCII files). Where a file has none, they are computed from its faces.
+
+#![deny(unsafe_code)]
+
+mod format;
+mod gltf;
+mod obj;
+mod ply;
+
+use glam::{DVec3, Vec3};
+use std::fmt::Display;
+use std::io;
+use std::path::{Path, PathBuf};
+use unitvec::direction::{is_usable, l1_norm};
+use unitvec_files::one_line;
+
+pub use format::FileFormat;
+
+/// The Stanford bunny as OBJ: the mesh that conformance runs and pictures take.
+pub const BUNNY: &[u8] = include_bytes!("../data/bunny.obj");
+
+/// The Utah teapot as OBJ.
+pub const TEAPOT: &[u8] = include_bytes!("../data/teapot.obj");
+
+/// Vertex normals of a mesh file.
+///
+/// Their order:
+///
+/// * OBJ: the `vn` lines in file order, once each, whether or not the faces use them. Where normals are computed, there is
+///   one for each `v` line, in file order.
+/// * PLY: one normal for each vertex, in file order.
+/// * glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex. What several primitives share
+///   comes once, at the first of them: an accessor of normals or, where normals are computed, of positions. [`parts`]
+///   says where each primitive begins. Nodes, skins and morph targets are not applied.
+///
+/// [`parts`]: Self::parts
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mesh {
+    /// The normals: as the file has them, or unit normals weighted by the areas of the faces.
+    ///
+    /// A computed normal is zero where the vertex has no face, or faces whose areas vanish or cancel.
+    pub normals: Vec<[f32; 3]>,
+    /// Where the normals of each primitive of a glTF file lie. One part for OBJ and for PLY.
+    pub parts: Vec<Part>,
+}
+
+impl Mesh {
+    /// Number of primitives, whole files for OBJ and PLY, that had no normals.
+    pub fn computed(&self) -> usize {
+        self.parts.iter().filter(|part| part.computed).count()
+    }
+
+    /// Replaces the computed normals that are zero by +Z. Returns how many.
+    pub fn fill_with_z(&mut self) -> usize {
+        let mut filled = 0;
+        for part in self.parts.iter().filter(|part| part.computed) {
+            for normal in &mut self.normals[part.first..][..part.count] {
+                if !has_direction(*normal) {
+                    *normal = [0.0, 0.0, 1.0];
+                    filled += 1;
+                }
+            }
+        }
+        filled
+    }
+}
+
+/// Tangent frames of a glTF file, in the order of [`Mesh`]; each pair of accessors comes once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Frames {
+    /// Normal, tangent and handedness of each vertex, as the file has them.
+    pub frames: Vec<[f32; 7]>,
+    /// Where the frames of each primitive lie.
+    pub parts: Vec<Part>,
+}
+
+/// Where the vertices of a mesh or primitive lie.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct Part {
+    /// Index of the mesh in the file.
+    pub mesh: usize,
+    /// The mesh's name, where a glTF file gives one.
+    pub name: Option<String>,
+    /// Index of the primitive in its mesh.
+    pub primitive: usize,
+    /// Index of its first vector or frame.
+    pub first: usize,
+    /// Number of its vectors or frames.
+    pub count: usize,
+    /// True where the normals were computed from faces.
+    pub computed: bool,
+}
+
+/// Number of different meshes that `parts` belong to.
+pub fn mesh_count(parts: &[Part]) -> usize {
+    parts.chunk_by(|a, b| a.mesh == b.mesh).count()
+}
+
+/// True where a vector has a direction that codecs can use: see [`unitvec::direction`].
+pub fn has_direction(vector: [f32; 3]) -> bool {
+    is_usable(l1_norm(vector.into()))
+}
+
+/// Why a mesh file gives no normals.
+#[derive(Debug, thiserror::Error)]
+pub enum MeshError {
+    /// The file cannot be opened or read.
+    #[error("cannot read {path}: {source}; check that the file exists and may be read")]
+    Read {
+        /// The mesh file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The file is damaged, or uses what its parser does not know.
+    #[error("cannot parse {path} as {format}: {reason}; check that the file is whole or export it again")]
+    Parse {
+        /// The mesh file.
+        path: PathBuf,
+        /// `OBJ`, `PLY` or `glTF`.
+        format: &'static str,
+        /// What is wrong, in one line.
+        reason: String,
+    },
+    /// No normals, and no face to compute them from.
+    #[error("{path} has neither normals nor faces to compute them from; export the mesh with normals")]
+    NoFaces {
+        /// The mesh file.
+        path: PathBuf,
+    },
+    /// A coordinate is NaN, infinite or beyond the range of `f32`.
+    #[error("vertex {vertex} of {path} is not finite; remove or repair the vertex")]
+    NotFinite {
+        /// The mesh file.
+        path: PathBuf,
+        /// The vertex, counted from 0 in the file, or in its primitive for glTF.
+        vertex: usize,
+    },
+    /// A face names a vertex that does not exist.
+    #[error(
+        "a face of {path} uses vertex {index}, and the vertices are 0 to {vertices} exclusive; export the mesh again"
+    )]
+    IndexOutOfRange {
+        /// The mesh file.
+        path: PathBuf,
+        /// The index in the face, counted from 0.
+        index: i64,
+        /// Number of vertices.
+        vertices: usize,
+    },
+    /// A file without tangents for all of its vertices; OBJ and PLY have none at all.
+    #[error(
+        "{path} does not give each vertex a normal and a tangent; export it as .gltf or .glb with tangents"
+    )]
+    NoTangents {
+        /// The mesh file.
+        path: PathBuf,
+    },
+    /// Neither the ending nor the first bytes are those of a mesh.
+    #[error("{path} is no known mesh file; use .obj, .ply, .gltf or .glb")]
+    UnknownFormat {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The geometry of a glTF file is compressed.
+    #[error("{path} is compressed by {method} ({extension}); {remedy}")]
+    Compressed {
+        /// The mesh file.
+        path: PathBuf,
+        /// The glTF extension that it requires.
+        extension: &'static str,
+        /// What compressed it.
+        method: &'static str,
+        /// What to do.
+        remedy: String,
+    },
+    /// A glTF buffer is absent, short or of an unknown kind.
+    #[error("buffer {buffer} of {path}: {reason}; keep the .bin files beside the .gltf or export a .glb")]
+    MissingBuffer {
+        /// The mesh file.
+        path: PathBuf,
+        /// Index of the buffer in the file.
+        buffer: usize,
+        /// What is wrong with it, in one line.
+        reason: String,
+    },
+}
+
+/// Reads the vertex normals of a mesh file, of the format that [`FileFormat::of`] tells.
+///
+/// # Errors
+///
+/// Every [`MeshError`]; no input makes it panic.
+pub fn read(path: &Path) -> Result<Mesh, MeshError> {
+    let bytes = std::fs::read(path).map_err(|source| MeshError::Read { path: path.into(), source })?;
+    let format =
+        FileFormat::of(path, &bytes).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
+    parse(path, format, &bytes)
+}
+
+/// Reads the vertex normals of a mesh file in memory; `path` stands in errors, and files beside it may be read.
+///
+/// # Errors
+///
+/// As [`read`].
+pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, MeshError> {
+    match format {
+        FileFormat::Obj => obj::parse(path, bytes),
+        FileFormat::Ply => ply::parse(path, bytes),
+        FileFormat::Gltf => gltf::parse(path, bytes),
+    }
+}
+
+/// Reads the tangent frames of a mesh file in memory, as [`parse`].
+///
+/// # Errors
+///
+/// As [`parse`]; [`MeshError::NoTangents`] for a file without tangents.
+pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Frames, MeshError> {
+    match format {
+        FileFormat::Gltf => gltf::parse_frames(path, bytes),
+        FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoTangents { path: path.into() }),
+    }
+}
+
+/// Reads the vertex normals of OBJ text in memory; `name` stands in errors.
+///
+/// # Errors
+///
+/// As [`read`], less those of opening a file.
+pub fn read_obj(name: &Path, text: &[u8]) -> Result<Mesh, MeshError> {
+    obj::parse(name, text)
+}
+
+/// The surface that the faces of a mesh span.
+pub struct Surface {
+    /// The positions of the vertices.
+    pub positions: Vec<[f32; 3]>,
+    /// Three positions each, all of them there.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Reads positions and triangles of OBJ text in memory, in the order of [`read_obj`]'s computed normals.
+///
+/// # Errors
+///
+/// As [`read_obj`].
+pub fn read_obj_surface(name: &Path, text: &[u8]) -> Result<Surface, MeshError> {
+    obj::parse_surface(name, text)
+}
+
+/// The [`Mesh`] of a file with one list of normals.
+fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh, MeshError> {
+    let count = normals.len();
+    if count == 0 {
+        return Err(MeshError::NoFaces { path: path.into() });
+    }
+    let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
+    Ok(Mesh { normals, parts: vec![part] })
+}
+
+/// A [`MeshError::Parse`] of one line.
+fn parse_error(path: &Path, format: &'static str, reason: impl Display) -> MeshError {
+    MeshError::Parse { path: path.into(), format, reason: one_line(reason) }
+}
+
+/// Checks that a coordinate is finite as an `f32`, so that no sum of cross products overflows.
+fn check_finite(path: &Path, vertex: usize, position: DVec3) -> Result<(), MeshError> {
+    match position.as_vec3().is_finite() {
+        true => Ok(()),
+        false => Err(MeshError::NotFinite { path: path.into(), vertex }),
+    }
+}
+
+/// Splits a polygon into triangles that share its first corner; fewer than three corners give none.
+#[derive(Default)]
+struct Fan {
+    first: Option<i64>,
+    last: Option<i64>,
+}
+
+impl Fan {
+    /// Takes the next corner; gives the triangle that it completes.
+    fn push(&mut self, corner: i64) -> Option<[i64; 3]> {
+        match (self.first, self.last.replace(corner)) {
+            (Some(first), Some(last)) => Some([first, last, corner]),
+            _ => {
+                // The second corner is the first that is kept as the last one.
+                self.last = self.first.map(|_| corner);
+                self.first = self.first.or(Some(corner));
+                None
+            }
+        }
+    }
+}
+
+/// Positions of vertices, in the precision that the file has them in: `f64` for all would take twice the memory.
+enum Positions {
+    Single(Vec<[f32; 3]>),
+    Double(Vec<[f64; 3]>),
+}
+
+impl Positions {
+    fn len(&self) -> usize {
+        match self {
+            Self::Single(positions) => positions.len(),
+            Self::Double(positions) => positions.len(),
+        }
+    }
+
+    fn get(&self, vertex: usize) -> DVec3 {
+        match self {
+            Self::Single(positions) => Vec3::from(positions[vertex]).as_dvec3(),
+            Self::Double(positions) => positions[vertex].into(),
+        }
+    }
+}
+
+/// Area-weighted vertex normals: the sums of the cross products of each vertex's faces.
+struct Sums<'p> {
+    path: &'p Path,
+    positions: Positions,
+    /// None before the first face.
+    sums: Vec<DVec3>,
+}
+
+impl<'p> Sums<'p> {
+    fn new(path: &'p Path, positions: Positions) -> Self {
+        Self { path, positions, sums: Vec::new() }
+    }
+
+    fn has_faces(&self) -> bool {
+        !self.sums.is_empty()
+    }
+
+    fn add(&mut self, triangle: [i64; 3]) -> Result<(), MeshError> {
+        let [a, b, c] = resolve(self.path, triangle, self.positions.len())?;
+        if self.sums.is_empty() {
+            self.sums = vec![DVec3::ZERO; self.positions.len()];
+        }
+        let [at_a, at_b, at_c] = [a, b, c].map(|corner| self.positions.get(corner));
+        // Twice the area long, so that adding it weights the face by its area.
+        let normal = (at_b - at_a).cross(at_c - at_a);
+        [a, b, c].into_iter().for_each(|corner| self.sums[corner] += normal);
+        Ok(())
+    }
+
+    fn add_all(&mut self, triangles: impl IntoIterator<Item = [i64; 3]>) -> Result<(), MeshError> {
+        triangles.into_iter().try_for_each(|triangle| self.add(triangle))
+    }
+
+    /// Unit normals. A vertex whose sum is zero keeps its place with a normal of zero.
+    fn normals(self) -> Vec<[f32; 3]> {
+        let Self { positions, sums, .. } = self;
+        if sums.is_empty() {
+            return vec![[0.0; 3]; positions.len()];
+        }
+        drop(positions);
+        sums.into_iter().map(|sum| unit_or_zero(sum).as_vec3().to_array()).collect()
+    }
+
+    /// The [`Mesh`] of a file without normals. One without triangles is [`MeshError::NoFaces`].
+    fn into_mesh(self) -> Result<Mesh, MeshError> {
+        match self.has_faces() {
+            true => one_part(self.path, self.normals(), true),
+            false => Err(MeshError::NoFaces { path: self.path.into() }),
+        }
+    }
+}
+
+/// Dividing by the length serves the smallest vectors, for which glam's `normalize_or_zero` gives zero.
+fn unit_or_zero(v: DVec3) -> DVec3 {
+    if v.length() > 0.0 { v / v.length() } else { DVec3::ZERO }
+}
+
+fn resolve(path: &Path, triangle: [i64; 3], vertices: usize) -> Result<[usize; 3], MeshError> {
+    let mut corners = [0; 3];
+    for (corner, index) in corners.iter_mut().zip(triangle) {
+        *corner = usize::try_from(index)
+            .ok()
+            .filter(|&i| i < vertices)
+            .ok_or_else(|| MeshError::IndexOutOfRange { path: path.into(), index, vertices })?;
+    }
+    Ok(corners)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Corners of a cube, centred on the origin.
+    pub(super) const CUBE_CORNERS: [[f32; 3]; 8] = [
+        [-1.0, -1.0, -1.0],
+        [1.0, -1.0, -1.0],
+        [1.0, 1.0, -1.0],
+        [-1.0, 1.0, -1.0],
+        [-1.0, -1.0, 1.0],
+        [1.0, -1.0, 1.0],
+        [1.0, 1.0, 1.0],
+        [-1.0, 1.0, 1.0],
+    ];
+
+    /// Faces of the cube, counter-clockwise from outside.
+    ///
+    /// Each fan starts at corner 0, 2, 5 or 7, no two of them neighbours, so that a
+    /// corner is in one triangle of each of its faces or in two of each: the faces weigh the same.
+    pub(super) const CUBE_FACES: [[u16; 4]; 6] =
+        [[0, 3, 2, 1], [5, 6, 7, 4], [0, 1, 5, 4], [2, 3, 7, 6], [7, 3, 0, 4], [2, 6, 5, 1]];
+
+    /// The area-weighted normals of the cube: towards the corners.
+    pub(super) fn cube_normals() -> Vec<[f32; 3]> {
+        CUBE_CORNERS.iter().map(|corner| corner.map(|c| c / 3f32.sqrt())).collect()
+    }
+
+    pub(super) fn assert_close(got: &[[f32; 3]], want: &[[f32; 3]]) {
+        assert_eq!(got.len(), want.len());
+        for (got, want) in got.iter().zip(want) {
+            assert!(got.iter().zip(want).all(|(g, w)| (g - w).abs() < 1e-6), "{got:?}, not {want:?}");
+        }
+    }
+
+    /// A directory that goes when the test ends.
+    pub(super) struct Scratch(PathBuf);
+
+    impl Scratch {
+        pub(super) fn new(test: &str) -> Self {
+            let dir = std::env::temp_dir().join(format!("unitvec-mesh-{}-{test}", std::process::id()));
+            std::fs::create_dir_all(&dir).unwrap();
+            Self(dir)
+        }
+
+        pub(super) fn path(&self, name: &str) -> PathBuf {
+            self.0.join(name)
+        }
+    }
+
+    impl Drop for Scratch {
+        fn drop(&mut self) {
+            let _ = std::fs::remove_dir_all(&self.0);
+        }
+    }
+
+    const PATH: &str = "a.obj";
+
+    fn weighted(positions: &[[f64; 3]], triangles: &[[i64; 3]]) -> Result<Vec<[f32; 3]>, MeshError> {
+        let mut sums = Sums::new(Path::new(PATH), Positions::Double(positions.to_vec()));
+        sums.add_all(triangles.iter().copied())?;
+        Ok(sums.normals())
+    }
+
+    /// Two faces at a right angle, of areas 1/2 and 3/2, weigh on their shared edge as 1 to 3.
+    #[test]
+    fn faces_weigh_by_area() {
+        let positions = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
+        // The first faces +Z with cross product (0, 0, 1), the second +Y with (0, 3, 0).
+        let normals = weighted(&positions, &[[0, 1, 2], [0, 3, 1]]).unwrap();
+        let edge = [0.0, 3.0 / 10f32.sqrt(), 1.0 / 10f32.sqrt()];
+        assert_close(&normals, &[edge, edge, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
+    }
+
+    /// Vertices without a defined normal keep their place: unused, in a degenerate face, or cancelled.
+    #[test]
+    fn undefined_normals_are_zero() {
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+        let positions = [&[[5.0; 3]], corners.as_slice()].concat();
+        let expected = [&[[0.0; 3]], [[0.0, 0.0, 1.0]; 3].as_slice()].concat();
+        assert_eq!(weighted(&positions, &[[1, 2, 3], [0, 0, 1]]).unwrap(), expected);
+        assert_eq!(weighted(&positions, &[[1, 2, 3], [1, 3, 2]]).unwrap(), [[0.0; 3]; 4]);
+    }
+
+    /// Computed normals of zero become +Z, also where parts overlap; a file's own stay as they are.
+    #[test]
+    fn filling_with_z() {
+        let part = |first, computed| Part { mesh: 0, name: None, primitive: 0, first, count: 2, computed };
+        let (zero, x) = ([0.0; 3], [1.0, 0.0, 0.0]);
+        let mut mesh = Mesh {
+            normals: vec![zero, x, zero, x],
+            parts: vec![part(0, false), part(2, true), part(2, true)],
+        };
+        assert_eq!(mesh.computed(), 2);
+        assert_eq!(mesh.fill_with_z(), 1);
+        assert_eq!(mesh.normals, [zero, x, [0.0, 0.0, 1.0], x]);
+    }
+
+    /// The sums neither overflow nor vanish for the largest and the smallest `f32` coordinates.
+    #[test]
+    fn scale_does_not_matter() {
+        for scale in [f64::from(f32::MAX), 1.0, 1e-44] {
+            let positions = [[-scale, -scale, 0.0], [scale, -scale, 0.0], [0.0, scale, 0.0]];
+            assert_eq!(weighted(&positions, &[[0, 1, 2]]).unwrap(), [[0.0, 0.0, 1.0]; 3]);
+        }
+    }
+
+    /// An index is checked at both ends before use, and so is each coordinate.
+    #[test]
+    fn bad_faces_and_positions() {
+        for bad in [i64::MIN, -1, 1, i64::MAX] {
+            let error = weighted(&[[0.0; 3]], &[[0, 0, bad]]).unwrap_err();
+            assert!(matches!(error, MeshError::IndexOutOfRange { index, vertices: 1, .. } if index == bad));
+        }
+        for bad in [f64::NAN, f64::INFINITY, 1e39] {
+            let error = check_finite(Path::new(PATH), 1, DVec3::new(0.0, bad, 0.0)).unwrap_err();
+            assert!(matches!(error, MeshError::NotFinite { vertex: 1, .. }));
+        }
+    }
+
+    /// A polygon gives two triangles fewer than corners.
+    #[test]
+    fn fans() {
+        let mut fan = Fan::default();
+        assert_eq!(
+            [7, 8, 9, 10].map(|corner| fan.push(corner)),
+            [None, None, Some([7, 8, 9]), Some([7, 9, 10])]
+        );
+    }
+
+    /// A file that cannot be read is reported before its format, and one that is no mesh by its name.
+    #[test]
+    fn files_that_are_no_meshes() {
+        let scratch = Scratch::new("none");
+        std::fs::write(scratch.path("a.stl"), b"solid").unwrap();
+        assert!(matches!(read(&scratch.path("a.stl")), Err(MeshError::UnknownFormat { .. })));
+        assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::Read { .. })));
+    }
+
+    /// A file on disk reads like the same text in memory.
+    #[test]
+    fn reads_files() {
+        let scratch = Scratch::new("files");
+        let text = b"vn 0 0 1\nvn 3 0 0\n";
+        std::fs::write(scratch.path("a.OBJ"), text).unwrap();
+        let mesh = read(&scratch.path("a.OBJ")).unwrap();
+        assert_eq!(mesh, read_obj(Path::new("memory"), text).unwrap());
+        assert_eq!(mesh.normals, [[0.0, 0.0, 1.0], [3.0, 0.0, 0.0]]);
+    }
+
+    /// Every message is one line that names the file.
+    #[test]
+    fn messages() {
+        let path = || PathBuf::from(PATH);
+        let errors = [
+            MeshError::Read { path: path(), source: io::ErrorKind::NotFound.into() },
+            parse_error(Path::new(PATH), "OBJ", format!("a\n\tb\u{7f}{}", "\u{e9}".repeat(500))),
+            MeshError::NoFaces { path: path() },
+            MeshError::NotFinite { path: path(), vertex: 3 },
+            MeshError::IndexOutOfRange { path: path(), index: -1, vertices: 3 },
+            MeshError::UnknownFormat { path: path() },
+            MeshError::NoTangents { path: path() },
+            MeshError::MissingBuffer { path: path(), buffer: 0, reason: "it has 1 of its 2 bytes".into() },
+            MeshError::Compressed {
+                path: path(),
+                extension: "EXT_meshopt_compression",
+                method: "meshoptimizer",
+                remedy: "export it without compression".into(),
+            },
+            parse_error(Path::new(PATH), "glTF", "invalid glTF: asset: unsupported extension; "),
+        ];
+        for message in errors.map(|error| error.to_string()) {
+            assert!(message.contains(PATH) && !message.contains(char::is_control), "{message}");
+            assert!(message.chars().count() < 300 && !message.contains(";;"), "{message}");
+        }
+    }
+}

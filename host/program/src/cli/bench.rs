@@ -1,0 +1,259 @@
+use super::table::{Layout, Wide, left, left_out, right, wrapped};
+use super::{
+    Vulkan, chosen_formats, isa, print, progress, reports_to_stdout, status_after_validation, to_csv, to_json,
+};
+use clap::Args;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::Operation;
+use unitvec_host::Result;
+use unitvec_lab::bench::{Bench, Options, Report, Row};
+use unitvec_run::backend::BackendKind;
+use unitvec_vulkan::{DeviceInfo, DeviceKind};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Codec to measure, as `unitvec codecs` lists them; may be given again. All of them if not given.
+    #[arg(long, value_name = "ID")]
+    pub codec: Vec<String>,
+    /// Vectors in a dispatch.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(1..=4_000_000))]
+    count: u32,
+    /// Dispatches of each kernel that measures arithmetic, of which the median counts; the others run twice as often.
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    samples: u32,
+    /// Write the report as JSON as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<PathBuf>,
+    /// Write the rows as CSV as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Write a table in Markdown as well.
+    #[arg(long, value_name = "FILE")]
+    pub markdown: Option<PathBuf>,
+    #[command(flatten)]
+    pub compiler: isa::Compiler,
+    #[command(flatten)]
+    pub wide: Wide,
+    #[command(flatten)]
+    pub vulkan: Vulkan,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    if arguments.compiler.isa {
+        return isa::run(arguments);
+    }
+    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
+    let chosen = chosen_formats(&arguments.codec)?;
+    let device = arguments.vulkan.device()?;
+    let options = Options {
+        count: arguments.count as usize,
+        samples: arguments.samples as usize,
+        throughput_samples: 2 * arguments.samples as usize,
+    };
+    let columns = arguments.wide.columns()?;
+    let table = table(columns);
+    if !to_stdout {
+        print(&(wrapped(&legend(device.info(), &options), "    ", columns) + &table.heading()))?;
+    }
+    let length = chosen.len() as u64;
+    let bar = progress::bar(Some(length), "{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left");
+    bar.enable_steady_tick(std::time::Duration::from_secs(1));
+    let mut bench = Bench::new(&device, arguments.vulkan.modules()?, options)?;
+    let mut rows = Vec::new();
+    for format in chosen {
+        progress::show_if_due(&bar);
+        bar.set_message(format.id);
+        let measured = bench.measure(format)?;
+        if !to_stdout {
+            let mut printed = Ok(ExitCode::SUCCESS);
+            bar.suspend(|| printed = print(&lines(&table, &measured)));
+            printed?;
+        }
+        rows.extend(measured);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    let report = bench.report(rows);
+    let instance = device.instance().clone();
+    drop((bench, device));
+
+    if let Some(path) = &arguments.csv {
+        unitvec_files::write_file(path, &to_csv(path, &report.rows)?)?;
+    }
+    if let Some(path) = &arguments.json {
+        unitvec_files::write_file(path, to_json(&report).as_bytes())?;
+    }
+    if let Some(path) = &arguments.markdown {
+        unitvec_files::write_file(path, markdown(&report).as_bytes())?;
+    }
+    if !to_stdout {
+        print(&(wrapped(&summary(&report), "", columns) + &left_out(&[&table])))?;
+    }
+    Ok(status_after_validation(&instance.validation_messages(), true))
+}
+
+fn legend(device: &DeviceInfo, options: &Options) -> String {
+    let warning = match device.kind {
+        DeviceKind::Software => {
+            "warning: this device is a CPU: its ratios say little of GPUs, and other programs disturb it\n"
+        }
+        _ => "",
+    };
+    format!(
+        "device: {} ({:?}), driver {}, Vulkan {}\n{warning}\
+         arithmetic: nanoseconds a vector, median of {} dispatches of {} vectors, 100 times each, less a baseline; +- is \
+         largest less smallest; ratios are medians of those of dispatches side by side; / oct32 is SPIR-V from Rust; \
+         survey is its GTX 680\n\
+         throughput: of the shipped kernels, 10^6 vectors a second, and of a copy of as many bytes\n\n",
+        device.name, device.kind, device.driver, device.api_version, options.samples, options.count,
+    )
+}
+
+fn table(columns: Option<usize>) -> Layout {
+    Layout::new(
+        vec![
+            left("codec", 20),
+            left("", 6),
+            right("ns\nrust", 8),
+            right("\n+-", 7).rank(7),
+            right("ns\nglsl", 8).rank(3),
+            right("\n+-", 7).rank(8),
+            right("rust /\nglsl", 6).rank(2),
+            right("\n/ oct32", 7),
+            right("survey\nns", 7).rank(5),
+            right("10^6/s\nrust", 8).apart(),
+            right("10^6/s\nglsl", 8).rank(4),
+            right("% of\ncopy", 8).rank(1),
+            right("by\ntable", 7).rank(6),
+        ],
+        columns,
+    )
+}
+
+fn lines(table: &Layout, rows: &[Row]) -> String {
+    let mut text = String::new();
+    for operation in Operation::ALL {
+        let of = |backend, by_table| {
+            let wanted = (operation, backend, by_table);
+            rows.iter().find(|row| (row.operation, row.backend, row.by_table) == wanted)
+        };
+        let (Some(rust), Some(glsl)) = (of(BackendKind::Rust, false), of(BackendKind::Glsl, false)) else {
+            continue;
+        };
+        let by_table = of(BackendKind::Rust, true).map(|row| row.vectors_per_s / 1e6);
+        text += &table.line(&[
+            &rust.id,
+            &operation.to_string(),
+            &fitting(rust.alu_ns_per_vector, 4, 8),
+            &fitting(rust.alu_spread_ns, 4, 7),
+            &fitting(glsl.alu_ns_per_vector, 4, 8),
+            &fitting(glsl.alu_spread_ns, 4, 7),
+            &fitting(rust.alu_ratio_to_glsl, 3, 6),
+            &fitting(rust.alu_ratio_to_oct32, 2, 7),
+            &fitting(rust.survey_ns_per_vector, 4, 7),
+            &fitting(Some(rust.vectors_per_s / 1e6), 1, 8),
+            &fitting(Some(glsl.vectors_per_s / 1e6), 1, 8),
+            &format_args!("{:.0}", 100.0 * rust.bytes_per_s / rust.copy_bytes_per_s),
+            &fitting(by_table, 1, 7),
+        ]);
+    }
+    text
+}
+
+/// The arithmetic of both operations as multiples of `oct32`'s, and the kernels' part of the copy's speed.
+fn markdown(report: &Report) -> String {
+    let device = &report.device;
+    let mut text = format!(
+        "{}, {}, Vulkan {}; {} vectors, {} times each.\n\n\
+         | codec | bits | bound of the error, degrees | encode / oct32 | decode / oct32 | encode: rust / glsl | \
+         decode: rust / glsl | encode, % of copy | decode, % of copy |\n|---|---|---|---|---|---|---|---|---|\n",
+        device.name, device.driver, device.api_version, report.count, report.repetitions
+    );
+    for encode in of_rust(report, Operation::Encode) {
+        let Some(decode) = of_rust(report, Operation::Decode).find(|row| row.id == encode.id) else {
+            continue;
+        };
+        let of_copy = |row: &Row| 100.0 * row.bytes_per_s / row.copy_bytes_per_s;
+        // Writing to a String cannot fail.
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {} | {} | {} | {} | {} | {:.0} | {:.0} |",
+            encode.id,
+            encode.bits,
+            bound(encode.id),
+            number(encode.alu_ratio_to_oct32, 1),
+            number(decode.alu_ratio_to_oct32, 1),
+            number(encode.alu_ratio_to_glsl, 2),
+            number(decode.alu_ratio_to_glsl, 2),
+            of_copy(encode),
+            of_copy(decode),
+        );
+    }
+    text
+}
+
+fn of_rust(report: &Report, operation: Operation) -> impl Iterator<Item = &Row> {
+    let is_wanted =
+        move |row: &&Row| row.operation == operation && row.backend == BackendKind::Rust && !row.by_table;
+    report.rows.iter().filter(is_wanted)
+}
+
+/// Of a frame, its normal's and its tangent's.
+fn bound(id: &str) -> String {
+    match (catalogue::find(id), catalogue::find_frame(id)) {
+        (_, Some(frame)) => {
+            format!("{:.3e}, {:.3e}", frame.max_normal_error_deg, frame.max_tangent_error_deg)
+        }
+        (Ok(codec), None) => format!("{:.3e}", codec.max_error_deg),
+        (Err(_), None) => "-".to_owned(),
+    }
+}
+
+fn number(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+}
+
+/// A number with fewer digits where it would be wider than its column, as the noise of small samples can be.
+fn fitting(value: Option<f64>, digits: usize, width: usize) -> String {
+    let texts = (0..=digits).rev().map(|digits| number(value, digits));
+    let short = value.map(|value| format!("{value:.0e}"));
+    texts.chain(short).find(|text| text.len() <= width).unwrap_or_else(|| "-".to_owned())
+}
+
+/// Where SPIR-V from Rust costs more than that from GLSL.
+fn summary(report: &Report) -> String {
+    let slower: Vec<String> = report
+        .rows
+        .iter()
+        .filter_map(|row| Some((row, row.alu_ratio_to_glsl.filter(|ratio| *ratio > 1.05)?)))
+        .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
+        .collect();
+    let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };
+    format!(
+        "\nbench: {} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n",
+        of_rust(report, Operation::Encode).count()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A number loses decimals before it is wider than its column.
+    #[test]
+    fn numbers_fit_their_columns() {
+        for (value, digits, width, expected) in [
+            (Some(1.9759), 4, 8, "1.9759"),
+            (Some(-100.5884), 4, 8, "-100.588"),
+            (Some(-50.908), 3, 6, "-50.91"),
+            (Some(99999.96), 1, 7, "100000"),
+            (Some(-123456.7), 3, 6, "-1e5"),
+            (None, 3, 6, "-"),
+        ] {
+            assert_eq!(fitting(value, digits, width), expected);
+        }
+    }
+}

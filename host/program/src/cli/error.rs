@@ -1,0 +1,160 @@
+use super::table::{Layout, Wide, left, left_out, right, wrapped};
+use super::{OpenBackend, Vulkan, chosen_formats, degrees, print, progress, to_json};
+use clap::Args;
+use std::fmt::Display;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use unitvec_catalogue::{Domain, Element, Format, find, find_format};
+use unitvec_choose::RECOMMENDED;
+use unitvec_host::input::Elements;
+use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
+use unitvec_host::stream::Named;
+use unitvec_host::{Error, Result};
+use unitvec_run::backend::BackendKind;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Codec, as `unitvec codecs` lists them; may be given again: all of vectors, or all of frames. If none is given, those
+    /// that the README recommends for vectors in any direction.
+    #[arg(long, value_name = "ID")]
+    codec: Vec<String>,
+    /// What runs the codecs.
+    #[arg(long, value_enum, default_value = "cpu")]
+    backend: BackendKind,
+    /// Take the files as raw f32, whatever their names and first bytes say.
+    #[arg(long)]
+    raw: bool,
+    /// Print JSON instead of a table.
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    wide: Wide,
+    #[command(flatten)]
+    vulkan: Vulkan,
+    /// What `unitvec encode` takes: meshes, or raw f32; - for the standard input.
+    #[arg(required = true)]
+    file: Vec<PathBuf>,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let columns = arguments.wide.columns()?;
+    let mut meter = Meter::new(formats(&arguments.codec)?)?;
+    let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
+    if arguments.file.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
+        return Err(Error::Usage("- can be read once; name it once".to_owned()));
+    }
+    // What is missing is told before minutes of measuring.
+    arguments.file.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
+    let bar = progress::bar(Some(arguments.file.len() as u64), "{wide_msg} file {pos} of {len}, {elapsed}");
+    let mut computed = Vec::new();
+    for path in &arguments.file {
+        bar.inc(1);
+        let Elements { floats: mut input, parts, .. } = Elements::open(path, meter.element(), arguments.raw)?;
+        if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
+            computed.push(path.display().to_string());
+        }
+        let unit = meter.element().plural();
+        meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
+            progress::show_if_due(&bar);
+            bar.set_message(format!("{}: {done} {unit}", path.display()));
+        })?;
+    }
+    bar.finish_and_clear();
+    let report = Report { computed, ..meter.report() };
+    print(&if arguments.json { to_json(&report) } else { text(&report, columns) })?;
+    Ok(open.close())
+}
+
+/// The codecs chosen; else those of the README's table that take any vector.
+fn formats(ids: &[String]) -> Result<Vec<Format>> {
+    if !ids.is_empty() {
+        return chosen_formats(ids);
+    }
+    let recommended = RECOMMENDED.iter().flat_map(|row| row.short()).filter_map(|id| find_format(id).ok());
+    let is_for_all = |format: &Format| format.element == Element::Vector && format.domain == Domain::Sphere;
+    Ok(recommended.filter(is_for_all).collect())
+}
+
+/// Characters of a file's name that a terminal shows.
+const SHOWN: usize = 24;
+
+fn text(report: &Report, columns: Option<usize>) -> String {
+    // The total of one file says nothing new.
+    let totals = report.totals.iter().filter(|_| report.rows.len() > report.totals.len());
+    let rows: Vec<_> = report.rows.iter().chain(totals).map(|row| cells(row, columns)).collect();
+    let width = |at: usize| rows.iter().map(|cells| cells[at].chars().count()).max().unwrap_or(0);
+    let is_of_frames = report.rows.iter().any(|row| row.part != "vector");
+    let leaves_out = report.rows.iter().any(|row| row.left_out > 0);
+    let layout = Layout::new(
+        vec![
+            left("file", width(0)),
+            left("codec", width(1)),
+            left("of", width(2)).rank(if is_of_frames { 0 } else { 6 }),
+            right("bits", width(3)).rank(3),
+            right("vectors", width(4)).rank(5),
+            right("left out", width(5)).rank(if leaves_out { 0 } else { 4 }),
+            right("mean", width(6)).apart(),
+            right("median", width(7)).rank(2),
+            right("p99", width(8)).rank(1),
+            right("max", width(9)),
+            left("worst: index, vector", width(10)).apart().rank(7),
+        ],
+        columns,
+    );
+    let mut text = wrapped("errors in degrees, over the vectors that have a direction\n", "", columns);
+    text += &layout.heading();
+    rows.iter().for_each(|cells| text += &layout.line(&cells.each_ref().map(|cell| cell as &dyn Display)));
+    if !report.computed.is_empty() {
+        text += &wrapped(
+            &format!("normals computed from faces: {}\n", report.computed.join(", ")),
+            "    ",
+            columns,
+        );
+    }
+    if report.totals.iter().any(|row| find(row.id).is_ok_and(|codec| codec.domain == Domain::Hemisphere)) {
+        let words = "hemioct and xyonly take z < 0 as z = 0: that counts as error\n";
+        text += &wrapped(words, "    ", columns);
+    }
+    text + &left_out(&[&layout])
+}
+
+fn cells(row: &Row, columns: Option<usize>) -> [String; 11] {
+    let number = |of: fn(&Errors) -> f64| {
+        row.errors.as_ref().map_or_else(|| "-".to_owned(), |errors| degrees(of(errors)))
+    };
+    [
+        file(row, columns),
+        row.id.to_owned(),
+        row.part.to_owned(),
+        row.bits.to_string(),
+        row.count.to_string(),
+        row.left_out.to_string(),
+        number(|errors| errors.mean_deg),
+        number(|errors| errors.median_deg),
+        number(|errors| errors.p99_deg),
+        number(|errors| errors.max_deg),
+        worst(row),
+    ]
+}
+
+/// A row's file; the end of a long name on a terminal.
+fn file(row: &Row, columns: Option<usize>) -> String {
+    let name = row.file.as_deref().unwrap_or("all files");
+    match columns.and_then(|_| name.char_indices().rev().nth(SHOWN)) {
+        Some(_) => {
+            format!("...{}", &name[name.char_indices().rev().nth(SHOWN - 4).map_or(0, |(at, _)| at)..])
+        }
+        None => name.to_owned(),
+    }
+}
+
+/// The worst vector's place and components, with its file where the row is of all.
+fn worst(row: &Row) -> String {
+    let Some(Worst { file, index, original: [x, y, z], .. }) =
+        row.errors.as_ref().map(|errors| &errors.worst)
+    else {
+        return "-".to_owned();
+    };
+    let file = if row.file.is_none() { format!("{file} ") } else { String::new() };
+    format!("{file}{index}: ({x:?}, {y:?}, {z:?})")
+}

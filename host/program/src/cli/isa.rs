@@ -1,0 +1,194 @@
+//! `unitvec bench --isa`: what a compiler makes of the kernels.
+
+use super::table::{Layout, left, left_out, right, wrapped};
+use super::{
+    bench, chosen_formats, print, progress, reports_to_stdout, status_after_validation, to_csv, variable,
+};
+use clap::Args;
+use std::fmt::Write;
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use unitvec_catalogue::Operation;
+use unitvec_choose::costs::{Report, Row, Source};
+use unitvec_host::{Error, Result};
+use unitvec_lab::isa;
+use unitvec_lab::isa::pareto;
+use unitvec_lab::isa::radv;
+use unitvec_lab::isa::radv::Radv;
+use unitvec_vulkan::{DeviceInfo, Inspector};
+
+#[derive(Args)]
+pub struct Compiler {
+    /// Compile the kernels and count instructions; run nothing. For devices whose drivers have
+    /// VK_KHR_pipeline_executable_properties.
+    #[arg(long, conflicts_with_all = ["count", "samples"])]
+    pub isa: bool,
+    /// With --isa: ask the compiler of Mesa's driver RADV for an AMD GPU, which need not be there. A code name as RADV has it
+    /// (navi21), or a generation (gcn4, gcn5, rdna2, rdna3, rdna4).
+    #[arg(long, value_name = "NAME", requires = "isa")]
+    gpu: Option<String>,
+    /// With --gpu: the file of the RADV to ask, radeon_icd*.json, instead of the system's; or the variable UNITVEC_RADV_ICD.
+    #[arg(long, value_name = "FILE", requires = "gpu")]
+    driver: Option<PathBuf>,
+    /// With --isa: draw a chart of the codecs' maximum errors against their costs, as SVG.
+    #[arg(long, value_name = "FILE", requires = "isa")]
+    chart: Option<PathBuf>,
+}
+
+impl Compiler {
+    /// The driver's environment, where it is asked for.
+    fn radv(&self) -> Result<Option<Radv>> {
+        let Some(gpu) = &self.gpu else { return Ok(None) };
+        let driver = self.driver.clone().or_else(|| variable("UNITVEC_RADV_ICD").map(PathBuf::from));
+        Ok(Some(Radv::new(gpu, driver.as_deref())?))
+    }
+}
+
+pub fn run(arguments: &bench::Arguments) -> Result<ExitCode> {
+    if let Some(radv) = arguments.compiler.radv()? {
+        if arguments.vulkan.names_device() {
+            return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));
+        }
+        if !radv.is_here() {
+            let status = radv.command()?.status().map_err(radv::Error::NotStarted)?;
+            let code = status.code().and_then(|code| u8::try_from(code).ok());
+            return Ok(code.map_or(ExitCode::FAILURE, ExitCode::from));
+        }
+    }
+    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
+    let chosen = chosen_formats(&arguments.codec)?;
+    let columns = arguments.wide.columns()?;
+    let instance = arguments.vulkan.instance()?;
+    let inspector = Inspector::open(&instance, &arguments.vulkan.choice())?;
+
+    let bar =
+        progress::bar(Some(chosen.len() as u64), "{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left");
+    let report = isa::measure(&inspector, &arguments.vulkan.modules()?, &chosen, |format| {
+        progress::show_if_due(&bar);
+        bar.set_message(format.id);
+        bar.inc(1);
+    })?;
+    bar.finish_and_clear();
+    drop(inspector);
+
+    if let Some(path) = &arguments.csv {
+        unitvec_files::write_file(path, &to_csv(path, &report.rows)?)?;
+    }
+    if let Some(path) = &arguments.json {
+        unitvec_files::write_file(path, report.to_json().as_bytes())?;
+    }
+    if let Some(path) = &arguments.markdown {
+        unitvec_files::write_file(path, markdown(&report).as_bytes())?;
+    }
+    if let Some(path) = &arguments.compiler.chart {
+        let failed = |error: Box<dyn std::error::Error>| {
+            unitvec_files::Error::writing(path, io::Error::other(error.to_string()))
+        };
+        unitvec_files::write_file(path, pareto::svg(&report).map_err(failed)?.as_bytes())?;
+    }
+    if !to_stdout {
+        print(&text(&report, columns))?;
+    }
+    Ok(status_after_validation(&instance.validation_messages(), true))
+}
+
+fn legend(device: &DeviceInfo) -> String {
+    format!(
+        "compiler: driver {} for {}; nothing was run\n\
+         T: inverse throughput, cycles of a compute unit's busiest part for 64 invocations of four vectors; / oct32: T as a \
+         multiple of that of oct32's kernel from GLSL\n\
+         vector / v: vector instructions a vector; registers: vector \
+         registers; / glsl: instructions as a multiple of those of the kernel from GLSL\n\
+         -: not told by the driver, or not to be worked out\n\n",
+        device.driver, device.name,
+    )
+}
+
+fn table(columns: Option<usize>) -> Layout {
+    Layout::new(
+        vec![
+            left("codec", 20),
+            left("", 6),
+            left("source", 8),
+            right("T", 5),
+            right("/\noct32", 5).rank(1),
+            right("vector\n/ v", 6).rank(3),
+            right("instruc-\ntions", 8),
+            right("/\nglsl", 5).rank(2),
+            right("regis-\nters", 6).rank(4),
+            right("latency", 7).rank(6),
+            right("bytes", 6).rank(5),
+        ],
+        columns,
+    )
+}
+
+fn text(report: &Report, columns: Option<usize>) -> String {
+    let table = table(columns);
+    let mut text = wrapped(&legend(&report.device), "    ", columns) + &table.heading();
+    for row in &report.rows {
+        let cells = cells(report, row);
+        text += &table.line(&cells.each_ref().map(|cell| cell as &dyn std::fmt::Display));
+    }
+    text + &wrapped(&summary(report), "", columns) + &left_out(&[&table])
+}
+
+fn cells(report: &Report, row: &Row) -> [String; 11] {
+    let integer = |value: Option<u64>| value.map_or_else(|| "-".to_owned(), |value| value.to_string());
+    let number = |value: Option<f64>, digits: usize| {
+        value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+    };
+    [
+        row.textbook.clone().unwrap_or_else(|| row.id.clone()),
+        row.operation.to_string(),
+        row.source.to_string(),
+        integer(row.inverse_throughput),
+        number(report.ratio_to_oct32(row), 2),
+        number(row.vector_instructions, 1),
+        integer(row.instructions),
+        number(report.ratio_to_glsl(row), 2),
+        integer(row.vector_registers),
+        integer(row.latency),
+        integer(row.code_bytes),
+    ]
+}
+
+fn markdown(report: &Report) -> String {
+    let mut text = format!(
+        "{}, {}.\n\n| codec | operation | source | T | T / oct32 | vector instructions a vector | instructions | instructions / \
+         glsl | vector registers | latency | bytes |\n|{}\n",
+        report.device.name,
+        report.device.driver,
+        "---|".repeat(11)
+    );
+    for row in &report.rows {
+        // Writing to a String cannot fail.
+        let _ = writeln!(text, "| {} |", cells(report, row).join(" | "));
+    }
+    text
+}
+
+/// Where the kernels from Rust have more instructions than those from GLSL: the worst few.
+fn summary(report: &Report) -> String {
+    const SHOWN: usize = 6;
+    let of_rust = report.rows.iter().filter(|row| row.source == Source::Rust);
+    let mut longer: Vec<(&Row, f64)> = of_rust
+        .filter_map(|row| Some((row, report.ratio_to_glsl(row).filter(|ratio| *ratio > 1.02)?)))
+        .collect();
+    longer.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let mut named: Vec<String> = longer
+        .iter()
+        .take(SHOWN)
+        .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
+        .collect();
+    if longer.len() > SHOWN {
+        named.push(format!("{} more", longer.len() - SHOWN));
+    }
+    let verdict = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
+    let is_counted = |row: &&Row| (row.source, row.operation) == (Source::Glsl, Operation::Encode);
+    format!(
+        "\nbench --isa: {} codecs; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",
+        report.rows.iter().filter(is_counted).count()
+    )
+}

@@ -1,0 +1,347 @@
+//! The command line.
+
+mod accuracy;
+mod bench;
+mod choose;
+mod codecs;
+mod conform;
+mod convert;
+mod devices;
+mod error;
+mod figures;
+mod imprecise;
+mod isa;
+mod link;
+mod pipeline;
+mod progress;
+mod report;
+mod shader;
+mod summary;
+mod table;
+
+use clap::{Args, Parser, Subcommand};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use unitvec_catalogue::{Format, find_format, formats};
+use unitvec_host::{Error, Result};
+use unitvec_lab::imprecise::Gpus;
+use unitvec_manifest::modules::Modules;
+use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
+use unitvec_run::conform::Backends;
+use unitvec_run::glsl;
+use unitvec_run::shader::{Edition, Language, LanguageGpu};
+use unitvec_vulkan::{Device, DeviceChoice, Instance};
+
+/// Unit-vector codecs on the CPU and on Vulkan: convert files, and show that all agree.
+///
+/// Exit status: 0 if all went well, 1 if something failed or disagreed, 2 if the command line is at fault, 130
+/// if interrupted.
+#[derive(Parser)]
+#[command(name = "unitvec", version)]
+pub struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// List the codecs, of vectors and of tangent frames.
+    Codecs(codecs::Arguments),
+    /// List the Vulkan devices, and which one would be used.
+    Devices(Vulkan),
+    /// Encode raw little-endian f32: three a vector, seven a tangent frame; or the normals of a mesh (obj, ply, gltf,
+    /// glb), or its normals and tangents (gltf, glb).
+    ///
+    /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
+    /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
+    /// primitives share comes once, at the first of them. --json says where each primitive begins.
+    ///
+    /// A vertex without a face to compute its normal from gets +Z.
+    Encode(convert::Arguments),
+    /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
+    Decode(convert::Arguments),
+    /// Export the normals of a mesh as raw little-endian f32, which `encode` takes, or its tangent frames; in the order
+    /// of `encode --help`.
+    Normals(convert::NormalsArguments),
+    /// Measure the errors of codecs over the vectors or frames of your own meshes and raw files.
+    ///
+    /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
+    /// between the vectors and what they are decoded to, in degrees, and the vector with the largest, counted from 0:
+    /// in glTF over all primitives, whose offsets `encode --json` prints. Half (99 %) of the errors are at most the median
+    /// (percentile), to within 0.03 %. Vectors without a usable
+    /// direction are counted and left out. A frame's normal and tangent are measured apart; a tangent that is not
+    /// perpendicular to its normal comes back perpendicular, and the turn counts as error.
+    Error(error::Arguments),
+    /// Measure the errors of all codecs, beside the figures that the survey publishes.
+    Accuracy(accuracy::Arguments),
+    /// Measure what encoding and decoding cost on a device, beside the survey's figures; with --isa, what its compiler makes of
+    /// the kernels.
+    Bench(bench::Arguments),
+    /// Find the cheapest codecs of vectors that meet a demand.
+    Choose(choose::Arguments),
+    /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
+    Figures(figures::Arguments),
+    /// Write a page to decide from: what to take, the published tables, the figures, and whether this device agrees.
+    Report(report::Arguments),
+    /// Write the functions of codecs in a shading language, ready to paste, with all that they need.
+    Shader(shader::Arguments),
+    /// Show that the backends agree to the bit: cpu, rust, wgsl and, in a build with a GLSL compiler, glsl and hlsl.
+    Conform(conform::Arguments),
+    /// Link a shader's SPIR-V with the codecs' functions.
+    ///
+    /// The shader includes stubs, which --stubs prints, and calls them: `unitvec_oct16_encode(v)`. Linking puts the functions of
+    /// the library spirv/unitvec.spv in their place, removes what is not used, optimises and validates, by spirv-link,
+    /// spirv-opt and spirv-val of the Vulkan SDK or of Debian's package spirv-tools. The compiler has to leave the stubs' names
+    /// and calls in place: glslangValidator -V, glslc, dxc -spirv -fcgl, slangc -target spirv. docs/linking.md says more.
+    Link(link::Arguments),
+}
+
+impl Arguments {
+    /// Runs the command.
+    pub fn run(self) -> Result<ExitCode> {
+        match self.command {
+            Command::Codecs(arguments) => codecs::run(&arguments),
+            Command::Devices(vulkan) => devices::run(&vulkan),
+            Command::Encode(arguments) => convert::encode(&arguments),
+            Command::Decode(arguments) => convert::decode(&arguments),
+            Command::Normals(arguments) => convert::normals(&arguments),
+            Command::Error(arguments) => error::run(&arguments),
+            Command::Accuracy(arguments) => accuracy::run(&arguments),
+            Command::Bench(arguments) => bench::run(&arguments),
+            Command::Choose(arguments) => choose::run(&arguments),
+            Command::Figures(arguments) => figures::run(&arguments),
+            Command::Report(arguments) => report::run(&arguments),
+            Command::Shader(arguments) => shader::run(&arguments),
+            Command::Conform(arguments) => conform::run(&arguments),
+            Command::Link(arguments) => link::run(&arguments),
+        }
+    }
+}
+
+/// Which device, and how to open it.
+#[derive(Args)]
+pub struct Vulkan {
+    /// Device, by part of its name or by its index in `unitvec devices`; else the first of the best kind, real GPUs
+    /// before software.
+    #[arg(long, value_name = "NAME|INDEX", env = "UNITVEC_DEVICE")]
+    device: Option<String>,
+    /// Run with the Vulkan validation layer; any message of it is a failure.
+    #[arg(long)]
+    validate: bool,
+    /// Folder of SPIR-V modules with a manifest, instead of those inside the program; or the variable UNITVEC_SPIRV.
+    /// A module that differs from the program's, by its SHA-256, does not run without --trust.
+    #[arg(long, value_name = "FOLDER")]
+    spirv: Option<PathBuf>,
+    /// Run the modules of --spirv whatever they are. Only their framing is checked: a driver may crash on an invalid one.
+    #[arg(long)]
+    trust: bool,
+}
+
+impl Vulkan {
+    fn instance(&self) -> Result<Arc<Instance>, unitvec_vulkan::Error> {
+        Ok(Arc::new(Instance::new(variable("UNITVEC_VULKAN_LOADER").as_deref(), self.validate)?))
+    }
+
+    fn choice(&self) -> DeviceChoice {
+        DeviceChoice::from_option(self.device.clone())
+    }
+
+    fn device(&self) -> Result<Arc<Device>, unitvec_vulkan::Error> {
+        Device::open(&self.instance()?, &self.choice())
+    }
+
+    /// Fails where the command line names modules that a command does not take.
+    fn refuse_modules(&self) -> Result<()> {
+        if self.spirv.is_some() || self.trust {
+            let options =
+                "--spirv and --trust are of the kernels; the renderer's shaders are inside the program";
+            return Err(Error::Usage(options.to_owned()));
+        }
+        Ok(())
+    }
+
+    /// A device that draws.
+    fn device_for_graphics(&self) -> Result<Arc<Device>, unitvec_vulkan::Error> {
+        Device::open_for_graphics(&self.instance()?, &self.choice())
+    }
+
+    fn folder(&self) -> Option<PathBuf> {
+        let variable = || std::env::var_os("UNITVEC_SPIRV").filter(|folder| !folder.is_empty());
+        self.spirv.clone().or_else(|| variable().map(PathBuf::from))
+    }
+
+    fn modules(&self) -> Result<Modules> {
+        match (self.folder(), self.trust) {
+            (Some(folder), true) => Ok(Modules::open_trusted(&folder)?),
+            (None, true) => {
+                Err(Error::Usage("--trust is of the modules of --spirv; name their folder".to_owned()))
+            }
+            (folder, false) => Ok(Modules::open(folder.as_deref())?),
+        }
+    }
+
+    /// The whole kernels of a backend, from Rust or from GLSL; `None` for the others.
+    fn source(&self, kind: BackendKind) -> Result<Option<KernelSource>> {
+        Ok(match kind {
+            BackendKind::Rust => Some(KernelSource::Rust(self.modules()?)),
+            BackendKind::Glsl => Some(KernelSource::Glsl(glsl::Compiler::new()?)),
+            BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => None,
+        })
+    }
+
+    /// Kernels from Rust and, in a build with a GLSL compiler, from GLSL; what they fail to write cannot pass for their results.
+    fn gpus(&self, device: &Arc<Device>) -> Result<Gpus> {
+        let mut gpus = Gpus::new();
+        for kind in BackendKind::of_devices() {
+            if let Some(source) = self.source(kind)? {
+                gpus.insert(kind, Gpu::new(device, source, true)?);
+            }
+        }
+        Ok(gpus)
+    }
+
+    /// A backend on a device. With `fill_output`, what a kernel fails to write cannot pass for its result.
+    fn backend(
+        &self,
+        kind: BackendKind,
+        device: &Arc<Device>,
+        fill_output: bool,
+    ) -> Result<Box<dyn Backend>> {
+        if let Some(source) = self.source(kind)? {
+            return Ok(Box::new(Gpu::new(device, source, fill_output)?));
+        }
+        let (language, edition) = match kind {
+            BackendKind::Hlsl => (Language::Hlsl, Edition::Plain),
+            BackendKind::Wgsl => (Language::Wgsl, Edition::Exact),
+            BackendKind::Cpu | BackendKind::Rust | BackendKind::Glsl => return Ok(Box::new(Cpu)),
+        };
+        Ok(Box::new(LanguageGpu::new(device, language, edition)?))
+    }
+
+    /// All backends that this build has on a device, but the CPU.
+    fn backends(&self, device: &Arc<Device>) -> Result<Backends> {
+        BackendKind::of_devices().map(|kind| Ok((kind, self.backend(kind, device, true)?))).collect()
+    }
+
+    /// True where the command line, not the environment, names a device.
+    fn names_device(&self) -> bool {
+        self.device.is_some() && self.device.as_deref() != std::env::var("UNITVEC_DEVICE").ok().as_deref()
+    }
+
+    /// Fails where the command line, not the environment, asks for what the CPU backend does not have.
+    fn refuse_for_cpu(&self) -> Result<()> {
+        if self.names_device() || self.validate || self.spirv.is_some() || self.trust {
+            let options =
+                "--device, --validate, --spirv and --trust need a Vulkan backend; add --backend rust";
+            return Err(Error::Usage(options.to_owned()));
+        }
+        Ok(())
+    }
+}
+
+/// An environment variable; `None` where it is unset or empty.
+fn variable(name: &str) -> Option<String> {
+    std::env::var(name).ok().filter(|value| !value.is_empty())
+}
+
+/// A backend and, where it has one, its device.
+struct OpenBackend {
+    backend: Box<dyn Backend>,
+    device: Option<Arc<Device>>,
+}
+
+impl OpenBackend {
+    fn open(kind: BackendKind, vulkan: &Vulkan) -> Result<Self> {
+        if kind == BackendKind::Cpu {
+            vulkan.refuse_for_cpu()?;
+            return Ok(Self { backend: Box::new(Cpu), device: None });
+        }
+        let device = vulkan.device()?;
+        Ok(Self { backend: vulkan.backend(kind, &device, false)?, device: Some(device) })
+    }
+
+    /// Closes both; the exit status tells of validation messages, those of closing too.
+    fn close(self) -> ExitCode {
+        let instance = self.device.as_ref().map(|device| device.instance().clone());
+        drop(self);
+        status_after_validation(
+            &instance.map_or_else(Vec::new, |instance| instance.validation_messages()),
+            true,
+        )
+    }
+}
+
+/// Prints to the standard output.
+fn print(text: &str) -> Result<ExitCode> {
+    let written = io::stdout().lock().write_all(text.as_bytes());
+    written.map_err(|source| unitvec_files::Error::writing(Path::new("-"), source))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The exit status after a run with these validation messages, which go to the standard error.
+fn status_after_validation(messages: &[String], success: bool) -> ExitCode {
+    for message in messages {
+        // Where the standard error is closed, the exit status has to do.
+        let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
+    }
+    if success && messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The codecs, of vectors and of frames, with these identifiers; all if there are none.
+fn chosen_formats(ids: &[String]) -> Result<Vec<Format>> {
+    if ids.is_empty() {
+        return Ok(formats().collect());
+    }
+    let mut chosen: Vec<Format> = Vec::new();
+    for id in ids {
+        let format = find_format(id)?;
+        if chosen.iter().all(|other| other.id != format.id) {
+            chosen.push(format);
+        }
+    }
+    Ok(chosen)
+}
+
+/// Counts of random directions: at least one, and what a day's run could use.
+fn counts() -> clap::builder::RangedU64ValueParser<u64> {
+    clap::value_parser!(u64).range(1..=1 << 40)
+}
+
+/// Fails where JSON and CSV would both go to the standard output; tells whether one of them does.
+fn reports_to_stdout(json: Option<&Path>, csv: Option<&Path>) -> Result<bool> {
+    let stdout = Some(Path::new("-"));
+    if json == stdout && csv == stdout {
+        return Err(Error::Usage(
+            "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
+        ));
+    }
+    Ok(json == stdout || csv == stdout)
+}
+
+/// Rows as CSV, for `path`.
+fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
+    to_separated(path, rows, b',')
+}
+
+/// Rows below the names of their fields, for `path`.
+fn to_separated<T: serde::Serialize>(path: &Path, rows: &[T], separator: u8) -> Result<Vec<u8>> {
+    let failed = |error: String| unitvec_files::Error::writing(path, io::Error::other(error));
+    let mut writer = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
+    for row in rows {
+        writer.serialize(row).map_err(|error| failed(error.to_string()))?;
+    }
+    Ok(writer.into_inner().map_err(|error| failed(error.to_string()))?)
+}
+
+/// Degrees with six decimals, or four digits of what they would not show.
+fn degrees(error: f64) -> String {
+    if error < 0.0001 { format!("{error:.3e}") } else { format!("{error:.6}") }
+}
+
+/// JSON with a final newline.
+fn to_json<T: serde::Serialize>(value: &T) -> String {
+    // Serialising plain structs and strings to memory has no way to fail.
+    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+}

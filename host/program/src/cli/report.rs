@@ -1,0 +1,232 @@
+use super::figures::{Rendering, Studio, draw_all};
+use super::{print, progress, to_json};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use unitvec_catalogue::{Format, find_format, formats};
+use unitvec_choose::{Costs, RECOMMENDED};
+use unitvec_files::read_small;
+use unitvec_host::{Error, Result};
+use unitvec_render as render;
+use unitvec_render::Material;
+use unitvec_render::figures::{Figures, Options, Part};
+use unitvec_render::report;
+use unitvec_render::report::{Agreement, Contents, Files, Machine, Pipeline};
+use unitvec_run::backend::BackendKind;
+use unitvec_run::conform;
+use unitvec_run::conform::{Backends, Plan, Rounding};
+use unitvec_vulkan as vulkan;
+use unitvec_vulkan::Device;
+
+#[derive(Args)]
+pub struct Arguments {
+    /// File to write.
+    #[arg(long, value_name = "FILE", default_value = "report.html")]
+    out: PathBuf,
+    /// Folder with figures of `unitvec figures`; they are made now if it is not given. Of a folder that --small made, the page slides
+    /// between the parts of pictures that figure 8 shows.
+    #[arg(long, value_name = "DIR")]
+    figures: Option<PathBuf>,
+    /// Report of `unitvec conform --json` to show; a short run is made now if it is not given.
+    #[arg(long, value_name = "FILE")]
+    conform: Option<PathBuf>,
+    /// Report of `unitvec conform --pipeline --json` to show; a short run with the recommended codecs is made now if it
+    /// is not given.
+    #[arg(long, value_name = "FILE")]
+    pipeline: Option<PathBuf>,
+    /// Costs to begin with: a report of `unitvec bench --json`, with --isa or without.
+    #[arg(long, value_name = "FILE")]
+    costs: Option<PathBuf>,
+    /// Use no Vulkan device: leave out rendered figures and the runs of `conform`, unless their files are given.
+    #[arg(long)]
+    no_device: bool,
+    /// Random directions of each row of the tables.
+    #[arg(long, value_name = "N", default_value_t = 100_000, value_parser = super::counts())]
+    count: u64,
+    #[command(flatten)]
+    rendering: Rendering,
+}
+
+/// Random vectors of a codec, and the codes that are all decoded, of the short run.
+const SHORT: (usize, u32) = (1 << 12, 8);
+
+/// Random directions of a codec of the short run of the graphics pipeline.
+const SHORT_PIPELINE: usize = 1 << 8;
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    // What cannot be written is told before the work.
+    let output = unitvec_files::Output::create(&arguments.out)?;
+    let is_page = output.is_stdout();
+    // So is what cannot be read.
+    let mut costs = report::shipped_costs()?;
+    if let Some(path) = &arguments.costs {
+        costs.insert(0, Costs::parse(path, &read(path)?)?);
+    }
+    let agreement = arguments.conform.as_deref().map(conform_of).transpose()?;
+    let pipeline = arguments.pipeline.as_deref().map(pipeline_of).transpose()?;
+    let figures = arguments.figures.as_deref().map(figures_of).transpose()?;
+
+    let mut messages = Vec::new();
+    let drawing = drawing(arguments)?;
+    let not_rendered = drawing.as_ref().err().filter(|_| figures.is_none()).cloned();
+    let agreement = match agreement {
+        None if !arguments.no_device => Some(short_conform(&arguments.rendering, &mut messages)?),
+        given => given,
+    };
+    let pipeline = match (pipeline, drawing) {
+        (Some(given), _) => Ok(given),
+        (None, Ok(device)) => Ok(short_pipeline(device, &mut messages)?),
+        (None, Err(reason)) => Err(reason),
+    };
+    let (figures, files) = match figures {
+        Some(given) => given,
+        None => draw_figures(arguments, not_rendered.is_none(), &mut messages)?,
+    };
+    let count = arguments.count as usize;
+    let machine = Machine::this();
+    let contents = Contents { figures, files, not_rendered, agreement, pipeline, machine, costs, count };
+    let bar = progress::bar(Some(report::work() as u64), "tables {wide_bar} {pos} of {len}, {eta} left");
+    let html = report::html(&contents, &mut || {
+        progress::show_if_due(&bar);
+        bar.inc(1);
+    })?;
+    bar.finish_and_clear();
+    write(output, &html)?;
+    let size = html.len() as f64 / f64::from(1 << 20);
+    if !is_page {
+        print(&format!("report: {} ({size:.1} MiB)\n", arguments.out.display()))?;
+    }
+    Ok(super::status_after_validation(&messages, true))
+}
+
+fn write(mut output: unitvec_files::Output, html: &str) -> Result<()> {
+    let path = output.path().to_owned();
+    std::io::Write::write_all(&mut output, html.as_bytes())
+        .map_err(|source| unitvec_files::Error::writing(&path, source))?;
+    Ok(output.finish()?)
+}
+
+fn read(path: &Path) -> Result<Vec<u8>> {
+    Ok(read_small(path)?)
+}
+
+/// The error of a file that is not what this command writes.
+fn not_of(path: &Path, command: &str, error: serde_json::Error) -> Error {
+    Error::Usage(format!("{} is not a report of `{command}`: {error}", path.display()))
+}
+
+fn conform_of(path: &Path) -> Result<Agreement> {
+    parse_conform(path, &read(path)?)
+}
+
+fn parse_conform(path: &Path, json: &[u8]) -> Result<Agreement> {
+    Agreement::parse(json).map_err(|error| not_of(path, "unitvec conform --json", error))
+}
+
+fn pipeline_of(path: &Path) -> Result<Pipeline> {
+    parse_pipeline(path, &read(path)?)
+}
+
+fn parse_pipeline(path: &Path, json: &[u8]) -> Result<Pipeline> {
+    Pipeline::parse(json).map_err(|error| not_of(path, "unitvec conform --pipeline --json", error))
+}
+
+/// A device that draws; else why there is none, in a sentence. One that fails for another reason is an error.
+type Drawing = Result<Arc<Device>, String>;
+
+fn drawing(arguments: &Arguments) -> Result<Drawing> {
+    let is_asked = arguments.figures.is_none() || arguments.pipeline.is_none();
+    if arguments.no_device || !is_asked {
+        return Ok(Err("No Vulkan device was used.".to_owned()));
+    }
+    match arguments.rendering.vulkan.device_for_graphics() {
+        Err(vulkan::Error::MissingFeature { device, feature }) => {
+            Ok(Err(format!("The device {device} lacks {feature}.")))
+        }
+        opened => Ok(Ok(opened?)),
+    }
+}
+
+/// The figures of a folder with their files.
+fn figures_of(folder: &Path) -> Result<(Figures, Files)> {
+    let figures = Figures::read(folder)?;
+    let shown = figures.figures.iter().flat_map(|figure| &figure.pictures);
+    let files = shown.map(|shown| Ok((shown.file.clone(), read(&folder.join(&shown.file))?)));
+    let files = files.collect::<Result<Files>>()?;
+    Ok((figures, files))
+}
+
+/// Draws the figures, those that are rendered too if a device draws.
+fn draw_figures(arguments: &Arguments, draws: bool, messages: &mut Vec<String>) -> Result<(Figures, Files)> {
+    let mut files = Files::new();
+    let options = Options { small: true, codecs: Vec::new(), materials: Material::ALL.to_vec(), whole: true };
+    let parts = Part::value_variants().iter().copied();
+    let parts: Vec<Part> = parts.filter(|part| draws || !part.is_rendered()).collect();
+    let mut studio = Studio::new(&arguments.rendering, None, true);
+    let figures = draw_all(&parts, &options, &mut studio, |file, bytes| {
+        files.insert(file.to_owned(), bytes);
+        Ok(())
+    })?;
+    messages.extend(studio.close());
+    Ok((figures, files))
+}
+
+/// A short run of the graphics pipeline with the codecs that the page recommends: all of them take minutes.
+fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<Pipeline> {
+    let options = render::conform::Options { count: SHORT_PIPELINE, seed: 1 };
+    let traits = render::conform::traits(&device, &options)?;
+    let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
+    let formats = ids.map(|id| Ok(find_format(id)?)).collect::<Result<Vec<Format>>>()?;
+    let bar = progress::bar(Some(formats.len() as u64), "graphics pipeline {wide_bar} {pos} of {len}");
+    let mut rows = Vec::new();
+    render::conform::run(formats, &options, &device, &traits, &mut |row| {
+        progress::show_if_due(&bar);
+        bar.inc(1);
+        rows.push(row);
+        Ok::<(), Error>(())
+    })?;
+    bar.finish_and_clear();
+    let report = render::conform::Report::new(device.info(), &options, traits, rows, Vec::new());
+    close(device, messages);
+    parse_pipeline(Path::new("this run"), to_json(&report).as_bytes())
+}
+
+/// A short run of the kernels of all codecs.
+fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<Agreement> {
+    let options = conform::Options { count: SHORT.0, seed: 1, normals: Vec::new(), all_codes_up_to: SHORT.1 };
+    let device = rendering.vulkan.device()?;
+    let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend(rendering, &device)?)].into()) };
+    let rounding = [(BackendKind::Rust, Rounding::of(backend(rendering, &device)?.as_mut())?)].into();
+    let plans: Vec<Plan<'_>> = formats().map(|format| Plan::new(format, &options)).collect();
+    let bar = progress::bar(Some(plans.len() as u64), "agreement {wide_bar} {pos} of {len}");
+    let mut rows = Vec::new();
+    conform::run(plans, open, &mut |_| progress::show_if_due(&bar), &mut |row| {
+        bar.inc(1);
+        rows.push(row);
+        Ok::<(), Error>(())
+    })?;
+    bar.finish_and_clear();
+    let report = conform::Report {
+        device: device.info().clone(),
+        random_directions: options.count,
+        all_codes_up_to: options.all_codes_up_to,
+        glsl_compared: false,
+        agreed: rows.iter().all(conform::Row::agrees),
+        rounding,
+        rows,
+    };
+    close(device, messages);
+    parse_conform(Path::new("this run"), to_json(&report).as_bytes())
+}
+
+/// Closes a device, and tells what the validation layer said, of closing too.
+fn close(device: Arc<Device>, messages: &mut Vec<String>) {
+    let instance = device.instance().clone();
+    drop(device);
+    messages.extend(instance.validation_messages());
+}
+
+fn backend(rendering: &Rendering, device: &Arc<Device>) -> Result<Box<dyn unitvec_run::backend::Backend>> {
+    rendering.vulkan.backend(BackendKind::Rust, device, true)
+}

@@ -1,0 +1,88 @@
+use super::table::{self, Layout, left, right};
+use super::{chosen_formats, print};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use unitvec_catalogue::{Format, Operation, formats};
+use unitvec_host::{Error, Result};
+use unitvec_run::shader::{Edition, Language, text};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Language to write; --list says what each is.
+    #[arg(long, value_name = "LANGUAGE", required_unless_present = "list", value_parser = languages())]
+    language: Option<Language>,
+    /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.
+    #[arg(long, value_name = "ID")]
+    codec: Vec<String>,
+    /// The exact edition, for languages without `precise`: compilers cannot fuse and reorder operations. It costs one more
+    /// operation for each that is rounded.
+    #[arg(long)]
+    exact: bool,
+    /// File to write; - for the standard output, which it is if not given.
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// List the languages and the codecs with their functions, and write nothing.
+    #[arg(long, conflicts_with_all = ["language", "codec", "exact", "output"])]
+    list: bool,
+    #[command(flatten)]
+    wide: table::Wide,
+}
+
+fn languages() -> impl TypedValueParser<Value = Language> {
+    PossibleValuesParser::new(Language::ALL.map(Language::id)).try_map(|id| id.parse::<Language>())
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let language = match (arguments.list, arguments.language) {
+        (false, Some(language)) => language,
+        _ => return print(&list(arguments.wide.columns()?)),
+    };
+    let edition = if arguments.exact { Edition::Exact } else { Edition::Plain };
+    if !language.editions().contains(&edition) {
+        return Err(Error::Usage(format!(
+            "{language} has no exact edition, since `precise` keeps its plain one exact; leave --exact out"
+        )));
+    }
+    let text = text(&chosen_formats(&arguments.codec)?, language, edition, &command(arguments, language))?;
+    match arguments.output.as_deref() {
+        Some(path) if path != Path::new("-") => {
+            unitvec_files::write_file(path, text.as_bytes())?;
+            Ok(ExitCode::SUCCESS)
+        }
+        _ => print(&text),
+    }
+}
+
+/// What wrote a text, for its head.
+fn command(arguments: &Arguments, language: Language) -> String {
+    let exact = if arguments.exact { " --exact" } else { "" };
+    let mut command = format!("unitvec shader --language {}{exact}", language.id());
+    for id in &arguments.codec {
+        command += &format!(" --codec {id}");
+    }
+    command
+}
+
+fn list(columns: Option<usize>) -> String {
+    let languages = Layout::new(
+        vec![left("language", 10), left("name", 26), left("files", 12), left("editions", 12)],
+        columns,
+    );
+    let mut text = languages.heading();
+    for language in Language::ALL {
+        let editions = if language.editions().len() > 1 { "plain, exact" } else { "plain" };
+        text += &languages.line(&[&language.id(), &language.name(), &language.extension(), &editions]);
+    }
+    let codecs =
+        Layout::new(vec![left("codec", 20), right("bits", 4), left("functions", 55).apart()], columns);
+    text.push('\n');
+    text += &codecs.heading();
+    for format in formats() {
+        let Format { id, bits, .. } = format;
+        let functions = Operation::ALL.map(|operation| format.function(operation)).join(", ");
+        text += &codecs.line(&[&id, &bits, &functions]);
+    }
+    text + &table::left_out(&[&languages, &codecs])
+}

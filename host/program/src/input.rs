@@ -1,0 +1,292 @@
+//! Input files, and what they hold: a mesh, raw floats, or unknown.
+
+use crate::stream::swap_if_big_endian;
+use crate::{Error, Result};
+use std::io::{self, Cursor, Read};
+use std::path::{Path, PathBuf};
+use unitvec_catalogue::Element;
+use unitvec_mesh as mesh;
+use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part};
+
+/// Endings of files that hold raw floats.
+pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
+
+/// A file or stream that was opened to be read.
+pub struct Input {
+    path: PathBuf,
+    reader: Box<dyn Read>,
+    length: Option<u64>,
+    /// Bytes read of it.
+    read: u64,
+    mesh: Option<FileFormat>,
+    is_text: bool,
+    is_broken_text: bool,
+}
+
+impl Input {
+    /// Opens a file; `-` is the standard input. Looks at its first bytes, which are still there to be read.
+    ///
+    /// # Errors
+    /// [`unitvec_files::Error::Read`].
+    pub fn open(path: &Path) -> Result<Self> {
+        let error = |source| unitvec_files::Error::reading(path, source);
+        let (mut reader, length) = unitvec_files::open(path).map_err(error)?;
+        let mut head = Vec::new();
+        reader.by_ref().take(FileFormat::HEAD as u64).read_to_end(&mut head).map_err(error)?;
+        let (mesh, is_text) = (FileFormat::of(path, &head), is_text(&head));
+        let is_broken_text = mesh.is_some_and(|format| format.is_text(&head)) && head.contains(&0);
+        let reader = Box::new(Cursor::new(head).chain(reader));
+        Ok(Self { path: path.to_owned(), reader, length, read: 0, mesh, is_text, is_broken_text })
+    }
+
+    /// The format of the mesh that it holds, if it does.
+    pub fn mesh(&self) -> Option<FileFormat> {
+        self.mesh
+    }
+
+    /// True where raw floats can be expected: one of [`RAW_ENDINGS`], the standard input, a pipe or a device.
+    pub fn is_raw(&self) -> bool {
+        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+        self.length.is_none() || RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending))
+    }
+
+    /// Refuses what is neither a mesh nor, as far as can be told, raw floats.
+    fn check(&self) -> Result<()> {
+        let path = || self.path.clone();
+        match self.mesh {
+            None if !self.is_raw() => Err(Error::UnknownInput { path: path() }),
+            None if self.is_text => Err(Error::TextInput { path: path() }),
+            _ => Ok(()),
+        }
+    }
+
+    /// Its length in bytes, where it is a file.
+    pub fn length(&self) -> Option<u64> {
+        self.length
+    }
+
+    /// Reads all of it as a mesh: `parse` is [`mesh::parse`] or [`mesh::parse_frames`].
+    ///
+    /// # Errors
+    /// [`MeshError::UnknownFormat`] where it is none, and what `parse` meets.
+    pub fn parse<T>(mut self, parse: fn(&Path, FileFormat, &[u8]) -> Result<T, MeshError>) -> Result<T> {
+        let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: self.path.clone() })?;
+        let bytes =
+            self.read_all(format).map_err(|source| unitvec_files::Error::reading(&self.path, source))?;
+        Ok(parse(&self.path, format, &bytes)?)
+    }
+
+    /// The whole of a mesh. What cannot be one is found before it fills the memory: 100 GB of zeros are quickly made.
+    fn read_all(&mut self, format: FileFormat) -> io::Result<Vec<u8>> {
+        /// A GLB has two chunks, whose lengths have 32 bits each.
+        const MOST_OF_GLTF: u64 = 1 << 34;
+        if self.is_broken_text {
+            return Err(io::Error::other("it has zeros where its format has text"));
+        }
+        if format == FileFormat::Gltf && self.length.is_some_and(|length| length > MOST_OF_GLTF) {
+            return Err(io::Error::other("it is longer than glTF can be"));
+        }
+        let mut bytes = Vec::new();
+        bytes.try_reserve_exact(self.length.and_then(|length| length.try_into().ok()).unwrap_or(0))?;
+        self.read_to_end(&mut bytes)?;
+        Ok(bytes)
+    }
+
+    /// The number of elements of so many bytes, if it is known.
+    ///
+    /// # Errors
+    /// [`Error::Truncated`] where the file's length tells that it ends within an element, so that nobody waits to learn it.
+    pub fn count(&self, bytes: usize, unit: &str) -> Result<Option<u64>> {
+        let Some(length) = self.length else { return Ok(None) };
+        let (whole, left) = (length / bytes as u64, (length % bytes as u64) as usize);
+        match left {
+            0 => Ok(Some(whole)),
+            _ => Err(Error::truncated(&self.path, whole, unit, bytes, left)),
+        }
+    }
+}
+
+impl Read for Input {
+    fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+        let count = self.reader.read(buffer)?;
+        self.read += count as u64;
+        if count == 0 && !buffer.is_empty() && self.length.is_some_and(|length| self.read < length) {
+            return Err(io::Error::other("it became shorter while it was read"));
+        }
+        Ok(count)
+    }
+}
+
+/// Vectors or frames to encode: those of a mesh, or raw ones.
+pub struct Elements {
+    /// Little-endian f32. Computed normals without a direction are zero.
+    pub floats: Box<dyn Read>,
+    /// The number of elements, where it is known.
+    pub count: Option<u64>,
+    /// Where those of a mesh lie.
+    pub parts: Option<Vec<Part>>,
+}
+
+impl Elements {
+    /// Opens a file or, with `-`, the standard input: as a mesh where it is one, as raw floats where [`Input::is_raw`]. With
+    /// `raw`, as raw floats in any case.
+    ///
+    /// # Errors
+    /// [`Error::UnknownInput`] if it is neither, [`Error::TextInput`] if it is text instead of raw floats, and whatever reading
+    /// it meets.
+    pub fn open(path: &Path, element: Element, raw: bool) -> Result<Self> {
+        let input = Input::open(path)?;
+        if !raw {
+            input.check()?;
+        }
+        match (input.mesh.filter(|_| !raw), element) {
+            (None, _) => Self::raw(input, element),
+            (Some(_), Element::Vector) => {
+                let Mesh { normals, parts } = input.parse(mesh::parse)?;
+                Ok(Self::of_mesh(normals, parts))
+            }
+            (Some(_), Element::Frame) => {
+                let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+                Ok(Self::of_mesh(frames, parts))
+            }
+        }
+    }
+
+    /// Finds early what [`open`](Self::open) would refuse of a file before it parses it. Pipes are left alone, since they can be
+    /// opened once.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn check(path: &Path, raw: bool) -> Result<()> {
+        if path == Path::new("-") || path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
+            return Ok(());
+        }
+        let input = Input::open(path)?;
+        if raw { Ok(()) } else { input.check() }
+    }
+
+    fn raw(input: Input, element: Element) -> Result<Self> {
+        let count = input.count(element.bytes(), element.plural())?;
+        Ok(Self { floats: Box::new(input), count, parts: None })
+    }
+
+    fn of_mesh<const N: usize>(elements: Vec<[f32; N]>, parts: Vec<Part>) -> Self {
+        let count = Some(elements.len() as u64);
+        Self { floats: Box::new(Cursor::new(Bytes::of(elements))), count, parts: Some(parts) }
+    }
+}
+
+/// The little-endian bytes of floats, in the place of the floats.
+struct Bytes<const N: usize>(Vec<[f32; N]>);
+
+impl<const N: usize> Bytes<N> {
+    fn of(mut elements: Vec<[f32; N]>) -> Self {
+        swap_if_big_endian(elements.as_flattened_mut());
+        Self(elements)
+    }
+}
+
+impl<const N: usize> AsRef<[u8]> for Bytes<N> {
+    fn as_ref(&self) -> &[u8] {
+        bytemuck::cast_slice(self.0.as_flattened())
+    }
+}
+
+/// True for printable text in UTF-8, of which the end may be cut off. Floats of directions have bytes that are not.
+fn is_text(head: &[u8]) -> bool {
+    let whole = match std::str::from_utf8(head) {
+        Err(error) if error.error_len().is_none() => head.get(..error.valid_up_to()),
+        Err(_) => None,
+        Ok(_) => Some(head),
+    };
+    let is_printable = |byte: &u8| !byte.is_ascii_control() || byte.is_ascii_whitespace();
+    whole.is_some_and(|text| !text.is_empty() && text.iter().all(is_printable))
+}
+
+/// Floats as little-endian bytes.
+pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
+    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A file that shrinks while it is read is no shorter file.
+    #[test]
+    fn a_file_that_shrinks() {
+        let file = tempfile::NamedTempFile::with_suffix(".f32").unwrap();
+        file.as_file().set_len(2 * FileFormat::HEAD as u64).unwrap();
+        let (mut input, mut read) = (Input::open(file.path()).unwrap(), Vec::new());
+        file.as_file().set_len(FileFormat::HEAD as u64 + 12).unwrap();
+        let error = input.read_to_end(&mut read).unwrap_err();
+        assert!(error.to_string().contains("shorter") && read.len() == FileFormat::HEAD + 12, "{error}");
+    }
+
+    /// What was looked at is read again, and all after it.
+    #[test]
+    fn the_first_bytes_are_read_again() {
+        let folder = tempfile::tempdir().unwrap();
+        for length in [0, 3, FileFormat::HEAD, FileFormat::HEAD + 5] {
+            let bytes: Vec<u8> = (0..length).map(|at| (at % 251) as u8).collect();
+            let path = folder.path().join("a.bin");
+            std::fs::write(&path, &bytes).unwrap();
+            let (mut input, mut read) = (Input::open(&path).unwrap(), Vec::new());
+            assert_eq!(input.length(), Some(length as u64));
+            input.read_to_end(&mut read).unwrap();
+            assert!(read == bytes, "{length}");
+        }
+    }
+
+    /// Text is not taken for raw floats, unless asked to be; no bytes at all are no text.
+    #[test]
+    fn text_is_no_raw_input() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.bin");
+        let floats = to_bytes(&[0.6, -0.8, 0.0]);
+        let late = format!("{{{}\"asset\":{{}}}}", " ".repeat(FileFormat::HEAD));
+        let umlauts = "\u{e4}".repeat(FileFormat::HEAD);
+        for (content, is_text) in [
+            (&b"v 0 0 0\r\nvn 0 0 1\n"[..], true),
+            ("# M\u{fc}nchen\nv 0 0 0".as_bytes(), true),
+            (late.as_bytes(), true),
+            (umlauts.as_bytes(), true),
+            (&format!("a{umlauts}").into_bytes(), true),
+            (b"", false),
+            (&floats, false),
+            (b"v 0 0 0\0", false),
+            (b"v 0 0 0\xff", false),
+        ] {
+            std::fs::write(&path, content).unwrap();
+            for found in
+                [Elements::open(&path, Element::Vector, false).map(drop), Elements::check(&path, false)]
+            {
+                assert_eq!(matches!(found, Err(Error::TextInput { .. })), is_text, "{}", content.len());
+            }
+            let raw = Elements::open(&path, Element::Vector, true).map(drop);
+            assert!(matches!(raw, Ok(()) | Err(Error::Truncated { .. })), "{raw:?}");
+        }
+    }
+
+    /// Raw floats are known by the ending, in any case; a mesh is known by its first bytes whatever its ending.
+    #[test]
+    fn what_a_file_holds() {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, bytes, expected) in [
+            ("a.bin", &b"\0\0\0\0"[..], (None, true)),
+            ("a.F32", b"", (None, true)),
+            ("a.raw", b"{", (None, true)),
+            ("a.fbx", b"Kaydara FBX Binary", (None, false)),
+            ("bin", b"", (None, false)),
+            ("a.vrm", b"glTF\x02\0\0\0", (Some(FileFormat::Gltf), false)),
+            ("b.bin", b"ply\nformat", (Some(FileFormat::Ply), true)),
+            ("a.obj", b"", (Some(FileFormat::Obj), false)),
+        ] {
+            let path = folder.path().join(name);
+            std::fs::write(&path, bytes).unwrap();
+            let input = Input::open(&path).unwrap();
+            assert_eq!((input.mesh(), input.is_raw()), expected, "{name}");
+        }
+        assert!(matches!(Input::open(folder.path()), Err(Error::Files(unitvec_files::Error::Read { .. }))));
+    }
+}

@@ -1,0 +1,337 @@
+//! What the vectors and frames of files lose to codecs: the angles between them and what they are decoded to.
+
+use crate::stream::{self, Input};
+use crate::{Error, Result};
+use rayon::prelude::*;
+use serde::Serialize;
+use unitvec::angle_deg;
+use unitvec_catalogue::{Element, Format};
+use unitvec_mesh::has_direction;
+use unitvec_run::backend::{Backend, CHUNK, round_trip_slice};
+
+/// The errors of one codec over one file, or over all of them.
+#[derive(Clone, Debug, Serialize)]
+pub struct Row {
+    /// The file; none for all of them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub file: Option<String>,
+    /// Codec.
+    pub id: &'static str,
+    /// What the errors are of: `vector`, or `normal` and `tangent` of frames.
+    pub part: &'static str,
+    /// Bits of a code.
+    pub bits: u32,
+    /// Vectors measured.
+    pub count: u64,
+    /// Vectors left out, since they have no usable direction: zero, infinite, NaN; tangents of such a normal, too.
+    pub left_out: u64,
+    /// The errors; none where nothing was measured.
+    #[serde(flatten)]
+    pub errors: Option<Errors>,
+}
+
+/// Errors in degrees.
+#[derive(Clone, Debug, Serialize)]
+pub struct Errors {
+    /// Mean.
+    pub mean_deg: f64,
+    /// The least error that half of all do not exceed, to within a 4096th.
+    pub median_deg: f64,
+    /// The least error that 99 % of all do not exceed, to within a 4096th.
+    pub p99_deg: f64,
+    /// Maximum.
+    pub max_deg: f64,
+    /// The first vector with the maximum.
+    pub worst: Worst,
+}
+
+/// A vector and what became of it.
+#[derive(Clone, Debug, Serialize)]
+pub struct Worst {
+    /// Its file.
+    pub file: String,
+    /// Its place in the file, counted from 0.
+    pub index: u64,
+    /// The vector.
+    pub original: [f32; 3],
+    /// What it is decoded to.
+    pub decoded: [f32; 3],
+}
+
+/// The errors of all files.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// A row for each file, codec and part.
+    pub rows: Vec<Row>,
+    /// A row for each codec and part, over all files.
+    pub totals: Vec<Row>,
+    /// Files that have no normals, or not all, so that these were computed from the faces.
+    pub computed: Vec<String>,
+}
+
+/// Measures codecs over one file after the other, in bounded memory.
+pub struct Meter {
+    formats: Vec<Format>,
+    element: Element,
+    rows: Vec<Row>,
+    /// For each format, for each part.
+    totals: Vec<Tally>,
+}
+
+impl Meter {
+    /// Of these codecs.
+    ///
+    /// # Errors
+    /// [`Error::Usage`] if some are of vectors and some of frames, or if there are none.
+    pub fn new(formats: Vec<Format>) -> Result<Self> {
+        let element = formats.first().map(|format| format.element);
+        match element.filter(|element| formats.iter().all(|format| format.element == *element)) {
+            Some(element) => {
+                let totals = vec![Tally::default(); formats.len() * parts(element).len()];
+                Ok(Self { formats, element, rows: Vec::new(), totals })
+            }
+            None => Err(Error::Usage(
+                "codecs of vectors and of frames read different inputs; measure them one after the other"
+                    .to_owned(),
+            )),
+        }
+    }
+
+    /// What the codecs encode.
+    pub fn element(&self) -> Element {
+        self.element
+    }
+
+    /// Measures the raw vectors or frames of a file. `progress` is told the elements done so far.
+    ///
+    /// # Errors
+    /// [`Error::Truncated`] if the input ends within an element, [`Error::NotFinite`] if the backend decodes to NaN, and
+    /// whatever reading and the backend meet.
+    pub fn measure(
+        &mut self,
+        backend: &mut dyn Backend,
+        input: Input<'_>,
+        progress: &mut dyn FnMut(u64),
+    ) -> Result<()> {
+        let (element, parts) = (self.element, parts(self.element));
+        let file = input.path.display().to_string();
+        let mut tallies = vec![Tally::default(); self.totals.len()];
+        let bytes = self.formats.iter().map(|format| format.bytes).max().unwrap_or(0);
+        let mut codes = vec![0; CHUNK * bytes];
+        let mut decoded = vec![0.0; CHUNK * element.floats()];
+        stream::for_each_chunk(input, element, &mut |elements, before| {
+            let decoded = &mut decoded[..elements.len()];
+            for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
+                let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
+                round_trip_slice(backend, *format, elements, codes, decoded)?;
+                for (part, tally) in tallies.iter_mut().enumerate() {
+                    tally.add_all(&Chunk {
+                        file: &file,
+                        id: format.id,
+                        before,
+                        element,
+                        part,
+                        elements,
+                        decoded,
+                    })?;
+                }
+            }
+            progress(before + (elements.len() / element.floats()) as u64);
+            Ok(())
+        })?;
+        self.rows.extend(rows(&self.formats, parts, &tallies, Some(&file)));
+        self.totals.iter_mut().zip(tallies).for_each(|(total, tally)| total.merge(tally));
+        Ok(())
+    }
+
+    /// The errors measured.
+    pub fn report(self) -> Report {
+        let totals = rows(&self.formats, parts(self.element), &self.totals, None).collect();
+        Report { rows: self.rows, totals, computed: Vec::new() }
+    }
+}
+
+/// The vectors that an element has.
+fn parts(element: Element) -> &'static [&'static str] {
+    match element {
+        Element::Vector => &["vector"],
+        Element::Frame => &["normal", "tangent"],
+    }
+}
+
+fn rows(
+    formats: &[Format],
+    parts: &[&'static str],
+    tallies: &[Tally],
+    file: Option<&str>,
+) -> impl Iterator<Item = Row> {
+    let names = formats.iter().flat_map(|format| parts.iter().map(move |part| (format, part)));
+    names.zip(tallies).map(move |((format, part), tally)| Row {
+        file: file.map(str::to_owned),
+        id: format.id,
+        part,
+        bits: format.bits,
+        count: tally.count,
+        left_out: tally.left_out,
+        errors: tally.errors(),
+    })
+}
+
+/// A part of the elements of a file, and what they were decoded to.
+struct Chunk<'a> {
+    file: &'a str,
+    id: &'static str,
+    before: u64,
+    element: Element,
+    part: usize,
+    elements: &'a [f32],
+    decoded: &'a [f32],
+}
+
+impl Chunk<'_> {
+    /// The error of each element's vector; none where it, or the normal of a tangent, has no usable direction.
+    fn errors(&self) -> Vec<Option<f64>> {
+        let floats = self.element.floats();
+        let pairs = self.elements.par_chunks_exact(floats).zip(self.decoded.par_chunks_exact(floats));
+        pairs.map(|(original, decoded)| error(original, decoded, self.part)).collect()
+    }
+
+    fn worst(&self, at: usize) -> Worst {
+        let of = |elements: &[f32]| vector(&elements[at * self.element.floats()..], self.part);
+        Worst {
+            file: self.file.to_owned(),
+            index: self.before + at as u64,
+            original: of(self.elements),
+            decoded: of(self.decoded),
+        }
+    }
+}
+
+fn vector(element: &[f32], part: usize) -> [f32; 3] {
+    std::array::from_fn(|component| element[3 * part + component])
+}
+
+fn error(original: &[f32], decoded: &[f32], part: usize) -> Option<f64> {
+    let is_usable = |part: usize| has_direction(vector(original, part));
+    (0..=part).all(is_usable).then(|| angle_deg(vector(original, part), vector(decoded, part)))
+}
+
+/// Low bits of an error, as f32, that its bin disregards: the bins are 2^-11 of their errors wide, so that their middles
+/// are no more than 2^-12 off.
+const BIN_SHIFT: u32 = 12;
+
+/// Bins of errors of up to 180 degrees.
+const BINS: usize = (180f32.to_bits() >> BIN_SHIFT) as usize + 1;
+
+#[derive(Clone, Default)]
+struct Tally {
+    count: u64,
+    left_out: u64,
+    sum: f64,
+    max: f64,
+    worst: Option<Worst>,
+    /// Empty, or [`BINS`] of them.
+    bins: Vec<u64>,
+}
+
+impl Tally {
+    fn add_all(&mut self, chunk: &Chunk<'_>) -> Result<()> {
+        self.bins.resize(BINS, 0);
+        for (at, error) in chunk.errors().into_iter().enumerate() {
+            let Some(error) = error else {
+                self.left_out += 1;
+                continue;
+            };
+            if error.is_nan() {
+                return Err(Error::NotFinite {
+                    id: chunk.id,
+                    index: chunk.before + at as u64,
+                    path: chunk.file.into(),
+                });
+            }
+            self.count += 1;
+            self.sum += error;
+            self.bins[((error as f32).to_bits() >> BIN_SHIFT) as usize] += 1;
+            if self.worst.is_none() || error > self.max {
+                self.max = error;
+                self.worst = Some(chunk.worst(at));
+            }
+        }
+        Ok(())
+    }
+
+    /// Takes in what another file has.
+    fn merge(&mut self, other: Self) {
+        self.count += other.count;
+        self.left_out += other.left_out;
+        self.sum += other.sum;
+        if self.worst.is_none() || other.max > self.max {
+            (self.max, self.worst) = (other.max, other.worst);
+        }
+        if self.bins.is_empty() {
+            self.bins = other.bins;
+        } else {
+            self.bins.iter_mut().zip(other.bins).for_each(|(bin, other)| *bin += other);
+        }
+    }
+
+    fn errors(&self) -> Option<Errors> {
+        Some(Errors {
+            mean_deg: self.sum / self.count as f64,
+            median_deg: self.quantile(0.5),
+            p99_deg: self.quantile(0.99),
+            max_deg: self.max,
+            worst: self.worst.clone()?,
+        })
+    }
+
+    /// The middle of the bin of the least error that this part of all do not exceed.
+    fn quantile(&self, part: f64) -> f64 {
+        let rank = (part * self.count as f64).ceil() as u64;
+        let mut up_to = 0;
+        let is_reached = |bin: &u64| {
+            up_to += bin;
+            up_to >= rank
+        };
+        match self.bins.iter().position(is_reached) {
+            // Zero, but for errors that are far below what f32 vectors can have.
+            None | Some(0) => 0.0,
+            Some(bin) => {
+                let middle = ((bin as u32) << BIN_SHIFT) | (1 << (BIN_SHIFT - 1));
+                f64::from(f32::from_bits(middle)).min(self.max)
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stream::Named;
+    use std::path::Path;
+    use unitvec_catalogue::find_format;
+
+    /// Decodes the last element to NaN.
+    struct Broken;
+
+    impl Backend for Broken {
+        fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> unitvec_run::Result<()> {
+            Ok(())
+        }
+
+        fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
+            elements.fill(1.0);
+            elements[elements.len() - 1] = f32::NAN;
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn a_decoder_that_gives_nan_is_an_error() {
+        let mut meter = Meter::new(vec![find_format("oct16").unwrap()]).unwrap();
+        let mut bytes: &[u8] = bytemuck::cast_slice(&[1.0f32; 9]);
+        let input: Input<'_> = Named::new(Path::new("in.bin"), &mut bytes);
+        let error = meter.measure(&mut Broken, input, &mut |_| ()).unwrap_err();
+        assert!(matches!(error, Error::NotFinite { id: "oct16", index: 2, .. }), "{error}");
+    }
+}

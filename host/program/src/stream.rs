@@ -1,0 +1,369 @@
+//! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
+
+use crate::{Error, Result};
+use std::io::{self, Read, Write};
+use std::path::Path;
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::{Domain, Element, Format};
+use unitvec_mesh::has_direction;
+use unitvec_run::backend::{Backend, CHUNK};
+
+/// An input or an output with the path that its errors name.
+pub struct Named<'a, S: ?Sized> {
+    /// Path, `-` for a standard stream.
+    pub path: &'a Path,
+    /// Where the bytes come from or go to.
+    pub stream: &'a mut S,
+}
+
+impl<'a, S: ?Sized> Named<'a, S> {
+    /// Names a stream.
+    pub fn new(path: &'a Path, stream: &'a mut S) -> Self {
+        Self { path, stream }
+    }
+}
+
+/// Where bytes come from.
+pub type Input<'a> = Named<'a, dyn Read + 'a>;
+
+/// Where bytes go to.
+pub type Sink<'a> = Named<'a, dyn Write + 'a>;
+
+/// What was encoded.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// Vectors or frames.
+    pub elements: u64,
+    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also those
+    /// that leave nothing to store: -Z for a codec of the hemisphere, components that all round to 0. They are stored as +Z.
+    pub no_direction: u64,
+    /// Tangents of frames without one; in codes also those with none in the plane of the decoded normal. Any perpendicular
+    /// to the normal is stored.
+    pub no_tangent: u64,
+    /// Vectors below the equator that a codec of the hemisphere cannot store.
+    pub below: u64,
+}
+
+impl Counts {
+    /// Counts elements that lie one after the other.
+    pub fn add(&mut self, element: Element, floats: &[f32]) {
+        self.add_normals(element, floats);
+        if element == Element::Frame {
+            self.no_tangent +=
+                vectors(element, floats, 3).filter(|vector| !has_direction(*vector)).count() as u64;
+        }
+    }
+
+    fn add_normals(&mut self, element: Element, floats: &[f32]) {
+        self.elements += (floats.len() / element.floats()) as u64;
+        self.no_direction +=
+            vectors(element, floats, 0).filter(|vector| !has_direction(*vector)).count() as u64;
+    }
+
+    /// Counts vectors and their codes.
+    fn add_vectors(&mut self, format: Format, z_code: &[u8], floats: &[f32], codes: &[u8]) {
+        self.add_normals(Element::Vector, floats);
+        let is_raw = keeps_lengths(format);
+        let with_direction = vectors(Element::Vector, floats, 0)
+            .zip(codes.chunks_exact(format.bytes))
+            .filter(|(vector, _)| has_direction(*vector));
+        for (vector, code) in with_direction {
+            let is_below = format.domain == Domain::Hemisphere && vector[2] < 0.0;
+            // Of raw components, those of a vector along +Z are 1/2 at least where their code is that of +Z.
+            let is_small = is_raw && vector.iter().all(|component| component.abs() < 0.5);
+            if code == z_code && (is_below || is_small) {
+                self.no_direction += 1;
+            } else if is_below {
+                self.below += 1;
+            }
+        }
+    }
+
+    /// Counts frames by their codes and those with the tangents turned round. Only where a codec finds no tangent are the
+    /// two alike.
+    fn add_frames(&mut self, format: Format, floats: &[f32], codes: &[u8], turned: &[u8]) {
+        self.add_normals(Element::Frame, floats);
+        let pairs = codes.chunks_exact(format.bytes).zip(turned.chunks_exact(format.bytes));
+        self.no_tangent += pairs.filter(|(code, turned)| code == turned).count() as u64;
+    }
+}
+
+/// The vectors that begin at this float of each element.
+fn vectors(element: Element, floats: &[f32], at: usize) -> impl Iterator<Item = [f32; 3]> {
+    floats.chunks_exact(element.floats()).map(move |e| [e[at], e[at + 1], e[at + 2]])
+}
+
+/// True for codecs that store components as given, so that a vector's length is kept, or is lost with small ones.
+pub fn keeps_lengths(format: Format) -> bool {
+    catalogue::find(format.id).is_ok_and(|codec| !codec.is_unit && codec.family != "best_fit")
+}
+
+/// Frames with their tangents turned round.
+fn turned(frames: &[f32]) -> Vec<f32> {
+    let mut turned = frames.to_vec();
+    for frame in turned.chunks_exact_mut(Element::Frame.floats()) {
+        frame[3..6].iter_mut().for_each(|component| *component = -*component);
+    }
+    turned
+}
+
+/// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` is told the elements done so far.
+///
+/// # Errors
+/// [`Error::Truncated`] if the input ends within an element, and whatever reading, encoding or writing meets.
+pub fn encode(
+    backend: &mut dyn Backend,
+    format: Format,
+    input: Input<'_>,
+    mut output: Sink<'_>,
+    progress: &mut dyn FnMut(u64),
+) -> Result<Counts> {
+    let mut codes = vec![0; CHUNK * format.bytes];
+    let mut turned_codes = codes.clone();
+    let mut z_code = vec![0; format.bytes];
+    if format.element == Element::Vector {
+        format.encode_cpu(&[0.0, 0.0, 1.0], &mut z_code)?;
+    }
+    let mut done = Counts::default();
+    for_each_chunk(input, format.element, &mut |elements, _| {
+        let codes = &mut codes[..elements.len() / format.element.floats() * format.bytes];
+        backend.encode(format, elements, codes)?;
+        write(&mut output, codes)?;
+        match format.element {
+            Element::Vector => done.add_vectors(format, &z_code, elements, codes),
+            Element::Frame => {
+                let turned_codes = &mut turned_codes[..codes.len()];
+                backend.encode(format, &turned(elements), turned_codes)?;
+                done.add_frames(format, elements, codes, turned_codes);
+            }
+        }
+        progress(done.elements);
+        Ok(())
+    })?;
+    Ok(done)
+}
+
+/// Reads raw vectors or frames until the input ends, and hands on at most [`CHUNK`] of them at a time, with the number of
+/// those before.
+///
+/// # Errors
+/// [`Error::Truncated`] if the input ends within an element, and whatever reading or `each` meets.
+pub fn for_each_chunk(
+    mut input: Input<'_>,
+    element: Element,
+    each: &mut dyn FnMut(&[f32], u64) -> Result<()>,
+) -> Result<()> {
+    let mut elements = vec![0.0; CHUNK * element.floats()];
+    let mut done = 0;
+    loop {
+        let bytes = bytemuck::cast_slice_mut(&mut elements);
+        let count = read_elements(&mut input, bytes, element.bytes(), element.plural(), done)?;
+        if count == 0 {
+            return Ok(());
+        }
+        let elements = &mut elements[..count * element.floats()];
+        swap_if_big_endian(elements);
+        each(elements, done)?;
+        done += count as u64;
+    }
+}
+
+/// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory. `progress` is told the
+/// elements done so far. Returns their number.
+///
+/// # Errors
+/// [`Error::Truncated`] if the input ends within a code, and whatever reading, decoding or writing meets.
+pub fn decode(
+    backend: &mut dyn Backend,
+    format: Format,
+    mut input: Input<'_>,
+    mut output: Sink<'_>,
+    progress: &mut dyn FnMut(u64),
+) -> Result<u64> {
+    let floats = format.element.floats();
+    let mut codes = vec![0; CHUNK * format.bytes];
+    let mut elements = vec![0.0; CHUNK * floats];
+    let mut done = 0;
+    loop {
+        let count = read_elements(&mut input, &mut codes, format.bytes, "codes", done)?;
+        if count == 0 {
+            return Ok(done);
+        }
+        let elements = &mut elements[..count * floats];
+        backend.decode(format, &codes[..count * format.bytes], elements)?;
+        swap_if_big_endian(elements);
+        write(&mut output, bytemuck::cast_slice(elements))?;
+        done += count as u64;
+        progress(done);
+    }
+}
+
+/// From little endian to the byte order of this machine, or back.
+pub(crate) fn swap_if_big_endian(floats: &mut [f32]) {
+    if cfg!(target_endian = "big") {
+        floats.iter_mut().for_each(|float| *float = f32::from_bits(float.to_bits().swap_bytes()));
+    }
+}
+
+fn write(output: &mut Sink<'_>, bytes: &[u8]) -> Result<()> {
+    output.stream.write_all(bytes).map_err(|source| unitvec_files::Error::writing(output.path, source))?;
+    Ok(())
+}
+
+/// Fills `buffer` with as many whole elements as there are; 0 at the end of the input. `before` elements were read
+/// already.
+fn read_elements(
+    input: &mut Input<'_>,
+    buffer: &mut [u8],
+    size: usize,
+    unit: &str,
+    before: u64,
+) -> Result<usize> {
+    let filled = read_until_full(input.stream, buffer)
+        .map_err(|source| unitvec_files::Error::reading(input.path, source))?;
+    let (count, left) = (filled / size, filled % size);
+    if left == 0 {
+        return Ok(count);
+    }
+    Err(Error::truncated(input.path, before + count as u64, unit, size, left))
+}
+
+fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize> {
+    let mut filled = 0;
+    while filled < buffer.len() {
+        match input.read(&mut buffer[filled..]) {
+            Ok(0) => break,
+            Ok(count) => filled += count,
+            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(filled)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use unitvec_catalogue::find_format;
+    use unitvec_run::backend::Cpu;
+
+    /// Hands out its bytes a few at a time, as a pipe may.
+    struct Trickle<'a>(&'a [u8]);
+
+    impl Read for Trickle<'_> {
+        fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
+            let count = buffer.len().min(self.0.len()).min(7);
+            buffer[..count].copy_from_slice(&self.0[..count]);
+            self.0 = &self.0[count..];
+            Ok(count)
+        }
+    }
+
+    struct FullDisk;
+
+    impl Write for FullDisk {
+        fn write(&mut self, _: &[u8]) -> io::Result<usize> {
+            Err(io::ErrorKind::StorageFull.into())
+        }
+
+        fn flush(&mut self) -> io::Result<()> {
+            Ok(())
+        }
+    }
+
+    fn run_encode(input: &[u8], output: &mut dyn Write) -> Result<Counts> {
+        let codec = find_format("oct24").unwrap();
+        let (from, to) = (Path::new("in"), Path::new("out"));
+        encode(&mut Cpu, codec, Named::new(from, &mut Trickle(input)), Named::new(to, output), &mut |_| ())
+    }
+
+    #[test]
+    fn short_reads_do_not_cut_the_input() {
+        let mut codes = Vec::new();
+        let one: Vec<u8> = [0.0f32, 0.0, 1.0].iter().flat_map(|c| c.to_le_bytes()).collect();
+        assert_eq!(run_encode(&one.repeat(100), &mut codes).unwrap().elements, 100);
+        assert_eq!(codes.len(), 300);
+    }
+
+    fn count(codec: &str, elements: &[f32]) -> Counts {
+        let input: Vec<u8> = elements.iter().flat_map(|c| c.to_le_bytes()).collect();
+        let (path, codec) = (Path::new("a"), find_format(codec).unwrap());
+        let (mut input, mut output) = (&input[..], io::sink());
+        encode(&mut Cpu, codec, Named::new(path, &mut input), Named::new(path, &mut output), &mut |_| ())
+            .unwrap()
+    }
+
+    /// Vectors without a direction are counted, normals and tangents of frames apart.
+    #[test]
+    fn vectors_without_a_direction_are_counted() {
+        let [zero, nan, tiny, huge, x] =
+            [[0.0; 3], [f32::NAN, 0.0, 1.0], [1e-30; 3], [f32::INFINITY, 0.0, 0.0], [1.0, 0.0, 0.0]];
+        let vectors = [zero, nan, tiny, huge, x, [0.0, 5.0, 0.0], [0.0, -0.0, -0.0]].concat();
+        let expected = Counts { elements: 7, no_direction: 5, ..Counts::default() };
+        assert_eq!(count("oct32", &vectors), expected);
+        let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[1.0]].concat();
+        let frames = [frame(zero, zero), frame(x, nan), frame(zero, x), frame(x, x), frame(x, huge)].concat();
+        // That of (x, x) is parallel to its normal.
+        let expected = Counts { elements: 5, no_direction: 2, no_tangent: 4, below: 0 };
+        assert_eq!(count("frame32", &frames), expected);
+    }
+
+    /// A tangent along its normal, or along the +Z that stands for a missing one, is lost; one that is a degree off is not.
+    #[test]
+    fn tangents_along_their_normals_are_counted() {
+        let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[-1.0]].concat();
+        let n = [3.0, -4.0, 5.0];
+        let frames = [
+            frame(n, n),
+            frame(n, n.map(|c| c * -0.01)),
+            frame([0.0; 3], [0.0, 0.0, 2.0]),
+            frame(n, [3.1, -4.0, 5.0]),
+            frame([0.0; 3], [1.0, 0.0, 2.0]),
+        ];
+        for codec in ["frame32", "frame64"] {
+            let counts = count(codec, &frames.concat());
+            assert_eq!((counts.no_direction, counts.no_tangent), (2, 3), "{codec}");
+        }
+    }
+
+    /// A codec of the hemisphere has nothing of -Z to keep; raw formats keep nothing of what rounds to 0.
+    #[test]
+    fn vectors_that_leave_nothing_are_counted() {
+        let vectors = [0.0, 0.0, -1.0, 0.0, -0.0, -3.0, 0.0, 0.0, 1.0, 0.1, 0.0, -1.0];
+        for codec in ["hemioct16", "xyonly16", "xyonly32f"] {
+            let counts = count(codec, &vectors);
+            assert_eq!((counts.no_direction, counts.below), (2, 1), "{codec}");
+        }
+        let vectors = [1e-3, 0.0, 0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 1.0, 0.0, 0.0, 3.0, 0.0, 0.5, 0.0];
+        for (codec, expected) in [("snorm8x3", 2), ("snorm5x3", 2), ("float16x3", 0), ("oct16", 0)] {
+            assert_eq!(count(codec, &vectors).no_direction, expected, "{codec}");
+        }
+        assert_eq!(count("float16x3", &[1e-9, 0.0, 0.0]).no_direction, 1);
+        let kept =
+            ["snorm8x3", "unorm8x3", "float16x3", "snorm8x3p", "snorm8x3_nearest", "crytek_bfn24", "oct16"]
+                .map(|codec| keeps_lengths(find_format(codec).unwrap()));
+        assert_eq!(kept, [true, true, true, false, false, false, false]);
+    }
+
+    /// What lies below the equator is counted for codecs of the hemisphere alone.
+    #[test]
+    fn vectors_below_the_equator_are_counted() {
+        let vectors = [0.0, 0.6, -0.8, 0.0, 1.0, -0.0, 0.0, f32::NAN, -1.0, 0.0, 0.0, 1.0];
+        assert_eq!((count("hemioct16", &vectors).below, count("oct16", &vectors).below), (1, 0));
+    }
+
+    #[test]
+    fn an_input_cut_within_a_vector_is_an_error() {
+        let error = run_encode(&[0; 12 * 5 + 4], &mut Vec::new()).unwrap_err();
+        assert!(matches!(error, Error::Truncated { whole: 5, left: 4, .. }), "{error}");
+    }
+
+    #[test]
+    fn a_full_disk_is_an_error_that_names_the_file() {
+        let error = run_encode(&[0; 24], &mut FullDisk).unwrap_err();
+        assert!(
+            matches!(&error, Error::Files(unitvec_files::Error::Write { path, .. }) if path == Path::new("out")),
+            "{error}"
+        );
+    }
+}

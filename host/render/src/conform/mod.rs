@@ -1,0 +1,263 @@
+//! Whether codecs go through the graphics pipeline unchanged: what an attachment holds after the hardware's conversion is the
+//! code that the CPU gives, and what texel and vertex fetch give is decoded as on the CPU; to the bit, with the shaders in Rust
+//! and in GLSL.
+
+mod fields;
+mod pairs;
+mod points;
+mod projected;
+mod report;
+mod rounding;
+mod texels;
+
+pub use pairs::{Pair, pairs};
+pub use projected::Projected;
+pub use report::{Checks, Report, Row, Tally, Traits};
+pub use rounding::{Conversion, HardwareRounding};
+
+use super::renderer::{decoded, encoded};
+use super::storage::{Storage, codes_of};
+use super::variant::Variant;
+use super::{Normals, Renderer, Shot, Size, View};
+use crate::Material;
+use crate::{Error, Result};
+use fields::Fields;
+use points::Points;
+use rounding::conversion;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use unitvec_catalogue::{Domain, Format};
+use unitvec_run::backend::BackendKind;
+use unitvec_run::sampling;
+use unitvec_run::workers;
+use unitvec_vulkan::{Device, DeviceChoice, FormatUse, ImageFormat};
+
+/// The scene's picture, whose codes are compared.
+const SCENE: Size = Size { width: 192, height: 108 };
+
+/// Codecs of at most this many bits go through texel and vertex fetch with all their codes.
+const ALL_CODES_UP_TO: u32 = 16;
+
+/// What to run.
+#[derive(Clone, Copy)]
+pub struct Options {
+    /// Random directions for each codec, and random codes for those whose codes are not all fetched.
+    pub count: usize,
+    /// Their seed.
+    pub seed: u64,
+}
+
+/// The renderers of a thread, one for the shaders of each source.
+pub type Renderers = BTreeMap<BackendKind, Renderer>;
+
+/// Sources of shaders that this build has.
+pub fn sources() -> impl Iterator<Item = BackendKind> {
+    BackendKind::of_devices().filter(|kind| matches!(kind, BackendKind::Rust | BackendKind::Glsl))
+}
+
+/// Opens the renderers of a thread, on a device of [`Device::open_for_graphics`].
+///
+/// # Errors
+/// As [`Renderer::new`].
+pub fn open(device: &Arc<Device>) -> Result<Renderers> {
+    sources().map(|source| Ok((source, Renderer::new(device, source, SCENE, 1)?))).collect()
+}
+
+/// Runs codecs, on several threads. `each` is told the rows, in the codecs' order.
+///
+/// # Errors
+/// The first error of a thread or of `each`. Differences are no error: they are in the rows.
+pub fn run<E: From<Error> + Send>(
+    formats: Vec<Format>,
+    options: &Options,
+    device: &Arc<Device>,
+    traits: &Traits,
+    each: &mut dyn FnMut(Row) -> Result<(), E>,
+) -> Result<(), E> {
+    let work = |format: Format, renderers: &mut Renderers, _: &mut dyn FnMut(u64)| {
+        Ok(row(format, options, device, renderers, traits)?)
+    };
+    workers::run(formats, open_on(device), work, &mut |_| {}, each)
+}
+
+/// Runs projections in formats, on several threads. `each` is told the rows, in the order of the pairs.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_pairs<E: From<Error> + Send>(
+    pairs: Vec<Pair>,
+    options: &Options,
+    device: &Arc<Device>,
+    traits: &Traits,
+    each: &mut dyn FnMut(Row) -> Result<(), E>,
+) -> Result<(), E> {
+    let work = |pair: Pair, renderers: &mut Renderers, _: &mut dyn FnMut(u64)| {
+        Ok(pairs::row(pair, options, device, renderers, traits)?)
+    };
+    workers::run(pairs, open_on(device), work, &mut |_| {}, each)
+}
+
+/// What opens the renderers of a thread, on a device of its own: drivers that run on the CPU may compile for a queue while it is
+/// drawing.
+fn open_on<E: From<Error>>(device: &Arc<Device>) -> impl Fn() -> Result<Renderers, E> + Sync {
+    let choice = DeviceChoice::Named(device.info().index.to_string());
+    let open = move || open(&Device::open_for_graphics(device.instance(), &choice)?);
+    move || Ok(open()?)
+}
+
+/// What the device does besides codecs, with shaders of the first source.
+///
+/// # Errors
+/// A failed call, or a shader that does not compile.
+pub fn traits(device: &Arc<Device>, options: &Options) -> Result<Traits> {
+    let renderers = open(device)?;
+    let mut found = Traits::default();
+    let Some(renderer) = renderers.values().next() else { return Ok(found) };
+    let converted = Fields::all().filter(|fields| !fields.has_alpha() || fields.bits() == 10);
+    found.conversions = converted.map(|fields| conversion(renderer, fields)).collect::<Result<_>>()?;
+    let sphere = directions_of(Domain::Sphere, options);
+    let points = Points::of_normals(renderer, &sphere)?;
+    let [_, passed] = points.draw(renderer, &Variant::FLOAT)?;
+    found.interpolated = sphere.len() as u64;
+    for (sent, passed) in sphere.iter().zip(&passed) {
+        let changed = sent.iter().zip(passed).filter(|(sent, passed)| is_changed(**sent, **passed));
+        let is_allowed = |sent: f32, passed: f32| {
+            sent.is_subnormal() && passed == 0.0 || sent.is_infinite() && passed.is_nan()
+        };
+        let all_allowed = changed.clone().all(|(sent, passed)| is_allowed(*sent, *passed));
+        found.flushed += u64::from(all_allowed && changed.count() > 0);
+        found.changed += u64::from(!all_allowed);
+    }
+    Ok(found)
+}
+
+/// True unless both are the same number, or both no number.
+fn is_changed(sent: f32, passed: f32) -> bool {
+    sent != passed && !(sent.is_nan() && passed.is_nan())
+}
+
+/// Random directions of a domain, and special vectors.
+fn directions_of(domain: Domain, options: &Options) -> Vec<[f32; 3]> {
+    let random = sampling::random_directions(domain, options.seed).take(options.count);
+    sampling::special_vectors().into_iter().chain(random).collect()
+}
+
+/// Codes as they are stored: all of them, or random ones and those whose fields are at the ends of their range.
+fn codes(format: &Format, options: &Options) -> Vec<u8> {
+    let codes: Vec<u64> = if format.bits <= ALL_CODES_UP_TO {
+        (0..1 << format.bits).collect()
+    } else {
+        let random = sampling::random_codes(options.seed).take(options.count);
+        sampling::special_codes().into_iter().chain(random).collect()
+    };
+    let mask = u64::MAX >> (64 - format.bits);
+    let is_number = |code: &u64| match Storage::of(format) {
+        // Infinity and NaN of a half are numbers to no codec.
+        Storage::Float16x2 | Storage::Float16x3 => {
+            [0, 16, 32].iter().all(|at| (code >> at) & 0x7c00 != 0x7c00)
+        }
+        _ => true,
+    };
+    let codes: Vec<u64> = codes.into_iter().map(|code| code & mask).filter(is_number).collect();
+    sampling::stored(&codes, format.bytes)
+}
+
+fn row(
+    format: Format,
+    options: &Options,
+    device: &Arc<Device>,
+    renderers: &mut Renderers,
+    traits: &Traits,
+) -> Result<Row> {
+    let keeps_10_bits =
+        traits.rounding(Storage::Snorm10x3.texel()).is_some_and(HardwareRounding::keeps_codes);
+    let drawn = Storage::drawn(&format, device, keeps_10_bits);
+    let own = Variant::codec(format, Storage::of(&format));
+    let mut row = Row::new(device, &format, drawn);
+    let (directions, codes) = (directions_of(format.domain, options), codes(&format, options));
+    for (source, renderer) in renderers.iter_mut() {
+        let mut checks = Checks::default();
+        let variant = Variant::codec(format, drawn);
+        if renderer.shaders.has(&variant) {
+            checks.attachment = attachment(&mut row, *source, renderer, &variant, format, &directions)?;
+            checks.scene = scene(&mut row, *source, renderer, format)?;
+        } else {
+            row.unsupported.push(format!("{source} shaders that write it to {:?}", drawn.texel()));
+        }
+        if device.supports(own.storage.texel(), FormatUse::Texture) {
+            checks.texture = texels::check(&mut row, *source, renderer, &own, format, &codes)?;
+        }
+        if device.supports(own.storage.attribute(device), FormatUse::Vertex) {
+            checks.vertex = vertex(&mut row, *source, renderer, &own, format, &codes)?;
+        }
+        row.checks.insert(*source, checks);
+        if let Some(projected) = projected::check(renderer, format, &directions, traits)? {
+            row.projected.insert(*source, projected);
+        }
+    }
+    Ok(row)
+}
+
+/// Normals as points, encoded into an attachment.
+fn attachment(
+    row: &mut Row,
+    source: BackendKind,
+    renderer: &Renderer,
+    variant: &Variant,
+    format: Format,
+    directions: &[[f32; 3]],
+) -> Result<Tally> {
+    let points = Points::of_normals(renderer, directions)?;
+    let (texels, normals) = points.draw_texels(renderer, variant, variant.storage.texel())?;
+    compare_codes(row, &format!("{source} attachment"), format, variant.storage.texel(), &texels, &normals)
+}
+
+/// The scene's codes, where there is an object.
+fn scene(row: &mut Row, source: BackendKind, renderer: &mut Renderer, format: Format) -> Result<Tally> {
+    let shot = Shot { normals: Normals::Codec(format), view: View::Scene, ..Shot::new(Material::Mirror) };
+    let layers = renderer.layers(&shot)?;
+    let texel = renderer.storage(&format).texel();
+    let size = layers.codes.len() / SCENE.pixels();
+    let mut drawn = (Vec::new(), Vec::new());
+    for (texel, [x, y, z, is_drawn]) in layers.codes.chunks_exact(size).zip(layers.normals) {
+        if is_drawn != 0.0 {
+            drawn.0.extend(texel);
+            drawn.1.push([x, y, z]);
+        }
+    }
+    compare_codes(row, &format!("{source} scene"), format, texel, &drawn.0, &drawn.1)
+}
+
+/// Texels against the CPU's codes of the normals beside them.
+fn compare_codes(
+    row: &mut Row,
+    what: &str,
+    format: Format,
+    texel: ImageFormat,
+    texels: &[u8],
+    normals: &[[f32; 3]],
+) -> Result<Tally> {
+    let cpu = encoded(format, normals)?;
+    let device = codes_of(texels, texel, format.bytes);
+    Ok(row.compare(what, format.bytes, &cpu, &device, |at| shown(&normals[at])))
+}
+
+/// Codes as vertex attributes, against what the same pipeline makes of the CPU's vectors: what interpolation does to zeros is
+/// no matter of codecs.
+fn vertex(
+    row: &mut Row,
+    source: BackendKind,
+    renderer: &Renderer,
+    variant: &Variant,
+    format: Format,
+    codes: &[u8],
+) -> Result<Tally> {
+    let cpu = decoded(format, codes)?;
+    let [_, expected] = Points::of_normals(renderer, &cpu)?.draw(renderer, &Variant::FLOAT)?;
+    let [_, found] = Points::of_codes(renderer, variant, format, codes)?.draw(renderer, &Variant::FLOAT)?;
+    Ok(row.compare_normals(&format!("{source} vertex"), codes, format.bytes, &expected, &found))
+}
+
+fn shown(vector: &[f32; 3]) -> String {
+    format!("{vector:?} (bits {:08x?})", vector.map(f32::to_bits))
+}

@@ -1,0 +1,102 @@
+use std::path::PathBuf;
+use unitvec_run::backend::BackendKind;
+
+/// A result with this crate's [`Error`].
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// An error of drawing or of a report. Each message is one line that names the thing and the remedy.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// A measurement or a backend failed.
+    #[error(transparent)]
+    Lab(#[from] unitvec_lab::Error),
+    /// A file cannot be read or written.
+    #[error(transparent)]
+    Files(#[from] unitvec_files::Error),
+    /// A mesh of the scene cannot be used.
+    #[error(transparent)]
+    Mesh(#[from] unitvec_mesh::MeshError),
+    /// There are shaders in Rust and in GLSL.
+    #[error("the renderer has no shaders in {language}; take rust or glsl")]
+    NoSuchShaders {
+        /// What was asked for.
+        language: BackendKind,
+    },
+    /// A module is not inside the program.
+    #[error("the renderer's module {module} is missing; `cargo xtask spirv` builds it")]
+    NoModule {
+        /// Its file.
+        module: String,
+    },
+    /// A codec without an offset.
+    #[error("{id} has no dithered shaders; take one of {}", crate::DITHERED.join(", "))]
+    NotDithered {
+        /// Codec.
+        id: &'static str,
+    },
+    /// Points that did not arrive.
+    #[error("the device drew {drawn} of {wanted} points, each on a texel of its own: a fault of its driver")]
+    NotDrawn {
+        /// Those that were drawn.
+        drawn: usize,
+        /// Those there are.
+        wanted: usize,
+    },
+    /// Samples that make no picture.
+    #[error("a picture has 1 to {limit} samples in each direction of a pixel, not {samples}")]
+    BadSamples {
+        /// What was asked for.
+        samples: u32,
+        /// The most there are.
+        limit: u32,
+    },
+    /// The chart of the best codecs.
+    #[error("the front cannot be drawn: {0}")]
+    Front(String),
+    /// The figures of an earlier run.
+    #[error(
+        "{} is not of `unitvec figures`: {reason}; name another folder, or remove it and draw all figures again",
+        .path.display()
+    )]
+    Earlier {
+        /// Their file.
+        path: PathBuf,
+        /// The reason.
+        reason: String,
+    },
+    /// The report's template.
+    #[error("the report's page cannot be made: {0}")]
+    Page(String),
+    /// A picture that the report shows.
+    #[error("the figures lack {file}; make them again with `unitvec figures`")]
+    Lacking {
+        /// Its file.
+        file: String,
+    },
+    /// A picture that differs from its description.
+    #[error("{file} is not as its figures say: {reason}")]
+    Unlike {
+        /// Its file.
+        file: String,
+        /// The difference.
+        reason: String,
+    },
+}
+
+macro_rules! lab_errors {
+    ($($error:ty),*) => {$(
+        impl From<$error> for Error {
+            fn from(error: $error) -> Self {
+                Self::Lab(error.into())
+            }
+        }
+    )*};
+}
+lab_errors!(
+    unitvec_catalogue::UnknownCodec,
+    unitvec::slice::LengthMismatch,
+    unitvec_vulkan::Error,
+    unitvec_run::Error,
+    unitvec_run::glsl::Error,
+    unitvec_choose::Error
+);

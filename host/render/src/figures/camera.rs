@@ -1,0 +1,44 @@
+//! What takes the pictures of the scene.
+
+use crate::Result;
+use crate::{Material, Normals, Renderer, Seen, Shot, View};
+use image::RgbImage;
+use unitvec_catalogue::{CodecInfo, Coding};
+
+/// Takes pictures, as bytes of sRGB.
+pub trait Camera {
+    /// Takes one.
+    ///
+    /// # Errors
+    /// What rendering meets.
+    fn picture(&mut self, shot: &Shot) -> Result<RgbImage>;
+
+    /// What each pixel of the picture taken last shows of a surface.
+    ///
+    /// # Errors
+    /// What rendering meets.
+    fn surface(&mut self, shot: &Shot) -> Result<Vec<Option<Seen>>>;
+}
+
+impl Camera for Renderer {
+    fn picture(&mut self, shot: &Shot) -> Result<RgbImage> {
+        let picture = self.render(shot)?;
+        // The picture has as many bytes as its size asks for.
+        Ok(RgbImage::from_raw(picture.size.width, picture.size.height, picture.to_srgb8())
+            .unwrap_or_default())
+    }
+
+    fn surface(&mut self, shot: &Shot) -> Result<Vec<Option<Seen>>> {
+        self.seen(shot)
+    }
+}
+
+/// A shot of some normals.
+pub fn shot(normals: Normals, material: Material, view: View) -> Shot {
+    Shot { normals, view, ..Shot::new(material) }
+}
+
+/// The normals of a codec.
+pub fn coded(codec: &CodecInfo) -> Normals {
+    Normals::Codec(codec.format())
+}

@@ -1,0 +1,248 @@
+//! A figure: its pictures and what is said of them.
+
+use super::canvas;
+use super::compare::Difference;
+use crate::Result;
+use image::RgbImage;
+use serde::{Deserialize, Serialize};
+use std::fmt::Write;
+use unitvec_vulkan::DeviceInfo;
+
+/// A figure.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Figure {
+    /// Its number in the survey, or its name.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// What it shows.
+    pub caption: String,
+    /// Its pictures.
+    pub pictures: Vec<Shown>,
+    /// What was counted and measured for it, besides the pictures' differences.
+    pub numbers: Vec<Number>,
+    /// What made it, where that is not what made the others of its folder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub earlier: Option<Origin>,
+}
+
+/// A picture of a figure.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Shown {
+    /// Name of its file.
+    pub file: String,
+    /// What it shows, in words, for those who do not see it.
+    pub alt: String,
+    /// The one codec and material that it shows, if it does not show several.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub of: Option<Subject>,
+    /// How far what it shows is from the same with floats.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub differences: Vec<Labelled>,
+    /// What a sheet shows at which place, of those whose cells can be slid between.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cells: Vec<Place>,
+    /// Width and height, of those that have pixels.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size: Option<[u32; 2]>,
+    #[serde(skip)]
+    pub(super) content: Content,
+}
+
+/// What a picture is of.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Subject {
+    /// Identifier of the codec, or `float`.
+    pub codec: String,
+    /// The material of the surfaces.
+    pub material: String,
+}
+
+/// A cell of a sheet.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Place {
+    /// What it shows.
+    #[serde(flatten)]
+    pub of: Subject,
+    /// Left, top, width and height in the sheet, in pixels.
+    pub place: [u32; 4],
+}
+
+/// A difference with a name.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Labelled {
+    /// Of what.
+    pub label: String,
+    /// The difference of the whole picture to that of floats.
+    #[serde(flatten)]
+    pub difference: Difference,
+}
+
+#[derive(Debug, Default)]
+pub(super) enum Content {
+    /// In its file.
+    #[default]
+    File,
+    Pixels(RgbImage),
+    Svg(String),
+}
+
+impl Shown {
+    pub(super) fn new(file: &str, alt: &str, content: Content) -> Self {
+        let size = match &content {
+            Content::Pixels(picture) => Some([picture.width(), picture.height()]),
+            Content::File | Content::Svg(_) => None,
+        };
+        let (file, alt) = (file.to_owned(), alt.to_owned());
+        Self { file, alt, of: None, differences: Vec::new(), cells: Vec::new(), size, content }
+    }
+
+    pub(super) fn picture(file: &str, alt: &str, picture: RgbImage) -> Self {
+        Self::new(file, alt, Content::Pixels(picture))
+    }
+
+    /// The file's bytes; none of a picture that was not drawn by this run.
+    ///
+    /// # Errors
+    /// [`unitvec_files::Error::Write`] where a picture cannot be encoded.
+    pub fn bytes(&self) -> Result<Vec<u8>> {
+        match &self.content {
+            Content::File => Ok(Vec::new()),
+            Content::Svg(text) => Ok(text.clone().into_bytes()),
+            Content::Pixels(picture) => canvas::png(picture).map_err(|error| {
+                unitvec_files::Error::writing(self.file.as_ref(), std::io::Error::other(error.to_string()))
+                    .into()
+            }),
+        }
+    }
+}
+
+/// A number with its name.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Number {
+    /// Of what.
+    pub name: String,
+    /// How much.
+    pub value: f64,
+}
+
+impl Number {
+    pub(super) fn new(name: &str, value: f64) -> Self {
+        Self { name: name.to_owned(), value }
+    }
+
+    /// Whole numbers as they are, others with four digits.
+    pub fn in_words(&self) -> String {
+        let Self { value, .. } = self;
+        if value.fract() == 0.0 {
+            return format!("{value:.0}");
+        }
+        let digits = (3 - value.abs().log10().floor() as i32).clamp(0, 12) as usize;
+        format!("{value:.digits$}")
+    }
+}
+
+impl Figure {
+    pub(super) fn new(id: &str, title: &str, caption: String, pictures: Vec<Shown>) -> Self {
+        Self {
+            id: id.to_owned(),
+            title: title.to_owned(),
+            caption,
+            pictures,
+            numbers: Vec::new(),
+            earlier: None,
+        }
+    }
+
+    pub(super) fn with(self, numbers: Vec<Number>) -> Self {
+        Self { numbers, ..self }
+    }
+}
+
+/// What made figures.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Origin {
+    /// What rendered; none where nothing was.
+    pub device: Option<DeviceInfo>,
+    /// Version of the program.
+    pub version: String,
+}
+
+/// The figures of a run, or of a folder.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct Figures {
+    /// What made all those that say nothing else.
+    #[serde(flatten)]
+    pub origin: Origin,
+    /// The figures.
+    pub figures: Vec<Figure>,
+}
+
+impl Figures {
+    /// A page in Markdown with all pictures, their captions and numbers.
+    pub fn to_markdown(&self) -> String {
+        let mut text = "# Figures\n\nMade by `unitvec figures`".to_owned();
+        // Writing to a String cannot fail.
+        if let Some(device) = &self.origin.device {
+            let _ = write!(text, " on {} ({})", device.name, device.driver);
+        }
+        text += ". The numbers of a figure are of the run that drew it.\n";
+        for figure in &self.figures {
+            figure.write_markdown(&mut text);
+        }
+        text
+    }
+}
+
+impl Figure {
+    fn write_markdown(&self, text: &mut String) {
+        // Writing to a String cannot fail.
+        let _ = write!(text, "\n## {}\n\n{}\n", self.heading(), self.caption);
+        if let Some(origin) = self.earlier_in_words() {
+            let _ = write!(text, "\n{origin}\n");
+        }
+        for shown in self.pictures.iter().filter(|shown| shown.of.is_none()) {
+            let _ = write!(text, "\n![{}]({})\n", shown.alt, shown.file);
+            if !shown.differences.is_empty() {
+                *text += "\n| picture | mean difference | largest | SSIM |\n|---|---|---|---|\n";
+            }
+            for Labelled { label, difference: Difference { mean, max, ssim } } in &shown.differences {
+                let _ = writeln!(text, "| {label} | {mean:.3} | {max} | {ssim:.4} |");
+            }
+        }
+        if !self.numbers.is_empty() {
+            *text += "\n| number | value |\n|---|---|\n";
+        }
+        for number in &self.numbers {
+            let _ = writeln!(text, "| {} | {} |", number.name, number.in_words());
+        }
+    }
+
+    /// What made it, where that is not what made the others.
+    pub fn earlier_in_words(&self) -> Option<String> {
+        let Origin { device, version } = self.earlier.as_ref()?;
+        let on = device.as_ref().map(|device| format!(" on {} ({})", device.name, device.driver));
+        Some(format!(
+            "Made by unitvec {version}{}, in another run than the other figures.",
+            on.unwrap_or_default()
+        ))
+    }
+
+    /// `Figure 5. Representable unit vectors`.
+    pub fn heading(&self) -> String {
+        let is_survey = self.id.starts_with(|c: char| c.is_ascii_digit());
+        if is_survey { format!("Figure {}. {}", self.id, self.title) } else { self.title.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_four_digits() {
+        for (value, text) in [(3.0, "3"), (0.123_456, "0.1235"), (12.3456, "12.35"), (1.5e-5, "0.00001500")] {
+            assert_eq!(Number::new("", value).in_words(), text);
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! The survey's figures, Meyer's third, and some that neither has: pictures with their numbers, from one run.
+
+mod camera;
+mod canvas;
+mod compare;
+mod dither;
+mod earlier;
+mod errors;
+mod figure;
+mod latlong;
+mod paint;
+mod pictures;
+mod points;
+mod rounding;
+mod unfolding;
+
+pub use camera::Camera;
+pub(crate) use canvas::cut;
+pub use compare::{Difference, rank_correlation};
+pub use figure::{Figure, Figures, Labelled, Number, Origin, Place, Shown, Subject};
+pub use image::RgbImage;
+
+use crate::Material;
+use crate::{Error, Result};
+use clap::ValueEnum;
+use figure::Content;
+use unitvec_catalogue::{CodecInfo, find};
+use unitvec_choose::costs::{USUAL, find_generation};
+use unitvec_lab::isa::pareto;
+
+/// A figure, by the survey's number or by what it shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Part {
+    /// Mirror and glossy surfaces with oct16p, snorm8x3, oct24p and floats.
+    #[value(name = "1")]
+    One,
+    /// How latlong numbers its patches.
+    #[value(name = "2")]
+    Two,
+    /// How oct unfolds the sphere.
+    #[value(name = "3")]
+    Three,
+    /// Where precise rounding goes.
+    #[value(name = "4")]
+    Four,
+    /// Representable unit vectors.
+    #[value(name = "5")]
+    Five,
+    /// Lambertian surfaces.
+    #[value(name = "6")]
+    Six,
+    /// Glossy surfaces.
+    #[value(name = "7")]
+    Seven,
+    /// The survey's codecs with three materials.
+    #[value(name = "8")]
+    Eight,
+    /// Meyer's figure 3: a highlight on a panel.
+    Meyer,
+    /// Plain and dithered normals.
+    Dither,
+    /// Error maps.
+    Errors,
+    /// Error against cost.
+    Front,
+}
+
+impl Part {
+    /// The figure of an identifier, that of `--only` and of figures.json; none of another.
+    pub fn of_id(id: &str) -> Option<Self> {
+        Self::from_str(id, false).ok()
+    }
+
+    /// True of what takes a device that draws.
+    pub fn is_rendered(self) -> bool {
+        match self {
+            Self::One | Self::Six | Self::Seven | Self::Eight | Self::Meyer | Self::Dither => true,
+            Self::Two | Self::Three | Self::Four | Self::Five | Self::Errors | Self::Front => false,
+        }
+    }
+}
+
+/// What to draw, and how.
+pub struct Options {
+    /// Pictures for a page instead of a screen.
+    pub small: bool,
+    /// Codecs in place of those that a figure has; none for those.
+    pub codecs: Vec<&'static CodecInfo>,
+    /// Materials of figure 8.
+    pub materials: Vec<Material>,
+    /// True where figure 8 has each picture as a file of its own, besides its sheets.
+    pub whole: bool,
+}
+
+impl Options {
+    fn codecs_or(&self, usual: &[&str]) -> Result<Vec<&'static CodecInfo>> {
+        if self.codecs.is_empty() { named(usual) } else { Ok(self.codecs.clone()) }
+    }
+}
+
+/// The front of error against cost, as [`pareto`] draws it.
+fn front() -> Result<Figure> {
+    let failed = |error: String| Error::Front(error);
+    let generation =
+        find_generation(USUAL).ok_or_else(|| failed(format!("no costs of {USUAL} ship with the program")))?;
+    let report = generation.shipped()?;
+    let svg = pareto::svg(&report).map_err(|error| failed(error.to_string()))?;
+    let caption = format!(
+        "Largest error against cost on {}, decoding and encoding, in cycles. A codec with a name is on the front of its size: none that \
+         takes as much room is both finer and cheaper.",
+        report.subject()
+    );
+    let alt = "Chart of error over cost, with the front of each size as a line";
+    Ok(Figure::new(
+        "front",
+        "Error against cost",
+        caption,
+        vec![Shown::new("front.svg", alt, Content::Svg(svg))],
+    ))
+}
+
+/// Draws one figure.
+///
+/// # Errors
+/// What rendering and measuring meet.
+pub fn draw(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figure> {
+    let figure = drawn(part, options, camera)?;
+    let ignores = matches!(part, Part::Two | Part::Three | Part::Four | Part::Dither | Part::Front);
+    if ignores || options.codecs.is_empty() {
+        return Ok(figure);
+    }
+    let asked: Vec<&str> = options.codecs.iter().map(|codec| codec.id).collect();
+    let caption =
+        format!("Of {}, in place of the codecs that this speaks of: {}", asked.join(", "), figure.caption);
+    Ok(Figure { caption, ..figure })
+}
+
+fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figure> {
+    match part {
+        Part::One => pictures::one(camera, options),
+        Part::Six => pictures::difference(camera, options, Material::Lambertian),
+        Part::Seven => pictures::difference(camera, options, Material::Glossy),
+        Part::Eight => pictures::eight(camera, options),
+        Part::Meyer => pictures::meyer(camera, options),
+        Part::Dither => dither::dither(camera, options),
+        Part::Two => Ok(latlong::numbering(options)),
+        Part::Three => Ok(unfolding::unfolding(options)),
+        Part::Four => rounding::rounding(options),
+        Part::Five => points::points(options),
+        Part::Errors => errors::errors(options),
+        Part::Front => front(),
+    }
+}
+
+/// Codecs of vectors by identifier.
+fn named(ids: &[&str]) -> Result<Vec<&'static CodecInfo>> {
+    ids.iter().map(|id| Ok(find(id)?)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Seen, Shot};
+    use image::RgbImage;
+
+    /// No device to render on.
+    struct Blind;
+
+    impl Camera for Blind {
+        fn picture(&mut self, _: &Shot) -> Result<RgbImage> {
+            Err(Error::Front("blind".to_owned()))
+        }
+
+        fn surface(&mut self, _: &Shot) -> Result<Vec<Option<Seen>>> {
+            Err(Error::Front("blind".to_owned()))
+        }
+    }
+
+    #[test]
+    fn figures_without_a_device_have_files_of_their_kind() {
+        let codecs = named(&["oct16"]).unwrap();
+        let options = Options { small: true, codecs, materials: vec![Material::Mirror], whole: false };
+        for part in Part::value_variants().iter().copied().filter(|part| !part.is_rendered()) {
+            let figure = draw(part, &options, &mut Blind).unwrap();
+            for shown in &figure.pictures {
+                let is_png = shown.bytes().unwrap().starts_with(b"\x89PNG");
+                assert_eq!(is_png, shown.file.ends_with(".png"), "{}", shown.file);
+                assert!(!shown.alt.is_empty());
+            }
+        }
+    }
+}

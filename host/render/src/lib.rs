@@ -1,0 +1,135 @@
+//! A deferred renderer as engines have it, to look at codecs and to show that they go through the graphics pipeline unchanged.
+//!
+//! A geometry pass rotates the vertices' normals, encodes them and writes the codes to an attachment of the codec's own Vulkan
+//! format; a lighting pass fetches the codes, decodes them and lights what is there. Normals of vertices are floats or codes.
+//! The shaders are in Rust and in GLSL, and both give the same picture in every bit.
+//!
+//! * [`conform`]: shows that every codec goes through the graphics pipeline unchanged.
+//! * [`figures`]: pictures of codecs. [`report`]: one page of tables and pictures.
+
+#![deny(unsafe_code)]
+
+mod camera;
+pub mod conform;
+mod error;
+pub mod figures;
+mod picture;
+mod projection;
+mod renderer;
+pub mod report;
+mod scene;
+mod seen;
+pub mod shaders;
+mod shapes;
+mod storage;
+mod variant;
+
+pub use error::{Error, Result};
+use picture::srgb8;
+pub use picture::{Picture, Size};
+pub use projection::{PROJECTIONS, Projection};
+pub use renderer::{Layers, MAX_SAMPLES, Renderer};
+pub use scene::OBJECTS;
+pub use seen::Seen;
+pub use storage::Storage;
+pub use variant::DITHERED;
+
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+use unitvec_catalogue::Format;
+
+/// What objects are made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Material {
+    /// Matt.
+    Lambertian,
+    /// With a highlight, by normalised Blinn-Phong.
+    Glossy,
+    /// A mirror.
+    Mirror,
+}
+
+impl Material {
+    /// All three.
+    pub const ALL: [Self; 3] = [Self::Lambertian, Self::Glossy, Self::Mirror];
+}
+
+/// What the G-buffer holds.
+#[derive(Clone, Copy, Debug)]
+pub enum Normals {
+    /// Normals as three floats.
+    Float,
+    /// Codes.
+    Codec(Format),
+    /// Codes with an offset, for one of [`DITHERED`].
+    Dithered(Format, Key),
+}
+
+/// What the offset of a dithered code comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "kebab-case")]
+pub enum Key {
+    /// A hash of the pixel.
+    Pixel,
+    /// The pixel's texel of the tile of blue noise.
+    BlueNoise,
+    /// A hash of the position in object space.
+    Position,
+}
+
+/// What the vertices' normals are.
+#[derive(Clone, Copy, Debug)]
+pub enum Vertices {
+    /// Three floats.
+    Float,
+    /// Codes, in the codec's format or as integers.
+    Codec(Format),
+}
+
+/// What is in the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum View {
+    /// All objects.
+    Scene,
+    /// The panel and the highlight on it.
+    Panel,
+    /// The bumpy sphere on a turntable.
+    Turning,
+    /// The bumpy sphere from one of [`SIDES`] sides. Together they show all of it.
+    Side(u8),
+}
+
+/// Sides of [`View::Side`], the corners of a tetrahedron.
+pub const SIDES: u8 = 4;
+
+/// What to render.
+#[derive(Clone, Copy, Debug)]
+pub struct Shot {
+    /// In the G-buffer.
+    pub normals: Normals,
+    /// In the vertex buffers.
+    pub vertices: Vertices,
+    /// Of all objects.
+    pub material: Material,
+    /// What is seen.
+    pub view: View,
+    /// How far the sphere of [`View::Turning`] has turned, or the panel of [`View::Panel`].
+    pub turn_degrees: f32,
+    /// Moves the offsets that belong to the screen from frame to frame; 0 for ones that stay.
+    pub seed: u32,
+}
+
+impl Shot {
+    /// All objects, from the front, with normals as floats throughout.
+    pub const fn new(material: Material) -> Self {
+        Self {
+            normals: Normals::Float,
+            vertices: Vertices::Float,
+            material,
+            view: View::Scene,
+            turn_degrees: 0.0,
+            seed: 0,
+        }
+    }
+}

@@ -1,0 +1,183 @@
+//! One page to decide from: what to take, the published tables beside ours, the figures, and whether this device agrees. It is one
+//! file, loads nothing and works without scripts.
+
+mod agreement;
+mod tables;
+mod viewer;
+
+pub use agreement::{Agreement, Pipeline};
+pub use tables::{Machine, shipped_costs, work};
+
+use crate::figures::{Difference, Figure, Figures, Labelled, Shown};
+use crate::{Error, Result};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use minijinja::{AutoEscape, Environment, HtmlEscape, Value};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use unitvec_choose::Costs;
+use unitvec_vulkan::DeviceInfo;
+use viewer::{VIEWED, Viewer};
+
+/// What goes into a report besides what ships with the program.
+pub struct Contents {
+    /// The figures, with the bytes of each picture's file.
+    pub figures: Figures,
+    /// Those bytes, by the file's name.
+    pub files: Files,
+    /// Why rendered figures were left out, in a sentence, where they were.
+    pub not_rendered: Option<String>,
+    /// Whether the device agrees with the CPU, where that was looked at.
+    pub agreement: Option<Agreement>,
+    /// Whether its graphics pipeline does; else why that was not looked at, in a sentence.
+    pub pipeline: Result<Pipeline, String>,
+    /// What the report was made on.
+    pub machine: Machine,
+    /// Costs, those to begin with first.
+    pub costs: Vec<Costs>,
+    /// Random directions of each row of the tables.
+    pub count: usize,
+}
+
+/// Files by their names.
+pub type Files = BTreeMap<String, Vec<u8>>;
+
+const TEMPLATES: [(&str, &str); 3] = [
+    ("page.html", include_str!("page.html")),
+    ("page.css", include_str!("page.css")),
+    ("page.js", include_str!("page.js")),
+];
+
+/// What the template shows.
+#[derive(Serialize)]
+struct Page<'a> {
+    version: &'a str,
+    machine: &'a Machine,
+    device: Option<&'a DeviceInfo>,
+    answers: Vec<tables::Answer>,
+    gpus: Vec<&'a str>,
+    codecs: Vec<tables::Codec>,
+    codecs_json: String,
+    tables: Vec<tables::PageTable>,
+    figures: Vec<PageFigure<'a>>,
+    /// What is missing of the figures.
+    note: Option<String>,
+    agreement: Option<&'a Agreement>,
+    pipeline: Option<&'a Pipeline>,
+    no_pipeline: Option<&'a String>,
+}
+
+/// A figure of the page.
+#[derive(Serialize)]
+struct PageFigure<'a> {
+    heading: String,
+    caption: &'a str,
+    earlier: Option<String>,
+    anchor: String,
+    pictures: Vec<PagePicture<'a>>,
+    numbers: Vec<[String; 2]>,
+    viewer: Option<Viewer>,
+}
+
+#[derive(Serialize)]
+struct PagePicture<'a> {
+    uri: String,
+    alt: &'a str,
+    size: Option<[u32; 2]>,
+    differences: Vec<[String; 4]>,
+}
+
+/// The page. `progress` hears of each row of the tables that is measured.
+///
+/// # Errors
+/// What measuring meets; a picture that `files` lacks.
+pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
+    let codecs = tables::codecs(&contents.costs, progress)?;
+    let tables = tables::published(&contents.costs, contents.count, progress)?;
+    let figures: Result<Vec<PageFigure<'_>>> =
+        contents.figures.figures.iter().map(|figure| page_figure(figure, &contents.files)).collect();
+    let figures = figures?;
+    let has_viewer = figures.iter().any(|figure| figure.viewer.is_some());
+    let note = (!has_viewer).then(|| viewer::note(&contents.figures, contents.not_rendered.as_deref()));
+    let page = Page {
+        version: env!("CARGO_PKG_VERSION"),
+        machine: &contents.machine,
+        device: contents.figures.origin.device.as_ref(),
+        answers: tables::answers(&codecs),
+        gpus: contents.costs.iter().map(Costs::device).collect(),
+        codecs_json: json(&codecs),
+        codecs,
+        tables,
+        figures,
+        note,
+        agreement: contents.agreement.as_ref(),
+        pipeline: contents.pipeline.as_ref().ok(),
+        no_pipeline: contents.pipeline.as_ref().err(),
+    };
+    render(&page).map_err(|error| Error::Page(error.to_string()))
+}
+
+fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
+    let mut environment = Environment::new();
+    environment.set_trim_blocks(true);
+    environment.set_lstrip_blocks(true);
+    environment.set_auto_escape_callback(|name| {
+        if name == "page.html" { AutoEscape::Html } else { AutoEscape::None }
+    });
+    environment.add_filter("degrees", |value: f64| tables::degrees(value));
+    environment.add_filter("json", |value: Value| Value::from_safe_string(json(&value)));
+    environment.add_filter("code", |text: &str| Value::from_safe_string(with_code(text)));
+    for (name, text) in TEMPLATES {
+        environment.add_template(name, text)?;
+    }
+    environment.get_template("page.html")?.render(Value::from_serialize(page))
+}
+
+/// HTML of a sentence with what is typed between backticks.
+fn with_code(text: &str) -> String {
+    let parts = text.split('`').map(|part| HtmlEscape(part).to_string()).enumerate();
+    parts.map(|(at, part)| if at % 2 == 1 { format!("<code>{part}</code>") } else { part }).collect()
+}
+
+/// JSON that may stand within a page: no tag ends or begins in it.
+fn json(value: &impl Serialize) -> String {
+    // Serialising plain structs and strings to memory has no way to fail.
+    serde_json::to_string(value).unwrap_or_default().replace('<', "\\u003c")
+}
+
+fn page_figure<'a>(figure: &'a Figure, files: &Files) -> Result<PageFigure<'a>> {
+    let (compared, sheets): (Vec<&Shown>, Vec<&Shown>) =
+        figure.pictures.iter().partition(|shown| shown.of.is_some());
+    let picture = |shown: &&'a Shown| {
+        let differences = shown.differences.iter().map(|Labelled { label, difference }| {
+            let Difference { mean, max, ssim } = difference;
+            [label.clone(), format!("{mean:.3}"), max.to_string(), format!("{ssim:.4}")]
+        });
+        let differences = differences.collect();
+        Ok(PagePicture { uri: uri(&shown.file, files)?, alt: &shown.alt, size: shown.size, differences })
+    };
+    Ok(PageFigure {
+        heading: figure.heading(),
+        caption: &figure.caption,
+        earlier: figure.earlier_in_words(),
+        anchor: format!("figure-{}", figure.id),
+        pictures: sheets.iter().map(picture).collect::<Result<_>>()?,
+        numbers: figure.numbers.iter().map(|number| [number.name.clone(), number.in_words()]).collect(),
+        viewer: if figure.id == VIEWED { viewer::of(&compared, &sheets, files)? } else { None },
+    })
+}
+
+/// A file as part of the page.
+fn uri(file: &str, files: &Files) -> Result<String> {
+    let kind = if file.ends_with(".svg") { "image/svg+xml" } else { "image/png" };
+    Ok(data(kind, bytes(file, files)?))
+}
+
+fn data(kind: &str, bytes: &[u8]) -> String {
+    format!("data:{kind};base64,{}", STANDARD.encode(bytes))
+}
+
+fn bytes<'a>(file: &str, files: &'a Files) -> Result<&'a [u8]> {
+    let missing = || Error::Lacking { file: file.to_owned() };
+    files.get(file).map(Vec::as_slice).ok_or_else(missing)
+}

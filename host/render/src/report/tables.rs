@@ -1,0 +1,288 @@
+//! What the page's tables hold.
+
+use crate::Result;
+use crate::Storage;
+use serde::Serialize;
+use unitvec_catalogue::{CATALOGUE, Domain, FRAMES, Format, Operation, find_format};
+use unitvec_choose::REFERENCE;
+use unitvec_choose::costs::{GENERATIONS, USUAL};
+use unitvec_choose::{COUNT, Costs, RECOMMENDED};
+use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
+use unitvec_lab::accuracy::{Table, measure_meyer_row, measure_row};
+use unitvec_lab::bench::survey_ns;
+use unitvec_run::backend::Cpu;
+use unitvec_run::measure::measure;
+
+/// What the report was made on.
+#[derive(Clone, Debug, Serialize)]
+pub struct Machine {
+    /// Operating system and processor architecture.
+    pub platform: String,
+    /// Processor's name, where the system tells it.
+    pub processor: Option<String>,
+    /// Processors that a program may use.
+    pub threads: usize,
+}
+
+impl Machine {
+    /// This one.
+    pub fn this() -> Self {
+        let cpuinfo = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+        let name = cpuinfo.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+        Self {
+            platform: format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH),
+            processor: name.map(|(_, name)| name.trim().to_owned()),
+            threads: std::thread::available_parallelism().map_or(1, |count| count.get()),
+        }
+    }
+}
+
+/// A codec of the table to choose from.
+#[derive(Clone, Debug, Serialize)]
+pub struct Codec {
+    id: &'static str,
+    name: &'static str,
+    bits: u32,
+    bytes: usize,
+    format: Option<&'static str>,
+    hemisphere: bool,
+    unit: bool,
+    by_table: bool,
+    /// Over the directions that the codec is for.
+    mean: f64,
+    /// Over z >= 0.
+    mean_above: f64,
+    max: f64,
+    /// On each device that costs are known of, encoding and decoding as multiples of oct32's.
+    costs: Vec<[Option<f64>; 2]>,
+}
+
+/// Costs that ship with the program: that of `choose`, then the others, the newest first, then lavapipe's.
+///
+/// # Errors
+/// [`Error::BadCosts`](crate::Error::BadCosts), which would be a fault of this crate.
+pub fn shipped_costs() -> Result<Vec<Costs>> {
+    let others = GENERATIONS.iter().rev().map(|one| one.name).filter(|name| *name != USUAL);
+    [USUAL].into_iter().chain(others).chain(["lavapipe"]).map(|name| Ok(Costs::shipped(name)?)).collect()
+}
+
+/// All codecs of vectors, in the order of `choose`.
+pub fn codecs(all: &[Costs], progress: &mut dyn FnMut()) -> Result<Vec<Codec>> {
+    let mut codecs = Vec::new();
+    for codec in CATALOGUE {
+        let of_gpu = |costs: &Costs| Operation::ALL.map(|operation| costs.of(codec.id, operation));
+        let mean_over =
+            |domain| -> Result<f64> { Ok(measure(&mut Cpu, codec, domain, COUNT, 1)?.mean_deg()) };
+        let mean_above = mean_over(Domain::Hemisphere)?;
+        let is_for_above = codec.domain == Domain::Hemisphere;
+        codecs.push(Codec {
+            id: codec.id,
+            name: codec.survey_name,
+            bits: codec.bits,
+            bytes: codec.bytes,
+            format: codec.vk_format.map(short_format),
+            hemisphere: is_for_above,
+            unit: codec.is_unit,
+            by_table: codec.encodes_by_table,
+            mean: if is_for_above { mean_above } else { mean_over(codec.domain)? },
+            mean_above,
+            max: f64::from(codec.max_error_deg),
+            costs: all.iter().map(of_gpu).collect(),
+        });
+        progress();
+    }
+    let cost = |codec: &Codec| codec.costs[0][0].zip(codec.costs[0][1]).map_or(f64::INFINITY, |(a, b)| a + b);
+    codecs.sort_by(|a, b| {
+        a.bytes.cmp(&b.bytes).then(cost(a).total_cmp(&cost(b))).then(a.mean.total_cmp(&b.mean))
+    });
+    Ok(codecs)
+}
+
+fn short_format(name: &'static str) -> &'static str {
+    name.strip_prefix("VK_FORMAT_").unwrap_or(name)
+}
+
+/// What a G-buffer holds a codec in: the attachment of the codec's format, or of its sibling of four components.
+fn attachment(format: &Format) -> String {
+    let storage = Storage::of(format);
+    let spare = if storage.three().is_some() { ", whose fourth component is free" } else { "" };
+    let or = if storage.is_drawn_everywhere() {
+        ""
+    } else {
+        ", or in R32_UINT where a device does not draw to that"
+    };
+    format!("{:?}{spare}{or}", storage.texel())
+}
+
+/// What to take for a purpose.
+#[derive(Serialize)]
+pub struct Answer {
+    purpose: &'static str,
+    codecs: Vec<AnswerCodec>,
+}
+
+#[derive(Serialize)]
+struct AnswerCodec {
+    id: &'static str,
+    bits: u32,
+    format: Option<&'static str>,
+    /// What a G-buffer holds it in.
+    attachment: String,
+    mean: Option<f64>,
+    max: f64,
+    costs: [Option<f64>; 2],
+}
+
+/// What `choose` and README recommend.
+pub fn answers(codecs: &[Codec]) -> Vec<Answer> {
+    let of_codec = |id: &&'static str| {
+        let frame = FRAMES.iter().find(|frame| frame.id == *id).map(|frame| AnswerCodec {
+            id: frame.id,
+            bits: frame.bits,
+            format: Some(short_format(frame.vk_format)),
+            attachment: short_format(frame.vk_format).to_owned(),
+            mean: None,
+            max: f64::from(frame.max_normal_error_deg),
+            costs: [None; 2],
+        });
+        frame.or_else(|| {
+            let codec = codecs.iter().find(|codec| codec.id == *id)?;
+            let Codec { id, bits, format, mean, max, .. } = *codec;
+            let attachment = find_format(id).map_or_else(|_| String::new(), |format| attachment(&format));
+            Some(AnswerCodec { id, bits, format, attachment, mean: Some(mean), max, costs: codec.costs[0] })
+        })
+    };
+    let answer = |one: &unitvec_choose::Recommendation| Answer {
+        purpose: one.purpose,
+        codecs: one.codecs.iter().filter_map(of_codec).collect(),
+    };
+    RECOMMENDED.iter().map(answer).collect()
+}
+
+/// A published table beside ours.
+#[derive(Serialize)]
+pub struct PageTable {
+    title: &'static str,
+    note: String,
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// The survey's tables 1, 2 and 3, and Meyer's.
+pub fn published(all: &[Costs], count: usize, progress: &mut dyn FnMut()) -> Result<Vec<PageTable>> {
+    let one = errors(Table::One, "The survey's table 1: errors over the sphere", count, progress)?;
+    let two = of_survey(all);
+    let three = errors(Table::Three, "The survey's table 3: the hemisphere z >= 0", count, progress)?;
+    Ok(vec![one, two, three, meyer(count, progress)?])
+}
+
+fn errors(table: Table, title: &'static str, count: usize, progress: &mut dyn FnMut()) -> Result<PageTable> {
+    let mut rows = Vec::new();
+    for published in table.published() {
+        let Some(codec) = published.codec() else { continue };
+        let row = measure_row(&mut Cpu, table, &published, codec, count, 1)?;
+        rows.push(vec![
+            published.name.clone(),
+            codec.bits.to_string(),
+            degrees(row.mean_deg),
+            degrees(published.mean_error_deg),
+            degrees(row.max_deg),
+            degrees(published.max_error_deg),
+        ]);
+        progress();
+    }
+    let columns = ["codec", "bits", "mean", "survey's mean", "max of these", "survey's max"]
+        .map(str::to_owned)
+        .to_vec();
+    let note = format!(
+        "Degrees, measured over {count} random directions, beside the published figures; in the survey's order."
+    );
+    Ok(PageTable { title, note, columns, rows })
+}
+
+fn of_survey(all: &[Costs]) -> PageTable {
+    let ratio = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.2}"));
+    let both = |costs: [Option<f64>; 2]| costs.map(ratio).join(" / ");
+    let [encode, decode] =
+        Operation::ALL.map(|operation| survey_ns(REFERENCE, operation).unwrap_or(f64::NAN));
+    let rows = CATALOGUE.iter().filter_map(|codec| {
+        let survey = Operation::ALL.map(|operation| survey_ns(codec.id, operation));
+        let survey = both([Some(survey[0]? / encode), Some(survey[1]? / decode)]);
+        let others =
+            all.iter().map(|costs| both(Operation::ALL.map(|operation| costs.of(codec.id, operation))));
+        Some([codec.survey_name.to_owned(), survey].into_iter().chain(others).collect())
+    });
+    let devices = all
+        .iter()
+        .map(|costs| costs.device().split([',', '(']).next().unwrap_or_default().trim_end().to_owned());
+    PageTable {
+        title: "The survey's table 2: costs",
+        note: format!(
+            "Encoding / decoding as multiples of {REFERENCE}'s: the survey's times on a GeForce GTX 680, what the compilers of \
+             AMD's GPUs estimate, and times measured on the others."
+        ),
+        columns: ["codec".to_owned(), "GTX 680 (survey)".to_owned()].into_iter().chain(devices).collect(),
+        rows: rows.collect(),
+    }
+}
+
+fn meyer(count: usize, progress: &mut dyn FnMut()) -> Result<PageTable> {
+    let mut rows = Vec::new();
+    for method in &METHODS {
+        for codec in WIDTHS.iter().filter_map(|bits| method.codec(*bits)) {
+            let row = measure_meyer_row(&mut Cpu, method, codec, count, 1)?;
+            let bound = row.survey_max_deg.map_or_else(|| "-".to_owned(), degrees);
+            rows.push(vec![
+                method.name.replace('_', ", "),
+                codec.id.to_owned(),
+                codec.bits.to_string(),
+                bound,
+                degrees(row.max_deg),
+            ]);
+            progress();
+        }
+    }
+    Ok(PageTable {
+        title: "Meyer's table 1: bounds",
+        note: "Degrees: the largest error as Meyer et al. estimate it for so many bits, to first order, and the largest that a \
+               search finds. What is found may lie above the estimate; at 48 bits the arithmetic in f32 adds its own, and floats \
+               of 16 bits stand for their floating-point normals."
+            .to_owned(),
+        columns: ["method", "codec", "bits", "estimate", "found"].map(str::to_owned).to_vec(),
+        rows,
+    })
+}
+
+/// Rows that the page measures.
+pub fn work() -> usize {
+    let tables: usize = [Table::One, Table::Three].map(|table| table.published().len()).iter().sum();
+    let of_meyer =
+        METHODS.iter().map(|method| WIDTHS.iter().filter(|bits| method.codec(**bits).is_some()).count());
+    CATALOGUE.len() + tables + of_meyer.sum::<usize>()
+}
+
+/// Degrees with three digits that count.
+pub fn degrees(value: f64) -> String {
+    if value <= 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    if value < 1e-4 {
+        return format!("{value:.2e}");
+    }
+    let digits = (2 - value.log10().floor() as i32).clamp(0, 8) as usize;
+    format!("{value:.digits$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_have_three_digits() {
+        for (value, text) in
+            [(0.63575, "0.636"), (0.0195, "0.0195"), (12.34, "12.3"), (1.5e-6, "1.50e-6"), (0.0, "0")]
+        {
+            assert_eq!(degrees(value), text);
+        }
+    }
+}

@@ -1,0 +1,189 @@
+//! What holds codes on the graphics pipeline: attachments, textures and vertex attributes.
+
+use unitvec_catalogue::Format;
+use unitvec_vulkan::{Device, FormatUse, ImageFormat, bytes_per_texel};
+
+/// How the value of a texel or an attribute holds a code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Storage {
+    /// The normal itself, without a codec.
+    Float,
+    /// A code of up to 32 bits as an integer.
+    Uint,
+    /// A code of up to 64 bits as two integers.
+    Uint2,
+    /// Two snorm of 8 bits.
+    Snorm8x2,
+    /// Two snorm of 16 bits.
+    Snorm16x2,
+    /// Three snorm of 8 bits.
+    Snorm8x3,
+    /// Three snorm of 16 bits.
+    Snorm16x3,
+    /// Three snorm of 10 bits.
+    Snorm10x3,
+    /// Three bytes as unorm.
+    Unorm8x3,
+    /// Two signed integers of 8 bits.
+    Sint8x2,
+    /// Two signed integers of 16 bits.
+    Sint16x2,
+    /// Three half floats.
+    Float16x3,
+    /// Two half floats.
+    Float16x2,
+    /// Two numbers that the hardware rounds, in a format to choose.
+    Pair,
+    /// The same, and 0 or 1 in alpha.
+    PairAndBit,
+}
+
+/// The formats of codecs, and what holds their codes.
+const STORAGES: [(&str, Storage); 11] = [
+    ("VK_FORMAT_R8G8_SNORM", Storage::Snorm8x2),
+    ("VK_FORMAT_R16G16_SNORM", Storage::Snorm16x2),
+    ("VK_FORMAT_R8G8B8_SNORM", Storage::Snorm8x3),
+    ("VK_FORMAT_R16G16B16_SNORM", Storage::Snorm16x3),
+    ("VK_FORMAT_A2B10G10R10_SNORM_PACK32", Storage::Snorm10x3),
+    ("VK_FORMAT_R8G8B8_UNORM", Storage::Unorm8x3),
+    ("VK_FORMAT_R8G8_SINT", Storage::Sint8x2),
+    ("VK_FORMAT_R16G16_SINT", Storage::Sint16x2),
+    ("VK_FORMAT_R16G16B16_SFLOAT", Storage::Float16x3),
+    ("VK_FORMAT_R16G16_SFLOAT", Storage::Float16x2),
+    ("VK_FORMAT_R32_UINT", Storage::Uint),
+];
+
+impl Storage {
+    /// That of a codec by its Vulkan format; integers where it has none.
+    pub fn of(format: &Format) -> Self {
+        let named = STORAGES.iter().find(|(name, _)| format.vk_format == Some(name));
+        named.map_or(Self::integers(format), |(_, storage)| *storage)
+    }
+
+    /// Integers for the codes of this codec.
+    pub fn integers(format: &Format) -> Self {
+        if format.bits > 32 { Self::Uint2 } else { Self::Uint }
+    }
+
+    /// What a codec's codes are drawn to: its own format, or integers where the device does not draw to that.
+    /// `keeps_10_bits`: A2B10G10R10_SNORM_PACK32 keeps codes, which software devices round wrong.
+    pub fn drawn(format: &Format, device: &Device, keeps_10_bits: bool) -> Self {
+        let own = Self::of(format);
+        let keeps = own != Self::Snorm10x3 || keeps_10_bits;
+        let is_drawn = keeps && device.supports(own.texel(), FormatUse::Attachment);
+        if is_drawn || own.is_drawn_everywhere() { own } else { Self::integers(format) }
+    }
+
+    /// True where Vulkan promises that devices draw to [`texel`](Self::texel): they need not draw to any snorm.
+    pub const fn is_drawn_everywhere(self) -> bool {
+        use Storage::{Snorm8x2, Snorm8x3, Snorm10x3, Snorm16x2, Snorm16x3};
+        !matches!(self, Snorm8x2 | Snorm8x3 | Snorm10x3 | Snorm16x2 | Snorm16x3)
+    }
+
+    /// The format of attachments and textures. Formats of three components are seldom attachments, so that their siblings of
+    /// four stand in for them; the fourth is 0.
+    pub const fn texel(self) -> ImageFormat {
+        match self {
+            Self::Float | Self::Pair | Self::PairAndBit => ImageFormat::R32G32B32A32_SFLOAT,
+            Self::Uint => ImageFormat::R32_UINT,
+            Self::Uint2 => ImageFormat::R32G32_UINT,
+            Self::Snorm8x2 => ImageFormat::R8G8_SNORM,
+            Self::Snorm16x2 => ImageFormat::R16G16_SNORM,
+            Self::Snorm8x3 => ImageFormat::R8G8B8A8_SNORM,
+            Self::Snorm16x3 => ImageFormat::R16G16B16A16_SNORM,
+            Self::Snorm10x3 => ImageFormat::A2B10G10R10_SNORM_PACK32,
+            Self::Unorm8x3 => ImageFormat::R8G8B8A8_UNORM,
+            Self::Sint8x2 => ImageFormat::R8G8_SINT,
+            Self::Sint16x2 => ImageFormat::R16G16_SINT,
+            Self::Float16x3 => ImageFormat::R16G16B16A16_SFLOAT,
+            Self::Float16x2 => ImageFormat::R16G16_SFLOAT,
+        }
+    }
+
+    /// The format of a vertex attribute on this device: of three components where it takes that.
+    pub fn attribute(self, device: &Device) -> ImageFormat {
+        self.three().filter(|three| device.supports(*three, FormatUse::Vertex)).unwrap_or(self.texel())
+    }
+
+    /// The format of three components that [`texel`](Self::texel) stands in for.
+    pub const fn three(self) -> Option<ImageFormat> {
+        Some(match self {
+            Self::Float => ImageFormat::R32G32B32_SFLOAT,
+            Self::Snorm8x3 => ImageFormat::R8G8B8_SNORM,
+            Self::Snorm16x3 => ImageFormat::R16G16B16_SNORM,
+            Self::Unorm8x3 => ImageFormat::R8G8B8_UNORM,
+            Self::Float16x3 => ImageFormat::R16G16B16_SFLOAT,
+            _ => return None,
+        })
+    }
+
+    /// The macro that chooses it in GLSL.
+    pub const fn macro_name(self) -> &'static str {
+        match self {
+            Self::Float => "STORAGE_FLOAT",
+            Self::Uint => "STORAGE_UINT",
+            Self::Uint2 => "STORAGE_UINT2",
+            Self::Snorm8x2 => "STORAGE_SNORM8X2",
+            Self::Snorm16x2 => "STORAGE_SNORM16X2",
+            Self::Snorm8x3 => "STORAGE_SNORM8X3",
+            Self::Snorm16x3 => "STORAGE_SNORM16X3",
+            Self::Snorm10x3 => "STORAGE_SNORM10X3",
+            Self::Unorm8x3 => "STORAGE_UNORM8X3",
+            Self::Sint8x2 => "STORAGE_SINT8X2",
+            Self::Sint16x2 => "STORAGE_SINT16X2",
+            Self::Float16x3 => "STORAGE_FLOAT16X3",
+            Self::Float16x2 => "STORAGE_FLOAT16X2",
+            Self::Pair => "STORAGE_PAIR",
+            Self::PairAndBit => "STORAGE_PAIR_AND_BIT",
+        }
+    }
+}
+
+/// The codes of texels or attributes of this format: their first bytes.
+pub fn codes_of(texels: &[u8], format: ImageFormat, code_bytes: usize) -> Vec<u8> {
+    let size = bytes_per_texel(format).unwrap_or(code_bytes).max(1);
+    texels.chunks_exact(size).flat_map(|texel| &texel[..code_bytes.min(size)]).copied().collect()
+}
+
+/// The texels of R32G32B32A32_SFLOAT.
+pub(super) fn float_texels(bytes: &[u8]) -> impl Iterator<Item = [f32; 4]> {
+    bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned)
+}
+
+/// Texels or attributes of this format that hold these codes: what is left of each is 0.
+pub fn texels_of(codes: &[u8], format: ImageFormat, code_bytes: usize) -> Vec<u8> {
+    let size = bytes_per_texel(format).unwrap_or(code_bytes);
+    let mut texels = Vec::with_capacity(codes.len() / code_bytes.max(1) * size);
+    for code in codes.chunks_exact(code_bytes.max(1)) {
+        let end = texels.len() + size;
+        texels.extend(code.iter().take(size));
+        texels.resize(end, 0);
+    }
+    texels
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use unitvec_catalogue::formats;
+
+    /// A codec's format is known, and a texel has room for its code.
+    #[test]
+    fn every_codec_has_storage() {
+        for format in formats() {
+            let storage = Storage::of(&format);
+            let is_integer = matches!(storage, Storage::Uint | Storage::Uint2);
+            let names_integer = format.vk_format.is_none_or(|name| name.ends_with("32_UINT"));
+            assert_eq!(is_integer, names_integer, "{}", format.id);
+            let room = bytes_per_texel(storage.texel()).unwrap();
+            assert!(room >= format.bytes, "{}", format.id);
+        }
+    }
+
+    #[test]
+    fn codes_lie_at_the_start_of_texels() {
+        let texels = texels_of(&[1, 2, 3, 4, 5, 6], ImageFormat::R8G8B8A8_SNORM, 3);
+        assert_eq!(texels, [1, 2, 3, 0, 4, 5, 6, 0]);
+        assert_eq!(codes_of(&texels, ImageFormat::R8G8B8A8_SNORM, 3), [1, 2, 3, 4, 5, 6]);
+    }
+}

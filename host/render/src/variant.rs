@@ -1,0 +1,218 @@
+//! The variants of the renderer's shaders, and where they come from.
+
+use super::projection::Projection;
+use super::shaders;
+use super::storage::Storage;
+use crate::Result;
+use std::borrow::Cow;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use unitvec_catalogue::{Element, Format};
+use unitvec_run::backend::BackendKind;
+use unitvec_run::glsl;
+
+/// What shaders are compiled for, and what holds it.
+#[derive(Clone, Copy)]
+pub struct Variant {
+    normals: Stored,
+    pub(super) storage: Storage,
+}
+
+/// What is stored of normals.
+#[derive(Clone, Copy)]
+enum Stored {
+    Float,
+    Codec(Format),
+    Dithered(Format),
+    Projected(&'static Projection),
+}
+
+/// Codecs whose offsets the shaders know.
+pub const DITHERED: [&str; 8] =
+    ["oct16", "oct16p", "oct24", "oct24p", "hemioct16", "soct17", "eaoct16", "eaoct16p"];
+
+impl Variant {
+    /// The normal itself.
+    pub const FLOAT: Self = Self { normals: Stored::Float, storage: Storage::Float };
+
+    /// A codec.
+    pub const fn codec(format: Format, storage: Storage) -> Self {
+        Self { normals: Stored::Codec(format), storage }
+    }
+
+    /// A codec with an offset, its codes in integers; `None` for one that is not among [`DITHERED`].
+    pub fn dithered(format: Format) -> Option<Self> {
+        let storage = Storage::integers(&format);
+        DITHERED.contains(&format.id).then_some(Self { normals: Stored::Dithered(format), storage })
+    }
+
+    /// The numbers of a projection, in a format to choose.
+    pub const fn projected(projection: &'static Projection) -> Self {
+        Self { normals: Stored::Projected(projection), storage: projection.storage }
+    }
+
+    /// Its module's name, and what the names of its entry points begin with: `oct16_dithered`.
+    pub fn name(&self) -> String {
+        match self.normals {
+            Stored::Float => "float".to_owned(),
+            Stored::Codec(format) if self.storage == Storage::of(&format) => format.id.to_owned(),
+            // Codes in integers though the codec has a format.
+            Stored::Codec(format) => format!("{}_uint", format.id),
+            Stored::Dithered(format) => format!("{}_dithered", format.id),
+            Stored::Projected(projection) => projection.name.to_owned(),
+        }
+    }
+
+    /// The macros of its GLSL.
+    pub(super) fn macros(&self) -> Vec<(String, String)> {
+        let mut macros = vec![(self.storage.macro_name().to_owned(), "1".to_owned())];
+        let mut define = |name: &str, value: String| macros.push((name.to_owned(), value));
+        match self.normals {
+            Stored::Float => {}
+            Stored::Codec(format) => {
+                define("ENCODE", format!("{}_encode", format.id));
+                define("DECODE", format!("{}_decode", format.id));
+                if format.element == Element::Frame {
+                    define("FRAME", "1".to_owned());
+                }
+            }
+            Stored::Dithered(format) => {
+                define("ENCODE", format!("{}_encode_dithered", format.id));
+                define("DECODE", format!("{}_decode_dithered", format.id));
+                define("DITHERED", "1".to_owned());
+            }
+            Stored::Projected(projection) => {
+                projection.macros().into_iter().for_each(|(name, value)| define(name, value));
+            }
+        }
+        macros
+    }
+}
+
+/// The shaders of the renderer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Stage {
+    /// Vertices, whose normals are in a variant's storage.
+    Vertex,
+    /// Writes codes.
+    Gbuffer,
+    /// Decodes and lights them.
+    Light,
+    /// A triangle that covers the target, the same in all variants.
+    Fullscreen,
+}
+
+/// A compiled shader.
+pub(super) struct Compiled {
+    pub(super) spirv: Cow<'static, [u8]>,
+    pub(super) entry_point: String,
+}
+
+/// Where shaders come from.
+pub(super) enum Shaders {
+    /// The modules that rust-gpu made.
+    Rust,
+    /// GLSL, compiled when it is first asked for.
+    Glsl { compiler: Box<glsl::Compiler>, compiled: RefCell<HashMap<(String, Stage), Vec<u8>>> },
+}
+
+impl Shaders {
+    pub(super) fn of(source: BackendKind) -> Result<Self> {
+        match source {
+            BackendKind::Rust => Ok(Self::Rust),
+            BackendKind::Glsl => {
+                let compiler = Box::new(glsl::Compiler::new()?);
+                Ok(Self::Glsl { compiler, compiled: RefCell::default() })
+            }
+            BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => {
+                Err(super::Error::NoSuchShaders { language: source }.into())
+            }
+        }
+    }
+
+    /// True where there are modules of this variant.
+    pub(super) fn has(&self, variant: &Variant) -> bool {
+        matches!(self, Self::Glsl { .. }) || shaders::module(&format!("{}.spv", variant.name())).is_some()
+    }
+
+    pub(super) fn compile(&self, variant: &Variant, stage: Stage) -> Result<Compiled> {
+        let name = if stage == Stage::Fullscreen { "fullscreen".to_owned() } else { variant.name() };
+        match self {
+            Self::Rust => {
+                let suffix = match stage {
+                    Stage::Vertex | Stage::Fullscreen => "vertex",
+                    Stage::Gbuffer => "gbuffer",
+                    Stage::Light => "light",
+                };
+                let module = format!("{name}.spv");
+                let spirv = shaders::module(&module).ok_or(super::Error::NoModule { module })?;
+                Ok(Compiled { spirv: Cow::Borrowed(spirv), entry_point: format!("{name}_{suffix}") })
+            }
+            Self::Glsl { compiler, compiled } => {
+                let entry_point = glsl::ENTRY_POINT.to_owned();
+                let key = (name, stage);
+                if let Some(spirv) = compiled.borrow().get(&key) {
+                    return Ok(Compiled { spirv: Cow::Owned(spirv.clone()), entry_point });
+                }
+                let (file, macros) = match stage {
+                    Stage::Vertex => ("vertex.vert", variant.macros()),
+                    Stage::Gbuffer => ("gbuffer.frag", variant.macros()),
+                    Stage::Light => ("light.frag", variant.macros()),
+                    Stage::Fullscreen => ("fullscreen.vert", Vec::new()),
+                };
+                let spirv = shaders::compile_glsl(compiler, file, &key.0, &macros)?;
+                compiled.borrow_mut().insert(key, spirv.clone());
+                Ok(Compiled { spirv: Cow::Owned(spirv), entry_point })
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::PROJECTIONS;
+    use unitvec_catalogue as catalogue;
+
+    #[test]
+    fn names_say_codec_and_kind() {
+        let format = |id| catalogue::find_format(id).unwrap();
+        let named = |id| Variant::codec(format(id), Storage::of(&format(id))).name();
+        assert_eq!((named("oct16"), named("frame32")), ("oct16".to_owned(), "frame32".to_owned()));
+        assert_eq!(Variant::codec(format("snorm10x3"), Storage::Uint).name(), "snorm10x3_uint");
+        assert_eq!(Variant::FLOAT.name(), "float");
+        for id in DITHERED {
+            assert_eq!(Variant::dithered(format(id)).unwrap().name(), format!("{id}_dithered"));
+        }
+        let projection = Projection::find("oct16p_snorm").unwrap();
+        assert_eq!(Variant::projected(projection).name(), "oct16p_snorm");
+        assert!(Variant::dithered(format("fib16")).is_none());
+    }
+
+    /// The lists of codecs name the modules that there are.
+    #[test]
+    fn lists_are_those_of_the_modules() {
+        let mut modules: Vec<&str> =
+            shaders::modules().filter_map(|name| name.strip_suffix("_dithered.spv")).collect();
+        let mut ids = DITHERED.to_vec();
+        modules.sort_unstable();
+        ids.sort_unstable();
+        assert_eq!(modules, ids);
+        for projection in PROJECTIONS {
+            assert!(shaders::module(&format!("{}.spv", projection.name)).is_some(), "{}", projection.name);
+        }
+    }
+
+    /// Every codec whose format need not be an attachment has shaders for integers, and no other has.
+    #[test]
+    fn every_device_can_draw_every_codec() {
+        for format in catalogue::formats() {
+            let name = format!("{}_uint.spv", format.id);
+            assert_eq!(
+                shaders::module(&name).is_none(),
+                Storage::of(&format).is_drawn_everywhere(),
+                "{name}"
+            );
+        }
+    }
+}

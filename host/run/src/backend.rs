@@ -1,0 +1,302 @@
+//! The ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust, GLSL, HLSL or WGSL.
+
+use crate::{Error, Result, glsl, sampling};
+use clap::ValueEnum;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::fmt;
+use std::sync::Arc;
+use unitvec_catalogue::{CodecInfo, Coding, Format, Operation, best_fit_table};
+use unitvec_manifest as manifest;
+use unitvec_manifest::modules::Modules;
+use unitvec_vulkan::{Device, Kernel, Runner, Table};
+
+/// Vectors or frames that are processed at a time: 12 or 28 MiB, so that any amount of data streams through.
+pub const CHUNK: usize = 1 << 20;
+
+/// What runs a codec.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum BackendKind {
+    /// The crate, on the CPU.
+    Cpu,
+    /// SPIR-V from Rust, on a Vulkan device.
+    Rust,
+    /// SPIR-V from GLSL, on a Vulkan device.
+    Glsl,
+    /// SPIR-V that glslang makes of HLSL, on a Vulkan device.
+    Hlsl,
+    /// SPIR-V that naga makes of WGSL, on a Vulkan device.
+    Wgsl,
+}
+
+impl BackendKind {
+    /// Those of this build that run on a Vulkan device: GLSL and HLSL need the compiler that the feature `glsl` brings.
+    pub fn of_devices() -> impl Iterator<Item = Self> {
+        let has_glslang = cfg!(feature = "glsl");
+        let kinds = [Self::Rust, Self::Glsl, Self::Hlsl, Self::Wgsl].into_iter();
+        kinds.filter(move |kind| has_glslang || matches!(kind, Self::Rust | Self::Wgsl))
+    }
+}
+
+impl fmt::Display for BackendKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Cpu => "cpu",
+            Self::Rust => "rust",
+            Self::Glsl => "glsl",
+            Self::Hlsl => "hlsl",
+            Self::Wgsl => "wgsl",
+        })
+    }
+}
+
+/// Something that encodes and decodes. The floats of vectors or frames follow each other.
+pub trait Backend {
+    /// Encodes up to [`CHUNK`] elements into dense codes.
+    ///
+    /// # Errors
+    /// What the backend meets: a wrong size, a missing module, a failed Vulkan call.
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()>;
+
+    /// Decodes up to [`CHUNK`] dense codes.
+    ///
+    /// # Errors
+    /// As [`encode`](Self::encode).
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()>;
+}
+
+/// Encodes and decodes the first `count` of `elements`, and hands on each with what it came back as.
+///
+/// # Errors
+/// What the backend meets.
+pub fn round_trip<const N: usize>(
+    backend: &mut dyn Backend,
+    format: Format,
+    elements: impl Iterator<Item = [f32; N]>,
+    count: usize,
+    mut each: impl FnMut([f32; N], [f32; N]),
+) -> Result<()> {
+    let mut codes = vec![0; CHUNK.min(count) * format.bytes];
+    let mut decoded = vec![[0.0; N]; CHUNK.min(count)];
+    sampling::in_chunks(elements, count, CHUNK, |elements| {
+        let (codes, decoded) = (&mut codes[..elements.len() * format.bytes], &mut decoded[..elements.len()]);
+        round_trip_slice(backend, format, elements.as_flattened(), codes, decoded.as_flattened_mut())?;
+        elements.iter().zip(decoded).for_each(|(element, decoded)| each(*element, *decoded));
+        Ok(())
+    })
+}
+
+/// Encodes elements whose floats follow each other, and decodes the codes.
+///
+/// # Errors
+/// What the backend meets.
+pub fn round_trip_slice(
+    backend: &mut dyn Backend,
+    format: Format,
+    elements: &[f32],
+    codes: &mut [u8],
+    decoded: &mut [f32],
+) -> Result<()> {
+    backend.encode(format, elements, codes)?;
+    backend.decode(format, codes, decoded)
+}
+
+/// The crate's functions on this machine's CPU.
+pub struct Cpu;
+
+impl Backend for Cpu {
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        Ok(format.encode_cpu(elements, codes)?)
+    }
+
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+        Ok(format.decode_cpu(codes, elements)?)
+    }
+}
+
+/// Where a GPU backend's kernels come from.
+pub enum KernelSource {
+    /// SPIR-V that rust-gpu compiled from the crate.
+    Rust(Modules),
+    /// SPIR-V that glslang compiles from the GLSL now.
+    Glsl(glsl::Compiler),
+}
+
+impl KernelSource {
+    /// The kernel of a codec.
+    ///
+    /// # Errors
+    /// A module that is missing or does not compile, or a failed Vulkan call.
+    pub fn kernel(
+        &self,
+        runner: &Runner,
+        format: Format,
+        operation: Operation,
+        table: Option<&Table>,
+    ) -> Result<Kernel> {
+        self.load(runner, &format.function(operation), table, |compiler| compiler.kernel(format, operation))
+    }
+
+    /// The same kernel, of a rewritten module.
+    fn rewritten_kernel(
+        &self,
+        runner: &Runner,
+        format: Format,
+        operation: Operation,
+        table: Option<&Table>,
+        rewrite: &Rewrite,
+    ) -> Result<Kernel> {
+        let name = format.function(operation);
+        let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
+        let module = (rewrite.module)(&module, &name, entry_point).map_err(Error::Rewrite)?;
+        Ok(runner.kernel(&module, entry_point, table)?)
+    }
+
+    /// The kernel that decodes two-byte codes by `table`, of the vectors of all codes.
+    ///
+    /// # Errors
+    /// What loading, compiling or Vulkan meets.
+    pub fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
+        self.load(runner, manifest::DECODE_BY_TABLE, Some(table), glsl::Compiler::decode_by_table)
+    }
+
+    /// The kernel with this name among the modules, or as it is compiled now.
+    ///
+    /// # Errors
+    /// A module that is missing or does not compile, or a failed Vulkan call.
+    pub fn load(
+        &self,
+        runner: &Runner,
+        name: &str,
+        table: Option<&Table>,
+        compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
+    ) -> Result<Kernel> {
+        let (module, entry_point) = self.module(name, compile)?;
+        Ok(runner.kernel(&module, entry_point, table)?)
+    }
+
+    /// The module of the kernel with this name, and its entry point.
+    fn module<'a>(
+        &self,
+        name: &'a str,
+        compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
+    ) -> Result<(Cow<'static, [u8]>, &'a str)> {
+        Ok(match self {
+            Self::Rust(modules) => (modules.load(name)?, name),
+            Self::Glsl(compiler) => (Cow::Owned(compile(compiler)?), glsl::ENTRY_POINT),
+        })
+    }
+
+    /// The bytes of the table of [`unitvec::best_fit`]: those shipped beside the modules, or computed.
+    fn best_fit_table(&self) -> Result<Cow<'static, [u8]>> {
+        Ok(match self {
+            Self::Rust(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
+            Self::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
+        })
+    }
+}
+
+/// A change to each kernel's module before it is loaded, such as arithmetic that rounds otherwise.
+#[derive(Clone)]
+pub struct Rewrite {
+    /// Tells rewrites apart: the kernels of each are kept.
+    pub key: u64,
+    /// Rewrites a module, given the kernel's name and its entry point.
+    pub module: RewriteModule,
+}
+
+/// The function of a [`Rewrite`].
+pub type RewriteModule =
+    Arc<dyn Fn(&[u8], &str, &str) -> Result<Vec<u8>, Box<dyn std::error::Error + Send + Sync>> + Send + Sync>;
+
+/// A codec, an operation, and the key of a rewrite.
+type Key = (&'static str, Operation, Option<u64>);
+
+/// Kernels on a Vulkan device.
+pub struct Gpu {
+    runner: Runner,
+    source: KernelSource,
+    kernels: HashMap<Key, Kernel>,
+    best_fit_table: Option<Table>,
+    rewrite: Option<Rewrite>,
+}
+
+impl Gpu {
+    /// A backend on `device`. With `fill_output`, what a kernel fails to write cannot pass for its result: for tests.
+    ///
+    /// # Errors
+    /// A failed Vulkan call.
+    pub fn new(device: &Arc<Device>, source: KernelSource, fill_output: bool) -> Result<Self> {
+        let runner = Runner::new(device, CHUNK, fill_output)?;
+        Ok(Self { runner, source, kernels: HashMap::new(), best_fit_table: None, rewrite: None })
+    }
+
+    /// Runs kernels that this rewrite changed from here on; as they are, without one.
+    pub fn rewrite_with(&mut self, rewrite: Option<Rewrite>) {
+        self.rewrite = rewrite;
+    }
+
+    /// Frees the kernels, which are made again when they are needed.
+    pub fn forget_kernels(&mut self) {
+        self.kernels.clear();
+    }
+
+    fn run(
+        &mut self,
+        format: Format,
+        operation: Operation,
+        count: usize,
+        input: &[u8],
+        output: &mut [u8],
+    ) -> Result<()> {
+        if count == 0 {
+            return Ok(());
+        }
+        let key = (format.id, operation, self.rewrite.as_ref().map(|rewrite| rewrite.key));
+        if !self.kernels.contains_key(&key) {
+            let by_table = operation == Operation::Encode && format.encodes_by_table;
+            let table = if by_table { Some(self.best_fit_table()?) } else { None };
+            let (source, runner, table) = (&self.source, &self.runner, table.as_ref());
+            let kernel = match &self.rewrite {
+                None => source.kernel(runner, format, operation, table)?,
+                Some(rewrite) => source.rewritten_kernel(runner, format, operation, table, rewrite)?,
+            };
+            self.kernels.insert(key, kernel);
+        }
+        self.runner.run(&self.kernels[&key], count, input, output)?;
+        Ok(())
+    }
+
+    fn best_fit_table(&mut self) -> Result<Table> {
+        if let Some(table) = &self.best_fit_table {
+            return Ok(table.clone());
+        }
+        let table = self.runner.table(&self.source.best_fit_table()?)?;
+        Ok(self.best_fit_table.insert(table).clone())
+    }
+}
+
+impl Backend for Gpu {
+    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        let count = format.count(elements.len(), codes.len())?;
+        self.run(format, Operation::Encode, count, bytemuck::cast_slice(elements), codes)
+    }
+
+    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+        let count = format.count(elements.len(), codes.len())?;
+        self.run(format, Operation::Decode, count, codes, bytemuck::cast_slice_mut(elements))
+    }
+}
+
+/// The vectors of all codes of a codec of two bytes.
+///
+/// # Errors
+/// [`LengthMismatch`](unitvec::slice::LengthMismatch) for a codec of more bytes.
+pub fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
+    let codes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
+    let mut vectors = vec![[0.0; 3]; codes.len() / 2];
+    codec.decode_cpu(&codes, &mut vectors)?;
+    Ok(vectors)
+}

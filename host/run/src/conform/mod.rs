@@ -1,0 +1,328 @@
+//! Shows that the CPU and a device agree to the bit, with the SPIR-V from Rust, from WGSL and, in a build with a GLSL compiler,
+//! from GLSL and HLSL; and how large the error is.
+
+mod plan;
+mod rounding;
+mod series;
+
+pub use plan::Plan;
+pub use rounding::Rounding;
+pub use series::widest_of_each_series;
+
+use crate::backend::{Backend, BackendKind, Cpu};
+use crate::measure::ElementErrors;
+use crate::sampling;
+use crate::workers;
+use crate::{Error, Result};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use unitvec_catalogue::{Element, Format, Operation};
+use unitvec_vulkan::DeviceInfo;
+
+/// What to run.
+pub struct Options {
+    /// Random vectors or frames for each codec.
+    pub count: usize,
+    /// Their seed.
+    pub seed: u64,
+    /// Further directions: the normals of meshes.
+    pub normals: Vec<[f32; 3]>,
+    /// Codecs of at most this many bits are decoded over all their codes; wider ones over `count` random codes.
+    pub all_codes_up_to: u32,
+}
+
+/// What is compared with the CPU.
+pub type Backends = BTreeMap<BackendKind, Box<dyn Backend>>;
+
+/// The outcome for all codecs.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// Device that ran the kernels.
+    pub device: DeviceInfo,
+    /// Random vectors or frames for each codec.
+    pub random_directions: usize,
+    /// Codecs of at most this many bits were decoded over all their codes.
+    pub all_codes_up_to: u32,
+    /// False where the build had no GLSL compiler, so that GLSL and HLSL were not compared with the CPU.
+    pub glsl_compared: bool,
+    /// How each backend rounds sums, which many encoders turn positions into codes by.
+    pub rounding: BTreeMap<BackendKind, Rounding>,
+    /// True if no row has a mismatch and all backends round sums to nearest.
+    pub agreed: bool,
+    /// One row a codec.
+    pub rows: Vec<Row>,
+}
+
+/// The outcome for one codec.
+#[derive(Debug, Serialize)]
+pub struct Row {
+    /// Codec.
+    pub id: &'static str,
+    /// Its bits.
+    pub bits: u32,
+    /// Vectors encoded by each backend: random ones, normals, special ones and those of all codes decoded.
+    pub vectors: u64,
+    /// Codes decoded by each backend.
+    pub codes: u64,
+    /// Mean error over the random directions, degrees; of a frame's normals.
+    pub mean_deg: f64,
+    /// Largest error over the random directions, degrees; of a frame's normals.
+    pub max_deg: f64,
+    /// Mean error of a frame's tangents, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tangent_mean_deg: Option<f64>,
+    /// Largest error of a frame's tangents, degrees.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tangent_max_deg: Option<f64>,
+    /// Codes that differ from the CPU's.
+    pub encode_mismatches: Mismatches,
+    /// Vectors that differ from the CPU's in any bit.
+    pub decode_mismatches: Mismatches,
+    /// The first mismatches found, in words.
+    pub examples: Vec<String>,
+}
+
+/// The outcome for all codecs in one line.
+#[derive(Debug, Serialize)]
+pub struct Summary<'a> {
+    /// Device that ran the kernels.
+    pub device: &'a str,
+    /// Its driver.
+    pub driver: &'a str,
+    /// Vulkan version that it implements.
+    pub vulkan: &'a str,
+    /// Codecs.
+    pub codecs: usize,
+    /// Vectors and frames encoded by each backend.
+    pub vectors: u64,
+    /// Codes decoded by each backend.
+    pub codes: u64,
+    /// Codes and vectors of all backends that differ from the CPU's.
+    pub mismatches: u64,
+}
+
+impl Report {
+    /// This report in one line.
+    pub fn summary(&self) -> Summary<'_> {
+        let total = |of: fn(&Row) -> u64| self.rows.iter().map(of).sum();
+        Summary {
+            device: &self.device.name,
+            driver: &self.device.driver,
+            vulkan: &self.device.api_version,
+            codecs: self.rows.len(),
+            vectors: total(|row| row.vectors),
+            codes: total(|row| row.codes),
+            mismatches: total(Row::mismatches),
+        }
+    }
+}
+
+/// Mismatches with the CPU, of each backend that was compared.
+pub type Mismatches = BTreeMap<BackendKind, u64>;
+
+impl Row {
+    /// Mismatches that are told in words.
+    const EXAMPLES: usize = 3;
+
+    /// Codes and vectors of all backends that differ from the CPU's.
+    pub fn mismatches(&self) -> u64 {
+        self.encode_mismatches.values().chain(self.decode_mismatches.values()).sum()
+    }
+
+    /// True where nothing differs.
+    pub fn agrees(&self) -> bool {
+        self.mismatches() == 0
+    }
+
+    /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
+    fn compare(
+        &mut self,
+        format: Format,
+        operation: Operation,
+        kind: BackendKind,
+        input: &[u8],
+        cpu: &[u8],
+        other: &[u8],
+    ) {
+        if cpu == other {
+            return;
+        }
+        let (element, code): ((_, Shown), (_, Shown)) =
+            ((format.element.bytes(), shown_element), (format.bytes, |code| format!("{code:02x?}")));
+        let (mismatches, (from, shown_input), (to, shown)) = match operation {
+            Operation::Encode => (&mut self.encode_mismatches, element, code),
+            Operation::Decode => (&mut self.decode_mismatches, code, element),
+        };
+        let results = cpu.chunks_exact(to).zip(other.chunks_exact(to));
+        for (input, (cpu, other)) in input.chunks_exact(from).zip(results).filter(|(_, (a, b))| a != b) {
+            *mismatches.entry(kind).or_default() += 1;
+            if self.examples.len() < Self::EXAMPLES {
+                let (function, input) = (format.function(operation), shown_input(input));
+                let (cpu, other) = (shown(cpu), shown(other));
+                self.examples.push(format!("{function} of {input}: cpu {cpu}, {kind} {other}"));
+            }
+        }
+    }
+}
+
+/// Runs all plans, on several threads. `open` opens the backends of a thread; `progress` is told the work done since it was
+/// last called, and `each` the rows, in the plans' order.
+///
+/// # Errors
+/// The first error of a thread or of `each`. Mismatches are no error: they are in the rows.
+pub fn run<E: From<Error> + Send>(
+    plans: Vec<Plan<'_>>,
+    open: impl Fn() -> Result<Backends, E> + Sync,
+    progress: &mut dyn FnMut(u64),
+    each: &mut dyn FnMut(Row) -> Result<(), E>,
+) -> Result<(), E> {
+    let work = |plan: Plan<'_>, backends: &mut Backends, progress: &mut dyn FnMut(u64)| {
+        Ok(plan.run(backends, progress)?)
+    };
+    workers::run(plans, open, work, progress, each)
+}
+
+/// Runs one codec on the CPU and on each backend, and counts what differs.
+struct Comparison<'a> {
+    format: Format,
+    backends: &'a mut Backends,
+    errors: ElementErrors,
+    row: Row,
+}
+
+impl<'a> Comparison<'a> {
+    fn new(format: Format, backends: &'a mut Backends) -> Self {
+        let none: Mismatches = backends.keys().map(|kind| (*kind, 0)).collect();
+        let row = Row {
+            id: format.id,
+            bits: format.bits,
+            vectors: 0,
+            codes: 0,
+            mean_deg: 0.0,
+            max_deg: 0.0,
+            tangent_mean_deg: None,
+            tangent_max_deg: None,
+            encode_mismatches: none.clone(),
+            decode_mismatches: none,
+            examples: Vec::new(),
+        };
+        Self { format, backends, errors: ElementErrors::default(), row }
+    }
+
+    /// Encodes elements and decodes their codes; where they are `measured`, takes in the errors.
+    fn elements(&mut self, elements: &[f32], measured: bool) -> Result<()> {
+        let codes = self.encode(elements)?;
+        let decoded = self.decode(&codes)?;
+        if measured {
+            let floats = self.format.element.floats();
+            let pairs = elements.chunks_exact(floats).zip(decoded.chunks_exact(floats));
+            pairs.for_each(|(original, decoded)| self.errors.add(original, decoded));
+        }
+        Ok(())
+    }
+
+    /// Decodes codes and encodes what they stand for: every lattice point is an encoder's input as well.
+    fn codes(&mut self, codes: &[u64]) -> Result<()> {
+        let elements = self.decode(&sampling::stored(codes, self.format.bytes))?;
+        self.encode(&elements).map(drop)
+    }
+
+    /// The CPU's codes, after comparing the others with them.
+    fn encode(&mut self, elements: &[f32]) -> Result<Vec<u8>> {
+        let count = elements.len() / self.format.element.floats();
+        self.row.vectors += count as u64;
+        let mut cpu = vec![0; count * self.format.bytes];
+        Cpu.encode(self.format, elements, &mut cpu)?;
+        let mut other = vec![0; cpu.len()];
+        for (kind, backend) in self.backends.iter_mut() {
+            backend.encode(self.format, elements, &mut other)?;
+            let input = bytemuck::cast_slice(elements);
+            self.row.compare(self.format, Operation::Encode, *kind, input, &cpu, &other);
+        }
+        Ok(cpu)
+    }
+
+    /// The CPU's elements, after comparing the others with them.
+    fn decode(&mut self, codes: &[u8]) -> Result<Vec<f32>> {
+        let count = codes.len() / self.format.bytes;
+        self.row.codes += count as u64;
+        let mut cpu = vec![0.0; count * self.format.element.floats()];
+        Cpu.decode(self.format, codes, &mut cpu)?;
+        let mut other = vec![0.0; cpu.len()];
+        for (kind, backend) in self.backends.iter_mut() {
+            backend.decode(self.format, codes, &mut other)?;
+            let (cpu, other) = (bytemuck::cast_slice(&cpu), bytemuck::cast_slice(&other));
+            self.row.compare(self.format, Operation::Decode, *kind, codes, cpu, other);
+        }
+        Ok(cpu)
+    }
+
+    fn into_row(self) -> Row {
+        let ElementErrors { normal, tangent } = self.errors;
+        let of_tangent = |degrees: f64| (self.format.element == Element::Frame).then_some(degrees);
+        Row {
+            mean_deg: normal.mean_deg(),
+            max_deg: normal.max_deg(),
+            tangent_mean_deg: of_tangent(tangent.mean_deg()),
+            tangent_max_deg: of_tangent(tangent.max_deg()),
+            ..self.row
+        }
+    }
+}
+
+/// How bytes are told in words.
+type Shown = fn(&[u8]) -> String;
+
+fn shown_element(bytes: &[u8]) -> String {
+    let floats: Vec<f32> = bytes.chunks_exact(4).map(bytemuck::pod_read_unaligned).collect();
+    let bits: Vec<String> = floats.iter().map(|float| format!("{:08x}", float.to_bits())).collect();
+    format!("{floats:?} (bits {})", bits.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use unitvec_vulkan::DeviceKind;
+
+    fn row(differing: [u64; 3]) -> Row {
+        let [of_rust, of_glsl, decoded] = differing;
+        Row {
+            id: "oct16",
+            bits: 16,
+            vectors: 10,
+            codes: 100,
+            mean_deg: 0.0,
+            max_deg: 0.0,
+            tangent_mean_deg: None,
+            tangent_max_deg: None,
+            encode_mismatches: [(BackendKind::Rust, of_rust), (BackendKind::Glsl, of_glsl)].into(),
+            decode_mismatches: [(BackendKind::Rust, decoded)].into(),
+            examples: Vec::new(),
+        }
+    }
+
+    /// The mismatches of all codecs and backends, encoding and decoding, are in the one line.
+    #[test]
+    fn a_summary_adds_all_rows() {
+        let device = DeviceInfo {
+            index: 0,
+            name: "name".to_owned(),
+            kind: DeviceKind::Software,
+            driver: "driver".to_owned(),
+            api_version: "1.3.0".to_owned(),
+        };
+        let report = Report {
+            device,
+            random_directions: 1,
+            all_codes_up_to: 16,
+            glsl_compared: true,
+            rounding: BTreeMap::new(),
+            agreed: false,
+            rows: vec![row([1, 2, 4]), row([8, 0, 0]), row([0; 3])],
+        };
+        let Summary { device, driver, vulkan, codecs, vectors, codes, mismatches } = report.summary();
+        assert_eq!((device, driver, vulkan), ("name", "driver", "1.3.0"));
+        assert_eq!((codecs, vectors, codes, mismatches), (3, 30, 300, 15));
+        assert_eq!(report.rows.iter().map(Row::agrees).collect::<Vec<_>>(), [false, false, true]);
+    }
+}

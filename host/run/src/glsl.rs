@@ -1,0 +1,209 @@
+//! The GLSL kernels, compiled at run time by glslang through shaderc. Without the feature `glsl` there is no compiler:
+//! [`Compiler::new`] says so.
+
+#[cfg(feature = "glsl")]
+mod glslang;
+#[cfg(not(feature = "glsl"))]
+#[path = "glsl/no_glslang.rs"]
+mod glslang;
+
+use glslang::Glslang;
+use unitvec_catalogue::{Element, Format, Operation};
+use unitvec_manifest as manifest;
+
+/// GLSL that could not be compiled to SPIR-V.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// The program was built without the feature `glsl`.
+    #[error("this build has no GLSL compiler; rebuild with `--features glsl`, as `cargo xtask` does")]
+    NotBuiltIn,
+    /// shaderc could not create a compiler.
+    #[error("the GLSL compiler (shaderc) cannot be started: {0}")]
+    NoCompiler(String),
+    /// There is no such source file.
+    #[error("there is no file {file}")]
+    NoSource {
+        /// Path in the repository.
+        file: String,
+    },
+    /// glslang rejects the source.
+    #[error("{file} does not compile for {kernel}: {error}")]
+    Rejected {
+        /// Path in the repository.
+        file: String,
+        /// Kernel: `oct16_encode`.
+        kernel: String,
+        /// glslang's words.
+        error: String,
+    },
+}
+
+/// The languages that glslang takes.
+#[derive(Clone, Copy)]
+enum SourceLanguage {
+    Glsl,
+    Hlsl,
+}
+
+/// The stages of shaders that glslang takes here.
+#[derive(Clone, Copy)]
+pub enum Stage {
+    /// A compute shader.
+    Compute,
+    /// A vertex shader.
+    Vertex,
+    /// A fragment shader.
+    Fragment,
+}
+
+/// A shader in GLSL that may include files of `glsl/`, and others beside it.
+pub struct Shader<'a> {
+    /// Its stage.
+    pub stage: Stage,
+    /// Its name, which includes are relative to.
+    pub file: &'a str,
+    /// Its text.
+    pub text: &'a str,
+    /// Finds the text of an included file that does not lie in `glsl/`.
+    pub beside: fn(&str) -> Option<&'static str>,
+}
+
+/// What glslang compiles.
+#[cfg_attr(not(feature = "glsl"), expect(dead_code, reason = "only glslang reads them"))]
+struct Source<'a> {
+    language: SourceLanguage,
+    shader: Shader<'a>,
+}
+
+/// Name of the entry point of all GLSL kernels.
+pub const ENTRY_POINT: &str = "main";
+
+/// A GLSL compiler.
+pub struct Compiler(Glslang);
+
+impl Compiler {
+    /// Starts glslang.
+    ///
+    /// # Errors
+    /// [`Error::NotBuiltIn`] or [`Error::NoCompiler`].
+    pub fn new() -> Result<Self, Error> {
+        Glslang::new().map(Self)
+    }
+
+    /// The SPIR-V of a codec's kernel, optimised; its entry point is [`ENTRY_POINT`].
+    ///
+    /// # Errors
+    /// [`Error::NoSource`] or [`Error::Rejected`].
+    pub fn kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        let function = format.function(operation);
+        self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation, &function))
+    }
+
+    /// The SPIR-V of a kernel of `glsl/kernels/` around another function with this format, optimised, with macros besides
+    /// those of [`kernel`](Self::kernel).
+    ///
+    /// # Errors
+    /// The same.
+    pub fn function_kernel(
+        &self,
+        format: Format,
+        operation: Operation,
+        function: &str,
+        others: &[(&str, &str)],
+    ) -> Result<Vec<u8>, Error> {
+        let mut macros = macros(format, operation, function);
+        macros.extend(others.iter().map(|(name, value)| ((*name).to_owned(), (*value).to_owned())));
+        self.kernel_file(&format!("{operation}.comp"), function, &macros)
+    }
+
+    /// The SPIR-V of the kernel that measures a codec's arithmetic.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn cost_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        let function = format.function(operation);
+        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation, &function))
+    }
+
+    /// The SPIR-V of the kernel that measures what the others do besides encoding or decoding.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn baseline_kernel(&self, operation: Operation) -> Result<Vec<u8>, Error> {
+        self.kernel_file(&format!("{operation}_cost.comp"), "baseline", &[])
+    }
+
+    /// The SPIR-V of a kernel that reads and writes as many bytes as a codec's, and does nothing else.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn copy_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+        self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"))
+    }
+
+    /// The SPIR-V of the kernel that decodes two-byte codes by a table.
+    ///
+    /// # Errors
+    /// As [`kernel`](Self::kernel).
+    pub fn decode_by_table(&self) -> Result<Vec<u8>, Error> {
+        let macros = [("BYTES".into(), "2".into())];
+        self.kernel_file("decode_by_table.comp", manifest::DECODE_BY_TABLE, &macros)
+    }
+
+    fn kernel_file(&self, file: &str, kernel: &str, macros: &[(String, String)]) -> Result<Vec<u8>, Error> {
+        let file = format!("kernels/{file}");
+        self.compile(&file, source(&file)?, macros).map_err(|error| Error::Rejected {
+            file: format!("glsl/{file}"),
+            kernel: kernel.to_owned(),
+            error,
+        })
+    }
+
+    /// Compiles a compute shader that may include files of `glsl/`, as if it lay there itself under the name `file`.
+    ///
+    /// # Errors
+    /// glslang's.
+    pub fn compile(&self, file: &str, text: &str, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
+        self.compile_shader(Shader { stage: Stage::Compute, file, text, beside: |_| None }, macros)
+    }
+
+    /// Compiles a shader of any stage; the entry point is [`ENTRY_POINT`].
+    ///
+    /// # Errors
+    /// glslang's.
+    pub fn compile_shader(&self, shader: Shader<'_>, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
+        self.0.compile(&Source { language: SourceLanguage::Glsl, shader }, macros)
+    }
+
+    /// Compiles a compute shader in HLSL, whose entry point is [`ENTRY_POINT`].
+    ///
+    /// # Errors
+    /// glslang's.
+    pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
+        let shader = Shader { stage: Stage::Compute, file, text, beside: |_| None };
+        self.0.compile(&Source { language: SourceLanguage::Hlsl, shader }, &[])
+    }
+}
+
+/// The macros that the kernel files are compiled with for a function of this format.
+fn macros(format: Format, operation: Operation, function: &str) -> Vec<(String, String)> {
+    let mut macros = vec![
+        (operation.to_string().to_uppercase(), function.to_owned()),
+        ("BYTES".into(), format.bytes.to_string()),
+    ];
+    if format.element == Element::Frame {
+        macros.push(("FRAME".into(), "1".into()));
+    }
+    if operation == Operation::Encode && format.encodes_by_table {
+        macros.push(("TABLE".into(), "1".into()));
+    }
+    macros
+}
+
+/// Text of a file of `glsl/`.
+///
+/// # Errors
+/// [`Error::NoSource`] where there is none of that name.
+pub fn source(file: &str) -> Result<&'static str, Error> {
+    unitvec_shaders::glsl(file).ok_or_else(|| Error::NoSource { file: format!("glsl/{file}") })
+}

@@ -1,0 +1,97 @@
+//! Angular error, by the survey's method (Cigolle et al. 2014, section 4.1) in float64.
+
+use crate::backend::{Backend, round_trip};
+use crate::{Result, sampling};
+use unitvec::angle_deg;
+use unitvec_catalogue::{CodecInfo, Coding, Domain};
+
+/// Mean and maximum of a series of errors.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ErrorStats {
+    sum: f64,
+    sum_of_squares: f64,
+    max: f64,
+    count: u64,
+}
+
+impl ErrorStats {
+    /// Takes in the error between a direction and what it was decoded to.
+    pub fn add(&mut self, original: [f32; 3], decoded: [f32; 3]) {
+        let error = angle_deg(original, decoded);
+        self.sum += error;
+        self.sum_of_squares += error * error;
+        self.max = self.max.max(error);
+        self.count += 1;
+    }
+
+    /// Mean in degrees; 0 for an empty series.
+    pub fn mean_deg(&self) -> f64 {
+        if self.count == 0 { 0.0 } else { self.sum / self.count as f64 }
+    }
+
+    /// Standard error of the mean in degrees, as an estimate of the mean over all directions; 0 for an empty series.
+    pub fn standard_error_deg(&self) -> f64 {
+        let count = self.count.max(1) as f64;
+        let variance = (self.sum_of_squares / count - self.mean_deg().powi(2)).max(0.0);
+        (variance / count).sqrt()
+    }
+
+    /// Maximum in degrees.
+    pub fn max_deg(&self) -> f64 {
+        self.max
+    }
+}
+
+/// Errors of the vectors in elements: of a vector, itself; of a frame, its normal and its tangent.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ElementErrors {
+    /// Of the vectors or normals.
+    pub normal: ErrorStats,
+    /// Of the tangents; empty for vectors.
+    pub tangent: ErrorStats,
+}
+
+impl ElementErrors {
+    /// Takes in the errors between an element and what it was decoded to.
+    pub fn add(&mut self, original: &[f32], decoded: &[f32]) {
+        let vector = |v: &[f32]| [v[0], v[1], v[2]];
+        let vectors = original.chunks_exact(3).map(vector).zip(decoded.chunks_exact(3).map(vector));
+        for (errors, (original, decoded)) in [&mut self.normal, &mut self.tangent].into_iter().zip(vectors) {
+            errors.add(original, decoded);
+        }
+    }
+}
+
+/// Measures a codec over `count` random directions by the survey's method (section 4.1).
+///
+/// # Errors
+/// What the backend meets.
+pub fn measure(
+    backend: &mut dyn Backend,
+    codec: &'static CodecInfo,
+    domain: Domain,
+    count: usize,
+    seed: u64,
+) -> Result<ErrorStats> {
+    let mut errors = ErrorStats::default();
+    let directions = sampling::random_directions(domain, seed);
+    round_trip(backend, codec.format(), directions, count, |v, decoded| errors.add(v, decoded))?;
+    Ok(errors)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of 1 and 3 degrees: mean 2, deviation 1, over the root of 2.
+    #[test]
+    fn the_standard_error_of_two() {
+        let mut errors = ErrorStats::default();
+        for degrees in [1.0f64, 3.0] {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            errors.add([1.0, 0.0, 0.0], [cos as f32, sin as f32, 0.0]);
+        }
+        assert!((errors.mean_deg() - 2.0).abs() < 1e-6);
+        assert!((errors.standard_error_deg() - 0.5f64.sqrt()).abs() < 1e-6);
+    }
+}

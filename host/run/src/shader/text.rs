@@ -1,0 +1,65 @@
+//! The functions of some codecs as one text, ready to paste.
+
+use super::{Edition, Error, Language, library};
+use std::fmt::Write;
+use unitvec_catalogue::{Element, Format, Operation, find, find_frame};
+
+/// The functions of these codecs in a language, and all that they need, below a comment that says what each is. `command` is
+/// what wrote it.
+///
+/// # Errors
+/// [`Error::Language`], which tests rule out for the codecs of the catalogue.
+pub fn text(
+    formats: &[Format],
+    language: Language,
+    edition: Edition,
+    command: &str,
+) -> Result<String, Error> {
+    let library = library()?;
+    let functions: Vec<String> = formats
+        .iter()
+        .flat_map(|format| Operation::ALL.map(|operation| format.function(operation)))
+        .collect();
+    let names: Vec<&str> = functions.iter().map(String::as_str).collect();
+    let body = library.excerpt(&names, language, edition)?;
+
+    let mut layouts: Vec<String> = Vec::new();
+    for name in &names {
+        let layout = library.layout(name, language)?;
+        if !layouts.contains(&layout) {
+            layouts.push(layout);
+        }
+    }
+    let mut head = format!(
+        "// unitvec {}: {} in {language}{}.\n// Written by `{command}`. Licence: {}.\n//\n",
+        env!("CARGO_PKG_VERSION"),
+        if formats.len() == 1 { "a codec" } else { "codecs" },
+        if edition == Edition::Exact { ", exact edition" } else { "" },
+        env!("CARGO_PKG_LICENSE").replace("OR", "or"),
+    );
+    let widest = formats.iter().map(|format| format.id.len()).max().unwrap_or_default();
+    for format in formats {
+        // Writing to a String cannot fail.
+        let _ = writeln!(head, "//   {:widest$}  {}", format.id, about(*format));
+    }
+    for layout in layouts {
+        head = head + "//\n" + &layout;
+    }
+    Ok(head + "\n" + &body)
+}
+
+/// Bits, error and Vulkan format.
+fn about(format: Format) -> String {
+    let degrees = |error: f32| format!("{error} degrees");
+    let error = match format.element {
+        Element::Vector => find(format.id).ok().map(|codec| degrees(codec.max_error_deg)),
+        Element::Frame => find_frame(format.id).map(|codec| {
+            let [normal, tangent] = [codec.max_normal_error_deg, codec.max_tangent_error_deg].map(degrees);
+            format!("{normal} (normal) and {tangent} (tangent)")
+        }),
+    };
+    let mut parts = vec![format!("{} bits", format.bits)];
+    parts.extend(error.map(|error| format!("error up to {error}")));
+    parts.extend(format.vk_format.map(str::to_owned));
+    parts.join(", ")
+}
