@@ -1,5 +1,5 @@
-//! The unit-vector codecs of `unitvec` as shaders: GLSL to include, the same in other shading languages, and SPIR-V kernels to
-//! load.
+//! The unit-vector codecs of `unitvec` as shaders: GLSL to include, its translations to other shading languages, and
+//! SPIR-V kernels to load.
 //!
 //! The files are part of the program that depends on this crate. Their paths are those of the repository's folders
 //! `glsl/`, `shaders/` and `spirv/`.
@@ -26,17 +26,18 @@ static GLSL: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/glsl");
 static SHADERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 static SPIRV: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/spirv");
 
-/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, the same without any `#include` in
-/// `flat/`, kernels over them in `kernels/`, what people write today in `textbook/`, only to measure against.
+/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, the same without any `#include`
+/// in `flat/`, kernels over them in `kernels/`, the functions that people commonly write today in `textbook/`, only to
+/// measure against.
 pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }
 
-/// The text of a file of `shaders/`: `hlsl/oct.hlsl`. The folders are named after the languages; those of languages without
-/// `precise` have a folder `exact` with the exact edition. `stubs/` is for linking with `spirv("unitvec.spv")`. `stubs` has what
-/// shaders include that are linked with `unitvec.spv`.
+/// The text of a file of `shaders/`: `hlsl/oct.hlsl`. The folders are named after the languages; those of languages
+/// without `precise` have a folder `exact` with the exact edition. `stubs/` has the declarations for shaders that are
+/// linked with `spirv("unitvec.spv")`.
 pub fn shader(path: &str) -> Option<&'static str> {
-    // What lies beside the folders is this crate's own.
+    // Files beside the folders are this crate's own.
     path.contains('/').then(|| SHADERS.get_file(path)?.contents_utf8()).flatten()
 }
 
@@ -98,8 +99,8 @@ mod tests {
         (power / variance, frequencies / 4095.0)
     }
 
-    /// Uniform, so that no error is added, and blue: white noise has in low frequencies their share of all frequencies, this
-    /// less than a hundredth of it.
+    /// Uniform, so that no error is added, and blue: in low frequencies white noise has their share of all frequencies,
+    /// this tile less than a hundredth of it.
     #[test]
     fn the_tile_is_uniform_blue_noise() {
         let channels = [0, 1].map(|c| blue_noise().iter().skip(c).step_by(2).copied().collect::<Vec<u8>>());

@@ -98,7 +98,7 @@ fn decode_by_table<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[
     });
 }
 
-/// memcpy of as many bytes as `items` have.
+/// A memcpy of as many bytes as `items` have.
 fn copy<T: Copy>(group: &mut BenchmarkGroup<WallTime>, name: &str, items: &[T]) {
     let mut copied = items.to_vec();
     group.bench_function(name, |b| b.iter(|| black_box(&mut copied).copy_from_slice(black_box(items))));

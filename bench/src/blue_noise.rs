@@ -10,7 +10,7 @@ use std::io::Write;
 const SIDE: usize = 64;
 const TEXELS: usize = SIDE * SIDE;
 
-/// The width of what a texel adds to the crowding around it, in texels: Ulichney's.
+/// The width, in texels, of a texel's contribution to the crowding around it: Ulichney's.
 const SIGMA: f64 = 1.5;
 
 /// Texels that are set, and how crowded each place is by them. Whole numbers, so that nothing depends on rounding.
@@ -29,7 +29,7 @@ impl Pattern {
         Self { weights, crowding: vec![0; TEXELS], set: vec![false; TEXELS] }
     }
 
-    /// Sets a texel that is not set, or the other way around.
+    /// Sets a texel, or clears it if it is set.
     fn flip(&mut self, texel: usize) {
         let add = !self.set[texel];
         self.set[texel] = add;
@@ -87,7 +87,7 @@ fn channel(seed: u64) -> Vec<u8> {
     for texel in &first {
         pattern.flip(*texel);
     }
-    // Where more than half are set, the largest void is the tightest cluster of what is not.
+    // Where more than half are set, the largest void is the tightest cluster of unset texels.
     for rank in first.len()..TEXELS {
         let void = pattern.largest_void();
         pattern.flip(void);

@@ -1,5 +1,5 @@
-//! `cargo run -p unitvec-bench --bin summary [FOLDER] > docs/data/slices.json`: the last `cargo bench -p unitvec-bench`,
-//! from criterion's folder (`target/criterion`, or as CARGO_TARGET_DIR has it).
+//! `cargo run -p unitvec-bench --bin summary [FOLDER] > docs/data/slices.json`: the last
+//! `cargo bench -p unitvec-bench`, from criterion's folder (`target/criterion`, or below CARGO_TARGET_DIR).
 
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 use unitvec_bench::{COUNTS, group};
 
-/// Nanoseconds a vector: the median over the samples, by the name of what was measured.
+/// Nanoseconds a vector: the median over the samples, by the name of the benchmark.
 fn medians(folder: &Path, count: usize) -> Result<BTreeMap<String, f64>, Box<dyn Error>> {
     let mut medians = BTreeMap::new();
     let entries = fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
@@ -22,7 +22,7 @@ fn medians(folder: &Path, count: usize) -> Result<BTreeMap<String, f64>, Box<dyn
     Ok(medians)
 }
 
-/// The rows of `encode` or `decode`: what was measured with all counts.
+/// The rows of `encode` or `decode`: the benchmarks that were measured with all counts.
 fn rows(root: &Path, operation: &str) -> Result<Vec<Value>, Box<dyn Error>> {
     let mut columns = Vec::new();
     for count in COUNTS {

@@ -18,7 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/// How a function of arrays ended. Where it is not UNITVEC_OK, nothing was written, but for UNITVEC_ERROR_INTERNAL.
+/// The result of a function for arrays. Unless it is UNITVEC_OK or UNITVEC_ERROR_INTERNAL, nothing was written.
 typedef enum unitvec_status {
   /// All was done.
   UNITVEC_OK = 0,
@@ -32,14 +32,14 @@ typedef enum unitvec_status {
   UNITVEC_ERROR_ALIGNMENT = 4,
   /// The elements and the codes overlap.
   UNITVEC_ERROR_OVERLAP = 5,
-  /// A defect of the library: what was to be written is incomplete. Please report it.
+  /// A defect of the library: the output is incomplete. Please report it.
   UNITVEC_ERROR_INTERNAL = 6,
 } unitvec_status;
 
 /// A codec, of vectors or of frames: see unitvec_find. It lives as long as the program.
 typedef struct unitvec_codec unitvec_codec;
 
-/// A vector of three floats, as three floats of an array are.
+/// A vector of three floats, laid out as three floats of an array.
 typedef struct unitvec_vec3 {
   /// The first component.
   float x;
@@ -49,7 +49,7 @@ typedef struct unitvec_vec3 {
   float z;
 } unitvec_vec3;
 
-/// A tangent frame, as seven floats of an array are.
+/// A tangent frame, laid out as seven floats of an array.
 typedef struct unitvec_frame {
   /// The normal of the surface.
   struct unitvec_vec3 normal;
@@ -63,7 +63,7 @@ typedef struct unitvec_frame {
 extern "C" {
 #endif // __cplusplus
 
-/// What a status means, in a line of English that lives as long as the program. Any number may be given.
+/// The meaning of a status, in a line of English that lives as long as the program. Any number may be given.
 const char *unitvec_status_text(uint32_t status);
 
 /// The number of codecs.
@@ -84,8 +84,8 @@ size_t unitvec_codec_bytes(const struct unitvec_codec *codec);
 /// Floats of an element: 3 for vectors, 7 for frames. 0 for an unknown codec.
 size_t unitvec_codec_floats(const struct unitvec_codec *codec);
 
-/// Upper bound of the angle between a direction and what comes back of it, in degrees; of a frame, the greater of those of
-/// normal and tangent. 0 for an unknown codec.
+/// Upper bound of the angle between a direction and its decoded code, in degrees; for frames, the greater of the bounds
+/// for normal and tangent. 0 for an unknown codec.
 float unitvec_codec_max_error_deg(const struct unitvec_codec *codec);
 
 /// The Vulkan format with the layout of the code, such as "VK_FORMAT_R16G16_SNORM". NULL where there is none, and for an
@@ -99,17 +99,18 @@ const char *unitvec_version(void);
 /// NULL or a string that ends with a zero.
 const struct unitvec_codec *unitvec_find(const char *id);
 
-/// Encodes `count` elements, each of the unitvec_codec_floats of the codec, without gaps, to codes of unitvec_codec_bytes
-/// each, little endian, without gaps. Of a frame the floats are normal, tangent and handedness. It stays on the calling
-/// thread. There must be `count` elements at `elements`, and `codes_size` bytes at `codes`, which nothing else uses meanwhile.
+/// Encodes `count` elements of unitvec_codec_floats floats each, without gaps, to codes of unitvec_codec_bytes bytes
+/// each, little endian, without gaps. The floats of a frame are normal, tangent and handedness. The work stays on the
+/// calling thread. There must be `count` elements at `elements`, and `codes_size` bytes at `codes`, which nothing else
+/// uses meanwhile.
 enum unitvec_status unitvec_encode(const struct unitvec_codec *codec,
                                    const float *elements,
                                    size_t count,
                                    void *codes,
                                    size_t codes_size);
 
-/// Decodes codes, as unitvec_encode writes them, to `count` elements. It stays on the calling thread. There must be
-/// `codes_size` bytes at `codes`, and room for `count` elements at `elements`, which nothing else uses meanwhile.
+/// Decodes codes, as unitvec_encode writes them, to `count` elements. The work stays on the calling thread. There must
+/// be `codes_size` bytes at `codes`, and room for `count` elements at `elements`, which nothing else uses meanwhile.
 enum unitvec_status unitvec_decode(const struct unitvec_codec *codec,
                                    const void *codes,
                                    size_t codes_size,

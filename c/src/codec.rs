@@ -31,13 +31,13 @@ impl Codec {
         CODECS.iter().find(|codec| codec.id.as_bytes() == id)
     }
 
-    /// The codec at an address, if it is one of the list's: what is passed is compared, not read.
+    /// The codec at an address, if it is one of the list's: the address is compared, not read.
     pub(crate) fn at(pointer: *const Self) -> Option<&'static Self> {
         CODECS.iter().find(|codec| ptr::eq(*codec, pointer))
     }
 }
 
-/// A pointer to what is found, or NULL.
+/// A pointer to a value that was found, or NULL.
 fn pointer<T>(found: Option<&'static T>) -> *const T {
     found.map_or(ptr::null(), |value| value)
 }
@@ -78,8 +78,8 @@ pub extern "C" fn unitvec_codec_floats(codec: *const Codec) -> usize {
     Codec::at(codec).map_or(0, |codec| codec.format.element.floats())
 }
 
-/// Upper bound of the angle between a direction and what comes back of it, in degrees; of a frame, the greater of those of
-/// normal and tangent. 0 for an unknown codec.
+/// Upper bound of the angle between a direction and its decoded code, in degrees; for frames, the greater of the bounds
+/// for normal and tangent. 0 for an unknown codec.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_codec_max_error_deg(codec: *const Codec) -> f32 {
     Codec::at(codec).map_or(0.0, |codec| codec.max_error_deg)

@@ -1,10 +1,10 @@
-//! The codecs of `unitvec` for C and C++. `include/unitvec.h` is made of this crate by cbindgen; the README says how to
-//! build, install and link it.
+//! The codecs of `unitvec` for C and C++. `include/unitvec.h` is generated from this crate by cbindgen; the README says
+//! how to build, install and link it.
 //!
-//! Functions of single vectors go by value and take any input: they cannot fail. Those of arrays give a [`Status`]. No panic
-//! crosses the interface: functions that could unwind catch it.
+//! Functions for single vectors pass values and accept any input: they cannot fail. Functions for arrays return a
+//! [`Status`]. No panic crosses the interface: functions that could unwind catch it.
 //!
-//! All that takes a pointer to the caller's memory, and so all `unsafe` code, is in `memory`.
+//! All functions that take pointers to the caller's memory, and so all `unsafe` code, are in `memory`.
 
 mod codec;
 mod codecs;

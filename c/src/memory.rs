@@ -1,5 +1,5 @@
-//! What takes pointers to the caller's memory. All `unsafe` code of this crate is here, but for the names that are exported
-//! as they are, which Rust calls unsafe since two could be the same.
+//! Functions that take pointers to the caller's memory. All `unsafe` code of this crate is here, except for exported
+//! names that are not mangled, which Rust calls unsafe since two could be the same.
 
 // The docs of these functions go to the header, where they say in words what must hold.
 #![allow(clippy::missing_safety_doc)]
@@ -11,10 +11,10 @@ use std::{ptr, slice};
 use unitvec::slice::LengthMismatch;
 use unitvec_catalogue::Format;
 
-/// What encodes slices that fit each other.
+/// A function that encodes a slice into another of the right length.
 type Encode = fn(&Format, &[f32], &mut [u8]) -> Result<(), LengthMismatch>;
 
-/// What decodes them.
+/// A function that decodes a slice into another of the right length.
 type Decode = fn(&Format, &[u8], &mut [f32]) -> Result<(), LengthMismatch>;
 
 /// The codec, of vectors or of frames, with an identifier, such as "oct32p". NULL where there is none, and for NULL. `id` must be
@@ -29,9 +29,10 @@ pub unsafe extern "C" fn unitvec_find(id: *const c_char) -> *const Codec {
     Codec::find(id.to_bytes()).map_or(ptr::null(), |codec| codec)
 }
 
-/// Encodes `count` elements, each of the unitvec_codec_floats of the codec, without gaps, to codes of unitvec_codec_bytes
-/// each, little endian, without gaps. Of a frame the floats are normal, tangent and handedness. It stays on the calling
-/// thread. There must be `count` elements at `elements`, and `codes_size` bytes at `codes`, which nothing else uses meanwhile.
+/// Encodes `count` elements of unitvec_codec_floats floats each, without gaps, to codes of unitvec_codec_bytes bytes
+/// each, little endian, without gaps. The floats of a frame are normal, tangent and handedness. The work stays on the
+/// calling thread. There must be `count` elements at `elements`, and `codes_size` bytes at `codes`, which nothing else
+/// uses meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn unitvec_encode(
     codec: *const Codec,
@@ -44,8 +45,8 @@ pub unsafe extern "C" fn unitvec_encode(
     unsafe { encode(codec, (elements, count), (codes, codes_size), Format::encode_here) }
 }
 
-/// Decodes codes, as unitvec_encode writes them, to `count` elements. It stays on the calling thread. There must be
-/// `codes_size` bytes at `codes`, and room for `count` elements at `elements`, which nothing else uses meanwhile.
+/// Decodes codes, as unitvec_encode writes them, to `count` elements. The work stays on the calling thread. There must
+/// be `codes_size` bytes at `codes`, and room for `count` elements at `elements`, which nothing else uses meanwhile.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn unitvec_decode(
     codec: *const Codec,
@@ -85,7 +86,7 @@ pub unsafe extern "C" fn unitvec_decode_parallel(
 }
 
 /// # Safety
-/// As for [`unitvec_encode`].
+/// The requirements of [`unitvec_encode`].
 unsafe fn encode(
     codec: *const Codec,
     (elements, count): (*const f32, usize),
@@ -109,7 +110,7 @@ unsafe fn encode(
 }
 
 /// # Safety
-/// As for [`unitvec_decode`].
+/// The requirements of [`unitvec_decode`].
 unsafe fn decode(
     codec: *const Codec,
     (codes, codes_size): (*const c_void, usize),
@@ -132,7 +133,7 @@ unsafe fn decode(
     })
 }
 
-/// Runs what must not unwind into C.
+/// Runs a function whose panics must not unwind into C.
 fn guarded(run: impl FnOnce() -> Result<(), Status>) -> Status {
     match catch_unwind(AssertUnwindSafe(run)) {
         Ok(Ok(())) => Status::UNITVEC_OK,
@@ -145,7 +146,7 @@ fn format(codec: *const Codec) -> Result<&'static Format, Status> {
     Codec::at(codec).map(|codec| &codec.format).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
 }
 
-/// The number of floats of so many elements, where both addresses can be made slices of if there are any.
+/// The number of floats of `count` elements, where slices can be made at both addresses, or `count` is 0.
 fn checked(
     format: &Format,
     elements: usize,
@@ -155,7 +156,7 @@ fn checked(
 ) -> Result<usize, Status> {
     let floats = count.checked_mul(format.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
     let size = floats.checked_mul(size_of::<f32>()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
-    // Codes are smaller than what they are of.
+    // Codes are smaller than their elements.
     if size > isize::MAX as usize || count * format.bytes != codes_size {
         return Err(Status::UNITVEC_ERROR_SIZE);
     }

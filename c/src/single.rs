@@ -1,9 +1,9 @@
-//! Single vectors and frames: what `codecs.rs` calls. The codecs are those that the catalogue has compiled.
+//! Single vectors and frames: the functions that `codecs.rs` calls, with the codecs that the catalogue has compiled.
 
 use unitvec::{for_each_codec, for_each_frame};
 use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
 
-/// A vector of three floats, as three floats of an array are.
+/// A vector of three floats, laid out as three floats of an array.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Vec3 {
@@ -15,7 +15,7 @@ pub struct Vec3 {
     pub z: f32,
 }
 
-/// A tangent frame, as seven floats of an array are.
+/// A tangent frame, laid out as seven floats of an array.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
@@ -71,7 +71,7 @@ pub(crate) fn decode_frame(codec: Frames, code: u64) -> Frame {
     Frame { normal: [nx, ny, nz].into(), tangent: [tx, ty, tz].into(), handedness }
 }
 
-/// A code as a number, of its two words.
+/// A code as one number, from its two words.
 fn joined([low, high]: [u32; 2]) -> u64 {
     u64::from(low) | (u64::from(high) << 32)
 }

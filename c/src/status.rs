@@ -1,8 +1,8 @@
-//! How a function ended.
+//! The results of functions.
 
 use std::ffi::{CStr, c_char};
 
-/// How a function of arrays ended. Where it is not UNITVEC_OK, nothing was written, but for UNITVEC_ERROR_INTERNAL.
+/// The result of a function for arrays. Unless it is UNITVEC_OK or UNITVEC_ERROR_INTERNAL, nothing was written.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(non_camel_case_types)]
@@ -19,7 +19,7 @@ pub enum Status {
     UNITVEC_ERROR_ALIGNMENT = 4,
     /// The elements and the codes overlap.
     UNITVEC_ERROR_OVERLAP = 5,
-    /// A defect of the library: what was to be written is incomplete. Please report it.
+    /// A defect of the library: the output is incomplete. Please report it.
     UNITVEC_ERROR_INTERNAL = 6,
 }
 
@@ -51,7 +51,7 @@ impl Status {
     }
 }
 
-/// What a status means, in a line of English that lives as long as the program. Any number may be given.
+/// The meaning of a status, in a line of English that lives as long as the program. Any number may be given.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_status_text(status: u32) -> *const c_char {
     let known = Status::ALL.into_iter().find(|known| *known as u32 == status);

@@ -1,6 +1,6 @@
-// Reads and writes as many bytes as a codec's kernel, and does no more with them than it takes to read them all: what
-// the memory allows. It skips an incomplete last group. The compiler is given BYTES, ENCODE or DECODE, and FRAME where
-// frames are encoded.
+// Reads and writes as many bytes as a codec's kernel, and does no more with them than it takes to read them all: this
+// measures the limit of the memory. It skips an incomplete last group. Macros for the compiler: BYTES, ENCODE or
+// DECODE, and FRAME where frames are encoded.
 #version 450
 
 #ifdef FRAME

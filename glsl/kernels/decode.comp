@@ -1,5 +1,5 @@
-// Decodes four codes an invocation. The compiler is given DECODE, the codec's function, BYTES, its code's size, and FRAME
-// for codecs of frames (normal, tangent, handedness). With TEXTBOOK the function is one of textbook.glsl.
+// Decodes four codes an invocation. Macros for the compiler: DECODE, the codec's function; BYTES, its code's size;
+// FRAME for codecs of frames (normal, tangent, handedness). With TEXTBOOK the function is one of textbook.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,4 @@
-// Decodes four codes of two bytes an invocation by looking their vectors up. The compiler is given BYTES, 2.
+// Decodes four codes of two bytes an invocation by looking their vectors up. The macro BYTES is 2.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,6 +1,6 @@
-// As encode_cost.comp, of a decoder: an invocation decodes a code and its successors and sums the components. The
-// compiler is given what decode.comp is; without DECODE this is the baseline, which sums numbers from 1 to 2 made of the
-// code's bits. As bare bits they might be denormals, which some processors add slowly.
+// The measure of encode_cost.comp for a decoder: an invocation decodes a code and its successors and sums the
+// components. It takes the macros of decode.comp; without DECODE this is the baseline, which sums numbers from 1 to 2
+// made of the code's bits. Bare bits might be denormals, which some processors add slowly.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 

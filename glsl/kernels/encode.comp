@@ -1,5 +1,5 @@
-// Encodes four vectors or frames an invocation. The compiler is given ENCODE, the codec's function, BYTES, its code's size,
-// FRAME for codecs of frames (normal, tangent, handedness), and TABLE where the codec encodes by the table of
+// Encodes four vectors or frames an invocation. Macros for the compiler: ENCODE, the codec's function; BYTES, its
+// code's size; FRAME for codecs of frames (normal, tangent, handedness); TABLE where the codec encodes by the table of
 // best_fit.glsl. With TEXTBOOK the function is one of textbook.glsl.
 #version 450
 #extension GL_GOOGLE_include_directive : require

@@ -1,6 +1,6 @@
 // The survey's measure of an encoder's arithmetic (section 4.2): an invocation encodes one vector `repetitions` times,
-// each time a little changed so that nothing can be moved out of the loop, and sums the codes. Four go at a time, so that
-// the loop takes little and each can start before the one before it is done. The compiler is given what encode.comp is;
+// each time a little changed so that nothing can be moved out of the loop, and sums the codes. Four go at a time, so
+// that the loop takes little and each can start before the one before it is done. It takes the macros of encode.comp;
 // without ENCODE this is the baseline to subtract, which sums the components' bits.
 #version 450
 #extension GL_GOOGLE_include_directive : require
@@ -18,7 +18,7 @@ layout(set = 0, binding = 1) writeonly buffer Output { uint sums[]; };
 // 2^-12 and two other small steps: the sizes and signs of components change now and then, as from pixel to pixel.
 const vec3 NUDGE = vec3(1.0 / 4096.0, -1.0 / 8192.0, 1.0 / 6144.0);
 
-// A vector stands for the frame of which it is the normal and its turn about (1, 1, 1) the tangent.
+// The vector is the normal of a frame, and its turn about (1, 1, 1) the tangent.
 #ifdef FRAME
 #define CODE_OF(v) ENCODE(v, v.yzxx)
 #else
@@ -36,7 +36,7 @@ uint encoded(vec3 v) {
 #endif
 }
 
-// As in the Rust kernels, the loop's test is at its end, and nothing returns early: how that is written can cost more
+// The loop's test is at its end, as in the Rust kernels, and nothing returns early: writing it otherwise can cost more
 // than a cheap codec.
 void main() {
     uint i = gl_GlobalInvocationID.x;

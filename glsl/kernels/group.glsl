@@ -1,10 +1,10 @@
-// An invocation's work, a group of four: from buffers of at least the words that the vectors and codes fill, of which the
-// last group may have fewer than four. To be included after words.glsl and the function `convert`, which makes a group's
-// words to write of those that were read.
+// An invocation's work, a group of four. The buffers hold at least the words that the vectors and codes fill; the last
+// group may have fewer than four. Include this after words.glsl and the function `convert`, which turns the words that
+// a group reads into those that it writes.
 
 layout(local_size_x = 64) in;
-// Not 0: the caller promises buffers of whole groups, at least of `vectors` of what they hold, so that no group and no
-// buffer is looked at.
+// Not 0: the caller promises buffers of whole groups that hold at least `vectors` elements, so that neither the group
+// nor a buffer is checked.
 layout(constant_id = 0) const uint whole_groups = 0u;
 layout(push_constant) uniform Count { uint vectors; };
 layout(set = 0, binding = 0) readonly buffer Input { uint words_in[]; };
@@ -19,7 +19,7 @@ uint asked() {
 #endif
 }
 
-// The words of a group of which there are `count`; where it lacks words, some of those that it has come again.
+// The words of a group that has `count` elements; some of its words stand in for those that it lacks.
 uint[READ] load(uint group, uint count) {
     uint first = group * READ;
     uint w[READ];
@@ -27,7 +27,7 @@ uint[READ] load(uint group, uint count) {
         for (uint k = 0u; k < READ; ++k) w[k] = words_in[first + k];
     } else {
 #if READ % 4 == 0
-        // Each of the four has whole words. Those of the last one stand in for what lacks.
+        // Each of the four has whole words. The last one's words stand in for missing ones.
         const uint each = READ / 4;
         for (uint k = 0u; k < READ; ++k) w[k] = words_in[first + each * min(k / each, count - 1u) + k % each];
 #else
@@ -38,7 +38,7 @@ uint[READ] load(uint group, uint count) {
     return w;
 }
 
-// Writes those words of a group that `count` of the four fill; what is left of the last of them is 0.
+// Writes the words of a group that `count` of the four fill; the rest of the last word is 0.
 void store(uint w[WRITTEN], uint group, uint count) {
     uint first = group * WRITTEN;
     if (count >= 4u) {
@@ -60,8 +60,8 @@ void store(uint w[WRITTEN], uint group, uint count) {
     }
 }
 
-// How many vectors there are from a group on, four or more for a whole group, in both buffers and of those that the host
-// asks for: none, where there is nothing to do.
+// The number of vectors from a group on, four or more for a whole group, that both buffers hold and the host asks for:
+// none, where there is nothing to do.
 uint here(uint group) {
     uint first = group * 4u;
     if (whole_groups != 0u) return first < asked() ? 4u : 0u;

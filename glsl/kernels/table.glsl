@@ -1,4 +1,4 @@
-// The table of best_fit.glsl at binding 2, where TABLE is defined. To be included before unitvec.glsl.
+// The table of best_fit.glsl at binding 2, where TABLE is defined. Include it before unitvec.glsl.
 
 #ifdef TABLE
 layout(set = 0, binding = 2) readonly buffer Table { uint table_words[]; };

@@ -1,5 +1,5 @@
-// Groups of four vectors, frames or codes as whole words. BYTES is the size of a code, FRAME is defined where it is frames
-// that are encoded, ENCODE or DECODE says which way. Codes of more than 32 bits are uvec2, low word first.
+// Groups of four vectors, frames or codes as whole words. BYTES is the size of a code, FRAME is defined for frames,
+// ENCODE or DECODE tells the direction. Codes of more than 32 bits are uvec2, low word first.
 
 #ifdef FRAME
 #define FLOATS 7

@@ -9,7 +9,7 @@ vec3 textbook_snorm8x3_decode(uint code) { return normalize(unpackSnorm4x8(code)
 uint textbook_unorm8x3_encode(vec3 v) { return packUnorm4x8(vec4(v * 0.5 + 0.5, 0.0)); }
 vec3 textbook_unorm8x3_decode(uint code) { return normalize(unpackUnorm4x8(code).xyz * 2.0 - 1.0); }
 
-// As the format A2B10G10R10_SNORM_PACK32 has it.
+// The layout of the format A2B10G10R10_SNORM_PACK32.
 uint textbook_snorm10x3_encode(vec3 v) {
     ivec3 i = ivec3(round(clamp(v, -1.0, 1.0) * 511.0)) & 1023;
     return uint(i.x | (i.y << 10) | (i.z << 20));

@@ -1,5 +1,5 @@
 // Textbook, only to measure against: octahedral codes of Cigolle et al. 2014. Fast by listings 1 and 2, precise by
-// listing 3, with the packing that GLSL has, and that of listing 5 for 24 bits.
+// listing 3, with GLSL's packing, and that of listing 5 for 24 bits.
 
 #ifndef TEXTBOOK_OCT_GLSL
 #define TEXTBOOK_OCT_GLSL

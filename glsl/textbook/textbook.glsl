@@ -1,7 +1,8 @@
-// What people write today, plainly from the formulas: only to measure unitvec against. Not for use: docs/textbook.md says
-// what these functions do with vectors that have no direction or no unit length, and which of unitvec's replaces each.
+// The functions that people commonly write today, plainly from the formulas: only to measure unitvec against. Not for
+// use: docs/textbook.md says what these functions do with vectors that have no direction or no unit length, and which
+// of unitvec's replaces each.
 //
-// They are called as unitvec's codec is, with `textbook_` before its name: `textbook_oct16_encode(v)`. Nothing is
+// Each is named after unitvec's codec, with `textbook_` before its name: `textbook_oct16_encode(v)`. Nothing is
 // `precise`, since nobody writes that.
 
 #include "oct.glsl"

@@ -1,5 +1,5 @@
-//! Writes `shaders/` from `glsl/unitvec/`: what `cargo xtask shaders` runs. With `--check` it writes nothing, and fails
-//! where a file is not the one it would write.
+//! Writes `shaders/` from `glsl/unitvec/`, for `cargo xtask shaders`. With `--check` it writes nothing, and fails where
+//! a file is not the one it would write.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// All files that there should be, by their paths.
+/// All expected files, by their paths.
 fn translations(glsl: &Path) -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut sources = BTreeMap::new();
     for entry in fs::read_dir(glsl)? {
@@ -50,7 +50,7 @@ fn translations(glsl: &Path) -> Result<BTreeMap<String, String>, Box<dyn Error>>
     Ok(library.translations()?)
 }
 
-/// The paths of files that are missing, or differ, or should not be there.
+/// The paths of files that are missing, different or unexpected.
 fn stale(shaders: &Path, texts: &BTreeMap<String, String>) -> Result<BTreeSet<String>, Box<dyn Error>> {
     let differs = |(path, text): (&String, &String)| {
         let current = fs::read_to_string(shaders.join(path));

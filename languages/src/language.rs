@@ -17,27 +17,27 @@ pub enum Language {
     Slang,
     /// The Metal Shading Language.
     Msl,
-    /// GLSL ES 3.00, as WebGL 2 has it.
+    /// GLSL ES 3.00, for WebGL 2.
     GlslEs,
     /// Godot 4's shading language.
     Godot,
     /// WGSL in modules that naga_oil composes, as Bevy up to 0.19 does.
     NagaOil,
-    /// WGSL with imports, as Bevy from 0.20 on has it.
+    /// WGSL with imports, for Bevy from 0.20 on.
     Wesl,
 }
 
-/// How the text keeps compilers from fusing and reordering.
+/// Ways to keep compilers from fusing and reordering.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Edition {
-    /// By the language's own means, where it has any.
+    /// The language's own means, where it has any.
     Plain,
-    /// By barriers: each rounded result passes through `min` with a number that none exceeds, which no compiler folds.
+    /// Barriers: each rounded result passes through `min` with a number that none exceeds, which no compiler folds.
     Exact,
 }
 
 impl Language {
-    /// All of them.
+    /// All languages.
     pub const ALL: [Self; 9] = [
         Self::Glsl,
         Self::Hlsl,
@@ -50,7 +50,7 @@ impl Language {
         Self::Wesl,
     ];
 
-    /// As on a command line, and the folder of its files: `glsl-es`.
+    /// The name on a command line and of the folder of its files: `glsl-es`.
     pub const fn id(self) -> &'static str {
         match self {
             Self::Glsl => "glsl",
@@ -88,7 +88,7 @@ impl Language {
         }
     }
 
-    /// What its files' names end in, without the point.
+    /// The extension of its files, without the point.
     pub const fn extension(self) -> &'static str {
         match self {
             Self::Glsl | Self::GlslEs => "glsl",
@@ -101,7 +101,7 @@ impl Language {
         }
     }
 
-    /// The editions that it has. GLSL and HLSL need no other than the plain one: they have `precise`.
+    /// Its editions. GLSL and HLSL need no other than the plain one: they have `precise`.
     pub const fn editions(self) -> &'static [Edition] {
         match self {
             Self::Glsl | Self::Hlsl => &[Edition::Plain],
@@ -124,13 +124,13 @@ impl Language {
         if matches!(self, Self::NagaOil | Self::Wesl) { Self::Wgsl } else { self }
     }
 
-    /// True for those that are GLSL, or take its types and functions.
+    /// True for GLSL, and for languages that take its types and functions.
     pub(crate) const fn is_glsl(self) -> bool {
         matches!(self, Self::Glsl | Self::GlslEs | Self::Godot)
     }
 
-    /// What of an alternative is part of its text. What depends on a macro of the user's stays, and what depends on the version
-    /// of GLSL is as the oldest has it.
+    /// The part of an alternative that belongs to its text. Both parts stay where a macro of the user's decides; where
+    /// the version of GLSL decides, the part for the oldest stays.
     pub(crate) fn branch(self, edition: Edition, condition: &Condition) -> Branch {
         match condition {
             _ if self == Self::Glsl => Branch::Both,
@@ -166,7 +166,7 @@ impl Language {
         }
     }
 
-    /// The words that it keeps for itself, and the names of its functions that the text calls.
+    /// Its reserved words, and the names of its functions that the text calls.
     pub(crate) fn is_reserved(self, name: &str) -> bool {
         let words = match self {
             Self::Glsl | Self::GlslEs | Self::Godot => OF_GLSL,
@@ -185,7 +185,7 @@ impl fmt::Display for Language {
     }
 }
 
-/// Not the name of a language.
+/// An unknown name of a language.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("there is no language `{0}`; there are {ids}", ids = Language::ALL.map(Language::id).join(", "))]
 pub struct UnknownLanguage(String);
@@ -233,7 +233,7 @@ const OF_WGSL: &str = "alias break case const const_assert continue continuing d
     typedef typeid typename typeof union unless unorm unsafe unsized use using varying virtual volatile wgsl where with \
     writeonly yield select bitcast";
 
-/// Those of HLSL that Slang has, and its own.
+/// Reserved words of HLSL that Slang has, and its own.
 const OF_SLANG: &str = "__generic __include __init associatedtype break case cbuffer centroid class const continue default \
     defer discard do double dyn each else enum expand export extension extern false float for func functype get \
     groupshared half if implementing import in inline inout int interface internal is as let line linear module \
@@ -241,7 +241,7 @@ const OF_SLANG: &str = "__generic __include __init associatedtype break case cbu
     require return sample set shared snorm spirv_asm static struct subscript switch tbuffer this throw throws triangle \
     true try typealias typedef typename uint uniform unorm using var vector matrix void where while asuint asfloat";
 
-/// Those of C++14, and Metal's own.
+/// Reserved words of C++14, and Metal's own.
 const OF_MSL: &str = "alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl const \
     constant constexpr const_cast continue decltype default delete device do double dynamic_cast else enum explicit \
     export extern false float for fragment friend goto half if inline int kernel long metal mutable namespace new \

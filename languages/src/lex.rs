@@ -2,7 +2,7 @@
 
 use crate::Error;
 
-/// What a token is.
+/// The kind of a token.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A name or keyword.
@@ -17,7 +17,7 @@ pub enum Kind {
     End,
 }
 
-/// A token, and where it stands.
+/// A token and its place.
 #[derive(Clone, Debug)]
 pub struct Token<'a> {
     pub kind: Kind,

@@ -14,7 +14,8 @@
 //! ```
 //!
 //! The parser takes the part of GLSL that the includes use, and refuses everything else, with file and line. There is
-//! no intermediate representation: what a person wrote stays, so that the text can be read and held against its source.
+//! no intermediate representation: the text that a person wrote stays, so that it can be read and compared with its
+//! source.
 
 mod language;
 mod lex;
@@ -43,13 +44,13 @@ pub enum Error {
         file: String,
         /// Its line, from 1.
         line: usize,
-        /// What is wrong.
+        /// The reason.
         what: String,
     },
     /// No file declares this function.
     #[error("no file of glsl/unitvec declares the function {0}")]
     NoFunction(String),
-    /// The language keeps a name for itself.
+    /// A name that the language reserves.
     #[error("glsl/unitvec/{file}: {language} keeps the name `{name}` for itself; give it another")]
     Reserved {
         /// File that uses it.
@@ -73,7 +74,7 @@ const ALL: &str = "unitvec.glsl";
 /// The includes, parsed.
 #[derive(Debug)]
 pub struct Library {
-    /// In an order in which each comes after those that it needs.
+    /// The files, each after those that it needs.
     files: Vec<File>,
     declared: Declared,
 }
@@ -163,7 +164,7 @@ impl Library {
         Ok(printer.finish())
     }
 
-    /// What the head of a function's file says of input and layout, as comment in another language.
+    /// The paragraph on input and layout in the head of a function's file, as a comment in another language.
     ///
     /// # Errors
     /// [`Error::NoFunction`].

@@ -1,9 +1,9 @@
-//! The tree of a file: what the includes use of GLSL, each expression with its type.
+//! The tree of a file: the part of GLSL that the includes use, each expression with its type.
 
 /// Lines of comment before something, whole; an empty one for blank lines.
 pub type Lead = Vec<String>;
 
-/// What a component is.
+/// The type of a component.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scalar {
     Float,
@@ -19,7 +19,7 @@ pub enum Type {
     /// A scalar (1) or a vector (2 to 4).
     Value(Scalar, usize),
     Struct(String),
-    /// Scalars, so many.
+    /// An array of scalars, with its length.
     Array(Scalar, usize),
 }
 
@@ -56,7 +56,7 @@ impl Type {
         matches!(self, Self::Value(Scalar::Float, _))
     }
 
-    /// Components: 1 for what is not a vector.
+    /// Number of components: 1 for types that are no vectors.
     pub fn size(&self) -> usize {
         match self {
             Self::Value(_, size) => *size,
@@ -72,11 +72,11 @@ pub struct File {
     /// The comment that it begins with.
     pub head: Lead,
     pub items: Vec<Item>,
-    /// What stands before its last line.
+    /// The comment before its last line.
     pub tail: Lead,
 }
 
-/// What a file declares.
+/// A declaration of a file, with the comment before it.
 #[derive(Clone, Debug)]
 pub struct Item {
     pub lead: Lead,
@@ -145,7 +145,7 @@ pub struct Function {
 #[derive(Clone, Debug)]
 pub struct Block {
     pub statements: Vec<Statement>,
-    /// True where the file has them in one line, with what the braces belong to.
+    /// True where the file has them in one line with the statement that the braces belong to.
     pub is_one_line: bool,
     /// False for a lone statement without braces.
     pub has_braces: bool,
@@ -191,7 +191,7 @@ pub enum StatementKind {
     },
 }
 
-/// What an alternative goes by, with its line in GLSL.
+/// The condition of an alternative, with its line in GLSL.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Condition {
     /// A version of GLSL that has a function.
@@ -202,7 +202,7 @@ pub enum Condition {
     Macro(String),
 }
 
-/// What of an alternative is part of a text.
+/// The part of an alternative that belongs to a text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Branch {
     Both,
@@ -241,15 +241,15 @@ pub enum ExprKind {
     BuiltIn(String, Vec<Expr>),
     /// A macro that the user defines.
     Macro(String, Vec<Expr>),
-    /// Of the expression's type.
+    /// A constructor of the expression's type.
     Construct(Vec<Expr>),
     Member(Box<Expr>, String),
     Index(Box<Expr>, Box<Expr>),
 }
 
 impl ItemKind {
-    /// The names in what it declares: functions, constants and structs of the library, and others. `branch` tells what of
-    /// an alternative counts.
+    /// The names in its declaration: functions, constants and structs of the library, and others. `branch` chooses the
+    /// part of an alternative that counts.
     pub fn names_used(&self, branch: &dyn Fn(&Condition) -> Branch) -> Vec<&str> {
         let mut names = Vec::new();
         match self {
@@ -268,7 +268,7 @@ impl ItemKind {
         names
     }
 
-    /// The names that it gives to things, those of its parameters, fields and variables included.
+    /// The names that it declares, those of its parameters, fields and variables included.
     pub fn names_given(&self) -> Vec<&str> {
         let mut names: Vec<&str> = self.name().into_iter().collect();
         match self {
@@ -300,7 +300,7 @@ impl Expr {
         self.parts().for_each(|part| part.add_names(names));
     }
 
-    /// The expressions that it is made of.
+    /// The expressions in it.
     fn parts(&self) -> impl Iterator<Item = &Self> {
         let (boxed, listed): ([Option<&Self>; 3], &[Self]) = match &self.kind {
             ExprKind::Number(_) | ExprKind::Bool(_) | ExprKind::Name(_) => ([None; 3], &[]),

@@ -3,7 +3,7 @@
 /// The longest line of the includes.
 pub const WIDTH: usize = 120;
 
-/// What a line may be broken before, and how readily: after a comma it is most readily broken.
+/// Text that a line may be broken before, and how readily: most readily after a comma.
 const BEFORE: [(&str, usize); 8] =
     [(" ? ", 1), (" : ", 1), (" && ", 1), (" || ", 1), (" + ", 2), (" - ", 2), (" | ", 2), (" & ", 2)];
 const KINDS: usize = 3;

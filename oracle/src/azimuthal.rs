@@ -20,7 +20,7 @@ pub const ELLIPSE: u32 = 2;
 /// A projection and a map of the disk to the square, and the bits of their codes.
 pub struct Azimuthal<const PROJECTION: u32, const MAP: u32>;
 
-/// What a code consists of.
+/// The parts of a code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Parts {
     /// The integer of u.
@@ -40,7 +40,7 @@ pub fn parts(code: u64, bits: u32) -> Parts {
     Parts { u, v: if flag && v == -n as i64 { -v } else { v }, flag }
 }
 
-/// What +1 is in steps: snorm's largest integer for u, a power of two for v.
+/// The steps from 0 to +1: snorm's largest integer for u, a power of two for v.
 pub fn largest_of_both(bits: u32) -> [f64; 2] {
     [largest(bits), 2f64.powi(bits as i32 / 2 - 2)]
 }
@@ -77,7 +77,7 @@ fn theta(projection: u32, radius: f64) -> f64 {
     }
 }
 
-/// From the disk to the square.
+/// The point on the square of a point on the disk.
 fn to_square(map: u32, [x, y]: [f64; 2]) -> [f64; 2] {
     match map {
         PLAIN => [x, y],
@@ -102,7 +102,7 @@ fn to_square(map: u32, [x, y]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// From the square to the disk.
+/// The point on the disk of a point on the square.
 fn to_disk(map: u32, [s, t]: [f64; 2]) -> [f64; 2] {
     match map {
         PLAIN => [s, t],
@@ -119,9 +119,9 @@ fn to_disk(map: u32, [s, t]: [f64; 2]) -> [f64; 2] {
     }
 }
 
-/// The point on the rim that a lattice point beyond it stands for: as the module's docs of `unitvec` have it, but
-/// on the circle itself. From (s, t) along the axis where a step is more in the direction of the rim's normal;
-/// then along the other one.
+/// The point on the rim that a lattice point beyond it stands for: as in the docs of `unitvec`'s module, but on the
+/// circle itself. From (s, t) along the axis where a step is more in the direction of the rim's normal; then along the
+/// other one.
 fn onto_rim(s: [f64; 2], bits: u32) -> [f64; 2] {
     let steps = largest_of_both(bits).map(|m| 1.0 / m);
     let most = steps.map(|t| t * (0.5 - 1.0 / 64.0));
@@ -138,7 +138,7 @@ fn onto_rim(s: [f64; 2], bits: u32) -> [f64; 2] {
 }
 
 impl<const PROJECTION: u32, const MAP: u32> Oracle for Azimuthal<PROJECTION, MAP> {
-    /// For both hemispheres alike.
+    /// The position, the same for both hemispheres.
     fn position(v: [f64; 3]) -> [f64; 2] {
         let rho = v[0].hypot(v[1]);
         if rho == 0.0 {
@@ -148,7 +148,7 @@ impl<const PROJECTION: u32, const MAP: u32> Oracle for Azimuthal<PROJECTION, MAP
         to_square(MAP, [v[0] / rho * r, v[1] / rho * r])
     }
 
-    /// In the hemisphere z >= 0.
+    /// The direction in the hemisphere z >= 0.
     fn direction(e: [f64; 2]) -> [f64; 3] {
         let [x, y] = to_disk(MAP, e);
         let r = x.hypot(y);

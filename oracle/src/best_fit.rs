@@ -109,7 +109,7 @@ fn on_cube(v: [f64; 3]) -> [f64; 3] {
     v.map(|t| t.abs() / max)
 }
 
-/// The rounding of `u`, whose largest component is 1, at a length.
+/// `u`, whose largest component is 1, rounded at a length.
 fn at_length(u: [f64; 3], length: u32) -> Fit {
     Fit::of(u, u.map(|t| (t * f64::from(length)).round()))
 }
@@ -125,8 +125,8 @@ fn code(v: [f64; 3], whole: [f64; 3], b: u32) -> u64 {
     raw::pack(std::array::from_fn(|i| whole[i].copysign(v[i])), [b; 3])
 }
 
-/// Of all whole vectors the one that points nearest: tries the four points around the ray in each of the planes where
-/// the largest component is 64 to 127; shorter vectors have multiples there.
+/// The whole vector that points nearest of all: tries the four points around the ray in each of the planes where the
+/// largest component is 64 to 127; shorter vectors have multiples there.
 pub fn snorm8x3_nearest(v: [f64; 3]) -> u64 {
     let u = on_cube(v);
     let axis = (0..3).find(|&i| u[i] == 1.0).unwrap_or(0);
@@ -142,7 +142,7 @@ pub fn snorm8x3_nearest(v: [f64; 3]) -> u64 {
     code(v, std::array::from_fn(|i| best.whole[(3 + i - axis) % 3]), 8)
 }
 
-/// The unit vector rounded, or the best of the 64 greatest lengths.
+/// The code of the unit vector rounded, or of the best of the 64 greatest lengths.
 pub fn snorm16x3p(v: [f64; 3]) -> u64 {
     let plain = Fit::of(on_cube(v), normalize(v).map(|t| (t.abs() * raw::snorm_max(16)).round()));
     code(v, plain.or_nearer(scan(on_cube(v), 32767)).whole, 16)
@@ -184,14 +184,14 @@ fn cell_lengths(u: [f64; 3]) -> [u32; 4] {
     })
 }
 
-/// Rounded at the best of the lengths of the direction's cell.
+/// The code at the best of the lengths of the direction's cell.
 pub fn snorm8x3p(v: [f64; 3]) -> u64 {
     let u = on_cube(v);
     let fits = cell_lengths(u).map(|length| at_length(u, length));
     code(v, fits.into_iter().fold(fits[0], Fit::or_nearer).whole, 8)
 }
 
-/// Kaplanyan's method: rounded at one length for the direction's cell.
+/// Kaplanyan's method: the code at one length for the direction's cell.
 pub fn crytek_bfn24(v: [f64; 3]) -> u64 {
     let u = on_cube(v);
     code(v, at_length(u, cell_lengths(u)[0]).whole, 8)

@@ -71,8 +71,8 @@ pub fn bound_deg(bits: u32) -> f64 {
     (a * a + b * b).sqrt().atan().to_degrees()
 }
 
-/// The same for the warped cube, whose steps subtend the largest angles along the diagonal, in the cube's corner. There
-/// the metric of the warped coordinates is `(pi/4)^2 4/9 ((2, -1), (-1, 2))`.
+/// The greatest error in degrees of the warped cube, whose steps subtend the largest angles along the diagonal, in the
+/// cube's corner. There the metric of the warped coordinates is `(pi/4)^2 4/9 ((2, -1), (-1, 2))`.
 pub fn warped_bound_deg(bits: u32) -> f64 {
     let [a, b] = half_steps(bits);
     (FRAC_PI_4 * (8.0 / 9.0 * (a * a + a * b + b * b)).sqrt()).to_degrees()

@@ -18,7 +18,7 @@ impl Oracle for Cylindrical {
     }
 }
 
-/// How far, in steps of phi and z, the code's point is from the position of `v`. At a pole phi does not count.
+/// The distances, in steps of phi and z, of the code's point from the position of `v`. At a pole phi does not count.
 pub fn steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let m = largest(bits);
     let ([phi, z], point) = (Cylindrical::position(v), Cylindrical::unpack(code, bits));

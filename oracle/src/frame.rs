@@ -10,15 +10,15 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 /// A normal, a tangent and a handedness.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
-    /// Of unit length.
+    /// The normal, of unit length.
     pub normal: [f64; 3],
-    /// Of unit length, perpendicular to the normal.
+    /// The tangent, of unit length, perpendicular to the normal.
     pub tangent: [f64; 3],
-    /// +1 or -1.
+    /// The handedness, +1 or -1.
     pub handedness: f64,
 }
 
-/// How the bits of a code are shared out.
+/// The shares of a code's bits.
 #[derive(Clone, Copy, Debug)]
 pub struct Format {
     /// Bits of the normal: even.
@@ -81,7 +81,8 @@ impl Format {
         Frame { normal, tangent: at_angle(normal, angle), handedness: if negative { -1.0 } else { 1.0 } }
     }
 
-    /// The code nearest to a frame: of the normal in angle, of the tangent in angle about the decoded normal.
+    /// The code nearest to a frame: nearest to the normal in angle, and to the tangent in angle about the decoded
+    /// normal.
     pub fn encode(self, frame: Frame) -> u64 {
         let normal = self.nearest_normal(frame.normal);
         let angle = self.nearest_angle(angle_of(self.normal(normal), frame.tangent));
@@ -143,19 +144,19 @@ pub fn at_angle(n: [f64; 3], angle: f64) -> [f64; 3] {
     std::array::from_fn(|i| cosine * first[i] + sine * second[i])
 }
 
-/// The angle in radians of what of `tangent` is perpendicular to `n`.
+/// The angle in radians of the part of `tangent` that is perpendicular to `n`.
 pub fn angle_of(n: [f64; 3], tangent: [f64; 3]) -> f64 {
     let [first, second] = basis(n);
     dot(tangent, second).atan2(dot(tangent, first))
 }
 
-/// The unit vector along what of `v` is perpendicular to the unit vector `n`.
+/// The unit vector along the part of `v` that is perpendicular to the unit vector `n`.
 pub fn perpendicular(n: [f64; 3], v: [f64; 3]) -> [f64; 3] {
     normalize(cross(cross(n, v), n))
 }
 
-/// The angle in radians between unit vectors of which one is turned by `d`, out of a plane, and by `e` in it: of the
-/// tangent, where `d` is that of the normal.
+/// The angle in radians between unit vectors of which one is turned by `d`, out of a plane, and by `e` in it: the
+/// tangent's error, where `d` is the normal's.
 pub fn tangent_bound(d: f64, e: f64) -> f64 {
     let cosine = d.cos() * e.cos();
     // The sine from both, so that small angles are exact.

@@ -26,7 +26,7 @@ pub fn lattice(bits: u32) -> (i64, i64) {
     find_lattice(bits).unwrap_or_else(|| panic!("ico{bits} is not defined"))
 }
 
-/// The same, where there is one.
+/// The lattice of a width, where there is one.
 pub fn find_lattice(bits: u32) -> Option<(i64, i64)> {
     Some(match bits {
         16 => (80, 400),
@@ -100,7 +100,8 @@ pub fn place(code: u64, bits: u32) -> (Face, [i64; 3]) {
         let base = if block % 2 == 0 { 1.0 } else { -1.0 };
         let is_first = column <= n - row;
         let apex = if is_first { 1.0 } else { -1.0 };
-        // Of y = 0: the base is at +-z, the apex towards +-x. For the other planes x, y, z become y, z, x once or twice.
+        // For y = 0 the base is at +-z, the apex towards +-x. For the other planes x, y, z become y, z, x once or
+        // twice.
         let turns = block as usize / 2;
         let face = [[0.0, -1.0, base * p], [0.0, 1.0, base * p], [apex * p, 0.0, base]];
         let face = face.map(|v| std::array::from_fn(|axis| v[(axis + 3 - turns) % 3]));
@@ -135,8 +136,8 @@ pub fn face_of(v: [f64; 3]) -> Face {
     *faces().iter().max_by(|a, b| least(a).total_cmp(&least(b))).unwrap_or(&faces()[0])
 }
 
-/// Where a direction is on a face, in steps: the root, by bisection, of the sum of `i` with `i (N - i)` in proportion to
-/// the flat coordinates.
+/// The place of a direction on a face, in steps: the root, by bisection, of the sum of `i` with `i (N - i)` in
+/// proportion to the flat coordinates.
 pub fn position(face: Face, v: [f64; 3], bits: u32) -> [f64; 3] {
     let (n, warp) = lattice(bits);
     let (n, warp) = (n as f64, warp as f64);
@@ -190,7 +191,7 @@ pub fn circumcircle(corners: [[f64; 3]; 3]) -> ([f64; 3], f64) {
 }
 
 /// Mean and maximum of the error of hexagonal cells of equal area on a plane of the sphere's, as many as there are
-/// patterns of `bits` bits: what no code falls below by more than curvature makes up.
+/// patterns of `bits` bits: no code falls below them by more than the effect of curvature.
 pub fn bound_deg(bits: u32) -> Summary {
     let area = 4.0 * std::f64::consts::PI / 2f64.powi(bits as i32);
     let max = (area * 2.0 / 27f64.sqrt()).sqrt().to_degrees();

@@ -41,7 +41,7 @@ impl Oracle for LatLong {
     }
 }
 
-/// How far, in rings and patches, the middle of the code's patch is from `v`.
+/// The distances, in rings and patches, of the middle of the code's patch from `v`.
 pub fn grid_steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let count = 2f64.powi(bits as i32 / 2);
     let [ring, patch] = LatLong::unpack(code, bits).map(|i| i as f64 + 0.5);
@@ -56,8 +56,8 @@ pub fn grid_bound_deg(bits: u32) -> f64 {
 /// The format of rings, `latlong…d`.
 pub struct LatLongD;
 
-/// How far the middle of ring i is from +-Z: `i / rings` of a quarter turn. `starts[i]` is the index of its first
-/// patch.
+/// The rings of a format. The middle of ring i is `i / rings` of a quarter turn from +-Z; `starts[i]` is the index of
+/// its first patch.
 pub struct Rings {
     /// Rings from pole to equator.
     pub last: usize,
@@ -72,13 +72,13 @@ const FORMATS: [(u32, usize, [f32; 3]); 3] = [
     (32, 29225, [0.7753543, -1.8601036e-10, 1.6516002e-20]),
 ];
 
-/// Where the rings of `bits` bits start, in `f32`. The crate's linear part, of i - 1/2, rounds to the same starts for
+/// The starts of the rings of `bits` bits, in `f32`. The crate's linear part, of i - 1/2, rounds to the same starts for
 /// every ring.
 pub fn rings(bits: u32) -> &'static Rings {
     find_rings(bits).unwrap_or_else(|| panic!("latlong{bits}d is not defined"))
 }
 
-/// The same, where there is such a format.
+/// The rings of `bits` bits, where there is such a format.
 pub fn find_rings(bits: u32) -> Option<&'static Rings> {
     static RINGS: [OnceLock<Rings>; FORMATS.len()] = [const { OnceLock::new() }; FORMATS.len()];
     let width = FORMATS.iter().position(|format| format.0 == bits)?;
@@ -112,7 +112,7 @@ impl Rings {
         (0..=self.last).map(corner).fold(0.0, f64::max).to_degrees()
     }
 
-    /// Where a code's patch is: hemisphere, quarter, ring and patch.
+    /// The place of a code's patch: hemisphere, quarter, ring and patch.
     fn place(&self, code: u64, bits: u32) -> (u32, u32, usize, u32) {
         let (unit, code) = (1 << (bits - 3), code as u32);
         let index = code % unit;
@@ -152,7 +152,7 @@ impl Oracle for LatLongD {
     }
 }
 
-/// How far, in rings and patches, the middle of the code's patch is from `v`. At a pole the patch does not count.
+/// The distances, in rings and patches, of the middle of the code's patch from `v`. At a pole the patch does not count.
 pub fn steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let rings = rings(bits);
     let (hemisphere, quarter, ring, patch) = rings.place(code, bits);

@@ -147,7 +147,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// Of `values`.
+    /// The summary of `values`.
     pub fn of(values: impl Iterator<Item = f64>) -> Self {
         let (mut sum, mut count, mut max) = (0.0, 0.0, f64::NEG_INFINITY);
         for value in values {

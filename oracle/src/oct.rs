@@ -46,7 +46,7 @@ pub fn lattice_direction(point: [i64; 2], bits: u32) -> [f64; 3] {
     normalize(lattice_vector(point, bits))
 }
 
-/// The same, of any length.
+/// The vector of a lattice point, of any length.
 fn lattice_vector(point: [i64; 2], bits: u32) -> [f64; 3] {
     let m = (1 << (bits / 2 - 1)) - 1;
     let [x, y] = point.map(|i| i.clamp(-m, m));

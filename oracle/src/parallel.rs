@@ -3,7 +3,7 @@
 use super::raw::{half, half_code, snorm_max};
 use super::{HemiOct, Oracle, field, normalize, twos_complement};
 
-/// What is stored besides the two components: nothing, the sign of z, the sextant.
+/// The data stored besides the two components: nothing, the sign of z, the sextant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Nothing: z >= 0.
@@ -37,7 +37,8 @@ fn extent(kind: Kind, [x, y]: [f64; 2]) -> f64 {
     if kind == Kind::Spp { disk + x.max(y).powi(2) } else { disk }
 }
 
-/// The extent up to which points are inside: as the formats have it, with what they leave for the rounding in `f32`.
+/// The extent up to which points are inside: the formats' own, with the margin that they leave for the rounding in
+/// `f32`.
 fn limit(kind: Kind, bits: u32) -> f64 {
     match kind {
         Kind::Spp => 1.0 - 2f64.powi(-21),
@@ -51,7 +52,7 @@ fn is_fine(kind: Kind, bits: u32) -> bool {
     widths(kind, bits)[0] > 22
 }
 
-/// By how much the extent falls with a step inwards along each component, up to a factor.
+/// The fall of the extent with a step inwards along each component, up to a factor.
 fn slopes(kind: Kind, [x, y]: [f64; 2], steps: [f64; 2]) -> [f64; 2] {
     let weights = match kind {
         Kind::Spp if x >= y => [2.0, 1.0],
@@ -61,15 +62,15 @@ fn slopes(kind: Kind, [x, y]: [f64; 2], steps: [f64; 2]) -> [f64; 2] {
     [weights[0] * x / steps[0], weights[1] * y / steps[1]]
 }
 
-/// Whole numbers, not negative, with the one along which the border is sooner reached lessened by `by`.
+/// Whole numbers, not negative, with `by` less in the one along which the border is reached sooner.
 fn inwards(kind: Kind, e: [f64; 2], bits: u32, by: f64) -> [f64; 2] {
     let steps = steps(kind, bits);
     let [x, y] = slopes(kind, [e[0] / steps[0], e[1] / steps[1]], steps);
     if x >= y { [e[0] - by, e[1]] } else { [e[0], e[1] - by] }
 }
 
-/// The point that whole numbers, not negative, stand for: their own, or else that 7/16 of a step inwards. `None` where
-/// both are outside.
+/// The point that whole numbers, not negative, stand for: their own, or else the one 7/16 of a step inwards. `None`
+/// where both are outside.
 fn settled(kind: Kind, e: [f64; 2], bits: u32) -> Option<[f64; 2]> {
     let (steps, by) = (steps(kind, bits), if is_fine(kind, bits) { 0.0 } else { 7.0 / 16.0 });
     let points = [e, inwards(kind, e, bits, by)].map(|e| [e[0] / steps[0], e[1] / steps[1]]);
@@ -164,7 +165,7 @@ pub fn decode_halves(code: u64) -> [f64; 3] {
     from_components(signed, Kind::XyOnly, 0)
 }
 
-/// As [`is_settled`], of xyonly32f.
+/// [`is_settled`] for xyonly32f.
 pub fn is_settled_halves(code: u64) -> bool {
     let p = [code, code >> 16].map(|c| half(c & 0x7fff));
     extent(Kind::XyOnly, p) < 1.0 - 1e-6

@@ -81,7 +81,7 @@ pub fn half3_encode(v: [f64; 3]) -> u64 {
 mod tests {
     use super::*;
 
-    /// Halves: all of those from 0 to 1 come back, and what lies a bit off them too.
+    /// Halves: all of those from 0 to 1 come back, from numbers a bit off them too.
     #[test]
     fn halves_round_to_nearest() {
         for code in 0..=0x3c00 {

@@ -1,6 +1,6 @@
 //! Every codec by its identifier, with `f64` intermediates: a direction to the code's integers and back.
 //!
-//! This is what the survey's section 4.1 measures beside `f32`. The codes are those of the formats, the roundings and
+//! The survey's section 4.1 measures such codecs beside `f32`. The codes are those of the formats, the roundings and
 //! searches those of exact arithmetic to within `f64`'s own error.
 
 use crate::azimuthal::{self, Azimuthal, CONCENTRIC, ELLIPSE, EQAREA, EQDIST, PLAIN, STEREO};
@@ -40,18 +40,18 @@ macro_rules! functions {
 }
 
 impl Functions {
-    /// Of a mapping to the square.
+    /// The functions of a mapping to the square.
     fn of<O: Oracle>() -> Self {
         Self { domain: O::domain, ..functions!(O::encode, O::decode) }
     }
 
-    /// Of an azimuthal projection.
+    /// The functions of an azimuthal projection.
     fn azimuthal<const PROJECTION: u32, const MAP: u32>() -> Self {
         let is_settled = if MAP == PLAIN { azimuthal::is_settled } else { |_, _| true };
         Self { is_settled, ..Self::of::<Azimuthal<PROJECTION, MAP>>() }
     }
 
-    /// Of a parallel projection.
+    /// The functions of a parallel projection.
     fn parallel<const KIND: usize>() -> Self {
         const KINDS: [Kind; 3] = [Kind::XyOnly, Kind::Pp, Kind::Spp];
         Self {
@@ -65,7 +65,7 @@ impl Functions {
         }
     }
 
-    /// Of the cube and the warped cube.
+    /// The functions of the cube and the warped cube.
     fn cube<const WARPED: bool>() -> Self {
         functions!(|v, bits| cube::encode(v, bits, WARPED), |code, bits| cube::decode(code, bits, WARPED))
     }
@@ -85,7 +85,7 @@ impl Reference {
     }
 
     /// The vector that a code stands for: of unit length, but with the codecs of three stored components. `None` where
-    /// exact arithmetic does not say, because the code is a point off a disk, or so near its rim that `f32` decides.
+    /// exact arithmetic does not decide, because the code is a point off a disk, or so near its rim that `f32` decides.
     pub fn decode(&self, code: u64) -> Option<[f64; 3]> {
         let code = code & (u64::MAX >> (64 - self.bits));
         (self.functions.is_settled)(code, self.bits).then(|| (self.functions.decode)(code, self.bits))
@@ -96,7 +96,7 @@ impl Reference {
         (self.functions.domain)(v)
     }
 
-    /// From a direction, of any length but 0, to the vector that its code stands for.
+    /// Takes a direction, of any length but 0, to the vector that its code stands for.
     pub fn round_trip(&self, v: [f64; 3]) -> [f64; 3] {
         (self.functions.round_trip)(v, self.bits)
     }
@@ -225,8 +225,8 @@ mod tests {
         })
     }
 
-    /// Ours of these are better by design, as the crate's docs say: halves rounded, not truncated; a fuller search
-    /// of lengths. All others have the survey's mean to 2 %. No maximum exceeds the survey's by 10 %.
+    /// Codecs whose errors here are less by design, as the crate's docs say: halves rounded, not truncated; a fuller
+    /// search of lengths. All others have the survey's mean to 2 %. No maximum exceeds the survey's by 10 %.
     const BETTER: [&str; 4] = ["float16x3", "snorm16x3p", "snorm8x3p", "xyonly32f"];
 
     fn check_table(text: &str, low: f64) {
@@ -251,7 +251,7 @@ mod tests {
         check_table(survey::TABLE_1, -1.0);
     }
 
-    /// As table 1, on the hemisphere z >= 0; the octahedral codes are the same in both.
+    /// Every row of table 3, on the hemisphere z >= 0; the octahedral codes are the same in both.
     #[test]
     fn table_3() {
         check_table(survey::TABLE_3, 0.0);
@@ -286,7 +286,7 @@ mod tests {
         }
     }
 
-    /// Axes come back, and nothing is made of identifiers that are none.
+    /// Axes come back, and unknown identifiers give nothing.
     #[test]
     fn axes_and_unknown_identifiers() {
         for (id, _) in rows(survey::TABLE_1) {
@@ -306,7 +306,7 @@ mod tests {
         }
     }
 
-    /// The other codecs keep their bounds, which are those of Meyer or of the geometry, but for higher orders. 20 000
+    /// The other codecs keep their bounds, which are Meyer's or the geometry's, but for higher orders. 20 000
     /// directions come near them, but for the cylindrical codes' poles.
     #[test]
     fn bounds_hold_beyond_the_survey() {

@@ -48,13 +48,14 @@ pub fn at(colatitude: f64, azimuth: f64) -> [f64; 3] {
     [sin * x, sin * y, cos]
 }
 
-/// How far a point lies from a position, on a circle of `period` steps.
+/// The distance of a point from a position, on a circle of `period` steps.
 pub fn around(position: f64, point: f64, period: f64) -> f64 {
     let off = (position - point).rem_euclid(period);
     off.min(period - off)
 }
 
-/// How far, in steps of theta and phi, the code's point is from the position of `v`. At a pole phi does not count.
+/// The distances, in steps of theta and phi, of the code's point from the position of `v`. At a pole phi does not
+/// count.
 pub fn steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
     let (m, half_turn) = (largest(bits), steps(bits));
     let ([t, phi], point) = (Spherical::position(v), Spherical::unpack(code, bits));

@@ -2,9 +2,9 @@
 
 /// The angle between two vectors of any length, in degrees: 0 to 180.
 ///
-/// It is `atan2(|a x b|, a . b)` in `f64`, which is exact for small angles too. An arc cosine of `a . b` in `f32` is not: the
-/// least angle that it knows beside 0 is `acos(1 - 2^-24)`, 0.0198 degrees, five times what [`Oct32`](crate::Oct32) is off
-/// at most.
+/// It is `atan2(|a x b|, a . b)` in `f64`, which is exact for small angles too. An arc cosine of `a . b` in `f32` is
+/// not: the least angle above 0 that it gives is `acos(1 - 2^-24)`, 0.0198 degrees, five times the maximum error of
+/// [`Oct32`](crate::Oct32).
 ///
 /// Where a vector is zero the result is 0; where a component is infinite or NaN it is NaN.
 ///
@@ -17,7 +17,7 @@ pub fn angle_deg(a: impl Into<[f32; 3]>, b: impl Into<[f32; 3]>) -> f64 {
     let ([ax, ay, az], [bx, by, bz]) = (a.into().map(f64::from), b.into().map(f64::from));
     let cross = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];
     let length = sqrt(cross[0] * cross[0] + cross[1] * cross[1] + cross[2] * cross[2]);
-    // The sum with 0 makes a 0 of -0, with which the arc tangent would be 180 degrees.
+    // Adding 0 turns -0 into 0: with -0 the arc tangent would be 180 degrees.
     let dot = ax * bx + ay * by + az * bz + 0.0;
     // No product of finite f32 is infinite in f64.
     if (length + dot).is_finite() { atan2(length, dot).to_degrees() } else { f64::NAN }
@@ -48,7 +48,7 @@ mod tests {
         assert!((angle_deg([1.0, 1.0, 0.0], [0.0, 1.0, 1.0]) - 60.0).abs() < 1e-13);
     }
 
-    /// Angles far below what an arc cosine can tell, for which `atan(t) = t`, and vectors of any length.
+    /// Angles far below the least that an arc cosine can tell, for which `atan(t) = t`, and vectors of any length.
     #[test]
     fn small_angles_and_all_lengths() {
         for t in [1e-3f32, 1e-5, 1e-7, 1e-20] {

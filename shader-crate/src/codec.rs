@@ -8,8 +8,9 @@ use glam::Vec3;
 ///
 /// A codec is a type that holds nothing, and its functions are called on the type: `Oct32::encode(v)`.
 ///
-/// [`encode`](Self::encode) and [`decode`](Self::decode) take and give the vectors of any library: whatever converts from and
-/// to `[f32; 3]`, such as those of every version of glam, of mint, nalgebra and cgmath, and the array itself.
+/// [`encode`](Self::encode) and [`decode`](Self::decode) accept and return the vectors of any library: every type that
+/// converts from and to `[f32; 3]`, such as the vectors of every version of glam, of mint, nalgebra and cgmath, and the
+/// array itself.
 ///
 /// ```
 /// use unitvec::{Codec, Oct32};
@@ -39,8 +40,9 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// True where the directions of the axes (those of the codec's domain) come back exactly.
     const EXACT_AXES: bool = true;
 
-    /// True where what any device decodes, any other encodes to a code of the same vector, to the bit, although Vulkan lets
-    /// devices divide and take square roots inexactly. The family's docs say why where it is false.
+    /// True where a vector decoded on any device encodes on any other to a code of the same vector, to the bit,
+    /// although Vulkan lets devices divide and take square roots inexactly. The family's docs say why where it is
+    /// false.
     const STABLE_ACROSS_DEVICES: bool = true;
 
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
@@ -50,7 +52,7 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// (see [`direction`](crate::direction)) gets the code of +Z.
     ///
     /// Raw component formats ([`IS_UNIT`](Self::IS_UNIT) is false; best fit apart) store the components as they are,
-    /// clamped: normalise first. What rounds to zero there gets the code of +Z.
+    /// clamped: normalise first. Vectors that round to zero there get the code of +Z.
     #[inline(always)]
     fn encode<V: Into<[f32; 3]>>(v: V) -> Self::Code {
         Self::encode_vec3(Vec3::from_array(v.into()))
@@ -65,10 +67,10 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
         Self::decode_vec3(code).to_array().into()
     }
 
-    /// [`encode`](Self::encode), of this crate's vector.
+    /// [`encode`](Self::encode) for this crate's vector.
     fn encode_vec3(v: Vec3) -> Self::Code;
 
-    /// [`decode`](Self::decode), to this crate's vector.
+    /// [`decode`](Self::decode) for this crate's vector.
     fn decode_vec3(code: Self::Code) -> Vec3;
 }
 
@@ -89,7 +91,7 @@ pub trait Code: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// The code of these words; one-word codes ignore the high one.
     fn from_words(words: [u32; 2]) -> Self;
 
-    /// [`from_words`](Self::from_words), without an array, which costs time where nothing is optimised.
+    /// [`from_words`](Self::from_words) without an array, which costs time in builds without optimisation.
     #[doc(hidden)]
     #[inline(always)]
     fn from_low_high(low: u32, high: u32) -> Self {

@@ -1,15 +1,15 @@
-//! What counts as a direction: the one rule behind every codec's handling of bad input.
+//! The rule for usable directions, on which every codec's handling of bad input rests.
 
 use crate::arith::{is_negative, is_within};
 use glam::Vec3;
 
-/// Least L1 norm that a direction is taken from: 2^-64.
+/// Least L1 norm of a usable direction: 2^-64.
 ///
-/// Far enough above the denormals (under 2^-126) that whether a device flushes them to zero changes no code, and
-/// far below anything that arithmetic on geometry leaves.
+/// Far enough above the denormals (under 2^-126) that whether a device flushes them to zero changes no code, and far
+/// below any result of arithmetic on geometry.
 pub const MIN_NORM: f32 = f32::from_bits((127 - 64) << 23);
 
-/// L1 norms from here on do not give a direction: 2^100. Below it `1 / norm` is a normal number.
+/// L1 norms from here on give no direction: 2^100. Below it `1 / norm` is a normal number.
 pub const MAX_NORM: f32 = f32::from_bits((127 + 100) << 23);
 
 /// `|x| + |y| + |z|`.
@@ -32,7 +32,7 @@ pub fn or_z(v: Vec3) -> (Vec3, f32) {
     if is_usable(norm) { (v, norm) } else { (Vec3::Z, 1.0) }
 }
 
-/// `v` and its L1 norm with what lies below the equator moved up to it: z of at least 0. +Z and 1 where that has no usable
+/// `v`, moved up to the equator if below it (z of at least 0), and its L1 norm. +Z and 1 where that has no usable
 /// direction.
 #[inline(always)]
 pub fn upper_or_z(v: Vec3) -> (Vec3, f32) {

@@ -1,8 +1,8 @@
 //! Codes as the float or integer values that a Vulkan format stores exactly, and back.
 //!
 //! A shader writes `code_to_snorm16x2(Oct32::encode(v))` to an attachment of VK_FORMAT_R16G16_SNORM, and takes
-//! `Oct32::decode(snorm16x2_to_code(texel))` of what it fetches. Nothing is rounded on the way: every value is the one that the
-//! format's integers stand for, rounded correctly on every device, and it gives back its code.
+//! `Oct32::decode(snorm16x2_to_code(texel))` of a fetched texel. Nothing is rounded on the way: every value is the one
+//! that the format's integers stand for, rounded correctly on every device, and it gives back its code.
 //!
 //! ```
 //! use unitvec::{Codec, Oct32, formats};

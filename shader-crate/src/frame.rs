@@ -5,12 +5,11 @@
 //! Encoding".
 //!
 //! The normal is encoded first, with the precise octahedral encoder. The *decoded* normal, which both sides know, has a
-//! basis of two more unit vectors around it, and of the tangent only its angle in their plane is stored. So what is
-//! decoded is perpendicular whatever was encoded. The angle's place is found without trigonometry: the line
+//! basis of two more unit vectors around it, and of the tangent only its angle in their plane is stored. So the decoded
+//! tangent is perpendicular whatever was encoded. The angle's place is found without trigonometry: the line
 //! `|x| + |y| = 1` is a diamond, each side of it a quarter turn, and the place w along a side, -1 to 1, takes a
 //! division. Steps of equal length along the side are unequal in angle, twice as wide in its middle as at its ends. So
-//! the side is stretched by a polynomial, `w = v (A + B v^2 + C v^4)`, close to `tan(pi v / 4)`, and v is what is
-//! rounded.
+//! the side is stretched by a polynomial, `w = v (A + B v^2 + C v^4)`, close to `tan(pi v / 4)`, and v is rounded.
 //!
 //! <!-- generated: errors frame -->
 //! | degrees | mean | max | bound |
@@ -33,12 +32,12 @@
 //!   its mean can be lower. Its maximum is a quarter higher.
 //! * 64 bits are shared out so that the two errors are alike.
 //! * Decoded normal and tangent have unit length to within 2 ULP, and `|normal . tangent|` is at most 4 ULP of 1: most
-//!   of it is the normal's length, which turns the basis by twice what it is off. The basis is continuous but for the
-//!   equator, z = 0, where that of the lower hemisphere takes over; what it divides by is never less than 1.
+//!   of it is the normal's length, which turns the basis by twice its error. The basis is continuous but for the
+//!   equator, z = 0, where that of the lower hemisphere takes over; its divisor is never less than 1.
 //! * Exact: normals along the axes and, about those, tangents along the axes. Multiples of 45
 //!   degrees have codes of their own.
-//! * Good for: vertex attributes. What glTF stores in 28 bytes (NORMAL and TANGENT) takes 4 or 8. Weaknesses: a tangent
-//!   at 32 bits has several times the normal's error; what is not orthogonal in a frame is lost; codes cannot be
+//! * Good for: vertex attributes. The NORMAL and TANGENT of glTF take 4 or 8 bytes, not 28. Weaknesses: a tangent at 32
+//!   bits has several times the normal's error; a frame's deviation from orthogonality is lost; codes cannot be
 //!   interpolated.
 
 use crate::arith::{
@@ -59,7 +58,7 @@ use core::fmt::Debug;
 use core::hash::Hash;
 use glam::{Vec2, Vec3};
 
-/// A tangent frame: what a normal map is applied in.
+/// A tangent frame: the axes that a normal map is applied in.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// The surface's normal, of this crate's [`glam`]. [`to_gltf`](Self::to_gltf) gives vectors of any library.
@@ -78,7 +77,7 @@ impl Frame {
         Self { normal: Vec3::from_array(normal), tangent: Vec3::from_array(tangent), handedness }
     }
 
-    /// The frame of a vertex as glTF has it: NORMAL, and TANGENT with the handedness as its fourth component.
+    /// The frame of a vertex in glTF: NORMAL, and TANGENT with the handedness as its fourth component.
     ///
     /// ```
     /// use unitvec::{Frame, Frame32, FrameCodec};
@@ -113,7 +112,7 @@ impl Frame {
         [n.x, n.y, n.z, t.x, t.y, t.z, self.handedness]
     }
 
-    /// The third axis, `handedness * cross(normal, tangent)`, as glTF has it.
+    /// The third axis, `handedness * cross(normal, tangent)`, as in glTF.
     #[inline(always)]
     pub fn bitangent(self) -> Vec3 {
         self.normal.cross(self.tangent) * self.handedness
@@ -141,10 +140,10 @@ pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static
     /// The code of `frame`. Lengths do not matter.
     ///
     /// * A normal without a usable direction (see [`direction`](crate::direction)) counts as +Z.
-    /// * The tangent is projected to the plane of the decoded normal. One without a usable direction, or parallel to the
-    ///   normal, gets angle 0, the first vector of the basis: for the normal +Z that is +X. Parallel is what is within
-    ///   0.16 degrees of the normal's line at 32 bits (up to 0.39, by direction), a thousandth of that at 64: twice what
-    ///   the decoded normal may be off.
+    /// * The tangent is projected to the plane of the decoded normal. One without a usable direction, or parallel to
+    ///   the normal, gets angle 0, the first vector of the basis: for the normal +Z that is +X. A tangent counts as
+    ///   parallel within 0.16 degrees of the normal's line at 32 bits (up to 0.39, by direction), a thousandth of that
+    ///   at 64: twice the greatest error of the decoded normal.
     /// * The handedness is -1 if below zero; zeros, denormals and NaN count as +1.
     fn encode(frame: Frame) -> Self::Code;
 
@@ -162,7 +161,7 @@ pub const WARP_1: f32 = 624.0 / 4096.0;
 /// See [`WARP_0`].
 pub const WARP_2: f32 = 247.0 / 4096.0;
 
-/// The inverse, `v = w + w (1 - u) (UNWARP_0 + u (UNWARP_1 + u UNWARP_2))` with `u = w^2`: within 3.0e-5.
+/// The inverse warp, `v = w + w (1 - u) (UNWARP_0 + u (UNWARP_1 + u UNWARP_2))` with `u = w^2`: within 3.0e-5.
 pub const UNWARP_0: f32 = 0.27020066;
 /// See [`UNWARP_0`].
 pub const UNWARP_1: f32 = -0.13198552;
@@ -171,8 +170,8 @@ pub const UNWARP_2: f32 = 0.0392082;
 
 /// Two unit vectors that make an orthonormal basis with the unit vector `n`: right-handed, (first, second, `n`).
 ///
-/// Frisvad's rotates the axes by the arc from +Z to `n`, which has no limit at -Z; Duff's does so from -Z where z is
-/// negative.
+/// Frisvad's basis rotates the axes by the arc from +Z to `n`, which has no limit at -Z; Duff's does so from -Z where z
+/// is negative.
 #[inline(always)]
 pub fn basis(n: Vec3) -> (Vec3, Vec3) {
     let sign = with_sign(1.0, n.z);
@@ -192,7 +191,7 @@ fn warp(v: f32) -> f32 {
 }
 
 /// The inverse of [`warp`]: within 3.0e-5, which is 0.4 % of half a step of 9 bits. For more bits a step of Newton's
-/// method follows, which leaves only rounding.
+/// method follows and leaves only rounding.
 #[inline(always)]
 fn unwarp<const ANGLE_BITS: u32>(w: f32) -> f32 {
     let u = w * w;

@@ -2,7 +2,8 @@
 //!
 //! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs on the
 //! CPU and, compiled to SPIR-V by rust-gpu, on the GPU, with the same bits: it keeps to arithmetic that IEEE 754 and
-//! Vulkan define alike (`+ - * /`, square root, floor, comparison, integers).
+//! Vulkan define alike (`+ - * /`, square root, floor, comparison, integers). A few functions choose other instructions
+//! for SPIR-V, with the same results.
 //!
 //! ```
 //! use unitvec::{Codec, Oct16, Oct32, OctPrecise16, angle_deg};
@@ -23,8 +24,9 @@
 //! # }
 //! ```
 //!
-//! Vectors are those of any library: whatever converts from and to `[f32; 3]`, such as `Vec3` and `Vec3A` of any version of
-//! glam, and the vectors of nalgebra, mint and cgmath. This crate's own glam is [`unitvec::glam`](glam).
+//! Vectors may be those of any library: every type that converts from and to `[f32; 3]` will do, such as `Vec3` and
+//! `Vec3A` of any version of glam, and the vectors of nalgebra, mint and cgmath. This crate's own glam is
+//! [`unitvec::glam`](glam).
 //!
 //! # Which codec
 //!
@@ -52,17 +54,17 @@
 //! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | 8.5 / 3.6 |
 //! <!-- end -->
 //!
-//! Cost is what the compiler of an RDNA 2 GPU makes of it (inverse throughput), as a multiple of `oct32`'s. Types named
-//! `…Precise…` write the format of the fast ones: their encoder takes longer and finds the nearest code. `docs/codecs.md` of
-//! the repository lists all codecs, `docs/costs.md` says more about when to take which.
+//! Cost is the inverse throughput of the code that a compiler for RDNA 2 GPUs makes, as a multiple of `oct32`'s. Types
+//! named `…Precise…` write the format of the fast ones: their encoder takes longer and finds the nearest code.
+//! `docs/codecs.md` of the repository lists all codecs, `docs/costs.md` says more on the choice.
 //!
 //! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`]. Whole slices
 //! and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate `unitvec-catalogue`.
 //!
 //! The families, each with a module that says what it is good for:
 //!
-//! * octahedral: [`oct`]; [`oct_wide`], finer than `f32`; [`eaoct`], of equal area; [`soct`], with the sign of z apart;
-//!   [`hemioct`], of a hemisphere;
+//! * octahedral: [`oct`]; [`oct_wide`], finer than `f32`; [`eaoct`], with equal areas; [`soct`], with the sign of z
+//!   apart; [`hemioct`], for a hemisphere;
 //! * numbered points: [`ico`], the lattice of an icosahedron; [`fib`], spherical Fibonacci points;
 //! * angles: [`spherical`]; [`spherical_wide`], finer than `f32`; [`cylindrical`]; [`latlong`];
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
@@ -72,7 +74,7 @@
 //! spherical, cylindrical and azimuthal families have `project` and `unproject` for formats to which the hardware rounds. Where
 //! few bits show as bands, see [`dither`].
 //!
-//! # What every codec promises
+//! # The promises of every codec
 //!
 //! * `encode` takes a vector of any length. Raw component formats, but for best fit, differ: they store the components as
 //!   given, clamped to [-1, 1]. A vector without a usable direction gets the code of +Z: zero, infinite, NaN, or with an L1 norm outside

@@ -174,7 +174,7 @@ macro_rules! for_each_frame {
     };
 }
 
-/// A codec of the list: what its row says.
+/// A codec of the list, with the data of its row.
 pub trait Listed: Codec {
     /// Identifier, such as `oct16p`.
     const NAME: &'static str;
@@ -195,7 +195,7 @@ pub trait Listed: Codec {
     const VK_FORMAT: Option<&'static str>;
 }
 
-/// A codec of frames of the list: what its row says.
+/// A codec of frames of the list, with the data of its row.
 pub trait ListedFrame: FrameCodec {
     /// Identifier, such as `frame32`.
     const NAME: &'static str;

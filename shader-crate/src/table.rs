@@ -1,12 +1,12 @@
-//! Decoding by table: for codecs of at most 16 bits, all vectors there are.
+//! Decoding by table: all decoded vectors of a codec of at most 16 bits.
 //!
 //! Source: Cigolle et al. 2014, section 2.4.
 //!
 //! A table holds `2^BITS` vectors, 768 KiB at 16 bits, and gives the bits that [`Codec::decode`] gives. To look a
 //! vector up takes about a nanosecond as long as the table stays in a second-level cache of 1 MiB or more, whatever the
 //! codec: with AVX2 as long as [`oct`](crate::oct) is worked out by [`decode_slice`](crate::slice::decode_slice), less
-//! than a third of what [`latlong`](crate::latlong) takes. So a table pays for codecs that are dear to decode, for
-//! vectors one by one, and where vector instructions are short; it does not where other work needs the cache.
+//! than a third of the time for [`latlong`](crate::latlong). So a table pays for codecs that are expensive to decode,
+//! for vectors one by one, and where vector instructions are scarce; it does not where other work needs the cache.
 //!
 //! ```
 //! use unitvec::table::DecodeTable;
@@ -58,7 +58,7 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
         1 << C::BITS
     };
 
-    /// Works the table out, in `entries`: in about a millisecond at most.
+    /// Computes the table in `entries`, in about a millisecond at most.
     ///
     /// # Errors
     /// [`TableSize`] unless there are [`ENTRIES`](Self::ENTRIES). Nothing is written then.

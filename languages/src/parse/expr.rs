@@ -227,7 +227,7 @@ impl Parser<'_> {
     }
 }
 
-/// The type that a function of GLSL gives, where its arguments fit.
+/// The type that a function of GLSL returns, where its arguments fit.
 fn built_in_type(name: &str, arguments: &[Expr]) -> Option<Type> {
     let first = &arguments.first()?.ty;
     let Type::Value(scalar, size) = first else { return None };
@@ -261,7 +261,7 @@ fn number(text: &str) -> Option<Expr> {
     Some(Expr { kind: ExprKind::Number(text.to_owned()), ty })
 }
 
-/// How tightly an operator of two operands binds, as in C.
+/// The level at which an operator of two operands binds, as in C.
 pub fn precedence(operator: &str) -> Option<usize> {
     let levels: [&[&str]; 9] = [
         &["||"],

@@ -1,4 +1,4 @@
-//! Tokens to the tree of a file. What the includes do not use is refused, with file and line.
+//! Tokens to the tree of a file. Everything that the includes do not use is refused, with file and line.
 
 mod expr;
 
@@ -13,7 +13,7 @@ use crate::syntax::{
 };
 use std::collections::HashMap;
 
-/// What the files so far declare at their top level.
+/// The top-level declarations of the files so far.
 #[derive(Debug, Default)]
 pub struct Declared {
     pub functions: HashMap<String, (Type, Vec<Parameter>)>,
@@ -26,7 +26,7 @@ pub struct Declared {
 /// The macro in place of `precise`.
 pub const PRECISE: &str = "UNITVEC_PRECISE";
 
-/// Parses a file, and adds what it declares.
+/// Parses a file, and adds its declarations.
 pub fn parse(name: &str, text: &str, declared: &mut Declared) -> Result<File, Error> {
     let tokens = tokens(name, text)?;
     let mut parser = Parser {
@@ -51,11 +51,11 @@ struct Parser<'a> {
     /// Variables of the function at hand: their type, and whether they are precise.
     scopes: Vec<HashMap<String, (Type, bool)>>,
     assigned: Vec<String>,
-    /// What the function at hand returns.
+    /// The return type of the function at hand.
     returns: Type,
     /// True where a newer version of GLSL is certain.
     in_version: bool,
-    /// True at the start of what a variable is declared with.
+    /// True at the start of a variable's initial value, which may be a struct.
     may_be_struct: bool,
 }
 
@@ -436,13 +436,13 @@ impl<'a> Parser<'a> {
         Ok(Declaration { is_precise, is_constant, ty, name, value })
     }
 
-    /// What a variable of this type is declared with.
+    /// The initial value of a variable of this type.
     fn declared_value(&mut self, ty: &Type) -> Parsed<Expr> {
         self.may_be_struct = matches!(ty, Type::Struct(_));
         self.of_type(ty)
     }
 
-    /// An expression that has to be of this type: GLSL's implicit conversions are not among what the includes use.
+    /// An expression that must have this type: the includes do not use GLSL's implicit conversions.
     fn of_type(&mut self, ty: &Type) -> Parsed<Expr> {
         let line = self.peek().line;
         let expr = self.expression()?;

@@ -1,4 +1,4 @@
-//! Comments in another language: types and files by their names there, and what is said of GLSL alone left out.
+//! Comments in another language: types and files by their names there, without remarks on GLSL alone.
 
 use super::{ARITH, Printer};
 use crate::syntax::{File, ItemKind, Type};
@@ -24,7 +24,7 @@ impl Printer<'_> {
             said += &rest[word..other];
             rest = &rest[other..];
         }
-        // How an argument is handed over to be written to, with what follows in its column.
+        // An argument that is written to, as the language passes it; the text after it stays in its column.
         let by_reference = match self.language {
             Language::Wgsl => said.replace(", out ", ", &"),
             Language::Msl => said.replace(", out ", ", "),
@@ -56,14 +56,14 @@ impl Printer<'_> {
         lines
     }
 
-    /// False for what a head says of GLSL alone, or of macros where there are none or they do not reach a module.
+    /// False for paragraphs of a head on GLSL alone, or on macros where there are none or they do not reach a module.
     fn concerns(&self, paragraph: &[String]) -> bool {
         let says = |word: &str| paragraph.iter().any(|line| line.contains(word));
         let has_macros = self.language.has_preprocessor() && self.language != Language::Slang;
         !says("GLSL") && (has_macros || !says("#define"))
     }
 
-    /// The paragraph of the head that says the layout.
+    /// Prints the paragraph of the head that tells the layout.
     pub fn layout(&mut self, file: &File) {
         for paragraph in file.head.split(|line| line == "//") {
             if paragraph.iter().any(|line| line.contains("Layout")) {
@@ -72,7 +72,7 @@ impl Printer<'_> {
         }
     }
 
-    /// What has to be said of this language.
+    /// Notes on this language.
     fn notes(&self, file: &File) -> Vec<String> {
         let mut notes = Vec::new();
         let needed: Vec<String> = file
@@ -105,7 +105,7 @@ impl Printer<'_> {
         notes
     }
 
-    /// How the files are used.
+    /// Instructions for use.
     fn usage(&self) -> Option<&'static str> {
         Some(match self.asked {
             Language::Glsl => return None,
@@ -140,7 +140,7 @@ impl Printer<'_> {
         })
     }
 
-    /// What the plain edition leaves to the compiler.
+    /// A note on the freedom that the plain edition leaves to the compiler.
     fn precision(&self) -> Option<&'static str> {
         match self.language {
             Language::Glsl => None,
@@ -169,7 +169,7 @@ fn filled(paragraph: &str) -> Vec<String> {
     lines
 }
 
-/// What a line of code in a paragraph begins with.
+/// The first character of a line of code in a paragraph.
 const CODE: char = '\t';
 
 fn filled_prose(text: &str) -> Vec<String> {

@@ -5,7 +5,7 @@ use crate::Language;
 use crate::parse::precedence;
 use crate::syntax::{Expr, ExprKind, Scalar, Type};
 
-/// How tightly the parts of a text hold together: above the levels of [`precedence`], which begin at 1 here.
+/// Levels at which the parts of a text hold together: above those of [`precedence`], which begin at 1 here.
 const SELECT: usize = 0;
 const UNARY: usize = 20;
 const WHOLE: usize = 30;
@@ -35,8 +35,8 @@ impl Printer<'_> {
         self.unguarded(expr)
     }
 
-    /// True for sums, products, quotients and roots that the exact edition keeps apart from what is done with them: compilers
-    /// that may, fuse, reorder, and take an estimate in place of the inverse of a root.
+    /// True for sums, products, quotients and roots that the exact edition keeps apart from further operations:
+    /// compilers may otherwise fuse, reorder, and take an estimate in place of the inverse of a root.
     fn needs_barrier(&self, expr: &Expr) -> bool {
         if !(self.is_exact() && self.in_precise && expr.ty.is_float()) {
             return false;
@@ -82,7 +82,7 @@ impl Printer<'_> {
         if is_float && self.language == Language::Msl { format!("{text}f") } else { text.to_owned() }
     }
 
-    /// The source's parentheses, unless they are around what has become one thing.
+    /// The source's parentheses, unless their content has become a single term.
     fn parentheses(&self, inner: &Expr) -> (String, usize) {
         let (text, level) = self.parts(inner);
         let was_whole = matches!(inner.kind, ExprKind::Name(_) | ExprKind::Number(_));
@@ -122,8 +122,8 @@ impl Printer<'_> {
         (text, level)
     }
 
-    /// How tightly the operands of an operator have to hold together. WGSL wants parentheses wherever its operators of
-    /// different kinds meet.
+    /// The level at which the operands of an operator must hold together. WGSL wants parentheses wherever its operators
+    /// of different kinds meet.
     fn least_levels(&self, operator: &str, left: &Expr, level: usize) -> (usize, usize) {
         if self.language != Language::Wgsl {
             return (level, level + 1);
@@ -153,7 +153,7 @@ impl Printer<'_> {
         }
     }
 
-    /// A scalar's text as what a vector's operation takes.
+    /// A scalar's text as an operand of a vector's operation.
     fn spread(&self, scalar: String, ty: &Type) -> String {
         let takes_scalars = self.language.is_glsl() || self.language == Language::Hlsl;
         if ty.size() == 1 || (takes_scalars && scalar == BARRIER) {
@@ -239,7 +239,7 @@ impl Printer<'_> {
     }
 }
 
-/// A number as Godot has to have it. It hands numbers to drivers with 14 decimals: what these do not hold is written as a
+/// A number for Godot, which hands numbers to drivers with 14 decimals: a number that these do not hold is written as a
 /// fraction of a power of two.
 fn in_decimals(text: &str) -> (String, usize) {
     let value: f32 = text.parse().unwrap_or_default();

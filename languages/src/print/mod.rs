@@ -22,18 +22,18 @@ pub struct Printer<'a> {
     pointers: Vec<String>,
     /// Names that the function at hand assigns to.
     assigned: Vec<String>,
-    /// True in the value of a precise variable.
+    /// Set while the right-hand side of a precise variable is printed.
     in_precise: bool,
     /// False in excerpts, whose names are all for their user.
     has_module: bool,
-    /// The language asked for: `language`, or WGSL in modules of another kind.
+    /// The output kind; `language` is the syntax it is written in.
     asked: Language,
 }
 
-/// What the exact editions call the second operand of the barriers' `min`.
+/// The exact editions' name for the second operand of the barriers' `min`.
 const BARRIER: &str = "UNITVEC_HUGE";
 
-/// The file that has them, and what all families need.
+/// The file that has the barriers, and the arithmetic that all families need.
 const ARITH: &str = "arith.glsl";
 
 impl<'a> Printer<'a> {
@@ -51,7 +51,7 @@ impl<'a> Printer<'a> {
         }
     }
 
-    /// The text, without blank lines at its ends or side by side.
+    /// The text, without blank lines at its ends or next to each other.
     pub fn finish(self) -> String {
         let mut text = String::new();
         let mut is_blank = true;
@@ -114,7 +114,7 @@ impl<'a> Printer<'a> {
         Ok(())
     }
 
-    /// Imports of the names that the lines from this one on use of other files.
+    /// Imports of the names from other files that the lines from this one on use.
     fn imports(&self, file: &File, from: usize) -> Vec<String> {
         let code = self.lines[from..].iter().filter(|line| !line.trim_start().starts_with("//"));
         let words = code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
@@ -140,7 +140,7 @@ impl<'a> Printer<'a> {
         lines
     }
 
-    /// What comes before the first declaration.
+    /// The lines before the first declaration.
     pub fn prelude(&mut self) {
         if self.asked == Language::NagaOil && !self.has_module {
             self.lines.extend(["#define_import_path unitvec".to_owned(), String::new()]);
@@ -251,7 +251,7 @@ impl<'a> Printer<'a> {
         self.wrapped(0, &text);
     }
 
-    /// What a variable begins with: structs are lists in languages whose structs have no constructor.
+    /// The initial value of a variable: structs are lists in languages whose structs have no constructor.
     fn value(&self, value: &Expr) -> String {
         match &value.kind {
             ExprKind::Construct(arguments)
@@ -295,7 +295,7 @@ impl<'a> Printer<'a> {
         self.pointers.clear();
     }
 
-    /// True for a parameter that a function assigns to, where the language has none of these.
+    /// True for a parameter that a function assigns to, where the language forbids this.
     fn is_copied(&self, parameter: &Parameter) -> bool {
         self.language == Language::Wgsl && !parameter.is_out && self.assigned.contains(&parameter.name)
     }
@@ -429,7 +429,7 @@ impl<'a> Printer<'a> {
         })
     }
 
-    /// In exact editions `a += b` has to be `a = min(a + b, …)`.
+    /// In exact editions `a += b` must be `a = min(a + b, …)`.
     fn assignment(&self, target: &Expr, operator: &str, value: &Expr) -> String {
         let to = self.expr(target);
         let compound = operator.strip_suffix('=').filter(|operator| !operator.is_empty());
@@ -455,7 +455,7 @@ impl<'a> Printer<'a> {
             return match (varies, value.is_some()) {
                 (true, false) => format!("var {name}: {type_name}"),
                 (true, true) => format!("var {name}{assigned}"),
-                // With its type: numbers without one are computed with in more bits.
+                // With its type: numbers without one are evaluated in more bits.
                 (false, _) if *is_constant => format!("const {name}: {type_name}{assigned}"),
                 (false, _) => format!("let {name}{assigned}"),
             };
@@ -482,7 +482,7 @@ impl<'a> Printer<'a> {
     }
 }
 
-/// A file's name without what it ends in.
+/// A file's name without its extension.
 fn stem(file: &str) -> &str {
     file.strip_suffix(".glsl").unwrap_or(file)
 }

@@ -1,9 +1,10 @@
-//! Square root and floor without the standard library, such that the compiler can make vector instructions of them. The
-//! `libm` crate's, in plain integer arithmetic, take five times as long and stay single. Same bits.
+//! Square root and floor without the standard library, such that the compiler can make vector instructions of them.
+//! They give the same bits as those of the `libm` crate, which are in plain integer arithmetic, take five times as long
+//! and stay scalar.
 
 /// [`floor`](super::floor) of any number.
 ///
-/// Sums with 2^23 of the sign of `x` have the unit as their last place; what is that large is whole.
+/// Sums with 2^23 of the sign of `x` have the unit as their last place; numbers that large are whole.
 #[inline(always)]
 pub fn floor(x: f32) -> f32 {
     const TWO_23: f32 = 8_388_608.0;

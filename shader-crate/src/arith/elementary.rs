@@ -25,7 +25,7 @@ pub fn floor(x: f32) -> f32 {
     return libm::floorf(x);
 }
 
-/// The larger of two numbers: of two zeros either, and with NaN anything.
+/// The larger of two numbers: either of two zeros, and anything with NaN.
 #[inline(always)]
 pub fn max(x: f32, y: f32) -> f32 {
     #[cfg(target_arch = "spirv")]
@@ -34,7 +34,7 @@ pub fn max(x: f32, y: f32) -> f32 {
     return if x < y { y } else { x };
 }
 
-/// The smaller of two numbers: of two zeros either, and with NaN anything.
+/// The smaller of two numbers: either of two zeros, and anything with NaN.
 #[inline(always)]
 pub fn min(x: f32, y: f32) -> f32 {
     #[cfg(target_arch = "spirv")]

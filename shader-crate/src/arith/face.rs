@@ -1,4 +1,4 @@
-//! The faces of a cube: which one a direction meets, and the components as it has them.
+//! The faces of a cube: the one in a direction, and the components in its order.
 
 use super::is_negative;
 use glam::Vec3;

@@ -8,8 +8,8 @@ pub const HALF_MAX: u32 = 0x7bff;
 /// 1.0 as a half.
 pub const HALF_ONE: u32 = 0x3c00;
 
-/// The half nearest to `x`, ties to even. What is too large gives +-65504, infinity and NaN too; what rounds to 0 gives
-/// +0, of either sign.
+/// The half nearest to `x`, ties to even. Larger numbers, infinity and NaN give +-65504; numbers of either sign that
+/// round to 0 give +0.
 #[inline(always)]
 pub fn half_encode(x: f32) -> u32 {
     let magnitude = half_encode_magnitude(x);

@@ -1,5 +1,5 @@
-//! The arithmetic that the codecs share. Every function gives the same result on every target: it keeps to operations that
-//! IEEE 754 and Vulkan define alike, and to plain comparisons for what they do not.
+//! The arithmetic that the codecs share. Every function gives the same result on every target: it keeps to operations
+//! that IEEE 754 and Vulkan define alike, and to plain comparisons where they differ.
 
 #[cfg(all(any(not(feature = "std"), test), not(target_arch = "spirv")))]
 mod bare;

@@ -39,7 +39,7 @@ pub(crate) fn signed_integer_field(code: u32, first: u32, bits: u32) -> i32 {
 
 /// The integer of `bits` bits (2 to 25) of a code, from bit `first` on, in two's complement.
 ///
-/// On a GPU two shifts, which are one instruction; on a CPU with SSE4.1 three are a little faster.
+/// A GPU takes two shifts, which are one instruction; on a CPU with SSE4.1 three are a little faster.
 #[inline(always)]
 pub fn signed_integer_at(code: u32, first: u32, bits: u32) -> f32 {
     if cfg!(target_arch = "spirv") {
@@ -49,8 +49,8 @@ pub fn signed_integer_at(code: u32, first: u32, bits: u32) -> f32 {
     }
 }
 
-/// The nearest whole numbers to those of `e`, as by [`nearest_code`], as one code: x in the low `bits` bits (at most 16), y
-/// in the next.
+/// The whole numbers nearest to those of `e`, as [`nearest_code`] gives them, as one code: x in the low `bits` bits (at
+/// most 16), y in the next.
 #[inline(always)]
 pub fn nearest_pair(e: Vec2, bits: u32) -> u32 {
     nearest_code(e.x, bits) | (nearest_code(e.y, bits) << bits)
@@ -60,7 +60,7 @@ pub fn nearest_pair(e: Vec2, bits: u32) -> u32 {
 mod tests {
     use super::*;
 
-    /// Against the standard library's rounding, of quarters and their neighbours.
+    /// Compares with the standard library's rounding, for quarters and their neighbours.
     #[test]
     fn the_nearest_whole_number_is_the_even_one_of_two() {
         for bits in [8, 11, 16, 21] {

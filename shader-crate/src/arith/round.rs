@@ -4,7 +4,7 @@ use super::{floor, mask};
 
 /// The integer part of `x`, for `x` between -2^31 and 2^31.
 ///
-/// `as` saturates, which SPIR-V has no instruction for: four more would keep a bound that `x` never reaches.
+/// `as` saturates, which SPIR-V has no instruction for: it would take four more to keep a bound that `x` never reaches.
 #[inline(always)]
 #[cfg_attr(target_arch = "spirv", allow(unsafe_code))]
 pub(crate) fn integer_part(x: f32) -> i32 {
@@ -30,7 +30,7 @@ pub fn whole_to_u32(whole: f32) -> u32 {
 
 /// A whole number from -2^22 to 2^22 - 1 as an integer.
 ///
-/// As in [`whole_to_u32`]: on the CPU, the bits of the sum count up with the number.
+/// The CPU adds as in [`whole_to_u32`]: the bits of the sum count up with the number.
 #[inline(always)]
 pub(crate) fn whole_to_i32(whole: f32) -> i32 {
     if cfg!(target_arch = "spirv") {
@@ -40,14 +40,14 @@ pub(crate) fn whole_to_i32(whole: f32) -> i32 {
     }
 }
 
-/// Sums of it and numbers of 0 to 2^23 have the unit as their last place, so that the low 23 bits are the number.
+/// 2^23: its sums with numbers of 0 to 2^23 have the unit as their last place, so that the low 23 bits are the number.
 pub(crate) const TWO_23: f32 = 8_388_608.0;
 
-/// Sums of it and numbers of at most 2^22 have the unit as their last place, so that they are whole; the low 22 bits are
-/// their two's complement.
+/// 1.5 2^23: its sums with numbers of at most 2^22 have the unit as their last place, so that they are whole; the low
+/// 22 bits are their two's complement.
 pub(crate) const ONE_AND_A_HALF_2_23: f32 = 12_582_912.0;
 
-/// The nearest whole number, the even one of two: as sums, cheaper than [`floor`] on most processors. Magnitudes up to
+/// The nearest whole number, the even one of two, by sums: cheaper than [`floor`] on most processors. Magnitudes up to
 /// 2^21.
 #[inline(always)]
 pub(crate) fn nearest_whole(x: f32) -> f32 {

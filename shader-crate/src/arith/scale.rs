@@ -5,15 +5,15 @@ use glam::Vec3;
 /// 2^-100: angles and parts of a vector of about unit length that are less count as 0.
 pub const NEGLIGIBLE: f32 = exp2(-100);
 
-/// 2^100: what is larger has no meaning as an angle or a part.
+/// 2^100: larger numbers have no meaning as an angle or a part.
 pub const ENORMOUS: f32 = exp2(100);
 
-/// The least that x counts as for an azimuth, beside an L1 norm of 1 to 2: 2^-40, far below half a step of any angle. So nothing is
-/// divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
+/// The least value that x counts as for an azimuth, beside an L1 norm of 1 to 2: 2^-40, far below half a step of any
+/// angle. So nothing is divided by 0, and no denormal counts, since some devices flush them: scaled, they are all less.
 pub(crate) const LEAST_X: f32 = exp2(-40);
 
-/// The least that y counts as there: 2^-61, which no scaled denormal reaches. So much less than [`LEAST_X`] that the azimuth of
-/// +Z is 0.
+/// The least value that y counts as for an azimuth: 2^-61, which no scaled denormal reaches. It is so much less than
+/// [`LEAST_X`] that the azimuth of +Z is 0.
 pub(crate) const LEAST_Y: f32 = exp2(-61);
 
 /// 2 to the power `exponent`, -126 to 127.
@@ -35,14 +35,14 @@ pub(crate) fn scale_to_one(l1_norm: f32) -> f32 {
     f32::from_bits((254u32 << 23).wrapping_sub(l1_norm.to_bits() & 0x7f80_0000))
 }
 
-/// `x`, or 0 where that is a denormal, which some devices flush.
+/// `x`, or 0 where `x` is a denormal, which some devices flush.
 #[inline(always)]
 pub(crate) fn without_denormal(x: f32) -> f32 {
     if x.abs() < f32::MIN_POSITIVE { 0.0 } else { x }
 }
 
-/// `v`, denormal components as 0, scaled by [`scale_to_one`] of its L1 norm: squares of what counts neither overflow nor
-/// vanish.
+/// `v`, denormal components as 0, scaled by [`scale_to_one`] of its L1 norm: squares of components that count neither
+/// overflow nor vanish.
 #[inline(always)]
 pub(crate) fn scaled_to_one(v: Vec3, l1_norm: f32) -> Vec3 {
     without_denormals(v) * scale_to_one(l1_norm)

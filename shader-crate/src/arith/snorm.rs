@@ -24,7 +24,7 @@ pub fn unorm_encode(r: f32, bits: u32) -> u32 {
     if is_nan(r) { 0 } else { unorm_code(r, bits) }
 }
 
-/// As [`unorm_encode`], for `r` that is not NaN, which gives any code.
+/// [`unorm_encode`] for `r` that is not NaN; NaN gives any code.
 ///
 /// The sum with 2^23 rounds and converts, as in [`nearest_code`].
 #[inline(always)]
@@ -46,13 +46,13 @@ pub fn snorm_encode(r: f32, bits: u32) -> u32 {
     if is_nan(r) { 0 } else { snorm_code(r, bits) }
 }
 
-/// By comparing integers, since a GPU need not compare NaN as IEEE 754 says.
+/// True for NaN, by comparing integers, since a GPU need not compare NaN as IEEE 754 says.
 #[inline(always)]
 pub(crate) fn is_nan(x: f32) -> bool {
     x.to_bits() & !SIGN_BIT > f32::INFINITY.to_bits()
 }
 
-/// As [`snorm_encode`], for `r` that is not NaN, which gives any code.
+/// [`snorm_encode`] for `r` that is not NaN; NaN gives any code.
 #[inline(always)]
 pub fn snorm_code(r: f32, bits: u32) -> u32 {
     nearest_code(min(max(r, -1.0), 1.0) * snorm_max(bits), bits)
@@ -84,7 +84,7 @@ pub struct SnormDivision {
 }
 
 impl SnormDivision {
-    /// By that of `bits` bits. For constants only: a device would divide.
+    /// The division for an snorm of `bits` bits. For constants only: a device would divide.
     pub const fn new(bits: u32) -> Self {
         let (h, reciprocal) = (exp2(1 - bits as i32), 1.0 / snorm_max(bits));
         if bits <= 11 {
@@ -94,7 +94,7 @@ impl SnormDivision {
         }
     }
 
-    /// `x / snorm_max(bits)`, for `x` up to `snorm_max(bits)`.
+    /// The quotient `x / snorm_max(bits)`, for `x` up to `snorm_max(bits)`.
     #[inline(always)]
     pub fn of(self, x: f32) -> f32 {
         x * self.high + x * self.low
@@ -108,14 +108,14 @@ pub fn snorm_integers(code: u32, bits: u32) -> Vec2 {
     Vec2::new(max(signed_integer_at(code, 0, bits), -m), max(signed_integer_at(code, bits, bits), -m))
 }
 
-/// Both clamped to \[-1, 1\]; 0 where one is NaN.
+/// Both components clamped to \[-1, 1\]; 0 where one is NaN.
 #[inline(always)]
 pub(crate) fn snorm_clamp(e: Vec2) -> Vec2 {
     let clamped = Vec2::new(min(max(e.x, -1.0), 1.0), min(max(e.y, -1.0), 1.0));
     if is_nan(e.x.abs() + e.y.abs()) { Vec2::ZERO } else { clamped }
 }
 
-/// \[-1, 1\] on \[0, 1\], for a UNORM format.
+/// Maps \[-1, 1\] to \[0, 1\], for a UNORM format.
 #[inline(always)]
 pub(crate) fn biased(e: Vec2) -> Vec2 {
     Vec2::new(e.x * 0.5 + 0.5, e.y * 0.5 + 0.5)
@@ -127,7 +127,7 @@ pub(crate) fn unbiased(e: Vec2) -> Vec2 {
     Vec2::new(e.x * 2.0 - 1.0, e.y * 2.0 - 1.0)
 }
 
-/// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+/// True for a number that stands for a set bit: 1/2 and more. False for NaN.
 #[inline(always)]
 pub(crate) fn is_set(x: f32) -> bool {
     x >= 0.5 && !is_nan(x)
@@ -182,9 +182,9 @@ mod tests {
         }
     }
 
-    /// Against the CPU's own division, which is correct: all whole numbers, and those 7/16 below, which the parallel
-    /// projections have. Of these up to three may be off where there is no room for `h^2`; they have no room at all beyond 22
-    /// bits.
+    /// Compares with the CPU's own division, which is correct, for all whole numbers, and for those 7/16 below, which
+    /// the parallel projections have. Up to three of the latter may be off where there is no room for `h^2`; they have
+    /// no room at all beyond 22 bits.
     #[test]
     fn division_is_correctly_rounded() {
         for bits in 2..=24 {

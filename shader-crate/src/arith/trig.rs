@@ -1,11 +1,11 @@
 //! Trigonometry that gives the same bits on every target: the built-in functions of GPUs do not.
 //!
-//! The unit of angles is the half turn, pi radians: reduction to the first octant is exact, the axes and diagonals
-//! are exact, and -1 to 1 is what an snorm holds. The functions in radians wrap those in half turns and add the
-//! rounding of a product with pi.
+//! The unit of angles is the half turn, pi radians: reduction to the first octant is exact, the axes and diagonals are
+//! exact, and -1 to 1 is the range of an snorm. The functions in radians wrap those in half turns and add the rounding
+//! of a product with pi.
 //!
-//! * Polynomials are minimax fits by the Remez exchange in `f64`, rounded to `f32`; the test `trig` fits them again
-//!   and compares. Each constant says what it belongs to.
+//! * Polynomials are minimax fits by the Remez exchange in `f64`, rounded to `f32`; the test `trig` fits them again and
+//!   compares. Each constant names its polynomial.
 //! * Errors are the greatest, measured against `f64` on the CPU over all floats from 2^-12 to 1 and a part of those
 //!   below; where a relative error stands, it holds near the function's zeros too. A GPU that divides or takes square
 //!   roots less exactly adds its own error to the functions that do: atan2, `atan_octant_ratio`, asin and acos.
@@ -16,8 +16,8 @@ use super::{ENORMOUS, NEGLIGIBLE, floor, is_negative, is_within, negate_if, sqrt
 use core::f32::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_4, PI};
 use glam::Vec2;
 
-/// `sin(pi r) = r (PI + (SIN_0 + u (SIN_1 + u (SIN_2 + u SIN_3))))` with `u = r^2`, for r in \[0, 1/4\]: relative
-/// error 3.3e-9 before rounding. `PI` is the `f32`; `SIN_0` holds what it lacks.
+/// `sin(pi r) = r (PI + (SIN_0 + u (SIN_1 + u (SIN_2 + u SIN_3))))` with `u = r^2`, for r in \[0, 1/4\]: relative error
+/// 3.3e-9 before rounding. `PI` is the `f32`; `SIN_0` holds the rest.
 pub const SIN_0: f32 = -9.759589e-8;
 /// See [`SIN_0`].
 pub const SIN_1: f32 = -5.167708;
@@ -73,8 +73,8 @@ pub const TAN_5: f32 = -0.00011413961;
 /// See [`TAN_0`].
 pub const TAN_6: f32 = -0.00011944919;
 
-/// `asin(w)/pi = w (FRAC_1_PI + (ASIN_0 + u (ASIN_1 + ... + u ASIN_5)))` with `u = w^2`, for w in \[0, 1/2\]:
-/// relative error 4.5e-9 before rounding. `FRAC_1_PI` is the `f32`; `ASIN_0` holds what it lacks.
+/// `asin(w)/pi = w (FRAC_1_PI + (ASIN_0 + u (ASIN_1 + ... + u ASIN_5)))` with `u = w^2`, for w in \[0, 1/2\]: relative
+/// error 4.5e-9 before rounding. `FRAC_1_PI` is the `f32`; `ASIN_0` holds the rest.
 pub const ASIN_0: f32 = 1.14357475e-8;
 /// See [`ASIN_0`].
 pub const ASIN_1: f32 = 0.05305204;
@@ -129,7 +129,7 @@ pub const DIAGONAL_SIN_2: f32 = 0.003245287;
 pub const HALF_PI_HIGH: f32 = 1.5703125;
 /// The second part of pi/2: the next 11 bits.
 pub const HALF_PI_MIDDLE: f32 = 0.0004837513;
-/// The third part of pi/2: what the first two lack.
+/// The third part of pi/2: the rest.
 pub const HALF_PI_LOW: f32 = 7.54979e-8;
 
 /// Angles in radians from here on count as 0: 2^13.
@@ -144,7 +144,7 @@ pub const MAX_RADIANS: f32 = 8192.0;
 /// length is within 9.2e-8 of 1.
 #[inline(always)]
 pub fn sin_cos_half_turns(t: f32) -> Vec2 {
-    // From 2^100 on floats are whole turns, so that this only drops what counts as 0 anyway.
+    // From 2^100 on floats are whole turns, so that this only drops numbers that count as 0 anyway.
     let a = if is_within(t.abs(), NEGLIGIBLE, ENORMOUS) { t.abs() } else { 0.0 };
     let turn = a - 2.0 * floor(0.5 * a);
     let half = if turn > 1.0 { 2.0 - turn } else { turn };
@@ -155,13 +155,13 @@ pub fn sin_cos_half_turns(t: f32) -> Vec2 {
     let (sine, cosine) = (sin_eighth(eighth), cos_eighth(eighth));
     let (x, y) = if swapped { (sine, cosine) } else { (cosine, sine) };
     let below = is_negative(t) != (turn > 1.0);
-    // Not where y is 0, which would become -0.
+    // A y of 0 is not negated: it would become -0.
     Vec2::new(negate_if(half > 0.5, x), negate_if(below && y > 0.0, y))
 }
 
-/// For an angle in the first quarter turn, `pi/4 + d pi/2` with d in \[-1/2, 1/2\], 0 or normal: the x and y whose
-/// difference x - y is its cosine and whose sum x + y is its sine. They are the cosine and sine of `d pi/2`, divided
-/// by `sqrt(2)`.
+/// The x and y whose difference x - y is the cosine of an angle in the first quarter turn, and whose sum x + y is its
+/// sine. The angle is `pi/4 + d pi/2` with d in \[-1/2, 1/2\], 0 or normal. They are the cosine and sine of `d pi/2`,
+/// divided by `sqrt(2)`.
 ///
 /// Needs no reduction, so that it costs half of [`sin_cos_half_turns`]. At the ends x is 1/2 and y is -+1/2 exactly:
 /// the axes are exact, and no difference or sum is -0. -d gives the same x and the negated y exactly.
@@ -215,8 +215,8 @@ pub fn atan_octant_ratio(y: f32, x: f32) -> f32 {
     atan_octant(if y < f32::MIN_POSITIVE { 0.0 } else { quotient })
 }
 
-/// `4/pi atan(r)` for r in \[0, 1\]: 0 to 1, with both ends exact. What is less than 2^-100,
-/// negative too, counts as 0; above 1 the result means nothing.
+/// `4/pi atan(r)` for r in \[0, 1\]: 0 to 1, with both ends exact. Numbers below 2^-100, negative ones too, count as 0;
+/// above 1 the result means nothing.
 ///
 /// Error: at most 5.3e-8 and 1.1e-7 relative (1.3 ULP). Monotonic.
 #[inline(always)]
@@ -244,8 +244,8 @@ pub(crate) fn atan_quarter(q: f32) -> f32 {
     q * (even + u * odd)
 }
 
-/// `tan(pi t / 4)` for t in \[0, 1\], the inverse of [`atan_octant`]: 0 to 1, with both ends exact. What is less
-/// than 2^-100, negative too, counts as 0; above 1 the result means nothing.
+/// `tan(pi t / 4)` for t in \[0, 1\], the inverse of [`atan_octant`]: 0 to 1, with both ends exact. Numbers below
+/// 2^-100, negative ones too, count as 0; above 1 the result means nothing.
 ///
 /// Error: at most 5.1e-8 and 1.1e-7 relative (1.4 ULP). Monotonic.
 #[inline(always)]
@@ -303,15 +303,15 @@ pub(crate) fn cos_eighth(r: f32) -> f32 {
     1.0 + u * (COS_0 + u * (COS_1 + u * (COS_2 + u * COS_3)))
 }
 
-/// `|x|`, at most 1; of NaN 1. The comparison is one of integers, since a GPU need not compare NaN as IEEE 754 says.
+/// `|x|`, at most 1; 1 for NaN. The comparison is one of integers, since a GPU need not compare NaN as IEEE 754 says.
 #[inline(always)]
 fn clamped_magnitude(x: f32) -> f32 {
     let a = x.abs();
     if a.to_bits() < 1f32.to_bits() { a } else { 1.0 }
 }
 
-/// For a in \[0, 1/2\] `asin(a)/pi`, for a in (1/2, 1\] half of `acos(a)/pi`, which is the `asin` of half the
-/// chord: 0 to 1/6.
+/// `asin(a)/pi` for a in \[0, 1/2\]; for a in (1/2, 1\] half of `acos(a)/pi`, which is the `asin` of half the chord: 0
+/// to 1/6.
 #[inline(always)]
 fn asin_small(a: f32) -> f32 {
     let outer = a > 0.5;

@@ -3,13 +3,13 @@
 use super::{dot, exp2, integer_part, small_floor, sqrt, whole_to_i32};
 use glam::Vec3;
 
-/// `x` without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
+/// `x` without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is the rest.
 #[inline(always)]
 pub(crate) fn upper_half(x: f32) -> f32 {
     f32::from_bits(x.to_bits() & 0xffff_f000)
 }
 
-/// `a + b`, rounded, and what the rounding took from it, exactly (Knuth 1969).
+/// `a + b`, rounded, and the remainder, exactly (Knuth 1969).
 #[inline(always)]
 pub(crate) fn two_sum(a: f32, b: f32) -> (f32, f32) {
     let sum = a + b;
@@ -18,8 +18,8 @@ pub(crate) fn two_sum(a: f32, b: f32) -> (f32, f32) {
     (sum, rest)
 }
 
-/// What the rounding takes from the product of `a` and `b`, exactly (Dekker 1971): `a b - product`, where `product`
-/// is `a * b` and no partial product is denormal.
+/// The remainder that rounding takes from the product of `a` and `b`, exactly (Dekker 1971): `a b - product`, where
+/// `product` is `a * b` and no partial product is denormal.
 #[inline(always)]
 pub(crate) fn product_rest(a: f32, b: f32, product: f32) -> f32 {
     let (a_upper, b_upper) = (upper_half(a), upper_half(b));
@@ -56,9 +56,9 @@ pub(crate) fn coordinate(x: f32, sum: f32, rest: f32, reciprocal: f32, bits: u32
 /// The unit vector of `upper + lower`, whose components are 0 or more. Each component is the float nearest to the exact
 /// one: half an ULP off at most, and 2^-33 for the arithmetic.
 ///
-/// The components of `upper` are whole numbers of up to 12 bits, whose squares have a sum of up to 2^24; those of `lower`
-/// are at most 1. So all products with a reciprocal length of 12 bits are exact, or as good as it. What its square
-/// misses, `t`, is small and known to 2^-33, and `1 / sqrt(1 + t)` is `1 - t/2 + 3/8 t^2` to 2^-34.
+/// The components of `upper` are whole numbers of up to 12 bits, whose squares have a sum of up to 2^24; those of
+/// `lower` are at most 1. So all products with a reciprocal length of 12 bits are exact, or as good as it. The error of
+/// its square, `t`, is small and known to 2^-33, and `1 / sqrt(1 + t)` is `1 - t/2 + 3/8 t^2` to 2^-34.
 #[inline(always)]
 pub(crate) fn normalize_parts(upper: Vec3, lower: Vec3) -> Vec3 {
     let squares = dot(upper, upper);

@@ -15,8 +15,7 @@ pub fn normalize(v: Vec3) -> Vec3 {
     v * (1.0 / sqrt(dot(v, v)))
 }
 
-/// The distance of `v` from the z axis. What `v.x^2 + v.y^2` underflows to does not matter beside `|v.z|` of about
-/// 1.
+/// The distance of `v` from the z axis. An underflow of `v.x^2 + v.y^2` does not matter beside `|v.z|` of about 1.
 #[inline(always)]
 pub fn horizontal_length(v: Vec3) -> f32 {
     sqrt(v.x * v.x + v.y * v.y)

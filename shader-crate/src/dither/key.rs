@@ -1,4 +1,4 @@
-//! Offsets from what encoder and decoder both know.
+//! Offsets from data that encoder and decoder both know.
 
 use glam::{UVec2, Vec2, Vec3};
 
@@ -6,7 +6,7 @@ use glam::{UVec2, Vec2, Vec3};
 /// those of C. Wellons' "lowbias32".
 #[inline(always)]
 fn hash(x: u32) -> u32 {
-    // So that 0 is a key as good as others.
+    // The sum makes 0 a key as good as others.
     let x = x.wrapping_add(0x9e37_79b9);
     let x = (x ^ (x >> 16)).wrapping_mul(0x7feb_352d);
     let x = (x ^ (x >> 15)).wrapping_mul(0x846c_a68b);
@@ -19,14 +19,15 @@ fn component(bits: u32) -> f32 {
     (bits as f32 + 0.5) * (1.0 / 65536.0) - 0.5
 }
 
-/// The offset of a key: a vertex index, or what else both sides know.
+/// The offset of a key: a vertex index, or another number that both sides know.
 #[inline(always)]
 pub fn dither_from_key(key: u32) -> Vec2 {
     let bits = hash(key);
     Vec2::new(component(bits & 0xffff), component(bits >> 16))
 }
 
-/// The offset of a pixel. Add a frame's number to a component, times some large odd number, to have others in each frame.
+/// The offset of a pixel. To have other offsets in each frame, add the frame's number, times some large odd number, to
+/// a component.
 #[inline(always)]
 pub fn dither_from_pixel(pixel: UVec2) -> Vec2 {
     dither_from_key(pixel.x ^ hash(pixel.y))
@@ -38,7 +39,7 @@ pub fn dither_from_texel(texel: Vec2) -> Vec2 {
     Vec2::new(texel.x * (255.0 / 256.0) - (255.0 / 512.0), texel.y * (255.0 / 256.0) - (255.0 / 512.0))
 }
 
-/// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, are one.
+/// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, give the same bits.
 #[inline(always)]
 fn coordinate(x: f32) -> u32 {
     if x.abs() < f32::MIN_POSITIVE { 0 } else { x.to_bits() }

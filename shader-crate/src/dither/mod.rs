@@ -1,8 +1,8 @@
 //! Subtractive dither: codes whose errors do not line up in bands, at no more error.
 //!
-//! Encoder and decoder know a small offset, in steps of the code's lattice. The encoder rounds the position moved by it, and the
-//! decoder moves the lattice point back. Over offsets that vary from pixel to pixel, what is left of the error is noise in place
-//! of steps. See docs/dither.md of the repository for when to use it.
+//! Encoder and decoder know a small offset, in steps of the code's lattice. The encoder rounds the position moved by
+//! it, and the decoder moves the lattice point back. Over offsets that vary from pixel to pixel, the error that is left
+//! is noise in place of steps. See docs/dither.md of the repository for when to use it.
 //!
 //! ```
 //! use unitvec::dither::{Dithered, dither_from_key};
@@ -19,11 +19,11 @@
 //! * The codes are those of the codec's format: only the decoder must be the dithered one, with the offset of the encoder.
 //! * Offset (0, 0) gives the code of the codec's fast encoder, and its decoded vector, exactly.
 //! * Components of offsets are clamped to \[-1/2, 1/2\]; NaN counts as 0. A vector without a direction gets the code of +Z.
-//! * In `oct`, `hemioct` and `soct` an offset is one of x and y (or u and v) on the lattice's square; the moved point is clamped
-//!   to the square. In `eaoct` its first is of rings, from +Z to -Z, the second of points on a ring, from +X towards +Y; the poles
-//!   are not moved.
-//! * The precise encoders take the nearest in angle among what the decoder makes of the corners of the moved point's cell; that
-//!   of `eaoct` among the nearest points of the two rings around it.
+//! * In `oct`, `hemioct` and `soct` an offset moves x and y (or u and v) on the lattice's square; the moved point is
+//!   clamped to the square. In `eaoct` its first component counts rings, from +Z to -Z, the second points on a ring,
+//!   from +X towards +Y; the poles are not moved.
+//! * The precise encoders take the corner of the moved point's cell that decodes nearest in angle; the one of `eaoct`
+//!   chooses among the nearest points of the two rings around it.
 
 mod key;
 mod rings;
@@ -44,25 +44,25 @@ pub trait Dithered: Codec {
     fn decode_dithered(code: Self::Code, offset: Vec2) -> Vec3;
 }
 
-/// An offset's component as the functions take it.
+/// An offset's component, clamped to \[-1/2, 1/2\]; 0 for NaN.
 #[inline(always)]
 fn usable_component(x: f32) -> f32 {
     if is_nan(x) { 0.0 } else { min(max(x, -0.5), 0.5) }
 }
 
-/// An offset as the functions take it.
+/// An offset with its components clamped to \[-1/2, 1/2\]; 0 for NaN.
 #[inline(always)]
 fn usable(offset: Vec2) -> Vec2 {
     Vec2::new(usable_component(offset.x), usable_component(offset.y))
 }
 
-/// The direction of `v`, of this L1 norm, at unit length. Without a usable direction, anything.
+/// The direction of `v`, of this L1 norm, at unit length. Unspecified without a usable direction.
 #[inline(always)]
 fn unit(v: Vec3, norm: f32) -> Vec3 {
     normalize(scaled_to_one(v, norm))
 }
 
-/// A lattice point, and the square of its chord from what is sought.
+/// A lattice point, and the square of its chord from the direction sought.
 #[derive(Clone, Copy)]
 struct Candidate {
     point: Vec2,

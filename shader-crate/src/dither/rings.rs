@@ -7,8 +7,9 @@ use crate::eaoct::{self, EaOct, EaOctPrecise, Polar, Ring};
 use crate::families::octahedral::{unpack, usable_code};
 use glam::{Vec2, Vec3};
 
-/// An offset of rings and of points as a half octant has it. Rings count from +Z to -Z and points from +X towards +Y: so
-/// the octants' borders, where codes do not tell the octant, are as the inside. `e` has the octant's signs of x and y.
+/// An offset of rings and of points in the sense of a half octant. Rings count from +Z to -Z and points from +X towards
+/// +Y: so the octants' borders, where codes do not tell the octant, are like the inside. `e` has the octant's signs of
+/// x and y.
 #[inline(always)]
 fn turned(offset: Vec2, e: Vec2, swapped: bool, below: bool) -> Vec2 {
     let swap = if swapped { SIGN_BIT } else { 0 };
@@ -16,7 +17,7 @@ fn turned(offset: Vec2, e: Vec2, swapped: bool, below: bool) -> Vec2 {
     Vec2::new(negate_if(below, offset.x), flip_sign(offset.y, backward))
 }
 
-/// The offset as the half octant of `v` has it.
+/// The offset in the sense of the half octant of `v`.
 #[inline(always)]
 fn turned_to(v: Vec3, p: Polar, offset: Vec2) -> Vec2 {
     turned(usable(offset), Vec2::new(v.x, v.y), p.swapped, is_negative(v.z))
@@ -29,7 +30,7 @@ fn point_on(ring: f32, v: Vec3, p: Polar, turned: Vec2, m: f32) -> Vec2 {
     eaoct::unfolded(v, p.swapped, ring, min(max(place, 0.0), ring), m)
 }
 
-/// A lattice point as its code has it: without the sign of 0.
+/// A lattice point as in its code: without the sign of 0.
 #[inline(always)]
 fn as_stored(e: Vec2) -> Vec2 {
     Vec2::new(if e.x == 0.0 { 0.0 } else { e.x }, if e.y == 0.0 { 0.0 } else { e.y })

@@ -79,7 +79,7 @@ impl<const BITS: u32> Dithered for HemiOct<BITS> {
     }
 }
 
-/// The code of u and v of `bits` bits each, and 1 below the equator, else 0. That of +Z where `v` has no direction.
+/// The code of u and v of `bits` bits each, and 1 below the equator, else 0. The code of +Z where `v` has no direction.
 #[inline(always)]
 fn soct_parts(v: Vec3, offset: Vec2, bits: u32) -> (u32, u32) {
     let (norm, m) = (l1_norm(v), snorm_max(bits));

@@ -1,10 +1,10 @@
 //! Kernels that encode and decode.
 //!
-//! Binding 0 is the input, binding 1 the output, the push constant is the number of vectors. Vectors are three
-//! packed f32, frames seven: normal, tangent, handedness. Codes are dense bytes. Both buffers are arrays of 32-bit words and
-//! hold at least the words that the vectors and codes fill. Where one is shorter, only the vectors that both hold are done.
-//! An invocation takes four consecutive vectors, which is what makes any code width end on whole words; the last takes what
-//! is left. Workgroups have 64 invocations.
+//! Binding 0 is the input, binding 1 the output, the push constant is the number of vectors. Vectors are three packed
+//! f32, frames seven: normal, tangent, handedness. Codes are dense bytes. Both buffers are arrays of 32-bit words and
+//! hold at least the words that the vectors and codes fill. Where one is shorter, only the vectors that both hold are
+//! processed. An invocation takes four consecutive vectors, so that any code width ends on whole words; the last takes
+//! the rest. Workgroups have 64 invocations.
 //!
 //! Specialization constant 0 is for callers whose buffers hold whole groups, all that the push constant says. Any value but
 //! 0 leaves out the lengths and the last group, which are a third of a cheap codec's instructions.
@@ -26,11 +26,11 @@ use spirv_std::spirv;
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct Count {
-    /// The number.
+    /// The number of vectors.
     pub vectors: u32,
 }
 
-/// What an invocation does: a group of four.
+/// The work of an invocation: a group of four.
 #[derive(Clone, Copy)]
 struct Group {
     index: usize,
@@ -40,8 +40,8 @@ struct Group {
 }
 
 impl Group {
-    /// How many vectors there are from this group on, four or more for a whole group, in buffers of these numbers of words
-    /// and of those that the host asks for: none, where the invocation has nothing to do.
+    /// The number of vectors from this group on, four or more for a whole group, that buffers of these numbers of words
+    /// hold and the host asks for: none, where the invocation has nothing to do.
     #[inline(always)]
     fn here<E: Element, W: Codes>(self, words: usize, code_words: usize) -> usize {
         let (first, count) = (self.index * GROUP, self.count);

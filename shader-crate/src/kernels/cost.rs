@@ -12,7 +12,7 @@ use crate::{for_each_codec, for_each_frame};
 use glam::Vec3;
 use spirv_std::spirv;
 
-/// How much to do.
+/// The amount of work.
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct Work {
@@ -22,12 +22,12 @@ pub struct Work {
     pub repetitions: u32,
 }
 
-/// What each repetition adds to the vector: 2^-12 and two other small steps, so that the sizes and signs of components
-/// do change now and then, as they do from pixel to pixel.
+/// The numbers that each repetition adds to the vector: 2^-12 and two other small steps, so that the sizes and signs of
+/// components do change now and then, as they do from pixel to pixel.
 const NUDGE: Vec3 = Vec3::new(1.0 / 4096.0, -1.0 / 8192.0, 1.0 / 6144.0);
 
-/// What each repetition adds to both words of a code: odd, so that all bits change; the fraction of the golden ratio,
-/// so that codes spread evenly.
+/// The number that each repetition adds to both words of a code: odd, so that all bits change; the fraction of the
+/// golden ratio, so that codes spread evenly.
 const STEP: u32 = 0x9e37_79b9;
 
 /// Sums the codes of a vector and its neighbours.
@@ -208,7 +208,7 @@ macro_rules! frame_kernels {
 
 for_each_frame!(frame_kernels);
 
-/// What the cost kernels do besides encoding and decoding, to be subtracted.
+/// The work of the cost kernels besides encoding and decoding, to be subtracted.
 pub mod baseline {
     use super::*;
 

@@ -1,6 +1,6 @@
-//! Entry points that the SPIR-V build turns into functions of a library to link with: what they read becomes parameters, what
-//! they write the result. They are vertex shaders because these read and write values as they are, integers too. (rust-gpu
-//! compiles entry points only: it has no linkage.)
+//! Entry points that the SPIR-V build turns into functions of a library to link with: their inputs become parameters,
+//! their outputs the result. They are vertex shaders because these read and write values as they are, integers too.
+//! (rust-gpu compiles entry points only: it has no linkage.)
 
 use crate::codec::{Code, Codec};
 use crate::frame::{Frame, FrameCodec};

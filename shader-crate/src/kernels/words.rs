@@ -10,22 +10,22 @@ pub const GROUP: usize = 4;
 
 /// Words that hold a group.
 pub trait Words: Copy {
-    /// Their number, which is also the bytes of one of the four.
+    /// The number of these words, which is also the bytes of one of the four.
     const LEN: usize;
 
-    /// The words of group `index` of a buffer. The last group may hold only `count` of the four; where it lacks words, some
-    /// of those that it has come again.
+    /// The words of group `index` of a buffer. The last group may hold only `count` of the four; some of its words
+    /// stand in for those that it lacks.
     ///
     /// # Safety
     /// The buffer holds `count` elements, at least one, of the group.
     #[allow(unsafe_code)]
     unsafe fn load(buffer: &[u32], index: usize, count: usize) -> Self;
 
-    /// Writes the words of group `index`, or of the last group those that `count` of the four fill; what is left of the last
-    /// of them is 0.
+    /// Writes the words of group `index`, or of the last group those that `count` of the four fill; the rest of the
+    /// last word is 0.
     ///
     /// # Safety
-    /// As [`load`](Self::load).
+    /// The requirement of [`load`](Self::load).
     #[allow(unsafe_code)]
     unsafe fn store(self, buffer: &mut [u32], index: usize, count: usize);
 }
@@ -51,7 +51,7 @@ macro_rules! words {
                     // SAFETY: the buffer holds the whole group.
                     unsafe { [$(*buffer.index_unchecked(first + $n)),*] }
                 } else if $len % 4 == 0 {
-                    // Each of the four has whole words. Those of the last one stand in for what lacks.
+                    // Each of the four has whole words. The last one's words stand in for missing ones.
                     let last = count - 1;
                     // SAFETY: the buffer holds the words of the group's first `count`, at least one.
                     unsafe {
@@ -108,7 +108,7 @@ words! {
     28: 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27;
 }
 
-/// What is encoded, as words of f32 bits.
+/// An element to encode, as words of f32 bits.
 pub trait Element: Sized {
     /// The words of four.
     type Four: Words;

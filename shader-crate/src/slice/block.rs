@@ -1,10 +1,10 @@
 //! A block of vectors and of codes, turned so that the compiler makes vector instructions of the loops over it: an
 //! array for each component, and for each word of a code.
 //!
-//! The loops over whole blocks are compiled apart from those over the last vectors of a slice: where the number is known,
-//! they are a fifth faster. No closures here: they are not inlined always, and what is not inlined does not get the
-//! instructions of the [`Level`](super::machine::Level). No iterators either: in a build without optimisation they cost
-//! more than a codec.
+//! The loops over whole blocks are compiled apart from those over the last vectors of a slice: where the number is
+//! known, they are a fifth faster. No closures here: they are not inlined always, and functions that are not inlined do
+//! not get the instructions of the [`Level`](super::machine::Level). No iterators either: in a build without
+//! optimisation they cost more than a codec.
 
 use super::Vector;
 use super::machine::{as_chunks, as_chunks_mut};
@@ -166,7 +166,7 @@ impl Block {
     }
 }
 
-/// What codes are decoded to: a type of vectors, `V`.
+/// A type of vectors, `V`, that codes are decoded to.
 pub trait Target<V> {
     /// The vector as this type.
     fn vector(v: Vec3) -> V;

@@ -1,5 +1,5 @@
-//! What depends on the machine: the choice of the instruction set, at run time where the standard library can tell what
-//! the machine has; prefetching; and slices seen as slices of arrays. In a build for CPUs, all of the crate's `unsafe` is
+//! Code that depends on the machine: the choice of the instruction set, at run time where the standard library can
+//! detect it; prefetching; and slices seen as slices of arrays. In a build for CPUs, all of the crate's `unsafe` is
 //! here and in the square root that stands in for the standard library's. The SPIR-V build has some more, in `kernels`
 //! and in [`arith`](crate::arith).
 //!
@@ -11,7 +11,7 @@
 
 /// A loop over slices, to be compiled for each level.
 pub trait Task {
-    /// Does it. To be inlined always, with all that it calls.
+    /// Runs the loop. Implementations are always inlined, with all that they call.
     fn run(self);
 }
 
@@ -29,7 +29,7 @@ enum Kind {
 }
 
 impl Level {
-    /// What the crate was compiled for: SSE2 on x86-64, NEON on AArch64, unless target features say more.
+    /// The level that the crate was compiled for: SSE2 on x86-64, NEON on AArch64, unless target features say more.
     pub const BASELINE: Self = Self(Kind::Baseline);
 
     /// SSE4.1, where the machine has it. The standard library looks once and remembers.
@@ -120,7 +120,7 @@ pub fn as_chunks<T, const N: usize>(slice: &[T]) -> (&[[T; N]], &[T]) {
     (unsafe { core::slice::from_raw_parts(whole.as_ptr().cast(), whole.len() / N) }, rest)
 }
 
-/// [`as_chunks`], to be written to.
+/// [`as_chunks`] of a mutable slice.
 #[inline(always)]
 pub fn as_chunks_mut<T, const N: usize>(slice: &mut [T]) -> (&mut [[T; N]], &mut [T]) {
     const { assert!(N > 0) };

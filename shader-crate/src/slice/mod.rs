@@ -1,8 +1,8 @@
 //! Whole slices of vectors, to and from densely packed codes: the functions of [`Codec`], bit for bit, several vectors at
 //! a time.
 //!
-//! * With the feature `std` the instruction set is chosen at run time: on x86-64 AVX2, SSE4.1 or what the crate was
-//!   compiled for; on AArch64 NEON is always there. Without `std` it is what the crate was compiled for.
+//! * With the feature `std` the instruction set is chosen at run time: on x86-64 AVX2, SSE4.1 or the set that the crate
+//!   was compiled for; on AArch64 NEON is always there. Without `std` it is the set that the crate was compiled for.
 //! * Nothing is allocated. A slice is worked through in blocks of 64 vectors. To encode or decode fewer than 32 costs as
 //!   much as 32: for single vectors take the functions of [`Codec`].
 //! * Vectors are those of any library: see [`Vector`].
@@ -51,10 +51,10 @@ pub use strided::{decode_strided_at, encode_strided_at};
 #[doc(hidden)]
 pub use parallel::{DecodeAt, EncodeAt, par_decode_with, par_encode_with};
 
-/// The slice of codes and the slice of vectors are not of the same number of elements.
+/// The slice of codes and the slice of vectors have different numbers of elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// Bytes of codes that one slice asks of the other.
+    /// Bytes of codes that the other slice requires.
     pub expected: usize,
     /// Bytes of codes that there are, or that there is room for.
     pub actual: usize,
@@ -89,10 +89,10 @@ pub fn encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Resu
     encode_slice_at::<C>(Level::best(), vectors, codes)
 }
 
-/// As [`encode_slice`], with another encoder of the same format, such as one by table. One vector at a time.
+/// [`encode_slice`] with another encoder of the same format, such as one by table. One vector at a time.
 ///
 /// # Errors
-/// As [`encode_slice`].
+/// The errors of [`encode_slice`].
 pub fn encode_slice_with<C: Codec>(
     vectors: &[impl Vector],
     codes: &mut [u8],
@@ -128,7 +128,7 @@ pub fn decode_slice_i16x4<C: Codec>(codes: &[u8], vectors: &mut [[i16; 4]]) -> R
 /// [`encode_slice`] on all cores.
 ///
 /// # Errors
-/// As [`encode_slice`].
+/// The errors of [`encode_slice`].
 #[cfg(feature = "rayon")]
 pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
     expect_length(vectors.len() * C::BYTES, codes.len())?;
@@ -138,7 +138,7 @@ pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> 
 /// [`decode_slice`] on all cores.
 ///
 /// # Errors
-/// As [`decode_slice`].
+/// The errors of [`decode_slice`].
 #[cfg(feature = "rayon")]
 pub fn par_decode_slice<C: Codec>(codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
@@ -184,19 +184,19 @@ pub fn decode_slice_i16x4_at<C: Codec>(
 /// Fails unless the two sizes are the same.
 ///
 /// # Errors
-/// [`LengthMismatch`] of the two.
+/// [`LengthMismatch`] with the two.
 pub fn expect_length(expected: usize, actual: usize) -> Result<(), LengthMismatch> {
     if expected == actual { Ok(()) } else { Err(LengthMismatch { expected, actual }) }
 }
 
-/// Bytes of vectors from which on memory is asked for ahead: a slice of this size does not stay in the caches nearest to
-/// the core. The processor's own foresight ends with each page, and counts for little where memory is written.
+/// Bytes of vectors from which on memory is prefetched: a slice of this size does not stay in the caches nearest to the
+/// core. The processor's own prefetching ends with each page, and counts for little where memory is written.
 const FAR: usize = 1 << 20;
 
-/// How many blocks ahead.
+/// The number of blocks to prefetch ahead.
 pub(crate) const AHEAD: usize = 2;
 
-/// True where a slice of vectors of this size should be asked for ahead.
+/// True where a slice of vectors of this size should be prefetched.
 #[inline(always)]
 pub(crate) fn is_far<T>(vectors: &[T]) -> bool {
     size_of_val(vectors) >= FAR
@@ -261,7 +261,7 @@ impl<C: Codec, T: Target<V>, V> Task for Decode<'_, C, T, V> {
                 prefetch(&blocks[i + AHEAD]);
             }
             if C::BYTES == 2 {
-                // Of a known number of pairs of bytes the compiler makes single loads, not vectors.
+                // With a compile-time length LLVM turns two-byte loads into scalar ones, so this hides the length.
                 let start = i * BLOCK * C::BYTES;
                 block.load_codes::<C>(&self.codes[start..self.codes.len().min(start + BLOCK * C::BYTES)]);
             } else if whole {
@@ -332,7 +332,7 @@ mod tests {
         }
     }
 
-    /// How often a slice of one vector calls the encoder, and the decoder.
+    /// The number of calls of the encoder, and of the decoder, for a slice of one vector.
     fn calls() -> [usize; 2] {
         let (mut codes, mut vectors) = ([0; 4], [[0.0; 3]]);
         encode_slice::<Counting>(&vectors, &mut codes).unwrap();
@@ -347,7 +347,7 @@ mod tests {
         assert_eq!(calls(), [1, 1]);
     }
 
-    /// As many as vector instructions are made for: the block's functions are used.
+    /// As many vectors as vector instructions are made for: the block's functions are used.
     #[cfg(not(unoptimised))]
     #[test]
     fn optimised_is_a_group_at_a_time() {

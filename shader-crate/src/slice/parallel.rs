@@ -17,7 +17,7 @@ pub type DecodeAt<T> = fn(Level, &[u8], &mut [T]) -> Result<(), LengthMismatch>;
 /// Encodes portions of `elements` into codes of `size` bytes. The slices fit each other.
 ///
 /// # Errors
-/// Those of `encode`.
+/// The errors of `encode`.
 pub fn par_encode_with<T: Sync>(
     elements: &[T],
     codes: &mut [u8],
@@ -36,7 +36,7 @@ pub fn par_encode_with<T: Sync>(
 /// Decodes portions of codes of `size` bytes into `elements`. The slices fit each other.
 ///
 /// # Errors
-/// Those of `decode`.
+/// The errors of `decode`.
 pub fn par_decode_with<T: Send>(
     codes: &[u8],
     elements: &mut [T],

@@ -27,7 +27,7 @@ macro_rules! stored {
     };
 }
 
-// Bytes are converted together where it can be done: without optimisation a word that is loaded just after its bytes were
+// Bytes are converted together where possible: without optimisation a word that is loaded just after its bytes were
 // stored one by one makes the processor wait.
 stored!(1: words => [words[0] as u8], bytes => (bytes[0] as u32, 0));
 stored!(2: words => (words[0] as u16).to_le_bytes(), bytes => (u16::from_le_bytes(bytes) as u32, 0));

@@ -11,23 +11,24 @@ use core::marker::PhantomData;
 /// One field of an array of structs, or one attribute of a vertex buffer: elements in `bytes`, the first at `offset`, the next
 /// ones `stride` bytes apart. Nothing needs to be aligned.
 ///
-/// Every element that begins inside `bytes` must end inside. What follows the last one, up to the stride, may be missing.
+/// Every element that begins inside `bytes` must end inside. The bytes after the last one, up to the stride, may be
+/// missing.
 ///
-/// Only the element's bytes are written, [`Codec::BYTES`] of a code: check that the field is as large. An `Oct48` in a `u32`
-/// overwrites what lies behind it, and an `Oct24` leaves its upper byte as it was.
+/// Only the element's bytes are written, [`Codec::BYTES`] of a code: check that the field is as large. An `Oct48` in a
+/// `u32` overwrites the bytes behind it, and an `Oct24` leaves its upper byte as it was.
 ///
 /// Vectors are three `f32` in native byte order; codes are [`Codec::BYTES`] bytes, little endian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strided<B> {
     /// `&[u8]`, or `&mut [u8]` to be written to.
     pub bytes: B,
-    /// From the beginning to the first element.
+    /// Bytes from the beginning to the first element.
     pub offset: usize,
-    /// From the beginning of an element to that of the next.
+    /// Bytes from the beginning of an element to that of the next.
     pub stride: usize,
 }
 
-/// Which of the two arguments an error is about.
+/// The argument that an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
     /// The vectors.
@@ -50,7 +51,7 @@ impl fmt::Display for Side {
 pub enum StrideError {
     /// Elements would overlap.
     Stride {
-        /// Of the vectors or of the codes.
+        /// The vectors or the codes.
         side: Side,
         /// The stride.
         stride: usize,
@@ -59,7 +60,7 @@ pub enum StrideError {
     },
     /// An element begins inside the bytes and does not end there.
     Length {
-        /// Of the vectors or of the codes.
+        /// The vectors or the codes.
         side: Side,
         /// Bytes that there are.
         actual: usize,
@@ -68,9 +69,9 @@ pub enum StrideError {
     },
     /// There are not as many codes as vectors.
     Count {
-        /// How many vectors.
+        /// The number of vectors.
         vectors: usize,
-        /// How many codes.
+        /// The number of codes.
         codes: usize,
     },
 }
@@ -96,8 +97,8 @@ impl fmt::Display for StrideError {
 
 impl core::error::Error for StrideError {}
 
-/// [`encode_slice`](super::encode_slice), of vectors among other fields to codes among other fields. What lies between the
-/// codes stays as it is.
+/// [`encode_slice`](super::encode_slice) from vectors among other fields to codes among other fields. Bytes between the
+/// codes stay as they are.
 ///
 /// ```
 /// use core::mem::{offset_of, size_of};
@@ -136,14 +137,14 @@ pub fn encode_strided<C: Codec>(
     encode_strided_at::<C>(Level::best(), vectors, codes)
 }
 
-/// [`decode_slice`](super::decode_slice), of codes among other fields to vectors among other fields: the reverse of
-/// [`encode_strided`]. What lies between the vectors stays as it is.
+/// [`decode_slice`](super::decode_slice) from codes among other fields to vectors among other fields: the reverse of
+/// [`encode_strided`]. Bytes between the vectors stay as they are.
 ///
 /// Cheap codecs, such as `oct32`, are decoded sooner by a loop of your own over the structs: gathering codes and scattering
 /// vectors then costs more than the CPU's vector instructions save.
 ///
 /// # Errors
-/// As [`encode_strided`].
+/// The errors of [`encode_strided`].
 pub fn decode_strided<C: Codec>(
     codes: Strided<&[u8]>,
     vectors: Strided<&mut [u8]>,
@@ -189,7 +190,7 @@ pub fn decode_strided_at<C: Codec>(
     Ok(())
 }
 
-/// How many elements are gathered at a time: whole blocks, which stay in the nearest cache.
+/// The number of elements that are gathered at a time: whole blocks, which stay in the nearest cache.
 const PORTION: usize = 4 * BLOCK;
 
 /// Bytes of a vector.
@@ -198,7 +199,7 @@ const VECTOR: usize = size_of::<[f32; 3]>();
 /// Bytes of the largest code.
 const LARGEST_CODE: usize = size_of::<[u32; 2]>();
 
-/// How many vectors and codes there are.
+/// The number of vectors and of codes, which must be the same.
 fn expect_fit<C: Codec>(vectors: Strided<&[u8]>, codes: Strided<&[u8]>) -> Result<usize, StrideError> {
     let vectors = vectors.count(Side::Vectors, VECTOR)?;
     let codes = codes.count(Side::Codes, C::BYTES)?;
@@ -206,7 +207,7 @@ fn expect_fit<C: Codec>(vectors: Strided<&[u8]>, codes: Strided<&[u8]>) -> Resul
 }
 
 impl<'a> Strided<&'a [u8]> {
-    /// How many elements of `size` bytes there are.
+    /// The number of elements of `size` bytes.
     fn count(self, side: Side, size: usize) -> Result<usize, StrideError> {
         let Self { bytes, offset, stride } = self;
         if stride < size {
@@ -237,7 +238,7 @@ impl Strided<&mut [u8]> {
         Strided { bytes: self.bytes, offset: self.offset, stride: self.stride }
     }
 
-    /// As [`element`](Strided::element).
+    /// [`element`](Strided::element) to be written to.
     #[inline(always)]
     fn element_mut(&mut self, index: usize, size: usize) -> &mut [u8] {
         let start = self.offset + index * self.stride;

@@ -30,7 +30,7 @@ use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
-/// z of the direction of `v`, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+/// The z of the direction of `v`, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
 #[inline(always)]
 fn height_and_azimuth(v: Vec3) -> (f32, f32) {
     let norm = l1_norm(v);
@@ -59,8 +59,8 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     around_z(radius, e.y * step, if radius > 0.0 { e.x * (2.0 * step) } else { 0.0 })
 }
 
-/// `phi / pi` and z of the direction of `v`, unquantised, both on \[-1, 1\]: for an SNORM format, to which the hardware rounds.
-/// (0, 1), which is +Z, where `v` has no direction.
+/// The unquantised `phi / pi` and z of the direction of `v`, both on \[-1, 1\]: for an SNORM format, to which the
+/// hardware rounds. (0, 1), which is +Z, where `v` has no direction.
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let (height, quarters) = height_and_azimuth(v);
@@ -74,7 +74,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
 #[inline(always)]
 pub fn project_unorm(v: Vec3) -> Vec2 {
     biased(project(v))
@@ -93,8 +93,8 @@ pub struct Cylindrical<const BITS: u32>;
 impl<const BITS: u32> Codec for Cylindrical<BITS> {
     const BITS: u32 = BITS;
     const EXACT_AXES: bool = false;
-    /// `acos(1 - 1 / 2m)`, and what the rounding of z in `f32`, at most 2^-22, adds: the error goes with the square
-    /// root of the distance from the pole, so its relative growth is half that of the half step `1 / 2m`.
+    /// `acos(1 - 1 / 2m)`, and the error of rounding z in `f32`, at most 2^-22: the error goes with the square root of
+    /// the distance from the pole, so its relative growth is half that of the half step `1 / 2m`.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 5.0859,
         24 => 1.2665,

@@ -20,8 +20,8 @@
 //! The index of a patch is `ring 2^h + patch`, so that finding both is a shift and a mask, and it decodes to its
 //! middle.
 //!
-//! The survey calls its fast format "latlong", says that its patches are of near-equal area and leaves out which they
-//! are. This grid is inferred: it has the errors of the survey's table 1.
+//! The survey calls its fast format "latlong", says that its patches are of near-equal area, and does not define them.
+//! This grid is inferred: it has the errors of the survey's table 1.
 //!
 //! * Layout: the patch in the low half of the code, counted from +X towards +Y; the ring in the high half, counted from
 //!   +Z. Every code is a patch.
@@ -160,14 +160,14 @@ pub const RINGS_32: Rings = Rings {
 };
 
 impl Rings {
-    /// Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
+    /// The start of ring i, 0 to n + 1, given h = i - 1/2: S(i) is the whole part.
     #[inline(always)]
     pub fn border(self, h: f32) -> f32 {
         let u = h * h;
         u * (self.a0 + u * (self.a1 + u * self.a2)) + (0.95 * h + 0.72515)
     }
 
-    /// More than i and less than i + 2 for the indices of ring i.
+    /// A number that is more than i and less than i + 2 for the indices of ring i.
     #[inline(always)]
     pub fn inverse(self, index: f32) -> f32 {
         let low = self.q0 + index * self.q1;
@@ -185,7 +185,7 @@ fn whole_to_f32(integer: u32) -> f32 {
     integer as i32 as f32
 }
 
-/// A whole number below `2^bits` as an integer. On a CPU that wants sums of less than 2^24: see [`whole_to_u32`].
+/// A whole number below `2^bits` as an integer. A CPU needs sums of less than 2^24 for that: see [`whole_to_u32`].
 #[inline(always)]
 fn index_of(whole: f32, bits: u32) -> u32 {
     if cfg!(target_arch = "spirv") {
@@ -278,8 +278,8 @@ pub struct LatLong<const BITS: u32>;
 impl<const BITS: u32> Codec for LatLong<BITS> {
     const BITS: u32 = BITS;
     const EXACT_AXES: bool = false;
-    /// `sqrt(5) pi / 2^(h+1)` radians in degrees, and what the rounding of both angles and of the decoded vector
-    /// adds: at most 8e-7 radians.
+    /// `sqrt(5) pi / 2^(h+1)` radians in degrees, and the errors of rounding both angles and the decoded vector: at
+    /// most 8e-7 radians.
     const MAX_ERROR_DEG: f32 = 1.118_034 * 180.0 / (1 << (BITS / 2)) as f32 + 4.6e-5;
     type Code = u32;
 
@@ -308,8 +308,8 @@ impl<const BITS: u32> LatLongD<BITS> {
 
 impl<const BITS: u32> Codec for LatLongD<BITS> {
     const BITS: u32 = BITS;
-    /// The greatest distance from a patch's middle to its corners, 0.56671, 0.035146 and 0.0021951 degrees, and
-    /// what the rounding of both angles and of the decoded vector adds: at most 8e-7 radians.
+    /// The greatest distance from a patch's middle to its corners, 0.56671, 0.035146 and 0.0021951 degrees, and the
+    /// errors of rounding both angles and the decoded vector: at most 8e-7 radians.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.56672,
         24 => 0.035147,

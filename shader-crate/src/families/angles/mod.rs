@@ -12,7 +12,7 @@ use crate::arith::{
 use glam::Vec3;
 
 /// The magnitudes of the components of `v`, of an L1 norm of `norm`, scaled by a power of two to an L1 norm of 1 to 2,
-/// by which their squares neither overflow nor vanish. Without a usable direction, anything.
+/// by which their squares neither overflow nor vanish. Unspecified without a usable direction.
 #[inline(always)]
 fn scaled(v: Vec3, norm: f32) -> Vec3 {
     let p = v.abs() * scale_to_one(norm);
@@ -28,14 +28,15 @@ fn quarter(y: f32, x: f32) -> f32 {
     if y > x { 1.0 - part } else { part }
 }
 
-/// The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
+/// The angle of a vector from +X in quarter turns, 0 to 2. x and y are its magnitudes; it is on the side of +X or, if
+/// `left`, of -X.
 #[inline(always)]
 fn half_turn(y: f32, x: f32, left: bool) -> f32 {
     let angle = quarter(y, x);
     if left { 2.0 - angle } else { angle }
 }
 
-/// The azimuth of `v`, in quarter turns, -2 to 2. `p` is what [`scaled`] makes of it.
+/// The azimuth of `v`, in quarter turns, -2 to 2. `p` is [`scaled`] of `v`.
 #[inline(always)]
 fn azimuth(v: Vec3, p: Vec3) -> f32 {
     negate_if(is_negative(v.y), half_turn(p.y, p.x, is_negative(v.x)))

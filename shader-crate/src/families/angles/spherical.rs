@@ -27,7 +27,7 @@
 //! * The six axes round-trip exactly. Every j at theta 0 or pi is the pole, exactly; encoding writes j = 0 there.
 //! * Good for: directions that are angles already, and cheap decoding in hardware that has sines. Weaknesses: codes
 //!   crowd at the poles, cells at the equator are twice as wide as they are high, and two arc tangents to encode and
-//!   two sines with their cosines to decode cost several times what [`oct`](crate::oct) does.
+//!   two sines with their cosines to decode cost several times as much as [`oct`](crate::oct).
 
 use super::{around_z, azimuth, quarter, scaled};
 use crate::arith::{
@@ -70,16 +70,17 @@ pub fn from_lattice(e: Vec2, m: f32, half_turn: f32) -> Vec3 {
     around_z(meridian.x - meridian.y, z, quarters)
 }
 
-/// `2 theta / pi - 1` and `phi / pi` of the direction of `v`, unquantised, both on \[-1, 1\]. (-1, 0), which is +Z, where `v` has
-/// no direction. An SNORM format that they are written to holds another code than this family's, whose phi has a step more.
+/// The unquantised `2 theta / pi - 1` and `phi / pi` of the direction of `v`, both on \[-1, 1\]. (-1, 0), which is +Z,
+/// where `v` has no direction. An SNORM format that stores them holds another code than this family's, whose phi has a
+/// step more.
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let (latitude, quarters) = angles(v);
     Vec2::new(-latitude, if latitude.abs() < 1.0 { 0.5 * quarters } else { 0.0 })
 }
 
-/// Angles of theta that are less differ from the equator by less than `from_lattice` rounds: without them no zero of z gets a
-/// sign.
+/// An angle of theta that is less differs from the equator by less than `from_lattice` rounds, and counts as 0: else a
+/// zero of z could get a sign.
 const LEAST_LATITUDE: f32 = exp2(-26);
 
 /// The direction of `2 theta / pi - 1` and `phi / pi`, clamped to \[-1, 1\]; (0, 0), which is +X, where one is NaN.
@@ -89,7 +90,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(Vec2::new(if e.x.abs() > LEAST_LATITUDE { e.x } else { 0.0 }, e.y), 1.0, 1.0)
 }
 
-/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
 #[inline(always)]
 pub fn project_unorm(v: Vec3) -> Vec2 {
     biased(project(v))
@@ -112,8 +113,8 @@ pub struct Spherical<const BITS: u32>;
 
 impl<const BITS: u32> Codec for Spherical<BITS> {
     const BITS: u32 = BITS;
-    /// Half a step of phi times `sqrt(1 + (half_turn / 2m)^2)`, which is greatest at 16 bits, and what the rounding
-    /// of both angles and of the decoded vector adds: at most 8e-7 radians.
+    /// Half a step of phi times `sqrt(1 + (half_turn / 2m)^2)`, which is greatest at 16 bits, and the errors of
+    /// rounding both angles and the decoded vector: at most 8e-7 radians.
     const MAX_ERROR_DEG: f32 = 1.1199 * 90.0 / half_turn(BITS) + 4.6e-5;
     type Code = u32;
 

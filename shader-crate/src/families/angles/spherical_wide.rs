@@ -12,8 +12,8 @@
 //! * Layout: `i = round((2 theta / pi - 1) m)` in bits 0 to 23 of the code, with `m = 2^23 - 1`, and
 //!   `j = round(phi / pi 2^23)` in bits 24 to 47, both in two's complement. A code is two words, low word first. -m is
 //!   +Z, m is -Z; the pattern -m - 1 counts as -m.
-//! * Error of the code: at most half the diagonal of a cell at the equator, 2.094e-7 radians, and what the arithmetic
-//!   adds: 1/16 of a step along each angle. Meyer's bound, for a layout that leaves a bit unused, is 3.74e-7.
+//! * Error of the code: at most half the diagonal of a cell at the equator, 2.094e-7 radians, and the error of the
+//!   arithmetic: 1/16 of a step along each angle. Meyer's bound, for a layout that leaves a bit unused, is 3.74e-7.
 //! * Error of the decoded vector: the rounding of its components adds up to `sqrt(3) 2^-25` radians.
 //! * The six axes round-trip exactly. Every j at theta 0 or pi is the pole, exactly; encoding writes j = 0 there.
 //! * Good for: angles that were measured, and comparison. Weakness: [`OctPrecise48`](crate::OctPrecise48) is more exact.
@@ -37,7 +37,7 @@ use crate::direction::or_z;
 use core::f32::consts::PI;
 use glam::Vec3;
 
-/// A number as the sum of two floats; the second is what the first lacks.
+/// A number as the sum of two floats; the second is the part that the first lacks.
 #[derive(Clone, Copy)]
 struct TwoFloats {
     high: f32,
@@ -68,14 +68,14 @@ impl From<f32> for TwoFloats {
     }
 }
 
-/// What an angle is counted in.
+/// The unit of an angle.
 #[derive(Clone, Copy)]
 struct Steps {
     /// Steps in a quarter turn.
     in_quarter: i32,
     /// The size of a step in half turns, cut down to a power of two.
     size: f32,
-    /// What was cut off, as a part of that.
+    /// The part that was cut off, relative to the size.
     excess: f32,
 }
 
@@ -85,7 +85,7 @@ const THETA: Steps = Steps { in_quarter: (1 << 23) - 1, size: exp2(-24), excess:
 /// The steps of phi.
 const PHI: Steps = Steps { in_quarter: 1 << 22, size: exp2(-23), excess: 0.0 };
 
-/// A vector of about unit length that is nearer to the z axis is that of a pole, far within half a step.
+/// The distance from the z axis within which a vector of about unit length counts as a pole: far within half a step.
 const POLAR: f32 = exp2(-40);
 
 /// `base + low + linear u + rest`, in order of magnitude: `base`, `linear u`, `rest`, `low`.
@@ -157,8 +157,8 @@ pub struct SphericalWide;
 
 impl Codec for SphericalWide {
     const BITS: u32 = 48;
-    /// Half the diagonal of a cell and `sqrt(3) 2^-25` are 2.61e-7 radians. The arithmetic adds less than 1/15, because it
-    /// moves what is encoded and what is decoded alike.
+    /// Half the diagonal of a cell and `sqrt(3) 2^-25` are 2.61e-7 radians. The arithmetic adds less than 1/15, because
+    /// it moves encoded and decoded vectors alike.
     const MAX_ERROR_DEG: f32 = 1.6e-5;
     type Code = [u32; 2];
 

@@ -33,7 +33,7 @@ pub struct Float16x3;
 impl Codec for Float16x3 {
     const BITS: u32 = 48;
     const IS_UNIT: bool = false;
-    /// For vectors of lengths from 2^-13 to 2^15. Meyer's eq. 3 with 10 bits, rounded up.
+    /// The bound for vectors of lengths from 2^-13 to 2^15: Meyer's eq. 3 with 10 bits, rounded up.
     const MAX_ERROR_DEG: f32 = 0.0264;
     type Code = [u32; 2];
 

@@ -14,7 +14,7 @@
 //!
 //! * Layout: x in the low bits, then y, then z, in two's complement; `snorm11_11_10` gives x and y 11 bits and z 10.
 //! * Raw: the components are stored as they are, clamped to \[-1, 1\], and come back so. Give a vector of unit length.
-//!   What comes back is off unit length by up to the error, and the caller renormalises.
+//!   Decoded vectors are off unit length by up to the error, and the caller renormalises.
 //! * Error: at most `asin(sqrt(dx^2 + dy^2 + dz^2))` for unit vectors, the components' half steps being `1/(2 m)`: the
 //!   half diagonal of a cell of the lattice, where it is at right angles to the direction.
 //! * Good for: targets that the hardware converts and blends. Encoding is three roundings, decoding three divisions. A
@@ -45,7 +45,7 @@ pub struct Snorm3<const BITS: u32>;
 impl<const BITS: u32> Codec for Snorm3<BITS> {
     const BITS: u32 = BITS;
     const IS_UNIT: bool = false;
-    /// For unit vectors. `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
+    /// The bound for unit vectors: `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = match BITS {
         15 => 3.31,
         24 => 0.3908,
@@ -83,7 +83,7 @@ pub struct Snorm16x3;
 impl Codec for Snorm16x3 {
     const BITS: u32 = 48;
     const IS_UNIT: bool = false;
-    /// For unit vectors. `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
+    /// The bound for unit vectors: `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = 0.001_53;
     type Code = [u32; 2];
 

@@ -10,7 +10,7 @@
 //!
 //! * Layout: x in the low byte, then y, then z: a VK_FORMAT_R8G8B8_UNORM. A byte `i` stands for `(2 i - 255) / 255`.
 //! * Raw: the components are stored as they are, clamped to \[-1, 1\], and come back so. Give a vector of unit length.
-//!   What comes back is off unit length by up to the error, and the caller renormalises.
+//!   Decoded vectors are off unit length by up to the error, and the caller renormalises.
 //! * Error: at most `asin(sqrt(3)/255)` for unit vectors: the half diagonal of a cell.
 //! * Good for: RGB8 targets without snorm, and data that other programs wrote so. [`oct24`](crate::oct) needs no more
 //!   bits and has a fraction of the error.
@@ -44,7 +44,7 @@ impl Codec for Unorm8x3 {
     const BITS: u32 = 24;
     const EXACT_AXES: bool = false;
     const IS_UNIT: bool = false;
-    /// For unit vectors. `asin(sqrt(3)/255)`, rounded up, which leaves more than `f32` rounds.
+    /// The bound for unit vectors: `asin(sqrt(3)/255)`, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = 0.3893;
     type Code = u32;
 

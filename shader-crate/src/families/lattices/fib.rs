@@ -63,9 +63,9 @@ pub const CHORD_3: f32 = -59.191452;
 /// See [`CHORD_0`].
 pub const CHORD_4: f32 = 21.72156;
 
-/// Added to the numbers of points so that those of a cell beside a pole are not negative.
+/// The number that is added to those of points so that those of a cell beside a pole are not negative.
 const SHIFT: u32 = 64;
-/// What [`SHIFT`] adds to the azimuth.
+/// The azimuth that [`SHIFT`] adds.
 const SHIFT_TURN: u32 = turn(SHIFT);
 
 /// The number of the last point: `bits` bits set. `bits` is 1 to 32.
@@ -85,19 +85,19 @@ pub const fn turn(i: u32) -> u32 {
     i.wrapping_mul(GOLDEN_HIGH).wrapping_add(high)
 }
 
-/// The same for `i` below 2^17, in which one product holds all that counts.
+/// [`turn`] for `i` below 2^17, in which one product holds all bits that count.
 #[inline(always)]
 const fn turn_of_step(i: u32) -> u32 {
     i.wrapping_mul(GOLDEN_HIGH).wrapping_add(((i & mask(17)) * (GOLDEN_LOW >> 17)) >> 15)
 }
 
-/// A fraction of a turn in 32 bits as a float, in [-1/2, 1/2\].
+/// A fraction of a turn in 32 bits as a float, in \[-1/2, 1/2\].
 #[inline(always)]
 fn signed_turn(turn: u32) -> f32 {
     turn as i32 as f32 * exp2(-32)
 }
 
-/// The integer part of a number from 0 to 2^31, and what is left.
+/// The integer part of a number from 0 to 2^31, and the rest.
 #[inline(always)]
 fn split(x: f32) -> (u32, f32) {
     let whole = integer_part(x);
@@ -138,14 +138,14 @@ struct Place {
     height: f32,
     /// `1 - z^2`.
     radius_squared: f32,
-    /// Where it is among the numbers of the points: a whole number, and what to add, -3/2 to 1/2.
+    /// Its place among the numbers of the points: a whole number, and a [`fraction`](Self::fraction) to add.
     whole: u32,
-    /// See [`whole`](Self::whole).
+    /// The fraction to add to [`whole`](Self::whole), -3/2 to 1/2.
     fraction: f32,
 }
 
 impl Place {
-    /// Of a vector with an L1 norm of 1 to 2.
+    /// The place of a vector with an L1 norm of 1 to 2.
     #[inline(always)]
     fn new(v: Vec3, bits: u32) -> Self {
         let horizontal = v.x * v.x + v.y * v.y;
@@ -174,20 +174,19 @@ struct Basis {
     step: f32,
     /// F(k+1).
     next_step: f32,
-    /// How far the first step goes around, in turns, without sign: `g^k`.
+    /// The turn of the first step, without sign: `g^k`.
     turn: f32,
-    /// `g^(k+1)`.
+    /// The turn of the second step, `g^(k+1)`.
     next_turn: f32,
     /// Whether k is even: then the first step goes in the negative sense, otherwise the second.
     is_even: bool,
 }
 
 impl Basis {
-    /// The reduced one where a horizontal circle has this radius. k is at least 2, as the source has it, and at most
-    /// 25.
+    /// The reduced basis where a horizontal circle has this radius. k is at least 2, as in the source, and at most 25.
     ///
-    /// The bits of a float, taken as a number, are its logarithm to the base 2, but for 0 to 0.086. A k that is off
-    /// by up to 1/2 before rounding does: only there does a triangle of the cell become obtuse. The offset is
+    /// The bits of a float, taken as a number, are its logarithm to the base 2, but for 0 to 0.086. A k that is off by
+    /// up to 1/2 before rounding suffices: only there does a triangle of the cell become obtuse. The offset is
     /// `log2(sqrt(5) pi)` and half of 0.086, rounded, less the bias of the exponent.
     #[inline(always)]
     fn new(radius_squared: f32, bits: u32) -> Self {
@@ -209,7 +208,7 @@ impl Basis {
     }
 }
 
-/// A point, and a measure of its distance from what was sought.
+/// A point, and a measure of its distance from the place sought.
 #[derive(Clone, Copy)]
 struct Candidate {
     i: u32,
@@ -318,7 +317,7 @@ impl<const BITS: u32> Codec for Fib<BITS> {
     const BITS: u32 = BITS;
     const EXACT_AXES: bool = false;
     /// The distance of points 1, 2 and 4 from the middle of the circle through them, 156.3102 degrees over `sqrt(N)`,
-    /// and what the rounding of both directions adds: at most 4e-7 radians.
+    /// and the errors of rounding both directions: at most 4e-7 radians.
     const MAX_ERROR_DEG: f32 = 156.310_5 / (1 << (BITS / 2)) as f32 + 2.4e-5;
     type Code = u32;
 

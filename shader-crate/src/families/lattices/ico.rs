@@ -12,7 +12,7 @@
 //! with `w(i) = i (N - i)`.
 //!
 //! With `w(i) = i` this would be the flat lattice, which seen from the centre is coarsest in the middle of the faces.
-//! The warp evens that out. `N = n / 0.215` has the least maximum: it makes the largest circumcircles of the triangles
+//! The warp evens this out. `N = n / 0.215` has the least maximum: it makes the largest circumcircles of the triangles
 //! between neighbours, in a face's middle and at its vertices, nearly equal. All of these triangles are acute, so that
 //! no direction is farther from all lattice points than the radius of the largest circumcircle. At 16 bits N is n /
 //! 0.2, which lowers the mean to that of the survey's best.
@@ -51,7 +51,7 @@
 //!   the vertices in the planes x = 0, z = 0 and y = 0. Row r begins with the n - 2 - r points of c = r + 1 and x > 0;
 //!   the r + 1 points of c = n - 2 - r and x < 0 follow. Both run from a = 1 upwards.
 //! * The last code of row 0 of the six blocks is a second one for the negative apex. Patterns past the last code,
-//!   `10 n^2 + 7`, decode as that does. Neither is ever written: each point has one code.
+//!   `10 n^2 + 7`, decode like it. Neither is ever written: each point has one code.
 //!
 //! # Encoding
 //!
@@ -87,18 +87,19 @@ const GOLDEN: f32 = 1.618_034;
 /// The reciprocal of the golden ratio.
 const GOLDEN_LESS_1: f32 = 0.618_034;
 
-/// What reflection adds to the sum of the coordinates, of a coordinate of -1.
+/// The number that reflection adds to the sum of the coordinates, for a coordinate of -1.
 const ADDED_BY_REFLECTION: f32 = 0.763_932;
 
-/// Of the cubic that the inverse of the warp starts from: fitted to N = n / 0.215 so that its greatest error is least.
+/// Coefficients of the cubic that approximates the inverse warp: fitted to N = n / 0.215 so that its greatest error is
+/// least.
 const INVERSE_0: f32 = 0.214316;
 /// See [`INVERSE_0`].
 const INVERSE_1: f32 = -0.121124;
 /// See [`INVERSE_0`].
 const INVERSE_2: f32 = 0.117389;
 
-/// [`INVERSE_2`] times 1/2, and 1: with the next two, since the cubes' sum is 3 times the product and 3/2 of the squares'
-/// sum, less 1/2.
+/// 1 plus half of [`INVERSE_2`]. Where x + y + z = 1, the sum of the cubes is `3 x y z + (3 s - 1) / 2`, with s the sum
+/// of the squares: this and the next two constants fold that identity in.
 const INVERSE_3: f32 = 1.0586945;
 /// [`INVERSE_2`] times 3/2.
 const INVERSE_4: f32 = 0.1760835;
@@ -112,7 +113,7 @@ pub struct Lattice {
     pub n: u32,
     /// N, where the weight of a vertex is `i (N - i)`.
     pub warp: f32,
-    /// Of the distances between neighbours.
+    /// Coefficients of the distances between neighbours.
     pub squares: Squares,
 }
 
@@ -230,8 +231,8 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
         s_0 + (s_1 * t.z + of.tt * t_squared.z),
     );
 
-    // The squares of the distances from the triangle's corners, less the same of each: of a point of the barycentric
-    // coordinates u, from corner j it is the sum of `u(k)` times the square of the distance from j to k.
+    // The squares of the distances from the triangle's corners, each less the same number: for a point of the
+    // barycentric coordinates u and corner j it is the sum of `u(k)` times the square of the distance from j to k.
     let from_corner = in_x * square.z + in_z * square.x;
     let from_x = in_corner * square.z + in_z * square.y;
     let from_z = in_corner * square.x + in_x * square.y;
@@ -259,8 +260,8 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
         (norm_part + a.y) - GOLDEN * a.z,
         (norm_part + a.x) - GOLDEN * a.y,
     );
-    // At most one is negative, and then that side is reflected at: the vertices across it have the sum of the side's two,
-    // divided by p.
+    // At most one is negative, and then that side is reflected at: the vertices across it have the sum of the side's
+    // two vertices, divided by p.
     let beyond = min(min(flat.z, min(flat.x, flat.y)), 0.0);
     let shared = GOLDEN_LESS_1 * beyond;
     let p_sum = 2.0 * norm_part - ADDED_BY_REFLECTION * beyond;
@@ -271,8 +272,8 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
     );
     let i = nearest(p, p_sum, lattice);
 
-    // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
-    // they are equal, it is the one whose base ends there.
+    // The face that has the point: the one across the least number's side, unless the least is more than 0. Where two
+    // are equal, it is the face whose base ends there.
     let (x, y, z) = (with_sign(i.x, flat.x), with_sign(i.y, flat.y), with_sign(i.z, flat.z));
     let is_octant = min(min(x, y), z) > 0.5;
     let x_less = x < z;
@@ -281,8 +282,8 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
     let (depth, across, sides) = on_face(i, v, is_octant, of_z, of_x);
     let is_second = sides.apex & (depth > 0.5);
 
-    // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their
-    // line 6 n + 18 are left.
+    // The numbers of lines and columns have 2^23 added. Lines of octants, which are shorter, begin where 18 codes of
+    // their line 6 n + 18 are left.
     let octant_rows = select(sides.straddled, TWO_23 + (7.0 * n + 15.0), TWO_23 + (6.0 * n + 17.0));
     let first_row = select(is_octant, octant_rows, TWO_23);
     let first_row = select(of_x, TWO_23 + 4.0 * n, first_row);
@@ -298,16 +299,17 @@ pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
     if usable { code } else { lattice.n / 2 }
 }
 
-/// The sides of the coordinate planes that what a face straddles, its base and its apex are on: true where negative.
+/// The sides of the coordinate planes on which a face's straddled coordinate, its base and its apex lie: true where
+/// negative.
 struct Sides {
     straddled: bool,
     base: bool,
     apex: bool,
 }
 
-/// Of a point's numbers that of the apex, and that of the base's end from which rows run; and where `v` is.
+/// A point's numbers for the apex and for the base's end from which rows run, and the sides of `v`.
 ///
-/// On a GPU masks are free and selects are what costs; on a CPU both cost the same, and there are fewer selects.
+/// On a GPU masks are free and selects cost; on a CPU both cost the same, and there are fewer selects.
 #[inline(always)]
 fn on_face(i: Vec3, v: Vec3, is_octant: bool, of_z: bool, of_x: bool) -> (f32, f32, Sides) {
     if !cfg!(target_arch = "spirv") {
@@ -339,7 +341,7 @@ fn counted(sum: f32) -> u32 {
     sum.to_bits() & mask(23)
 }
 
-/// The direction of the lattice point of a code: unit length to within 2 ULP. Past the last code, that of the last.
+/// The direction of the lattice point of a code: unit length to within 2 ULP. Codes past the last decode like the last.
 #[inline(always)]
 pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
     let n = lattice.n as f32;
@@ -392,9 +394,9 @@ impl<const BITS: u32> Ico<BITS> {
 
 impl<const BITS: u32> Codec for Ico<BITS> {
     const BITS: u32 = BITS;
-    /// The radius of the largest circumcircle of neighbouring lattice points, 0.508532, 0.0312163 and 0.0019490 degrees,
-    /// and what encoding and arithmetic add: at most 3.0e-4, 5.5e-6 and 7.8e-6 over millions of directions at the
-    /// largest circumcentres, which half as much again stands for here.
+    /// The radius of the largest circumcircle of neighbouring lattice points, 0.508532, 0.0312163 and 0.0019490
+    /// degrees, and the errors of encoding and arithmetic: at most 3.0e-4, 5.5e-6 and 7.8e-6 over millions of
+    /// directions at the largest circumcentres, which half as much again stands for here.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.508533 + 4.5e-4,
         24 => 0.0312164 + 8e-6,

@@ -38,7 +38,7 @@
 //!   bytes of [`oct::snorm12x2_to_uint8x3`](crate::oct::snorm12x2_to_uint8x3).
 //! * Error: with the fast encoder at most `1.5026 / m` radians, half a ring and half a step away from ring 1; with the
 //!   precise one at most `sqrt(1/2 + pi^2 / 8) / m = 1.3168 / m`, half the diagonal of a cell near a pole and a plane y
-//!   = 0. Such places are rare: random directions seldom meet them.
+//!   = 0. Such places are rare: random directions seldom hit them.
 //! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror image
 //!   along that edge. The four corners are all -Z. A direction mirrored at a coordinate plane decodes to the mirrored
 //!   vector, exactly; so does one with x and y swapped, where they differ.
@@ -82,11 +82,11 @@ struct Candidate {
     cost: f32,
 }
 
-/// `r` and `phi` of the direction of `v`, of an L1 norm of `norm`. Without a usable direction, anything.
+/// `r` and `phi` of the direction of `v`, of an L1 norm of `norm`. Unspecified without a usable direction.
 ///
-/// Scaled by a power of two, exactly, to an L1 norm of 1 to 2, squares neither overflow nor vanish where they count. With
-/// a the longer and b the shorter of x and y, one division would serve for both `(a^2 + b^2) / (l (l + z))` and `b / a`,
-/// but takes five products more, which all wait for each other: a fifth more time on lavapipe.
+/// With `v` scaled by a power of two, exactly, to an L1 norm of 1 to 2, squares neither overflow nor vanish where they
+/// count. With a the longer and b the shorter of x and y, one division would serve for both `(a^2 + b^2) / (l (l + z))`
+/// and `b / a`, but takes five products more, which all wait for each other: a fifth more time on lavapipe.
 #[inline(always)]
 pub(crate) fn polar(v: Vec3, norm: f32) -> Polar {
     let p = v.abs() * scale_to_one(norm);
@@ -99,8 +99,8 @@ pub(crate) fn polar(v: Vec3, norm: f32) -> Polar {
     Polar { radius, turn: atan_quarter(b / a), swapped: y > x }
 }
 
-/// Moves a lattice point of [`polar`]'s half octant to where the direction of `v` is. With m the largest coordinate, (x, y)
-/// is folded out to (m - y, m - x), which is as far away along both axes.
+/// Moves a lattice point of [`polar`]'s half octant to the half octant of the direction of `v`. With m the largest
+/// coordinate, (x, y) is folded out to (m - y, m - x), which is as far away along both axes.
 #[inline(always)]
 pub(crate) fn unfolded(v: Vec3, swapped: bool, ring: f32, place: f32, m: f32) -> Vec2 {
     let (x, y) = if swapped { (place, ring - place) } else { (ring - place, place) };
@@ -108,8 +108,8 @@ pub(crate) fn unfolded(v: Vec3, swapped: bool, ring: f32, place: f32, m: f32) ->
     Vec2::new(with_sign(x + folded, v.x), with_sign(y + folded, v.y))
 }
 
-/// The lattice point of the direction of `v`, of an L1 norm of `norm`: on the nearest ring the nearest point. Without a
-/// usable direction, anything.
+/// The lattice point of the direction of `v`, of an L1 norm of `norm`: on the nearest ring the nearest point.
+/// Unspecified without a usable direction.
 #[inline(always)]
 pub fn lattice(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let p = polar(v, norm);
@@ -129,13 +129,13 @@ pub fn project(v: Vec3) -> Vec2 {
     if is_usable(norm) { e } else { Vec2::ZERO }
 }
 
-/// The direction of a point of \[-1, 1\]<sup>2</sup>. What lies beyond is clamped; a point with NaN is +Z's.
+/// The direction of a point of \[-1, 1\]<sup>2</sup>. Points beyond it are clamped; a point with NaN is +Z's.
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
 #[inline(always)]
 pub fn project_unorm(v: Vec3) -> Vec2 {
     biased(project(v))
@@ -158,7 +158,7 @@ pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
 }
 
 /// The lattice point of the direction of `v`, of an L1 norm of `norm`, that is nearest in angle: the nearest one of the
-/// ring below or above. Without a usable direction, anything.
+/// ring below or above. Unspecified without a usable direction.
 ///
 /// The chord between points at r and phi and at R and `phi - q` has the square `(r C - R c)^2 + 4 r R c C sin^2(pi q /
 /// 4)`, with `C^2 = 2 - R^2`. With `d = R - r` and `k = r / c^2`, `C` is `c (1 - k d)` and the first summand
@@ -206,7 +206,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     from_ring(e, at, at.place / max(at.ring, f32::MIN_POSITIVE), m)
 }
 
-/// Where a lattice point is: on ring `ring`, the one of number `place`, mirrored so that this is at most half of `ring`.
+/// The place of a lattice point: number `place` on ring `ring`, mirrored so that this is at most half of `ring`.
 #[derive(Clone, Copy)]
 pub(crate) struct Ring {
     pub(crate) ring: f32,
@@ -239,7 +239,7 @@ pub(crate) fn from_ring(e: Vec2, Ring { ring, swapped, above, .. }: Ring, turn: 
     Vec3::new(negate_positive(e.x < 0.0, x), negate_positive(e.y < 0.0, y), with_sign(z, above))
 }
 
-/// `radians_times_m` at this width in degrees, and what rounding in f32 adds: at most `8 2^-24` in r, which is
+/// `radians_times_m` at this width in degrees, and the error of rounding in f32: at most `8 2^-24` in r, which is
 /// `16 2^-24` radians at the equator, `4 2^-24` in phi, 3/2 as much in radians, and 2^-22 for the decoded vector.
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
     (radians_times_m / snorm_max(bits / 2) + 26.0 / 16_777_216.0).to_degrees()

@@ -25,22 +25,22 @@ use crate::codec::Codec;
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
 
-/// Where `v` lies on the square `[-m, m]^2` (listing 6), `norm` the L1 norm of (x, y, |z|).
+/// The place of `v` on the square `[-m, m]^2` (listing 6); `norm` is the L1 norm of (x, y, |z|).
 #[inline(always)]
 pub(crate) fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let scale = m / norm;
     Vec2::new((v.x + v.y) * scale, (v.x - v.y) * scale)
 }
 
-/// The L1 norms of `v`, and of `v` with what lies below the equator moved up to it.
+/// The L1 norms of `v`, and of `v` moved up to the equator if below it.
 #[inline(always)]
 pub(crate) fn norms(v: Vec3) -> (f32, f32) {
     let across = v.x.abs() + v.y.abs();
     (across + v.z.abs(), across + max(v.z, 0.0))
 }
 
-/// True where both norms give a direction: the whole one, not the smaller, is not too large, that of the upper part not too
-/// small. The comparisons are of integers, since a GPU need not compare NaN as IEEE 754 says.
+/// True where both norms give a direction: `whole`, not the smaller one, is not too large, `upper` not too small. The
+/// comparisons are of integers, since a GPU need not compare NaN as IEEE 754 says.
 #[inline(always)]
 pub(crate) fn is_usable(whole: f32, upper: f32) -> bool {
     whole.to_bits() < MAX_NORM.to_bits() && upper.to_bits() >= MIN_NORM.to_bits()
@@ -64,13 +64,14 @@ pub fn project(v: Vec3) -> Vec2 {
     if is_usable(whole, upper) { e } else { Vec2::ZERO }
 }
 
-/// Listing 6: the direction of a point of \[-1, 1\]<sup>2</sup>. What lies beyond is clamped; a point with NaN is +Z's.
+/// Listing 6: the direction of a point of \[-1, 1\]<sup>2</sup>. Points beyond it are clamped; a point with NaN is
+/// +Z's.
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
 #[inline(always)]
 pub fn project_unorm(v: Vec3) -> Vec2 {
     biased(project(v))
@@ -82,8 +83,8 @@ pub fn unproject_unorm(e: Vec2) -> Vec3 {
     unproject(unbiased(e))
 }
 
-/// `sqrt(3/2) / m` radians in degrees, and what the rounding of the position in f32 (at most 2^-21 of the square's half
-/// side) adds. The snorms have half of `bits`, rounded down.
+/// `sqrt(3/2) / m` radians in degrees, and the error of rounding the position in f32 (at most 2^-21 of the square's
+/// half side). The snorms have half of `bits`, rounded down.
 pub(super) const fn error_bound(bits: u32) -> f32 {
     (1.224_744_9 * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
 }
@@ -94,7 +95,7 @@ pub struct HemiOct<const BITS: u32>;
 
 impl<const BITS: u32> Codec for HemiOct<BITS> {
     const BITS: u32 = BITS;
-    /// For directions with z >= 0.
+    /// The bound for directions with z >= 0.
     const MAX_ERROR_DEG: f32 = error_bound(BITS);
     type Code = u32;
 

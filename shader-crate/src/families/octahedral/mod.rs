@@ -18,13 +18,13 @@ fn fold(z: f32, x: f32, y: f32, m: f32) -> (f32, f32) {
     if is_negative(z) { (m - y, m - x) } else { (x, y) }
 }
 
-/// The code of the lattice point nearest to `e`, of two of them the one whose components are even (odd for 24 bits).
+/// The code of the lattice point nearest to `e`, with ties to even components (odd for 24 bits).
 #[inline(always)]
 fn pack<const BITS: u32>(e: Vec2) -> u32 {
     if BITS == 24 { pack_bytes(e) } else { nearest_pair(e, BITS / 2) }
 }
 
-/// [`pack`] of `e`, or the code of +Z where a vector of this L1 norm has no direction: to select here takes the fewest
+/// [`pack`] of `e`, or the code of +Z where a vector of this L1 norm has no direction: selecting here takes the fewest
 /// operations.
 #[inline(always)]
 pub(crate) fn usable_code<const BITS: u32>(norm: f32, e: Vec2) -> u32 {

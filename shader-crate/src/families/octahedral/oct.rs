@@ -47,7 +47,7 @@ use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{UVec3, Vec2, Vec3};
 
-/// Where `v`, of the L1 norm `norm`, lies on the square `[-m, m]^2` (listing 1).
+/// The place of `v`, of the L1 norm `norm`, on the square `[-m, m]^2` (listing 1).
 ///
 /// Below the equator x is folded to `m - |y| s`, with `s = m / norm`. Since `norm` is `|x| + |y| + |z|`, that is
 /// `(|x| + |z|) s`. Signs are those of the bits: a component of -0 gives, below the equator, the mirrored point of the
@@ -59,8 +59,8 @@ pub fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
     Vec2::new(with_sign((v.x.abs() + below) * scale, v.x), with_sign((v.y.abs() + below) * scale, v.y))
 }
 
-/// The lattice point that is nearest in angle to the direction of `v`, of the L1 norm `norm`: of the four corners of its
-/// cell, as in listing 3, which the nearest of all points is among.
+/// The lattice point that is nearest in angle to the direction of `v`, of the L1 norm `norm`: the nearest of the four
+/// corners of its cell, as in listing 3. The nearest of all points is among these.
 #[inline(always)]
 fn precise_point(v: Vec3, norm: f32, m: f32) -> Vec2 {
     let p = v.abs() * (m / norm);
@@ -70,8 +70,8 @@ fn precise_point(v: Vec3, norm: f32, m: f32) -> Vec2 {
     Vec2::new(with_sign(x, v.x), with_sign(y, v.y))
 }
 
-/// Components as `least` where they are less: what [`projected`] takes from denormals, which some devices flush, would break
-/// ties.
+/// The components, raised to `least` where they are less: denormals, which some devices flush, would else break ties by
+/// their effect in [`projected`].
 #[inline(always)]
 fn at_least(p: Vec3, least: f32) -> Vec3 {
     Vec3::new(max(p.x, least), max(p.y, least), max(p.z, least))
@@ -105,13 +105,14 @@ pub fn project(v: Vec3) -> Vec2 {
     if is_usable(norm) { e } else { Vec2::ZERO }
 }
 
-/// Listing 2: the direction of a point of \[-1, 1\]<sup>2</sup>. What lies beyond is clamped; a point with NaN is +Z's.
+/// Listing 2: the direction of a point of \[-1, 1\]<sup>2</sup>. Points beyond it are clamped; a point with NaN is
+/// +Z's.
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`], biased on \[0, 1\], for a UNORM format: one that cannot hold the middle exactly.
+/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
 #[inline(always)]
 pub fn project_unorm(v: Vec3) -> Vec2 {
     biased(project(v))
@@ -141,7 +142,7 @@ fn bytes(f: Vec2) -> Vec3 {
     Vec3::new(high, (u - high * 16.0) * 16.0 + carry, v - carry * 256.0)
 }
 
-/// The inverse of [`bytes`], of whole numbers up to 255.
+/// The inverse of [`bytes`], for whole numbers up to 255.
 #[inline(always)]
 fn from_bytes(bytes: Vec3) -> Vec2 {
     let high = floor(bytes.y / 16.0);
@@ -149,13 +150,14 @@ fn from_bytes(bytes: Vec3) -> Vec2 {
     Vec2::new(min((u - 2047.0) / 2047.0, 1.0), min((v - 2047.0) / 2047.0, 1.0))
 }
 
-/// Listing 5: a pair of snorm12 values on \[-1, 1\] as three unorm8 values, for a UNORM format: (0, 0) where one is NaN.
+/// Listing 5: a pair of snorm12 values on \[-1, 1\] as three unorm8 values, for a UNORM format: those of (0, 0) where
+/// one is NaN.
 #[inline(always)]
 pub fn snorm12x2_to_unorm8x3(f: Vec2) -> Vec3 {
     bytes(f) / 255.0
 }
 
-/// Listing 5: the inverse, of unorm8 values as a fetch gives them.
+/// Listing 5: the inverse, for unorm8 values from a fetch.
 #[inline(always)]
 pub fn unorm8x3_to_snorm12x2(u: Vec3) -> Vec2 {
     let byte = |x: f32| floor(min(max(x, 0.0), 1.0) * 255.0 + 0.5);
@@ -170,7 +172,7 @@ pub fn snorm12x2_to_uint8x3(f: Vec2) -> UVec3 {
     UVec3::new(whole_to_u32(bytes.x), whole_to_u32(bytes.y), whole_to_u32(bytes.z))
 }
 
-/// The inverse of [`snorm12x2_to_uint8x3`]. What is above 255 counts as 255.
+/// The inverse of [`snorm12x2_to_uint8x3`]. Numbers above 255 count as 255.
 #[inline(always)]
 pub fn uint8x3_to_snorm12x2(u: UVec3) -> Vec2 {
     from_bytes(Vec3::new(u.x.min(255) as f32, u.y.min(255) as f32, u.z.min(255) as f32))
@@ -204,7 +206,7 @@ fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     let q = if !weighs && m < LARGE { approached(q, at, m) } else { q };
     let q = if m < WIDE { q } else { projected(q, p, middle, m) };
 
-    // A and B, with what they have in common taken out.
+    // A and B, with their common part taken out.
     let turn = at.y * q.x - at.x * q.y;
     let sum = q.x + q.y;
     let a = (q.x + sum) + at.y * turn;
@@ -220,7 +222,7 @@ fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// A corner of a lattice cell, and the square of the tangent of its angle from what was sought, as a fraction.
+/// A corner of a lattice cell, and the square of the tangent of its angle from the point sought, as a fraction.
 #[derive(Clone, Copy)]
 struct Corner {
     at: Vec2,
@@ -247,7 +249,7 @@ impl Corner {
     }
 }
 
-/// As [`nearest_corner`], for any `m`: the best of the four corners, as listing 3 finds it.
+/// [`nearest_corner`] for any `m`: the best of the four corners, as listing 3 finds it.
 #[inline(always)]
 fn searched_corner(p: Vec3, m: f32) -> Vec2 {
     let (x, y) = (floor(p.x), floor(p.y));
@@ -261,7 +263,7 @@ fn searched_corner(p: Vec3, m: f32) -> Vec2 {
 /// Squares of fewer steps than this (up to 12 bits) are so coarse that [`weighed`] no longer finds the nearest corner.
 const FEW: f32 = 63.0;
 
-/// 2^-26, that of the largest denormal in the shortest usable vector.
+/// 2^-26, the part of the largest denormal in the shortest usable vector.
 const LEAST_PART: f32 = exp2(-26);
 
 /// Squares of fewer steps than this (14 to 18 bits) take [`weighed`], others (20 to 24 bits) [`approached`].
@@ -274,7 +276,7 @@ const LARGE: f32 = 4096.0;
 /// most 2^-7 of a step.
 const WIDE: f32 = 65536.0;
 
-/// `q` of where the ray of `p` meets the plane `x + y + z = m`.
+/// `q` at the point where the ray of `p` hits the plane `x + y + z = m`.
 #[inline(always)]
 fn projected(q: Vec2, p: Vec3, middle: Vec2, m: f32) -> Vec2 {
     let missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
@@ -287,8 +289,8 @@ fn projected(q: Vec2, p: Vec3, middle: Vec2, m: f32) -> Vec2 {
 /// From corner to corner `c . p` changes by `e . p`, a part `3 / m (e . (X, Y, Z)) / S` of itself, where `Z = -X - Y`,
 /// `S = 3 + X^2 + Y^2 + Z^2`, and e = (1, 0, -1) to the right. To first order in 1 / m that moves the line where two
 /// corners tie as if q were `q + u (X, Y)`, with `u = 3 / m N / S` and the corners' N there: A becomes
-/// `A + u (2 X + Y)`, B likewise. What is left out is 2^-14 of a step at 16 bits. N, where near or far ties
-/// with another or right with up:
+/// `A + u (2 X + Y)`, B likewise. The terms left out are 2^-14 of a step at 16 bits. N, where near or far ties with
+/// another or right with up:
 ///
 /// ```text
 /// A q.x + B q.y + (2 + Z^2) / 4 - max(|A + B| - 2 H, 0)
@@ -304,7 +306,7 @@ fn weighed(a: f32, b: f32, cross: f32, q: Vec2, at: Vec2, m: f32) -> (f32, f32) 
     (a + u * (at.x + minus_z), b + u * (at.y + minus_z))
 }
 
-/// `q` with the denominators taken into account for the most part: as [`weighed`], with 0.1265 in place of `N / S`.
+/// `q` with the denominators taken into account for the most part: [`weighed`] with 0.1265 in place of `N / S`.
 ///
 /// `N / S` is 1/12 to 1/6 in the octant's corners, where (X, Y) is largest. The constant leaves at most 0.2 / m of a
 /// step: 4e-4, 2e-4 and 1e-4 at 20, 22 and 24 bits.
@@ -313,7 +315,7 @@ fn approached(q: Vec2, at: Vec2, m: f32) -> Vec2 {
     Vec2::new(q.x + at.x * (0.3795 / m), q.y + at.y * (0.3795 / m))
 }
 
-/// 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
+/// 2^23 + 2047: the low 12 bits of its sum with x from -2047 to 2047 are x + 2047, rounded to the nearest.
 const BIAS: f32 = TWO_23 + 2047.0;
 
 /// Packs the lattice point nearest to `e` in the 24-bit format (`m` = 2047) into three bytes, the first in the low bits.
@@ -335,8 +337,8 @@ pub(super) fn unpack_bytes(code: u32) -> Vec2 {
     Vec2::new(min(f32::from_bits(u) - BIAS, 2047.0), min(f32::from_bits(v) - BIAS, 2047.0))
 }
 
-/// `radians_times_m` at this width in degrees, and what the rounding of the position in f32 (at most 2^-21 of the
-/// square's half side) adds.
+/// `radians_times_m` at this width in degrees, and the error of rounding the position in f32 (at most 2^-21 of the
+/// square's half side).
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
     (radians_times_m * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
 }

@@ -16,14 +16,14 @@
 //! * Error of the code, with `m` the snorm's largest integer: at most `3 / (sqrt(2) m)` radians with the fast encoder
 //!   (Meyer eq. 10), at most `sqrt(2) / m` with the precise one (eq. 11), both in the middle of the octants.
 //! * Error of the decoded vector: its components are the floats nearest to the exact ones, which turns it by up to
-//!   `sqrt(3) 2^-25` radians more. At 52 bits that is as much again. So the code is as exact as three floats
-//!   (Meyer's eq. 3), and the `f32` vector that it decodes to is not; a decoder of higher precision gets the rest out
-//!   of the code. Measured, as in the table, `oct52p` gains from what [`OctWidePrecise`] tells of decoded vectors: many
+//!   `sqrt(3) 2^-25` radians more. At 52 bits that is as much again. So the code is as exact as three floats (Meyer's
+//!   eq. 3), and the `f32` vector that it decodes to is not; a decoder of higher precision gets the rest out of the
+//!   code. Measured, as in the table, `oct52p` gains from the treatment of decoded vectors by [`OctWidePrecise`]: many
 //!   `f32` unit vectors come back exactly.
 //! * The six axes round-trip exactly. Points of the square's border stand for the same direction as their mirror image
 //!   along that edge. The four corners are all -Z. Mirrored directions have mirrored codes, at z = 0 too.
-//! * Good for: measured and engineering geometry, in 6 or 8 bytes for the 12 of three floats. For what is only looked
-//!   at, 32 bits do. Weakness: several times the cost of the 32-bit codes.
+//! * Good for: measured and engineering geometry, in 6 or 8 bytes for the 12 of three floats. For geometry that is only
+//!   looked at, 32 bits suffice. Weakness: several times the cost of the 32-bit codes.
 //!
 //! # Arithmetic
 //!
@@ -31,9 +31,9 @@
 //! quotient `|x| / (|x| + |y| + |z|)` as a sum of two floats: Knuth's two-sum gives the L1 norm exactly, Dekker's
 //! product gives the remainder of a first quotient, and that gives the second. No fused multiplication is used. The
 //! position is good to 2^-20 of a step, even where a device's division is off by some ULP. The decoder corrects a
-//! reciprocal length of 12 bits, whose products are exact, by what its square misses. Where a device's division or root
-//! is 3 ULP off, a few decoded vectors and `oct52p` codes in a million differ in the last place. Such a vector may have a
-//! code of its own in `oct52p`, whose lattice is finer than floats: it is not stable across devices.
+//! reciprocal length of 12 bits, whose products are exact, by the error of its square. Where a device's division or
+//! root is 3 ULP off, a few decoded vectors and `oct52p` codes in a million differ in the last place. Such a vector may
+//! have a code of its own in `oct52p`, whose lattice is finer than floats: it is not stable across devices.
 
 use crate::arith::{
     Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, scaled_to_one, two_sum,
@@ -54,7 +54,7 @@ struct Position {
     vector: Vec3,
 }
 
-/// A lattice point of the positive octant, and a measure of its angle from what was sought.
+/// A lattice point of the positive octant, and a measure of its angle from the direction sought.
 #[derive(Clone, Copy)]
 struct Candidate {
     x: i32,
@@ -76,7 +76,7 @@ const fn largest(bits: u32) -> i32 {
     (1 << (bits - 1)) - 1
 }
 
-/// Where a direction with the L1 norm `norm` lies in the positive octant, after mirroring.
+/// The place of a direction with the L1 norm `norm` in the positive octant, after mirroring.
 #[inline(always)]
 fn position(v: Vec3, norm: f32, bits: u32) -> Position {
     let vector = scaled_to_one(v, norm).abs();
@@ -116,7 +116,8 @@ fn nearest_on_axes(p: Position) -> (i32, i32) {
     (p.x.whole + if p.x.fraction < 0.5 { 0 } else { 1 }, p.y.whole + if p.y.fraction < 0.5 { 0 } else { 1 })
 }
 
-/// The lattice point nearest to `p` in angle: of the four corners of its cell, which the nearest of all is among.
+/// The lattice point nearest to `p` in angle: the nearest of the four corners of its cell. The nearest of all is among
+/// these.
 ///
 /// [`oct`](crate::oct) has the measure, `|d x p|^2 / ((p + d) . p)^2` with `d` from `p` to the corner, and why the far
 /// corner of a cell at the octant's edge z = 0 is left out. Here the denominator is left out too: from corner to corner
@@ -150,7 +151,7 @@ fn candidate<const BITS: u32>(x: i32, y: i32, a: f32, b: f32, p: Position) -> Ca
     Candidate { x, y, cost: if is_own { -1.0 } else { cost } }
 }
 
-/// The unit vector of the lattice point (x, y, z) of the positive octant, as exact as [`normalize_parts`] has it.
+/// The unit vector of the lattice point (x, y, z) of the positive octant, as exact as by [`normalize_parts`].
 #[inline(always)]
 fn decode_octant<const BITS: u32>(x: i32, y: i32, z: i32) -> Vec3 {
     let low_bits = BITS / 2 - 13;
@@ -183,7 +184,7 @@ fn decode<const BITS: u32>([low, high]: [u32; 2]) -> Vec3 {
     let z = m - across - up;
     let (across, up, height) = if z < 0 { (m - up, m - across, -z) } else { (across, up, z) };
     let v = decode_octant::<BITS>(across, up, height);
-    // Not where a component is 0, which would become -0.
+    // Components of 0 are not negated: they would become -0.
     Vec3::new(negate_if(x < 0 && across > 0, v.x), negate_if(y < 0 && up > 0, v.y), negate_if(z < 0, v.z))
 }
 
@@ -218,11 +219,11 @@ impl<const BITS: u32> Codec for OctWide<BITS> {
 ///
 /// At 52 bits the steps of the lattice are about those of floats. A decoded vector, rounded to `f32`, can lie nearer to
 /// another code than to its own, and that code can decode to another vector: so it is for 0.3 % of all codes. The
-/// encoder therefore looks at what the corners of a vector's cell decode to. Where that is the vector itself, whatever
-/// power of two it is scaled by, it takes that code, though another one may be nearer: then the code is up to 5.1e-8
-/// radians off, but the decoded vector is not off at all, and stays as it is however often it is encoded. A decoded
-/// vector's own code is always such a corner, since its rounding moves a position by less than a step: by at most 0.83
-/// along each axis.
+/// encoder therefore decodes the corners of a vector's cell. Where one gives the vector itself, whatever power of two
+/// it is scaled by, it takes that code, though another one may be nearer: then the code is up to 5.1e-8 radians off,
+/// but the decoded vector is not off at all, and stays as it is however often it is encoded. A decoded vector's own
+/// code is always such a corner, since its rounding moves a position by less than a step: by at most 0.83 along each
+/// axis.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctWidePrecise<const BITS: u32>;
 

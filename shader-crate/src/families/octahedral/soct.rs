@@ -58,8 +58,8 @@ fn from_parts(code: u32, sign_bit: u32, bits: u32) -> Vec3 {
     from_lattice(snorm_integers(code, bits), sign_bit, snorm_max(bits))
 }
 
-/// The projection of the direction of `v`, unquantised: u and v on \[-1, 1\], for an SNORM format, and 1 for z < 0, else 0.
-/// (0, 0, 0), which is +Z, where `v` has no direction.
+/// The unquantised projection of the direction of `v`: u and v on \[-1, 1\], for an SNORM format, and 1 for z < 0,
+/// else 0. (0, 0, 0), which is +Z, where `v` has no direction.
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec3 {
     let norm = l1_norm(v);
@@ -75,7 +75,7 @@ pub fn unproject(e: Vec3) -> Vec3 {
     from_lattice(snorm_clamp(Vec2::new(e.x, e.y)), sign_bit, 1.0)
 }
 
-/// [`project`], with u and v biased on \[0, 1\]: for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
+/// [`project`] with u and v on \[0, 1\], for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
 /// hemisphere in alpha.
 #[inline(always)]
 pub fn project_unorm(v: Vec3) -> Vec3 {
@@ -83,7 +83,7 @@ pub fn project_unorm(v: Vec3) -> Vec3 {
     biased(Vec2::new(e.x, e.y)).extend(e.z)
 }
 
-/// [`unproject`] of a point whose u and v are on \[0, 1\], as a UNORM format gives it.
+/// [`unproject`] for a point whose u and v are on \[0, 1\], as a UNORM format gives it.
 #[inline(always)]
 pub fn unproject_unorm(e: Vec3) -> Vec3 {
     unproject(unbiased(Vec2::new(e.x, e.y)).extend(e.z))

@@ -132,7 +132,7 @@ impl<const BITS: u32> Codec for Cube<BITS> {
 /// The whole number nearest to `(2^(bits-1) - 1/2) x / side`, at most `2^(bits-1) - 1`, for `x` of 0 to `side`.
 #[inline(always)]
 fn round_wide(x: f32, side: f32, bits: u32) -> i32 {
-    // Twice that is a whole number over 2^bits - 1.
+    // Twice the factor of `x / side` is `2^bits - 1`.
     let (doubled, _) = coordinate(x, side, 0.0, 1.0 / side, bits + 1);
     let rounded = (doubled.whole + 1) >> 1;
     let m = mask(bits - 1) as i32;

@@ -30,7 +30,7 @@
 //! <!-- end -->
 //!
 //! The table ([`fill_table`], 805 KiB): a direction's column and row are `mid / max` and `min / max` of its magnitudes
-//! in order of size, times 640. By symmetry that covers the sphere, and a row is at most its column. A cell is a word,
+//! in order of size, times 640. By symmetry this covers the sphere, and a row is at most its column. A cell is a word,
 //! the bytes of which are four of the lengths 64 to 127; to a shader, a texel of VK_FORMAT_R8G8B8A8_UINT. The low byte
 //! has the length that fits nine directions of the cell, three by three, best in the mean. Each byte above it has the
 //! one that helps most where the ones before may be taken too. The word of a cell is number
@@ -114,7 +114,7 @@ impl EncodeByTable for CrytekBfn24 {
 
 /// The largest angle, in degrees, that rounding at this length leaves: half the diagonal of a square of whole points in
 /// the plane where the largest component is `length`. The angle is at most the distance over `length`. `rounding` is
-/// what `f32` adds to the distance.
+/// the distance that `f32` adds.
 const fn error_bound(length: f32, rounding: f32) -> f32 {
     ((core::f32::consts::FRAC_1_SQRT_2 + rounding) / length).to_degrees()
 }
@@ -130,8 +130,9 @@ impl Codec for SnormBest8 {
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
     const STABLE_ACROSS_DEVICES: bool = false;
-    /// That of a length of 120. 127, which leaves 0.319 at most, need not be among a cell's lengths: found by trial of
-    /// the cells, in directions 1/8 of a cell apart, that none leaves more. The rest is for those in between.
+    /// The bound for a length of 120. 127, which leaves 0.319 at most, need not be among a cell's lengths: found by
+    /// trial of the cells, in directions 1/8 of a cell apart, that none leaves more. The rest is for directions in
+    /// between.
     const MAX_ERROR_DEG: f32 = error_bound(120.0, 1.0 / 16_384.0);
     type Code = u32;
 
@@ -160,7 +161,7 @@ impl Codec for SnormNearest8 {
     const BITS: u32 = 24;
     const IS_UNIT: bool = false;
     const STABLE_ACROSS_DEVICES: bool = false;
-    /// 127 is a length that fits no worse than that, and is among those tried. Positions are off by 2^-17 at most.
+    /// The bound for a length of 127, which is among those tried. Positions are off by 2^-17 at most.
     const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
     type Code = u32;
 
@@ -209,9 +210,8 @@ impl Codec for CrytekBfn24 {
 
 /// snorm16x3P, 48 bits: the best of the lengths 32704 to 32767 and of the unit vector. A VK_FORMAT_R16G16B16_SNORM.
 ///
-/// Never further off than plain snorm16x3, but by what `f32` rounds: where it does not turn the rounding of the unit
-/// vector, by less than 0.00003 degrees.
-/// Decodes to a vector that is not normalised.
+/// Never further off than plain snorm16x3, but by the rounding of `f32`: where it does not turn the rounding of the
+/// unit vector, by less than 0.00003 degrees. Decodes to a vector that is not normalised.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SnormBest16;
 
@@ -219,8 +219,8 @@ impl Codec for SnormBest16 {
     const BITS: u32 = 48;
     const IS_UNIT: bool = false;
     const STABLE_ACROSS_DEVICES: bool = false;
-    /// 32767 is a length that fits no worse than that. Positions are off by 2^-9 at most along each axis, both in the
-    /// choice and in what is chosen.
+    /// The bound for a length of 32767, which is among those tried. Positions are off by 2^-9 at most along each axis,
+    /// both in the choice and in the vector chosen.
     const MAX_ERROR_DEG: f32 = error_bound(snorm_max(16), 1.0 / 128.0);
     type Code = [u32; 2];
 

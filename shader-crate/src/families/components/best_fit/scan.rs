@@ -10,7 +10,7 @@ pub(super) const SCANNED: f32 = 64.0;
 const MIDDLE_OF_OCTANT: f32 = 0.75;
 
 /// Components that are a smaller part of the largest one count as 0: 2^-24. No length of these formats tells them from
-/// 0, and no denormal component of a vector with a direction is a larger part.
+/// 0, and a denormal component of a vector with a direction is always less.
 pub(super) const LEAST_PART: f32 = exp2(-24);
 
 /// The magnitudes of a vector's components by size, as parts of the largest one, which is 1.
@@ -95,7 +95,7 @@ impl Fit {
 /// The scale that fits best of all, up to 127.25.
 ///
 /// The rounding at a length is the nearest in its plane, which need not be the nearest in angle, least so near the
-/// middle of an octant, to which the planes lie aslant. Scales between whole numbers find what is left.
+/// middle of an octant, to which the planes lie aslant. Scales between whole numbers find the nearer vectors.
 #[inline(always)]
 pub(super) fn best_scale(u: Parts) -> f32 {
     let mut best = Fit::of_length(u, 127.0).or_scanned(u, 127.0);

@@ -28,7 +28,7 @@ fn total([a, b, c]: Nine) -> f32 {
     a.x + a.y + a.z + b.x + b.y + b.z + c.x + c.y + c.z
 }
 
-/// The length that leaves least of what the ones before leave, and what it leaves.
+/// The length that leaves least of the errors of those before it, and the errors that it leaves.
 #[inline(always)]
 fn next(cell: (u32, u32), left: Nine) -> (f32, Nine) {
     let (mut best, mut least) = (127.0, total(smaller(sines(cell, 127.0), left)));

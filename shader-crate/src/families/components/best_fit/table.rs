@@ -30,8 +30,8 @@ fn nearest_byte(x: f32) -> u32 {
     (x + ONE_AND_A_HALF_2_23).to_bits() & 255
 }
 
-/// The parts of `v`, which has a direction, and the reciprocal of its largest magnitude: what [`on_cube`] has, to within
-/// 2^-23, by one division.
+/// The parts of `v`, which has a direction, as `on_cube` gives them, to within 2^-23, and the reciprocal of its
+/// largest magnitude: by one division.
 #[inline(always)]
 pub(super) fn parts_and_reciprocal(v: Vec3) -> (Parts, f32) {
     let a = v.abs();
@@ -121,7 +121,7 @@ pub(super) fn sample(column: u32, row: u32, i: usize) -> Parts {
     Parts { mid: sample_part(column, i / SAMPLES_A_SIDE), min: sample_part(row, i % SAMPLES_A_SIDE) }
 }
 
-/// The lengths of a cell, each the one that leaves least of the mean error of the ones before; the longest of equals.
+/// The lengths of a cell, each the one that leaves least of the mean error of those before it; the longest of equals.
 #[cfg_attr(target_arch = "spirv", allow(dead_code))]
 #[inline]
 pub(super) fn cell_lengths(column: u32, row: u32) -> Lengths {
@@ -137,7 +137,7 @@ pub(super) fn cell_lengths(column: u32, row: u32) -> Lengths {
         }
         i += 1;
     }
-    // What the lengths so far leave: no length, more than any.
+    // The errors that the lengths so far leave: with no length, more than any.
     let mut left = [1.0; SAMPLES];
     let mut lengths = [0.0; LENGTHS];
     for length in &mut lengths {
@@ -194,7 +194,7 @@ pub fn table_word(index: u32) -> u32 {
 }
 
 /// Computes the table that the encoders by table read: [`TABLE_WORDS`] words, in less than a second. A shorter slice
-/// gets the first of them; what a longer one has beyond is left alone.
+/// gets the first of them; a longer one keeps its other words.
 #[cfg(not(target_arch = "spirv"))]
 pub fn fill_table(table: &mut [u32]) {
     for (index, word) in (0..TABLE_WORDS as u32).zip(table) {

@@ -18,7 +18,7 @@ pub struct Disk {
 
 /// A projection of the hemisphere to the unit disk, on the octant of positive components.
 pub trait Projection: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
-    /// Which one: 0, 1, 2.
+    /// Number of the projection: 0, 1, 2.
     const INDEX: u32;
 
     /// The disk point of the direction of `v`, whose components are not negative and have the sum 1.
@@ -111,7 +111,7 @@ impl Projection for Eqdist {
         let rho = horizontal_length(v);
         let flat = rho > v.z;
         let (shorter, longer) = if flat { (v.z, rho) } else { (rho, v.z) };
-        // The smaller of the radius and 1 - radius, both of which have a small relative error so.
+        // The smaller of the radius and 1 - radius, both of which thus have a small relative error.
         let part = 0.5 * atan_octant_ratio(shorter, longer);
         let rest = 1.0 - part;
         let (radius, inside) = if flat { (rest, part) } else { (part, rest) };

@@ -119,14 +119,14 @@ pub struct Lattice {
 }
 
 impl Lattice {
-    /// That of `bits` bits. To be a constant: see [`SnormDivision::new`].
+    /// The lattice of `bits` bits. For constants only: see [`SnormDivision::new`].
     pub const fn new(bits: u32) -> Self {
         let v_step = exp2(2 - bits as i32 / 2);
         let largest = Vec2::new(snorm_max(bits / 2), (1 << (bits / 2 - 2)) as f32);
         Self { largest, by_u: SnormDivision::new(bits / 2), v_step }
     }
 
-    /// `e / largest`, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
+    /// `e / largest`, without a division, so that all devices agree on which points are inside the disk. Correctly
     /// rounded for whole `e`.
     #[inline(always)]
     fn parts(self, e: Vec2) -> Vec2 {
@@ -134,7 +134,7 @@ impl Lattice {
     }
 }
 
-/// Where the direction of `v`, of this L1 norm, lies on the square, without signs.
+/// The place of the direction of `v`, of this L1 norm, on the square, without signs.
 #[inline(always)]
 fn to_square<P: Projection, S: SquareMap>(v: Vec3, norm: f32) -> Vec2 {
     S::to_square(P::to_disk(v.abs() * (1.0 / norm)))
@@ -143,7 +143,7 @@ fn to_square<P: Projection, S: SquareMap>(v: Vec3, norm: f32) -> Vec2 {
 /// The projection `P` of the direction of `v`, laid on the square by `S`, unquantised: u and v on \[-1, 1\], and 1 for z < 0,
 /// else 0. (0, 0, 0), which is +Z, where `v` has no direction.
 ///
-/// An SNORM format that u and v are written to holds another code than this family's, whose v has steps of a power of two.
+/// An SNORM format that stores u and v holds another code than this family's, whose v has steps of a power of two.
 #[inline(always)]
 pub fn project<P: Projection, S: SquareMap>(v: Vec3) -> Vec3 {
     let (v, norm) = or_z(v);
@@ -161,7 +161,7 @@ pub fn unproject<P: Projection, S: SquareMap>(e: Vec3) -> Vec3 {
     Vec3::new(signed(s.x < 0.0, n.x), signed(s.y < 0.0, n.y), signed(is_set(e.z), n.z))
 }
 
-/// [`project`], with u and v biased on \[0, 1\]: for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
+/// [`project`] with u and v on \[0, 1\], for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
 /// hemisphere in alpha.
 #[inline(always)]
 pub fn project_unorm<P: Projection, S: SquareMap>(v: Vec3) -> Vec3 {
@@ -169,14 +169,14 @@ pub fn project_unorm<P: Projection, S: SquareMap>(v: Vec3) -> Vec3 {
     biased(Vec2::new(e.x, e.y)).extend(e.z)
 }
 
-/// [`unproject`] of a point whose u and v are on \[0, 1\], as a UNORM format gives it.
+/// [`unproject`] for a point whose u and v are on \[0, 1\], as a UNORM format gives it.
 #[inline(always)]
 pub fn unproject_unorm<P: Projection, S: SquareMap>(e: Vec3) -> Vec3 {
     unproject::<P, S>(unbiased(Vec2::new(e.x, e.y)).extend(e.z))
 }
 
-/// `stretch` steps of v in degrees, and what the rounding of the position in f32 adds: at most 2^-21 per axis, of
-/// which four times the length of `k/2` and 1/2 are more than enough.
+/// `stretch` steps of v in degrees, and the error of rounding the position in f32: at most 2^-21 per axis, of which
+/// four times the length of `k/2` and 1/2 are more than enough.
 const fn error_bound(stretch: f32, bits: u32) -> f32 {
     (stretch * (1.0 / Lattice::new(bits).largest.y + 4.0 / 2_097_152.0)).to_degrees()
 }

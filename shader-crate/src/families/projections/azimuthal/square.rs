@@ -13,7 +13,7 @@ use glam::Vec2;
 
 /// A way to lay the disk on the square, on the quadrant of positive coordinates.
 pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
-    /// Which one: 0, 1, 2.
+    /// Number of the map: 0, 1, 2.
     const INDEX: u32;
 
     /// The K of [`Codec::MAX_ERROR_DEG`] with each projection, by [`Projection::INDEX`]: the greatest length of
@@ -24,7 +24,7 @@ pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static 
     /// The point on the square of a disk point.
     fn to_square(disk: Disk) -> Vec2;
 
-    /// The lattice point to write where `e` is the one that rounding gave.
+    /// The lattice point to write where rounding gave `e`.
     fn settle(e: Vec2, lattice: Lattice) -> Vec2;
 
     /// The disk point of a lattice point.
@@ -39,11 +39,11 @@ pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static 
 
 /// No map: the disk lies in the square, whose corners, a part of `1 - pi/4`, are spare.
 ///
-/// Rounding takes points near the rim to lattice points beyond it. Such a point stands for a point of the rim: it
-/// is moved to the rim along the coordinate in which a step counts for more, or, where that takes more than half
-/// a step, along the other one for the rest. So it stays in its cell, and rounding takes it back to the same
-/// lattice point. As the rim's slope is taken as constant, the point comes to lie outside by up to 2^-7 of a
-/// step, of which the projections make a direction on the equator.
+/// Rounding takes points near the rim to lattice points beyond it. Such a point stands for a point of the rim: it is
+/// moved to the rim along the coordinate in which a step counts for more, or, where that takes more than half a step,
+/// along the other one for the rest. So it stays in its cell, and rounding takes it back to the same lattice point. As
+/// the rim's slope is taken as constant, the point comes to lie outside by up to 2^-7 of a step, and the projections
+/// make it a direction on the equator.
 ///
 /// A lattice point is remote where the disk covers nothing of its cell, or only the last 64th of a step at the
 /// corner that points to the middle. Remote ones are never written, so that whatever is written comes back: where
@@ -52,7 +52,7 @@ pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Plain;
 
-/// How far, in steps, points beyond the rim are moved at most: a 64th less than half a step, which is twice what the
+/// The most that points beyond the rim are moved, in steps: a 64th less than half a step, which is twice what the
 /// rounding of a position in `f32` comes to at 32 bits.
 pub const REACH: f32 = 0.484375;
 
@@ -99,7 +99,7 @@ impl SquareMap for Plain {
     }
 }
 
-/// True for lattice points of whose cell the disk covers nothing, or next to nothing.
+/// True for lattice points with cells of which the disk covers nothing, or next to nothing.
 #[inline(always)]
 fn is_remote(e: Vec2, lattice: Lattice) -> bool {
     let corner = lattice.parts(e - REACH);
@@ -109,7 +109,7 @@ fn is_remote(e: Vec2, lattice: Lattice) -> bool {
 /// The point on the rim for a point `p` beyond it, where `excess` is `(|p|^2 - 1) / 2`.
 #[inline(always)]
 fn move_to_rim(p: Vec2, m: Vec2, excess: f32) -> Vec2 {
-    // What one step on each axis takes off the excess.
+    // The decrease of the excess by one step on each axis.
     let slope = p / m;
     let along_u = slope.x > slope.y;
     let (steep, gentle) = if along_u { (slope.x, slope.y) } else { (slope.y, slope.x) };

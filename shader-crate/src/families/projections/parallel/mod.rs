@@ -34,8 +34,8 @@
 //!   farther out decode as a lattice point inside, toward the middle: near the border for those near it, halfway to the
 //!   middle for the square's corners. So every code survives decoding and encoding; normalised instead, points near the
 //!   border would wander from code to code.
-//! * What is inside and where points outside go is told without dividing and without a square root, so that all devices
-//!   agree: what one decodes, any other encodes to a code of the same vector.
+//! * Points outside are found and moved without a division or a square root, so that all devices agree: a vector
+//!   decoded on one encodes on any other to a code of the same vector.
 //! * A vector that is of unit length to within 2^-21 is taken as it is: normalising would move its components by as
 //!   much as its own rounding did, which at 48 bits is a step.
 //! * Domain of XYOnly: z >= 0. A direction below the equator gets the code of its horizontal part, -Z that of +Z.
@@ -67,7 +67,8 @@ use crate::direction::or_z;
 use glam::{Vec2, Vec3};
 use plane::Plane;
 
-/// `v`, of any length, at unit length; as it is, or times a power of two, where that is of unit length to within 2^-21.
+/// `v`, of any length, at unit length; only scaled by a power of two, or not at all, where that is of unit length to
+/// within 2^-21.
 #[inline(always)]
 fn unit(v: Vec3, l1_norm: f32) -> Vec3 {
     // The L1 norms of unit vectors, 1 to 1.74, times 1.1 have one exponent.
@@ -171,7 +172,7 @@ impl<const BITS: u32> Pp<BITS> {
 
 impl<const BITS: u32> Codec for Pp<BITS> {
     const BITS: u32 = BITS;
-    /// `arccos(1 - d)` and what `f32` rounds, in degrees.
+    /// The bound `arccos(1 - d)` and the rounding of `f32`, in degrees.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 7.7,
         24 => 1.91,
@@ -200,7 +201,7 @@ impl Pp48 {
 
 impl Codec for Pp48 {
     const BITS: u32 = 48;
-    /// `sqrt(2 d + 2^-20)` in degrees, rounded up: the latter is what `f32` rounds.
+    /// The bound `sqrt(2 d + 2^-20)` in degrees, rounded up: 2^-20 is the rounding of `f32`.
     const MAX_ERROR_DEG: f32 = 0.064;
     type Code = [u32; 2];
 
@@ -225,7 +226,7 @@ impl<const BITS: u32> Spp<BITS> {
 
 impl<const BITS: u32> Codec for Spp<BITS> {
     const BITS: u32 = BITS;
-    /// `sqrt(a^2 + a b + b^2)`, by its terms of higher order and what `f32` rounds more, in degrees.
+    /// The bound `sqrt(a^2 + a b + b^2)`, plus its terms of higher order and the rounding of `f32`, in degrees.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 1.32,
         24 => 0.077,
@@ -254,7 +255,7 @@ impl Spp48 {
 
 impl Codec for Spp48 {
     const BITS: u32 = 48;
-    /// Meyer's bound and what `f32` rounds, in degrees: see the module's documentation.
+    /// Meyer's bound and the rounding of `f32`, in degrees: see the module's documentation.
     const MAX_ERROR_DEG: f32 = 8.0e-5;
     type Code = [u32; 2];
 

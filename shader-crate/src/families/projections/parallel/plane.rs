@@ -1,22 +1,22 @@
-//! The plane that the components are stored in, and what is done with points outside its border.
+//! The plane that the components are stored in, and the points outside its border.
 
 use crate::arith::{SnormDivision, floor, max, min, snorm_max};
 use glam::Vec2;
 
-/// How far inwards, in steps, points outside decode.
+/// The inset of points outside, when they are decoded, in steps.
 pub(super) const INSET: f32 = 0.4375;
 
 /// The extent of a sextant: 2^-21 less than 1, so that rounding does not turn the largest component into another.
 const SEXTANT_LIMIT: f32 = 0.999_999_5;
 
-/// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of `1 / sqrt(extent)` at 1, which nowhere is
-/// above it. A square root would differ from device to device.
+/// The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of `1 / sqrt(extent)` at 1,
+/// which nowhere is above it. A square root would differ from device to device.
 #[inline(always)]
 pub(super) fn onto_border(extent: f32) -> f32 {
     1.499_999_5 - 0.5 * extent
 }
 
-/// The plane that the components are stored in. To be a constant: see [`SnormDivision::new`].
+/// The plane that the components are stored in. For constants only: see [`SnormDivision::new`].
 #[derive(Clone, Copy)]
 pub(super) struct Plane {
     /// The widths of the two components.
@@ -28,19 +28,19 @@ pub(super) struct Plane {
     steps: Vec2,
     by_x: SnormDivision,
     by_y: SnormDivision,
-    /// Of a sextant, the size of a step.
+    /// The size of a sextant's step.
     step: Vec2,
     /// Points are inside up to this [`extent`](Self::extent).
     limit: f32,
-    /// How far inwards, in steps, points outside decode.
+    /// The inset of points outside, when they are decoded, in steps.
     inset: f32,
     /// Whether the border is that of a sextant and not of the disk.
     sextant: bool,
 }
 
 impl Plane {
-    /// Of the disk. With 23 bits and more a component has no room for an inset, and needs none: points outside are so
-    /// by less than the length's rounding.
+    /// The plane of the disk. With 23 bits and more a component has no room for an inset, and needs none: points
+    /// outside are so by less than the length's rounding.
     pub(super) const fn disk(x_bits: u32, y_bits: u32) -> Self {
         let m = Vec2::new(snorm_max(x_bits), snorm_max(y_bits));
         let fine = x_bits > 22;
@@ -59,7 +59,7 @@ impl Plane {
         }
     }
 
-    /// Of a sextant.
+    /// The plane of a sextant.
     pub(super) const fn sextant(u_bits: u32, v_bits: u32) -> Self {
         use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
         let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
@@ -77,13 +77,13 @@ impl Plane {
         }
     }
 
-    /// `e` in units of the plane, without a division, so that all devices agree on what is inside.
+    /// `e` in units of the plane, without a division, so that all devices agree on which points are inside.
     #[inline(always)]
     fn parts(self, e: Vec2) -> Vec2 {
         if self.sextant { e * self.step } else { Vec2::new(self.by_x.of(e.x), self.by_y.of(e.y)) }
     }
 
-    /// 1 on the border, for a point of the positive quadrant.
+    /// The extent of a point of the positive quadrant: 1 on the border.
     #[inline(always)]
     fn extent(self, p: Vec2) -> f32 {
         let larger = max(p.x, p.y);
@@ -96,7 +96,7 @@ impl Plane {
         self.extent(self.parts(e)) > self.limit
     }
 
-    /// `e` with the component along which the border is sooner reached lessened by `by` steps.
+    /// `e` with `by` steps less in the component along which the border is reached sooner.
     #[inline(always)]
     fn inwards(self, e: Vec2, by: f32) -> Vec2 {
         let p = self.parts(e);

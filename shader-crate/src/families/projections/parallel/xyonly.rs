@@ -7,7 +7,7 @@ use crate::codec::Codec;
 use crate::direction::upper_or_z;
 use glam::{Vec2, Vec3};
 
-/// `v` with what is below the equator moved up to it, and at unit length.
+/// `v` at unit length, moved up to the equator if below it.
 #[inline(always)]
 fn upper_unit(v: Vec3) -> Vec3 {
     let (v, norm) = upper_or_z(v);
@@ -24,7 +24,7 @@ impl<const BITS: u32> XyOnly<BITS> {
 
 impl<const BITS: u32> Codec for XyOnly<BITS> {
     const BITS: u32 = BITS;
-    /// For directions with z >= 0. `arccos(1 - 1/(sqrt(2) m))` and what `f32` rounds, in degrees.
+    /// The bound for directions with z >= 0: `arccos(1 - 1/(sqrt(2) m))` and the rounding of `f32`, in degrees.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 6.1,
         24 => 1.52,
@@ -80,7 +80,8 @@ fn half_below(x: f32) -> f32 {
 
 impl Codec for XyOnly32F {
     const BITS: u32 = 32;
-    /// For directions with z >= 0. `arccos(1 - sqrt(2) 2^-12)`, from the halves' steps of 2^-11 below 1, is 1.506.
+    /// The bound for directions with z >= 0. `arccos(1 - sqrt(2) 2^-12)`, from the halves' steps of 2^-11 below 1, is
+    /// 1.506.
     const MAX_ERROR_DEG: f32 = 1.53;
     type Code = u32;
 
