@@ -17,7 +17,7 @@ use unitvec_host::{
     glsl::{Compiler, ENTRY_POINT},
     modules::Modules,
     sampling,
-    vulkan::{Buffers, Runner, SENTINEL},
+    vulkan::{BufferPromise, Runner, SENTINEL},
 };
 use unitvec_tests::repository;
 #[cfg(feature = "glsl")]
@@ -370,7 +370,7 @@ fn kernels_of_whole_groups_write_the_same() {
             let from_rust = modules.load(&name).unwrap();
             let from_glsl = compiler.kernel(format, operation).unwrap();
             for (spirv, entry_point) in [(&from_rust[..], name.as_str()), (&from_glsl[..], ENTRY_POINT)] {
-                let [exact, whole] = [Buffers::ExactSize, Buffers::WholeGroups]
+                let [exact, whole] = [BufferPromise::ExactSize, BufferPromise::WholeGroups]
                     .map(|buffers| runner.kernel_for(buffers, spirv, entry_point, None).unwrap());
                 let (read, written) = match operation {
                     Operation::Encode => (&elements, format.bytes),
