@@ -16,7 +16,7 @@ pub enum Error {
         module: String,
     },
     /// A codec without an offset.
-    #[error("{id} has no dithered shaders; take one of {}", super::variant::DITHERED.join(", "))]
+    #[error("{id} has no dithered shaders; take one of {}", super::shaders::dithered().collect::<Vec<_>>().join(", "))]
     NotDithered {
         /// Codec.
         id: &'static str,

@@ -25,7 +25,6 @@ pub use renderer::{Layers, MAX_SAMPLES, Renderer};
 pub use scene::OBJECTS;
 pub use seen::Seen;
 pub use storage::Storage;
-pub use variant::DITHERED;
 
 use crate::catalogue::Format;
 use clap::ValueEnum;
@@ -55,7 +54,7 @@ pub enum Normals {
     Float,
     /// Codes.
     Codec(Format),
-    /// Codes with an offset, for one of [`DITHERED`].
+    /// Codes with an offset, for one of [`shaders::dithered`].
     Dithered(Format, Key),
 }
 
