@@ -11,7 +11,7 @@ use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Mismatches, Options, Plan};
 use unitvec_run::{glsl, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
-use unitvec_vulkan::{Buffers, Device, Error, Runner, SENTINEL};
+use unitvec_vulkan::{BufferPromise, Device, Error, Runner, SENTINEL};
 
 fn embedded() -> KernelSource {
     KernelSource::Rust(Modules::open(None).unwrap())
@@ -180,7 +180,7 @@ fn kernels_write_nothing_by_a_short_table() {
         let from_rust = modules.load(name).unwrap();
         for (spirv, entry_point) in [(&from_rust[..], name), (&from_glsl[..], glsl::ENTRY_POINT)] {
             for (table, is_written) in [(&short, false), (&whole, true)] {
-                for buffers in [Buffers::ExactSize, Buffers::WholeGroups] {
+                for buffers in [BufferPromise::ExactSize, BufferPromise::WholeGroups] {
                     let kernel = runner.kernel_for(buffers, spirv, entry_point, Some(table)).unwrap();
                     let mut output = [0; 12];
                     runner.run(&kernel, 1, &[0x22; 12], &mut output).unwrap();

@@ -20,6 +20,7 @@ mod faults;
 mod fib;
 mod figures;
 mod frame;
+mod framing;
 mod fuzz;
 #[cfg(feature = "glsl")]
 mod glsl;

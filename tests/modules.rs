@@ -14,12 +14,15 @@ use unitvec_manifest::{
     BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, render_sources_sha256, schema, sha256_hex, sources_sha256,
 };
 use unitvec_render::shaders;
+#[cfg(feature = "glsl")]
 use unitvec_run::glsl::{Compiler, ENTRY_POINT};
+#[cfg(feature = "glsl")]
 use unitvec_run::sampling;
 use unitvec_tests::repository;
 #[cfg(feature = "glsl")]
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
-use unitvec_vulkan::{Buffers, Runner, SENTINEL};
+#[cfg(feature = "glsl")]
+use unitvec_vulkan::{BufferPromise, Runner, SENTINEL};
 use unitvec_vulkan::{GROUP, WORKGROUP};
 
 fn folder() -> PathBuf {
@@ -369,7 +372,7 @@ fn kernels_of_whole_groups_write_the_same() {
             let from_rust = modules.load(&name).unwrap();
             let from_glsl = compiler.kernel(format, operation).unwrap();
             for (spirv, entry_point) in [(&from_rust[..], name.as_str()), (&from_glsl[..], ENTRY_POINT)] {
-                let [exact, whole] = [Buffers::ExactSize, Buffers::WholeGroups]
+                let [exact, whole] = [BufferPromise::ExactSize, BufferPromise::WholeGroups]
                     .map(|buffers| runner.kernel_for(buffers, spirv, entry_point, None).unwrap());
                 let (read, written) = match operation {
                     Operation::Encode => (&elements, format.bytes),

@@ -29,7 +29,7 @@ pub enum Error {
         module: String,
     },
     /// A codec without an offset.
-    #[error("{id} has no dithered shaders; take one of {}", crate::DITHERED.join(", "))]
+    #[error("{id} has no dithered shaders; take one of {}", crate::shaders::dithered().collect::<Vec<_>>().join(", "))]
     NotDithered {
         /// Codec.
         id: &'static str,

@@ -32,7 +32,6 @@ pub use renderer::{Layers, MAX_SAMPLES, Renderer};
 pub use scene::OBJECTS;
 pub use seen::Seen;
 pub use storage::Storage;
-pub use variant::DITHERED;
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
@@ -62,7 +61,7 @@ pub enum Normals {
     Float,
     /// Codes.
     Codec(Format),
-    /// Codes with an offset, for one of [`DITHERED`].
+    /// Codes with an offset, for one of [`shaders::dithered`].
     Dithered(Format, Key),
 }
 

@@ -28,28 +28,20 @@ enum Kind {
     Precise(u32),
 }
 
-/// A row of [`PROJECTIONS`] of two numbers.
-macro_rules! pair {
-    ($name:literal, $family:literal, $kind:expr, $project:expr, $unproject:expr) => {
-        Projection {
-            name: $name,
-            family: $family,
-            kind: $kind,
-            storage: Storage::Pair,
-            project: |v| $project(v).extend(0.0),
-            unproject: |e| $unproject(e.truncate()),
-        }
+/// A row of [`PROJECTIONS`]: of two numbers, or of two and of 0 or 1.
+macro_rules! row {
+    (pair $family:literal $suffix:literal, $kind:expr, $project:expr, $unproject:expr) => {
+        row!($family $suffix, $kind, Storage::Pair, |v| $project(v).extend(0.0), |e| $unproject(e.truncate()))
     };
-}
-
-/// One of two numbers, and of 0 or 1.
-macro_rules! pair_and_bit {
-    ($name:literal, $family:literal, $kind:expr, $project:expr, $unproject:expr) => {
+    (pair_and_bit $family:literal $suffix:literal, $kind:expr, $project:expr, $unproject:expr) => {
+        row!($family $suffix, $kind, Storage::PairAndBit, $project, $unproject)
+    };
+    ($family:literal $suffix:literal, $kind:expr, $storage:expr, $project:expr, $unproject:expr) => {
         Projection {
-            name: $name,
+            name: concat!($family, $suffix),
             family: $family,
             kind: $kind,
-            storage: Storage::PairAndBit,
+            storage: $storage,
             project: $project,
             unproject: $unproject,
         }
@@ -58,39 +50,29 @@ macro_rules! pair_and_bit {
 
 /// All that the shaders have. Of the azimuthal families one stands for all, which differ in what [`unitvec`] computes alone.
 pub const PROJECTIONS: &[Projection] = &[
-    pair!("oct_snorm", "oct", Kind::Snorm, oct::project, oct::unproject),
-    pair!("oct_unorm", "oct", Kind::Unorm, oct::project_unorm, oct::unproject_unorm),
-    pair!("oct16p_snorm", "oct", Kind::Precise(16), oct::project_precise::<16>, oct::unproject),
-    pair!("oct32p_snorm", "oct", Kind::Precise(32), oct::project_precise::<32>, oct::unproject),
-    pair!("hemioct_snorm", "hemioct", Kind::Snorm, hemioct::project, hemioct::unproject),
-    pair!("hemioct_unorm", "hemioct", Kind::Unorm, hemioct::project_unorm, hemioct::unproject_unorm),
-    pair!("eaoct_snorm", "eaoct", Kind::Snorm, eaoct::project, eaoct::unproject),
-    pair!("eaoct_unorm", "eaoct", Kind::Unorm, eaoct::project_unorm, eaoct::unproject_unorm),
-    pair!("eaoct16p_snorm", "eaoct", Kind::Precise(16), eaoct::project_precise::<16>, eaoct::unproject),
-    pair!("eaoct32p_snorm", "eaoct", Kind::Precise(32), eaoct::project_precise::<32>, eaoct::unproject),
-    pair!("spherical_snorm", "spherical", Kind::Snorm, spherical::project, spherical::unproject),
-    pair!("spherical_unorm", "spherical", Kind::Unorm, spherical::project_unorm, spherical::unproject_unorm),
-    pair!("cylindrical_snorm", "cylindrical", Kind::Snorm, cylindrical::project, cylindrical::unproject),
-    pair!(
-        "cylindrical_unorm",
-        "cylindrical",
-        Kind::Unorm,
-        cylindrical::project_unorm,
-        cylindrical::unproject_unorm
-    ),
-    pair_and_bit!("soct_snorm", "soct", Kind::Snorm, soct::project, soct::unproject),
-    pair_and_bit!("soct_unorm", "soct", Kind::Unorm, soct::project_unorm, soct::unproject_unorm),
-    pair_and_bit!(
-        "eqarea_ellipse_snorm",
-        "eqarea_ellipse",
-        Kind::Snorm,
+    row!(pair "oct" "_snorm", Kind::Snorm, oct::project, oct::unproject),
+    row!(pair "oct" "_unorm", Kind::Unorm, oct::project_unorm, oct::unproject_unorm),
+    row!(pair "oct" "16p_snorm", Kind::Precise(16), oct::project_precise::<16>, oct::unproject),
+    row!(pair "oct" "32p_snorm", Kind::Precise(32), oct::project_precise::<32>, oct::unproject),
+    row!(pair "hemioct" "_snorm", Kind::Snorm, hemioct::project, hemioct::unproject),
+    row!(pair "hemioct" "_unorm", Kind::Unorm, hemioct::project_unorm, hemioct::unproject_unorm),
+    row!(pair "eaoct" "_snorm", Kind::Snorm, eaoct::project, eaoct::unproject),
+    row!(pair "eaoct" "_unorm", Kind::Unorm, eaoct::project_unorm, eaoct::unproject_unorm),
+    row!(pair "eaoct" "16p_snorm", Kind::Precise(16), eaoct::project_precise::<16>, eaoct::unproject),
+    row!(pair "eaoct" "32p_snorm", Kind::Precise(32), eaoct::project_precise::<32>, eaoct::unproject),
+    row!(pair "spherical" "_snorm", Kind::Snorm, spherical::project, spherical::unproject),
+    row!(pair "spherical" "_unorm", Kind::Unorm, spherical::project_unorm, spherical::unproject_unorm),
+    row!(pair "cylindrical" "_snorm", Kind::Snorm, cylindrical::project, cylindrical::unproject),
+    row!(pair "cylindrical" "_unorm", Kind::Unorm, cylindrical::project_unorm, cylindrical::unproject_unorm),
+    row!(pair_and_bit "soct" "_snorm", Kind::Snorm, soct::project, soct::unproject),
+    row!(pair_and_bit "soct" "_unorm", Kind::Unorm, soct::project_unorm, soct::unproject_unorm),
+    row!(
+        pair_and_bit "eqarea_ellipse" "_snorm", Kind::Snorm,
         azimuthal::project::<Eqarea, Ellipse>,
         azimuthal::unproject::<Eqarea, Ellipse>
     ),
-    pair_and_bit!(
-        "eqarea_ellipse_unorm",
-        "eqarea_ellipse",
-        Kind::Unorm,
+    row!(
+        pair_and_bit "eqarea_ellipse" "_unorm", Kind::Unorm,
         azimuthal::project_unorm::<Eqarea, Ellipse>,
         azimuthal::unproject_unorm::<Eqarea, Ellipse>
     ),

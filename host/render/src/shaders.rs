@@ -24,6 +24,11 @@ pub fn modules() -> impl Iterator<Item = &'static str> {
     SPIRV.files().filter_map(|file| file.path().to_str()).filter(|name| name.ends_with(".spv"))
 }
 
+/// The codecs whose dithered functions have modules.
+pub fn dithered() -> impl Iterator<Item = &'static str> {
+    modules().filter_map(|name| name.strip_suffix("_dithered.spv"))
+}
+
 /// The hash of the sources that the modules were compiled from.
 pub fn sources_sha256() -> Option<&'static str> {
     SPIRV.get_file(unitvec_manifest::RENDER_SOURCES)?.contents_utf8().map(str::trim_end)
@@ -144,7 +149,7 @@ mod tests {
     #[test]
     fn glsl_has_the_interfaces_of_the_modules() {
         use crate::storage::Storage;
-        use crate::variant::{DITHERED, Variant};
+        use crate::variant::Variant;
         use crate::{PROJECTIONS, Projection};
         const IDS: [&str; 14] = [
             "oct20",
@@ -164,7 +169,7 @@ mod tests {
         ];
         let format = |id: &str| find_format(id).unwrap();
         let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(&format(id))));
-        let dithered = DITHERED.into_iter().map(|id| Variant::dithered(format(id)).unwrap());
+        let dithered = dithered().map(|id| Variant::dithered(format(id)).unwrap());
         let projected = PROJECTIONS.iter().map(|projection: &Projection| Variant::projected(projection));
         let compiler = unitvec_run::glsl::Compiler::new().unwrap();
         for variant in codecs.chain(dithered).chain(projected).chain([Variant::FLOAT]) {

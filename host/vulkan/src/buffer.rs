@@ -1,24 +1,15 @@
+use super::memory::{Memory, Place};
 use super::{Device, Error, Named};
 use ash::vk;
 use std::sync::Arc;
 
-/// A buffer of storage, vertices or indices with memory of its own, mapped where the host can see it.
+/// A buffer of storage, vertices or indices.
 pub(super) struct Buffer {
     pub(super) raw: vk::Buffer,
-    memory: vk::DeviceMemory,
-    mapped: Option<*mut u8>,
-    /// In bytes, whole words.
+    /// Bytes, whole words.
     pub(super) size: usize,
+    memory: Option<Memory>,
     device: Arc<Device>,
-}
-
-/// Where a buffer's memory is.
-#[derive(Clone, Copy)]
-pub(super) enum Place {
-    /// On the device; visible to the host as well where the device's memory is.
-    Device,
-    /// Visible to the host, for staging.
-    Host,
 }
 
 impl Buffer {
@@ -32,90 +23,56 @@ impl Buffer {
         let create = vk::BufferCreateInfo::default().size(size as u64).usage(usage);
         // SAFETY: `create` is valid: a nonzero size and no queue sharing.
         let raw = unsafe { device.raw.create_buffer(&create, None) }.named("vkCreateBuffer")?;
-        let mut buffer =
-            Self { raw, memory: vk::DeviceMemory::null(), mapped: None, size, device: device.clone() };
-        buffer.allocate(place)?;
+        let mut buffer = Self { raw, size, memory: None, device: device.clone() };
+        // SAFETY: a query of a buffer of the device.
+        let requirements = unsafe { device.raw.get_buffer_memory_requirements(raw) };
+        let (memory, offset) = buffer.memory.insert(Memory::new(device, requirements, place)?).binding();
+        // SAFETY: the memory meets the buffer's requirements, and the buffer is bound once, before any use.
+        unsafe { device.raw.bind_buffer_memory(raw, memory, offset) }.named("vkBindBufferMemory")?;
         Ok(buffer)
     }
 
-    /// On failure the buffer is dropped by the caller, and what was made so far with it.
-    fn allocate(&mut self, place: Place) -> Result<(), Error> {
-        let device = &self.device;
-        // SAFETY: a query of a buffer of the device.
-        let requirements = unsafe { device.raw.get_buffer_memory_requirements(self.raw) };
-        let (index, host_visible) = memory_type(&device.memory, requirements.memory_type_bits, place)
-            .ok_or_else(|| Error::MissingFeature {
-                device: device.info().name.clone(),
-                feature: "a suitable memory type",
-            })?;
-        let allocate =
-            vk::MemoryAllocateInfo::default().allocation_size(requirements.size).memory_type_index(index);
-        // SAFETY: the size and memory type are those that the device named for this buffer; it is bound once, before
-        // any use, and the map covers the whole allocation.
-        unsafe {
-            self.memory = device.raw.allocate_memory(&allocate, None).named("vkAllocateMemory")?;
-            device.raw.bind_buffer_memory(self.raw, self.memory, 0).named("vkBindBufferMemory")?;
-            if host_visible {
-                let map = device.raw.map_memory(self.memory, 0, vk::WHOLE_SIZE, vk::MemoryMapFlags::empty());
-                self.mapped = Some(map.named("vkMapMemory")?.cast());
-            }
-        }
-        Ok(())
+    /// True where the device and the host both use it at full speed; a buffer of [`Place::Device`] needs staging elsewhere.
+    pub(super) fn is_unified(&self) -> bool {
+        self.memory.as_ref().is_some_and(Memory::is_unified)
     }
 
-    /// True where [`write`](Self::write) and [`read`](Self::read) work.
-    pub(super) fn is_mapped(&self) -> bool {
-        self.mapped.is_some()
-    }
-
-    /// Copies as much of `bytes` as fits to the start of a mapped buffer.
+    /// Copies as much of `bytes` as fits to the start of the buffer, if the host sees it.
     pub(super) fn write(&mut self, bytes: &[u8]) {
-        if let Some(mapped) = self.mapped {
+        if let Some(mapped) = self.memory.as_mut().and_then(Memory::bytes) {
             let count = bytes.len().min(self.size);
-            // SAFETY: the map covers `size` bytes, is coherent, and no submission is running; `bytes` is not part of
-            // it, since it is a Rust slice.
-            unsafe { std::ptr::copy_nonoverlapping(bytes.as_ptr(), mapped, count) };
+            mapped[..count].copy_from_slice(&bytes[..count]);
         }
     }
 
-    /// Copies the start of a mapped buffer to `bytes`, as much as there is.
-    pub(super) fn read(&self, bytes: &mut [u8]) {
-        if let Some(mapped) = self.mapped {
+    /// Copies the start of the buffer to `bytes`, as much as there is, if the host sees it.
+    pub(super) fn read(&mut self, bytes: &mut [u8]) {
+        if let Some(mapped) = self.memory.as_mut().and_then(Memory::bytes) {
             let count = bytes.len().min(self.size);
-            // SAFETY: as in `write`, the other way.
-            unsafe { std::ptr::copy_nonoverlapping(mapped, bytes.as_mut_ptr(), count) };
+            bytes[..count].copy_from_slice(&mapped[..count]);
         }
+    }
+
+    /// Records a copy of the first `bytes` bytes.
+    ///
+    /// # Safety
+    /// `commands` is being recorded; both buffers have at least `bytes` bytes.
+    pub(super) unsafe fn copy_to(
+        &self,
+        device: &ash::Device,
+        commands: vk::CommandBuffer,
+        to: &Self,
+        bytes: usize,
+    ) {
+        let region = [vk::BufferCopy::default().size(bytes as u64)];
+        // SAFETY: as the caller promises.
+        unsafe { device.cmd_copy_buffer(commands, self.raw, to.raw, &region) };
     }
 }
 
 impl Drop for Buffer {
     fn drop(&mut self) {
-        // SAFETY: both are this buffer's own and no submission is running; null memory is ignored. Freeing unmaps.
-        unsafe {
-            self.device.raw.destroy_buffer(self.raw, None);
-            self.device.raw.free_memory(self.memory, None);
-        }
+        // SAFETY: it is this one's own and no submission is running; its memory is freed after it.
+        unsafe { self.device.raw.destroy_buffer(self.raw, None) };
     }
-}
-
-/// Index of the best memory type among `allowed`, and whether the host sees it (coherently).
-fn memory_type(
-    memory: &vk::PhysicalDeviceMemoryProperties,
-    allowed: u32,
-    place: Place,
-) -> Option<(u32, bool)> {
-    let host = vk::MemoryPropertyFlags::HOST_VISIBLE | vk::MemoryPropertyFlags::HOST_COHERENT;
-    let unified = vk::MemoryPropertyFlags::DEVICE_LOCAL | host | vk::MemoryPropertyFlags::HOST_CACHED;
-    // Uncached device-local memory is slow to read from the host, so it only counts as device memory.
-    let preferences = match place {
-        Place::Device => [unified, vk::MemoryPropertyFlags::DEVICE_LOCAL, vk::MemoryPropertyFlags::empty()],
-        Place::Host => [host | vk::MemoryPropertyFlags::HOST_CACHED, host, host],
-    };
-    preferences.into_iter().find_map(|wanted| {
-        let types = memory.memory_types_as_slice().iter().zip(0..);
-        types
-            .filter(|(_, index)| allowed & (1 << index) != 0)
-            .find(|(kind, _)| kind.property_flags.contains(wanted))
-            .map(|(_, index)| (index, wanted.contains(host)))
-    })
 }

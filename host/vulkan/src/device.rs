@@ -1,10 +1,13 @@
 use super::kernel::{GROUP, MAX_ELEMENT, WORKGROUP};
+use super::memory::{allocator, unified_types};
 use super::{Error, Instance, Named};
 use ash::{khr, vk};
+use gpu_allocator::vulkan::Allocator;
 use serde::{Deserialize, Serialize};
+use std::ops::Deref;
 use std::sync::{Arc, Mutex};
 
-/// What a device is.
+/// Description of a device.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DeviceInfo {
     /// Position in Vulkan's list.
@@ -13,7 +16,7 @@ pub struct DeviceInfo {
     pub name: String,
     /// Kind.
     pub kind: DeviceKind,
-    /// Driver, its own name and version text.
+    /// Driver: its own name and version text.
     pub driver: String,
     /// Vulkan version that it implements.
     pub api_version: String,
@@ -35,12 +38,12 @@ pub enum DeviceKind {
     Software,
 }
 
-/// Which device to use.
+/// Choice of a device.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum DeviceChoice {
     /// The first of the best kind there is: real GPUs before software.
     Best,
-    /// By position in the list, or by a part of the name (any case).
+    /// The device at this position in the list, or with this in its name (any case).
     Named(String),
 }
 
@@ -81,16 +84,19 @@ fn by_index_or_name<'a>(wanted: &str, devices: &'a [DeviceInfo]) -> Option<&'a D
 
 /// A logical device with one queue for compute or graphics, and for transfer.
 pub struct Device {
-    pub(super) raw: ash::Device,
+    // Dropped before the device, whose memory it frees.
+    pub(super) allocator: Mutex<Allocator>,
+    pub(super) raw: RawDevice,
     pub(super) physical: vk::PhysicalDevice,
     pub(super) limits: vk::PhysicalDeviceLimits,
-    /// What the queue does.
+    /// The kind of work that the queue does.
     pub(super) work: vk::QueueFlags,
-    /// Locked around each use, as Vulkan asks.
+    /// The queue, locked around each use, as Vulkan asks.
     pub(super) queue: Mutex<vk::Queue>,
     pub(super) queue_family: u32,
-    pub(super) memory: vk::PhysicalDeviceMemoryProperties,
-    /// What a timestamp means; `None` if the queue has none.
+    /// A bit for each type of memory that is unified.
+    pub(super) unified_memory_types: u32,
+    /// The meaning of a timestamp; `None` if the queue has none.
     pub(super) timestamps: Option<Timestamps>,
     /// The most vectors of one dispatch, whole groups: by workgroups, and by buffer size.
     pub(super) max_vectors: usize,
@@ -98,7 +104,25 @@ pub struct Device {
     pub(super) instance: Arc<Instance>,
 }
 
-/// What a device is opened for.
+/// The functions of a device, which is destroyed when this is dropped.
+pub(super) struct RawDevice(ash::Device);
+
+impl Deref for RawDevice {
+    type Target = ash::Device;
+
+    fn deref(&self) -> &ash::Device {
+        &self.0
+    }
+}
+
+impl Drop for RawDevice {
+    fn drop(&mut self) {
+        // SAFETY: buffers, kernels and runners keep an Arc to the `Device` that this is in, so none is left.
+        unsafe { self.0.destroy_device(None) };
+    }
+}
+
+/// Purposes that a device is opened for.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Purpose {
     Kernels,
@@ -107,7 +131,7 @@ enum Purpose {
     Graphics,
 }
 
-/// How to read a queue's timestamps.
+/// The meaning of a queue's timestamps.
 pub(super) struct Timestamps {
     valid: u64,
     /// Nanoseconds a tick.
@@ -129,7 +153,7 @@ impl Device {
     /// Opens a device, with no feature turned on: neither the modules nor the GLSL kernels need one.
     ///
     /// # Errors
-    /// As [`DeviceChoice::choose`], [`Error::MissingFeature`], or a failed call.
+    /// The errors of [`DeviceChoice::choose`], [`Error::MissingFeature`], or a failed call.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
         Self::open_with(instance, choice, Purpose::Kernels)
     }
@@ -137,7 +161,7 @@ impl Device {
     /// Opens a device whose queue does graphics, with no feature turned on.
     ///
     /// # Errors
-    /// As [`open`](Self::open).
+    /// The errors of [`open`](Self::open).
     pub fn open_for_graphics(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Arc<Self>, Error> {
         Self::open_with(instance, choice, Purpose::Graphics)
     }
@@ -186,7 +210,8 @@ impl Device {
             create = create.enabled_extension_names(&extensions).push_next(&mut features);
         }
         // SAFETY: the physical device is the instance's; the queue family, the extension and its feature are ones it has.
-        let raw = unsafe { instance.raw.create_device(physical, &create, None) }.named("vkCreateDevice")?;
+        let raw = unsafe { instance.raw.create_device(physical, &create, None) };
+        let raw = RawDevice(raw.named("vkCreateDevice")?);
         // SAFETY: the device was created with one queue of this family.
         let queue = unsafe { raw.get_device_queue(queue_family, 0) };
         // SAFETY: queries of a physical device of the instance.
@@ -203,13 +228,14 @@ impl Device {
             .min(limits.max_storage_buffer_range as usize / (GROUP * MAX_ELEMENT) * GROUP);
         let queue = Mutex::new(queue);
         Ok(Arc::new(Self {
+            allocator: allocator(&instance.raw, physical, &raw)?,
             raw,
             physical,
             limits,
             work,
             queue,
             queue_family,
-            memory,
+            unified_memory_types: unified_types(&memory),
             timestamps,
             max_vectors,
             info,
@@ -226,7 +252,7 @@ impl Device {
         Ok(devices.into_iter().enumerate().map(|(index, device)| describe(instance, index, device)).collect())
     }
 
-    /// What this device is.
+    /// Description of this device.
     pub fn info(&self) -> &DeviceInfo {
         &self.info
     }
@@ -234,13 +260,6 @@ impl Device {
     /// The instance it belongs to.
     pub fn instance(&self) -> &Arc<Instance> {
         &self.instance
-    }
-}
-
-impl Drop for Device {
-    fn drop(&mut self) {
-        // SAFETY: buffers, kernels and runners keep an Arc to the device, so none is left.
-        unsafe { self.raw.destroy_device(None) };
     }
 }
 
@@ -307,7 +326,7 @@ fn kind(device_type: vk::PhysicalDeviceType) -> DeviceKind {
 }
 
 impl Purpose {
-    /// What the queue has to do.
+    /// The kind of work that the queue has to do.
     fn work(self) -> vk::QueueFlags {
         match self {
             Self::Kernels | Self::Statistics => vk::QueueFlags::COMPUTE,

@@ -1,6 +1,6 @@
 use ash::vk;
 
-/// What can go wrong between the program and a Vulkan device.
+/// Failures between the program and a Vulkan device.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The Vulkan loader is missing.
@@ -23,7 +23,7 @@ pub enum Error {
     /// No device has this name or index.
     #[error("no Vulkan device is called `{wanted}`; there are: {}", list(.available))]
     UnknownDevice {
-        /// What was asked for.
+        /// Name or index that was asked for.
         wanted: String,
         /// Names of the devices there are.
         available: Vec<String>,
@@ -61,7 +61,7 @@ pub enum Error {
     NotSpirv {
         /// Entry point sought.
         entry_point: String,
-        /// What is wrong with it.
+        /// Fault of the module.
         reason: String,
     },
     /// More vectors than a dispatch takes.
@@ -79,7 +79,7 @@ pub enum Error {
         device: String,
         /// The format's name in Vulkan.
         format: String,
-        /// What for: `as a colour attachment`.
+        /// Use of the format: `as a colour attachment`.
         usage: &'static str,
     },
     /// A picture beyond the device's limits.
@@ -96,10 +96,10 @@ pub enum Error {
         /// The most of either.
         limit: u32,
     },
-    /// What is drawn together does not fit together: a fault of the caller.
+    /// Parts of a drawing do not fit together: a fault of the caller.
     #[error("this cannot be drawn: {reason}")]
     BadDraw {
-        /// What does not fit.
+        /// Reason why they do not fit.
         reason: &'static str,
     },
     /// A kernel or a table was made by another runner.
@@ -108,9 +108,9 @@ pub enum Error {
     /// A Vulkan call failed.
     #[error("Vulkan call {call} failed: {result}")]
     Call {
-        /// The call.
+        /// Name of the call.
         call: &'static str,
-        /// What it returned.
+        /// Result that it returned.
         result: vk::Result,
     },
 }

@@ -1,4 +1,4 @@
-//! Which formats a device takes, and what for.
+//! Formats of texels and vertices, and the uses that a device has for them.
 
 use super::{Device, Error};
 use ash::vk;
@@ -6,7 +6,7 @@ use ash::vk;
 /// A format of Vulkan.
 pub use ash::vk::Format as ImageFormat;
 
-/// What a format is for.
+/// Uses of a format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FormatUse {
     /// A colour attachment that is read as a texture afterwards.
@@ -20,7 +20,7 @@ pub enum FormatUse {
 }
 
 impl FormatUse {
-    /// Its words in messages.
+    /// The words for this use in messages.
     pub const fn words(self) -> &'static str {
         match self {
             Self::Attachment => "as a colour attachment",
@@ -30,7 +30,7 @@ impl FormatUse {
         }
     }
 
-    /// True where a format with these properties does.
+    /// True where a format with these properties can be used so.
     fn is_offered(self, properties: vk::FormatProperties) -> bool {
         use vk::FormatFeatureFlags as Features;
         let images = properties.optimal_tiling_features;

@@ -57,7 +57,7 @@ impl Instance {
         Ok(instance)
     }
 
-    /// What the validation layer has said so far, warnings included; empty without validation.
+    /// Messages of the validation layer so far, warnings included; none without validation.
     pub fn validation_messages(&self) -> Vec<String> {
         self.validation.as_ref().map_or_else(Vec::new, |validation| {
             validation.messages.lock().unwrap_or_else(PoisonError::into_inner).clone()

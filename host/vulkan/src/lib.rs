@@ -1,5 +1,4 @@
-//! The Vulkan layer: instance, device choice, buffers and compute kernels, images and graphics pipelines,
-//! each released when dropped.
+//! The Vulkan layer: instances, devices, memory, compute kernels and graphics pipelines, each released when dropped.
 //!
 //! All of the program's `unsafe` is here, around ash calls. The rules that make those calls sound hold throughout:
 //! handles are created and destroyed only by the type that owns them; whatever uses a device keeps it alive through
@@ -12,15 +11,21 @@ mod format;
 mod graphics;
 mod instance;
 mod kernel;
+mod layout;
+mod memory;
+mod module;
+mod runner;
 mod spirv;
 mod statistics;
+mod submission;
 
 pub use device::{Device, DeviceChoice, DeviceInfo, DeviceKind};
 pub use error::Error;
 pub use format::{FormatUse, ImageFormat, bytes_per_texel};
 pub use graphics::{Draw, Graphics, Image, Mesh, Pipeline, PipelineOptions, Shader, Target};
 pub use instance::Instance;
-pub use kernel::{Buffers, GROUP, Kernel, Runner, SENTINEL, Table, WORKGROUP};
+pub use kernel::{BufferPromise, GROUP, Kernel, WORKGROUP};
+pub use runner::{Runner, SENTINEL, Table};
 pub use spirv::check_spirv;
 pub use statistics::{Inspector, Statistics};
 

@@ -1,10 +1,10 @@
-//! What is checked of SPIR-V before a driver sees it.
+//! Checks of SPIR-V before a driver sees it.
 
 use super::Error;
 use std::ffi::CString;
 
 const HEADER_WORDS: usize = 5;
-/// What the specification lets all implementations take; drivers allocate this much and more.
+/// The largest bound that all implementations have to take; drivers allocate this much and more.
 const MAX_BOUND: u32 = 0x003f_ffff;
 const OP_ENTRY_POINT: u16 = 15;
 const OP_FUNCTION: u16 = 54;
@@ -35,7 +35,7 @@ pub(super) fn checked(spirv: &[u8], entry_point: &str) -> Result<(Vec<u32>, CStr
     Ok((words, name))
 }
 
-/// Why these words cannot be a whole module with this entry point; `None` if nothing speaks against it.
+/// The reason why these words cannot be a whole module with this entry point; `None` if nothing speaks against it.
 ///
 /// This is no validation of the instructions. It finds a module cut short at any word, and an entry point that is not
 /// there: drivers need not notice either, and one may crash.
@@ -82,60 +82,4 @@ fn objection(words: &[u32], entry_point: &str) -> Option<&'static str> {
 fn is_literal(words: &[u32], text: &str) -> bool {
     let mut bytes = words.iter().flat_map(|word| word.to_le_bytes());
     text.bytes().chain([0]).all(|byte| bytes.next() == Some(byte))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::objection;
-
-    fn words(kernel: &str) -> Vec<u32> {
-        let (codec, _) = kernel.rsplit_once('_').unwrap();
-        let bytes = unitvec_shaders::spirv(&format!("kernels/{codec}.spv")).unwrap();
-        ash::util::read_spv(&mut std::io::Cursor::new(bytes)).unwrap()
-    }
-
-    /// Whole modules pass; cut at any word they do not.
-    #[test]
-    fn a_cut_at_any_word_is_found() {
-        for kernel in ["oct16_encode", "oct16_decode", "snorm8x3p_encode"] {
-            let words = words(kernel);
-            assert_eq!(objection(&words, kernel), None);
-            for length in 0..words.len() {
-                assert!(objection(&words[..length], kernel).is_some(), "{kernel} cut at {length}");
-            }
-        }
-    }
-
-    /// Versions of SPIR-V 1, a bound that drivers take, and nothing in the reserved word.
-    #[test]
-    fn headers_are_checked() {
-        let whole = words("oct16_decode");
-        for (at, bad) in
-            [(1, 0), (1, 0x0002_0000), (1, 0x0001_0301), (3, 0), (3, u32::MAX), (3, 1 << 22), (4, 1)]
-        {
-            let mut words = whole.clone();
-            words[at] = bad;
-            assert_eq!(
-                objection(&words, "oct16_decode"),
-                Some("its header is none of SPIR-V 1"),
-                "{at}: {bad}"
-            );
-        }
-    }
-
-    /// An instruction of no words would be read for ever.
-    #[test]
-    fn an_instruction_of_no_words_is_found() {
-        let mut words = words("oct16_decode");
-        words[5] &= 0xffff;
-        assert_eq!(objection(&words, "oct16_decode"), Some("it is cut short"));
-    }
-
-    #[test]
-    fn another_entry_point_is_found() {
-        let words = words("oct16_decode");
-        for name in ["oct32_decode", "oct16_decod", "oct16_decode2", ""] {
-            assert_eq!(objection(&words, name), Some("it has no such entry point"), "{name:?}");
-        }
-    }
 }

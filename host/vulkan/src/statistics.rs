@@ -1,12 +1,12 @@
-//! What a device's compiler makes of kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
+//! Statistics of what a device's compiler makes of kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
 
-use super::kernel::{Layout, compile};
-use super::{Buffers, Device, DeviceChoice, Error, Instance, Named};
+use super::layout::Layout;
+use super::{BufferPromise, Device, DeviceChoice, Error, Instance, Named};
 use ash::{khr, vk};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What a compiler tells of a kernel, by the names that the driver gives: `Instructions`.
+/// Numbers that a compiler tells of a kernel, by the names that the driver gives: `Instructions`.
 pub type Statistics = HashMap<String, u64>;
 
 /// Compiles kernels and tells what became of them.
@@ -16,22 +16,22 @@ pub struct Inspector {
 }
 
 impl Inspector {
-    /// Opens a device for this.
+    /// Opens a device for inspection.
     ///
     /// # Errors
-    /// As [`Device::open`]; [`Error::NoStatistics`] for a device that does not tell.
+    /// The errors of [`Device::open`]; [`Error::NoStatistics`] for a device that does not tell.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Self, Error> {
         let device = Device::open_for_statistics(instance, choice)?;
         let functions = khr::pipeline_executable_properties::Device::new(&instance.raw, &device.raw);
-        Ok(Self { functions, layout: Layout::new(&device)? })
+        Ok(Self { functions, layout: Layout::of_kernels(&device)? })
     }
 
-    /// The device.
+    /// The device whose compiler this asks.
     pub fn device(&self) -> &Arc<Device> {
         &self.layout.device
     }
 
-    /// Compiles a kernel, for [`Buffers::WholeGroups`].
+    /// Compiles a kernel, for [`BufferPromise::WholeGroups`].
     ///
     /// The module is trusted as in [`Runner::kernel`](super::Runner::kernel).
     ///
@@ -39,7 +39,7 @@ impl Inspector {
     /// [`Error::NotSpirv`] or a failed call.
     pub fn statistics(&self, module: &[u8], entry_point: &str) -> Result<Statistics, Error> {
         let flags = vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR;
-        let pipeline = compile(&self.layout, Buffers::WholeGroups, module, entry_point, flags)?;
+        let pipeline = self.layout.compile(BufferPromise::WholeGroups, module, entry_point, flags)?;
         let info = vk::PipelineExecutableInfoKHR::default().pipeline(pipeline);
         // SAFETY: the pipeline was made to capture statistics and has one executable at least; nothing else knows it.
         let statistics = unsafe {

@@ -1,15 +1,16 @@
-use super::super::{Error, Named};
+use super::super::Error;
+use super::super::layout::{BINDINGS, Descriptors};
 use super::image::BETWEEN_PASSES;
-use super::{Commands, Graphics, Image, Mesh, PUSH_CONSTANTS, Pipeline, STAGES, TEXTURES, Target};
+use super::{Graphics, Image, Mesh, PUSH_CONSTANTS, Pipeline, STAGES, Target};
 use ash::vk;
 use std::sync::{Arc, PoisonError};
 
 /// Something to draw.
 #[derive(Clone, Copy)]
 pub struct Draw<'a> {
-    /// How.
+    /// Pipeline to draw with.
     pub pipeline: &'a Pipeline,
-    /// What; without one, three vertices without attributes.
+    /// Mesh to draw; without one, three vertices without attributes.
     pub mesh: Option<&'a Mesh>,
     /// Push constants.
     pub constants: &'a [u8],
@@ -30,11 +31,15 @@ impl Graphics {
     ) -> Result<(), Error> {
         self.check_textures(target, textures)?;
         draws.iter().try_for_each(|draw| check(target, draw))?;
-        let commands = self.commands.lock().unwrap_or_else(PoisonError::into_inner);
-        let set = if textures.is_empty() { None } else { Some(self.textures(&commands, textures)?) };
+        let mut commands = self.commands.lock().unwrap_or_else(PoisonError::into_inner);
+        let set = if textures.is_empty() {
+            None
+        } else {
+            Some(self.textures(&mut commands.descriptors, textures)?)
+        };
         // SAFETY: all that is drawn was checked to fit and is borrowed until the submission has ended.
         unsafe {
-            self.submit(&commands, |device, commands| self.record(device, commands, set, target, draws))
+            commands.submission.run(|device, commands| self.record(device, commands, set, target, draws))
         }
     }
 
@@ -45,7 +50,7 @@ impl Graphics {
         {
             return bad("the target or a texture was made elsewhere");
         }
-        if textures.iter().any(|(binding, _)| *binding >= TEXTURES) {
+        if textures.iter().any(|(binding, _)| *binding >= BINDINGS) {
             return bad("a texture's number is too large");
         }
         let is_drawn_to = |texture: &Image| target.colours.iter().any(|colour| std::ptr::eq(colour, texture));
@@ -55,21 +60,14 @@ impl Graphics {
         Ok(())
     }
 
-    /// A set of these textures. It is a new one for each submission: in an old one, textures that are gone would be left at
-    /// the numbers that this one does not have, and drivers may look at them.
-    fn textures(&self, commands: &Commands, textures: &[(u32, &Image)]) -> Result<vk::DescriptorSet, Error> {
-        let device = &self.device.raw;
-        let layouts = [self.set_layout];
-        let allocate = vk::DescriptorSetAllocateInfo::default()
-            .descriptor_pool(commands.descriptors)
-            .set_layouts(&layouts);
-        // SAFETY: no set of the pool is in use, since each submission is waited for under the lock that the caller holds; the
-        // pool has room for one.
-        let set = unsafe {
-            let reset = vk::DescriptorPoolResetFlags::empty();
-            device.reset_descriptor_pool(commands.descriptors, reset).named("vkResetDescriptorPool")?;
-            device.allocate_descriptor_sets(&allocate).named("vkAllocateDescriptorSets")?[0]
-        };
+    /// A new set of these textures.
+    fn textures(
+        &self,
+        descriptors: &mut Descriptors,
+        textures: &[(u32, &Image)],
+    ) -> Result<vk::DescriptorSet, Error> {
+        // SAFETY: the set is not in use, since each submission is waited for under the lock that the caller holds.
+        let set = unsafe { descriptors.renew()? };
         for (binding, texture) in textures {
             let image =
                 [vk::DescriptorImageInfo::default().image_view(texture.view).image_layout(BETWEEN_PASSES)];
@@ -79,7 +77,7 @@ impl Graphics {
                 .descriptor_type(vk::DescriptorType::SAMPLED_IMAGE)
                 .image_info(&image);
             // SAFETY: the set is new, has this binding, and the texture outlives its use.
-            unsafe { device.update_descriptor_sets(&[write], &[]) };
+            unsafe { self.device.raw.update_descriptor_sets(&[write], &[]) };
         }
         Ok(set)
     }
@@ -119,12 +117,12 @@ impl Graphics {
             device.cmd_set_viewport(commands, 0, &[viewport]);
             device.cmd_set_scissor(commands, 0, &[area]);
             if let Some(set) = set {
-                device.cmd_bind_descriptor_sets(commands, graphics, self.layout, 0, &[set], &[]);
+                device.cmd_bind_descriptor_sets(commands, graphics, self.layout.pipeline, 0, &[set], &[]);
             }
             for draw in draws {
                 device.cmd_bind_pipeline(commands, graphics, draw.pipeline.raw);
                 if !draw.constants.is_empty() {
-                    device.cmd_push_constants(commands, self.layout, STAGES, 0, draw.constants);
+                    device.cmd_push_constants(commands, self.layout.pipeline, STAGES, 0, draw.constants);
                 }
                 draw_mesh(device, commands, draw.mesh);
             }
@@ -133,7 +131,7 @@ impl Graphics {
     }
 }
 
-/// Fails where a draw does not fit to itself or to the target.
+/// Fails where the parts of a draw do not fit each other or the target.
 fn check(target: &Target, draw: &Draw<'_>) -> Result<(), Error> {
     let bad = |reason| Err(Error::BadDraw { reason });
     if !target.pass.is_compatible(&draw.pipeline.pass) {

@@ -1,10 +1,9 @@
-use super::super::buffer::{Buffer, Place};
+use super::super::buffer::Buffer;
+use super::super::memory::{Memory, Place};
 use super::super::{Error, FormatUse, ImageFormat, Named, bytes_per_texel};
-use super::{Commands, Graphics, allocation_failed};
+use super::Graphics;
 use ash::vk;
-use gpu_allocator::MemoryLocation;
-use gpu_allocator::vulkan::{Allocation, AllocationCreateDesc, AllocationScheme};
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 /// The layout of textures, and of colour attachments that are not drawn to.
 pub(super) const BETWEEN_PASSES: vk::ImageLayout = vk::ImageLayout::SHADER_READ_ONLY_OPTIMAL;
@@ -14,7 +13,7 @@ pub(super) const BETWEEN_PASSES: vk::ImageLayout = vk::ImageLayout::SHADER_READ_
 pub struct Image {
     raw: vk::Image,
     pub(super) view: vk::ImageView,
-    allocation: Option<Allocation>,
+    memory: Option<Memory>,
     format: ImageFormat,
     width: u32,
     height: u32,
@@ -41,10 +40,9 @@ impl Image {
         let mut staging = Buffer::new(&graphics.device, texels.len(), Place::Host)?;
         staging.write(texels);
         let region = image.region();
-        let commands = graphics.commands.lock().unwrap_or_else(PoisonError::into_inner);
         // SAFETY: the buffer holds all texels of the region, which is the whole image; both outlive the submission.
         unsafe {
-            graphics.submit(&commands, |device, commands| {
+            graphics.submit(|device, commands| {
                 let copied = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
                 image.transition(device, commands, vk::ImageLayout::UNDEFINED, copied);
                 device.cmd_copy_buffer_to_image(commands, staging.raw, image.raw, copied, &[region]);
@@ -89,30 +87,15 @@ impl Image {
         // SAFETY: the size is within the limits and the format has these uses; destroyed in `drop`.
         let raw = unsafe { device.raw.create_image(&create, None) }.named("vkCreateImage")?;
         let view = vk::ImageView::null();
-        let mut image =
-            Self { raw, view, allocation: None, format, width, height, graphics: graphics.clone() };
-        image.allocate()?;
+        let mut image = Self { raw, view, memory: None, format, width, height, graphics: graphics.clone() };
+        // SAFETY: a query of an image of the device.
+        let requirements = unsafe { device.raw.get_image_memory_requirements(raw) };
+        let memory = Memory::new(device, requirements, Place::Image)?;
+        let (memory, offset) = image.memory.insert(memory).binding();
+        // SAFETY: the memory meets the image's requirements, and the image is bound once.
+        unsafe { device.raw.bind_image_memory(raw, memory, offset) }.named("vkBindImageMemory")?;
         image.create_view(usage)?;
         Ok(image)
-    }
-
-    fn allocate(&mut self) -> Result<(), Error> {
-        let device = &self.graphics.device;
-        // SAFETY: a query of an image of the device.
-        let requirements = unsafe { device.raw.get_image_memory_requirements(self.raw) };
-        let create = AllocationCreateDesc {
-            name: "image",
-            requirements,
-            location: MemoryLocation::GpuOnly,
-            linear: false,
-            allocation_scheme: AllocationScheme::GpuAllocatorManaged,
-        };
-        let mut allocator = self.graphics.allocator.lock().unwrap_or_else(PoisonError::into_inner);
-        let allocation = allocator.allocate(&create).map_err(|error| allocation_failed(device, &error))?;
-        let allocation = self.allocation.insert(allocation);
-        // SAFETY: the allocation meets the image's requirements, and the image is bound once.
-        unsafe { device.raw.bind_image_memory(self.raw, allocation.memory(), allocation.offset()) }
-            .named("vkBindImageMemory")
     }
 
     fn create_view(&mut self, usage: FormatUse) -> Result<(), Error> {
@@ -131,7 +114,7 @@ impl Image {
         Ok(())
     }
 
-    /// Its format.
+    /// The format of its texels.
     pub fn format(&self) -> ImageFormat {
         self.format
     }
@@ -140,15 +123,15 @@ impl Image {
     ///
     /// # Errors
     /// A failed call.
-    pub(super) fn read(&self, commands: &Commands) -> Result<Vec<u8>, Error> {
+    pub(super) fn read(&self) -> Result<Vec<u8>, Error> {
         let texels = self.width as usize * self.height as usize;
         let mut bytes = vec![0; texels * bytes_per_texel(self.format).unwrap_or_default()];
-        let staging = Buffer::new(&self.graphics.device, bytes.len(), Place::Host)?;
+        let mut staging = Buffer::new(&self.graphics.device, bytes.len(), Place::Host)?;
         let region = self.region();
         // SAFETY: the image is a colour attachment that was drawn to, so it is in the layout between passes; the buffer holds
         // all its texels; both outlive the submission.
         unsafe {
-            self.graphics.submit(commands, |device, commands| {
+            self.graphics.submit(|device, commands| {
                 let copied = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
                 self.transition(device, commands, BETWEEN_PASSES, copied);
                 device.cmd_copy_image_to_buffer(commands, self.raw, copied, staging.raw, &[region]);
@@ -190,7 +173,7 @@ impl Image {
             .layer_count(1)
     }
 
-    /// The whole image, as a copy takes it.
+    /// The whole image, as the region of a copy.
     fn region(&self) -> vk::BufferImageCopy {
         let layers =
             vk::ImageSubresourceLayers::default().aspect_mask(vk::ImageAspectFlags::COLOR).layer_count(1);
@@ -201,16 +184,11 @@ impl Image {
 
 impl Drop for Image {
     fn drop(&mut self) {
-        // SAFETY: both are this image's own and no submission is running; null is ignored.
+        // SAFETY: both are this image's own and no submission is running; null is ignored. Its memory is freed after it.
         unsafe {
             let device = &self.graphics.device.raw;
             device.destroy_image_view(self.view, None);
             device.destroy_image(self.raw, None);
-        }
-        if let Some(allocation) = self.allocation.take() {
-            let mut allocator = self.graphics.allocator.lock().unwrap_or_else(PoisonError::into_inner);
-            // Fails only for what another allocator made.
-            let _ = allocator.free(allocation);
         }
     }
 }

@@ -1,4 +1,5 @@
-use super::super::buffer::{Buffer, Place};
+use super::super::buffer::Buffer;
+use super::super::memory::Place;
 use super::super::{Error, FormatUse, ImageFormat, bytes_per_texel};
 use super::Graphics;
 use std::sync::Arc;
@@ -7,7 +8,7 @@ use std::sync::Arc;
 pub struct Mesh {
     pub(super) attributes: Vec<(ImageFormat, Buffer)>,
     pub(super) indices: Option<Buffer>,
-    /// Vertices to draw: those of the indices, if there are any.
+    /// Vertices to draw: as many as there are indices, if there are any.
     pub(super) count: u32,
     vertices: usize,
     pub(super) graphics: Arc<Graphics>,
@@ -17,8 +18,8 @@ impl Mesh {
     /// Vertices with these attributes. Without indices they are drawn as they follow each other.
     ///
     /// # Errors
-    /// [`Error::UnsupportedFormat`]; [`Error::BadDraw`] where attributes are not equally many or an index is beyond them; or
-    /// a failed call.
+    /// [`Error::UnsupportedFormat`]; [`Error::BadDraw`] where attributes differ in their number of vertices or an index is beyond them;
+    /// or a failed call.
     pub fn new(
         graphics: &Arc<Graphics>,
         attributes: &[(ImageFormat, &[u8])],
@@ -47,12 +48,12 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Its vertices, whether indices name them or not.
+    /// The number of vertices, whether indices name them or not.
     pub fn vertices(&self) -> usize {
         self.vertices
     }
 
-    /// In memory that the host sees: a mesh is drawn a few times, and devices read it from there.
+    /// A buffer of these bytes, in memory that the host sees: a mesh is drawn a few times, and devices read it from there.
     fn filled(&self, bytes: &[u8]) -> Result<Buffer, Error> {
         let mut buffer = Buffer::new(&self.graphics.device, bytes.len(), Place::Host)?;
         buffer.write(bytes);
@@ -64,7 +65,7 @@ impl Mesh {
     }
 }
 
-/// How many vertices there are: at least one, and of each attribute as many.
+/// The number of vertices: at least one, and the same for each attribute.
 fn vertices(attributes: &[(ImageFormat, &[u8])]) -> Result<usize, Error> {
     let mut counts = attributes.iter().map(|(format, bytes)| {
         let size = bytes_per_texel(*format).filter(|size| bytes.len() % size == 0)?;

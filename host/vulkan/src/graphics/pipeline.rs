@@ -1,11 +1,10 @@
-use super::super::{Error, FormatUse, ImageFormat, Named, bytes_per_texel, spirv};
+use super::super::module::Module;
+use super::super::{Error, FormatUse, ImageFormat, bytes_per_texel};
 use super::target::RenderPass;
 use super::{Graphics, Target};
 use ash::vk;
-use std::ffi::CStr;
-use std::sync::Arc;
 
-/// A shader: a module and its entry point. The module is trusted to be valid, as those of kernels are.
+/// A shader: a module and its entry point. The module is trusted to be valid, as modules of kernels are.
 #[derive(Clone, Copy)]
 pub struct Shader<'a> {
     /// SPIR-V.
@@ -14,7 +13,7 @@ pub struct Shader<'a> {
     pub entry_point: &'a str,
 }
 
-/// What a pipeline is made of.
+/// Parts that a pipeline is made of.
 #[derive(Clone, Copy)]
 pub struct PipelineOptions<'a> {
     /// The vertex shader, of the attributes.
@@ -47,8 +46,8 @@ impl Pipeline {
             graphics.device.expect(*format, FormatUse::Vertex)?;
         }
         let pass = RenderPass::new(graphics, &target.pass.colours, target.pass.depth.is_some())?;
-        let vertex = Module::new(graphics, &options.vertex)?;
-        let fragment = Module::new(graphics, &options.fragment)?;
+        let vertex = Module::new(&graphics.device, options.vertex.spirv, options.vertex.entry_point)?;
+        let fragment = Module::new(&graphics.device, options.fragment.spirv, options.fragment.entry_point)?;
         let stages =
             [vertex.stage(vk::ShaderStageFlags::VERTEX), fragment.stage(vk::ShaderStageFlags::FRAGMENT)];
         let raw = create(graphics, &stages, options, &pass)?;
@@ -60,36 +59,6 @@ impl Drop for Pipeline {
     fn drop(&mut self) {
         // SAFETY: it is this one's own and no submission is running.
         unsafe { self.pass.graphics.device.raw.destroy_pipeline(self.raw, None) };
-    }
-}
-
-/// A shader module, needed until the pipeline is made.
-struct Module {
-    raw: vk::ShaderModule,
-    entry_point: std::ffi::CString,
-    graphics: Arc<Graphics>,
-}
-
-impl Module {
-    fn new(graphics: &Arc<Graphics>, shader: &Shader<'_>) -> Result<Self, Error> {
-        let (words, entry_point) = spirv::checked(shader.spirv, shader.entry_point)?;
-        let create = vk::ShaderModuleCreateInfo::default().code(&words);
-        // SAFETY: the code is SPIR-V by its framing; that it is valid is checked where modules are built.
-        let raw = unsafe { graphics.device.raw.create_shader_module(&create, None) }
-            .named("vkCreateShaderModule")?;
-        Ok(Self { raw, entry_point, graphics: graphics.clone() })
-    }
-
-    fn stage(&self, stage: vk::ShaderStageFlags) -> vk::PipelineShaderStageCreateInfo<'_> {
-        let name: &CStr = &self.entry_point;
-        vk::PipelineShaderStageCreateInfo::default().stage(stage).module(self.raw).name(name)
-    }
-}
-
-impl Drop for Module {
-    fn drop(&mut self) {
-        // SAFETY: pipelines do not need the modules that they were made of.
-        unsafe { self.graphics.device.raw.destroy_shader_module(self.raw, None) };
     }
 }
 
@@ -135,7 +104,7 @@ fn create(
         .depth_stencil_state(&depth)
         .color_blend_state(&blend)
         .dynamic_state(&dynamic)
-        .layout(graphics.layout)
+        .layout(graphics.layout.pipeline)
         .render_pass(pass.raw)];
     let device = &graphics.device.raw;
     // SAFETY: modules, layout and pass are of this device; all that is pointed to outlives the call.
@@ -145,7 +114,7 @@ fn create(
     Ok(pipelines[0])
 }
 
-/// Each attribute in a binding of its own.
+/// Descriptions of the attributes, each in a binding of its own.
 fn vertex_input(
     formats: &[ImageFormat],
 ) -> (Vec<vk::VertexInputBindingDescription>, Vec<vk::VertexInputAttributeDescription>) {

@@ -2,7 +2,7 @@ use super::super::{Error, FormatUse, ImageFormat, Named};
 use super::image::BETWEEN_PASSES;
 use super::{Graphics, Image};
 use ash::vk;
-use std::sync::{Arc, PoisonError};
+use std::sync::Arc;
 
 /// Depth formats, best first. Every device takes the last one.
 const DEPTH_FORMATS: [ImageFormat; 3] =
@@ -65,8 +65,7 @@ impl Target {
     /// A failed call.
     pub fn read(&self, index: usize) -> Result<Vec<u8>, Error> {
         let Some(image) = self.colours.get(index) else { return Ok(Vec::new()) };
-        let commands = self.pass.graphics.commands.lock().unwrap_or_else(PoisonError::into_inner);
-        image.read(&commands)
+        image.read()
     }
 
     fn clear(&self) -> Result<(), Error> {
