@@ -9,13 +9,13 @@ use std::ffi::{CStr, c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::{ptr, slice};
 use unitvec::slice::LengthMismatch;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 
 /// What encodes slices that fit each other.
-type Encode = fn(&Format, &[f32], &mut [u8]) -> Result<(), LengthMismatch>;
+type Encode = fn(&AnyCodec, &[f32], &mut [u8]) -> Result<(), LengthMismatch>;
 
 /// What decodes them.
-type Decode = fn(&Format, &[u8], &mut [f32]) -> Result<(), LengthMismatch>;
+type Decode = fn(&AnyCodec, &[u8], &mut [f32]) -> Result<(), LengthMismatch>;
 
 /// The codec, of vectors or of frames, with an identifier, such as "oct32p". NULL where there is none, and for NULL. `id` must be
 /// NULL or a string that ends with a zero.
@@ -41,7 +41,7 @@ pub unsafe extern "C" fn unitvec_encode(
     codes_size: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { encode(codec, (elements, count), (codes, codes_size), Format::encode_here) }
+    unsafe { encode(codec, (elements, count), (codes, codes_size), AnyCodec::encode_here) }
 }
 
 /// Decodes codes, as unitvec_encode writes them, to `count` elements. It stays on the calling thread. There must be
@@ -55,7 +55,7 @@ pub unsafe extern "C" fn unitvec_decode(
     count: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { decode(codec, (codes, codes_size), (elements, count), Format::decode_here) }
+    unsafe { decode(codec, (codes, codes_size), (elements, count), AnyCodec::decode_here) }
 }
 
 /// unitvec_encode on all cores: the same codes. The threads are started by the first call and stay.
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn unitvec_encode_parallel(
     codes_size: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { encode(codec, (elements, count), (codes, codes_size), Format::encode_cpu) }
+    unsafe { encode(codec, (elements, count), (codes, codes_size), AnyCodec::encode_cpu) }
 }
 
 /// unitvec_decode on all cores: the same elements. The threads are started by the first call and stay.
@@ -81,7 +81,7 @@ pub unsafe extern "C" fn unitvec_decode_parallel(
     count: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { decode(codec, (codes, codes_size), (elements, count), Format::decode_cpu) }
+    unsafe { decode(codec, (codes, codes_size), (elements, count), AnyCodec::decode_cpu) }
 }
 
 /// # Safety
@@ -93,8 +93,8 @@ unsafe fn encode(
     run: Encode,
 ) -> Status {
     guarded(|| {
-        let format = format(codec)?;
-        let floats = checked(format, elements.addr(), count, codes.addr(), codes_size)?;
+        let codec = any(codec)?;
+        let floats = checked(codec, elements.addr(), count, codes.addr(), codes_size)?;
         if count == 0 {
             return Ok(());
         }
@@ -104,7 +104,7 @@ unsafe fn encode(
         // SAFETY: not NULL, and of a size that is less than isize::MAX. The caller promises so many bytes, of which nothing
         // else makes use; `checked` found that the elements are none of them.
         let codes = unsafe { slice::from_raw_parts_mut(codes.cast::<u8>(), codes_size) };
-        run(format, elements, codes).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+        run(codec, elements, codes).map_err(|_| Status::UNITVEC_ERROR_SIZE)
     })
 }
 
@@ -117,8 +117,8 @@ unsafe fn decode(
     run: Decode,
 ) -> Status {
     guarded(|| {
-        let format = format(codec)?;
-        let floats = checked(format, elements.addr(), count, codes.addr(), codes_size)?;
+        let codec = any(codec)?;
+        let floats = checked(codec, elements.addr(), count, codes.addr(), codes_size)?;
         if count == 0 {
             return Ok(());
         }
@@ -128,7 +128,7 @@ unsafe fn decode(
         // SAFETY: aligned, not NULL, and of a size that is less than isize::MAX. The caller promises so many floats, of
         // which nothing else makes use; `checked` found that the codes are none of them.
         let elements = unsafe { slice::from_raw_parts_mut(elements, floats) };
-        run(format, codes, elements).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+        run(codec, codes, elements).map_err(|_| Status::UNITVEC_ERROR_SIZE)
     })
 }
 
@@ -141,22 +141,22 @@ fn guarded(run: impl FnOnce() -> Result<(), Status>) -> Status {
     }
 }
 
-fn format(codec: *const Codec) -> Result<&'static Format, Status> {
-    Codec::at(codec).map(|codec| &codec.format).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
+fn any(codec: *const Codec) -> Result<&'static AnyCodec, Status> {
+    Codec::at(codec).map(|codec| codec.any).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
 }
 
 /// The number of floats of so many elements, where both addresses can be made slices of if there are any.
 fn checked(
-    format: &Format,
+    codec: &AnyCodec,
     elements: usize,
     count: usize,
     codes: usize,
     codes_size: usize,
 ) -> Result<usize, Status> {
-    let floats = count.checked_mul(format.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
+    let floats = count.checked_mul(codec.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
     let size = floats.checked_mul(size_of::<f32>()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
     // Codes are smaller than what they are of.
-    if size > isize::MAX as usize || count * format.bytes != codes_size {
+    if size > isize::MAX as usize || count * codec.bytes != codes_size {
         return Err(Status::UNITVEC_ERROR_SIZE);
     }
     if count == 0 {

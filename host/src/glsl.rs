@@ -7,7 +7,7 @@ mod glslang;
 #[path = "glsl/no_glslang.rs"]
 mod glslang;
 
-use crate::catalogue::{Element, Format, Operation, UnknownCodec};
+use crate::catalogue::{AnyCodec, Element, Operation, UnknownCodec};
 use crate::manifest;
 use crate::render::shaders;
 use crate::textbook::Textbook;
@@ -95,7 +95,7 @@ impl Compiler {
     ///
     /// # Errors
     /// [`Error::NoSource`] or [`Error::Rejected`].
-    pub fn kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+    pub fn kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
         self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation, &function))
     }
@@ -117,7 +117,7 @@ impl Compiler {
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn cost_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+    pub fn cost_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
         self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation, &function))
     }
@@ -134,7 +134,7 @@ impl Compiler {
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn copy_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+    pub fn copy_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"))
     }
 
@@ -196,7 +196,7 @@ impl Compiler {
 }
 
 /// The macros that the kernel files are compiled with for a function of this format.
-fn macros(format: Format, operation: Operation, function: &str) -> Vec<(String, String)> {
+fn macros(format: &AnyCodec, operation: Operation, function: &str) -> Vec<(String, String)> {
     let mut macros = vec![
         (operation.to_string().to_uppercase(), function.to_owned()),
         ("BYTES".into(), format.bytes.to_string()),

@@ -1,7 +1,7 @@
 //! What the vectors and frames of files lose to codecs: the angles between them and what they are decoded to.
 
 use crate::backend::{Backend, CHUNK, round_trip_slice};
-use crate::catalogue::{Element, Format};
+use crate::catalogue::{AnyCodec, Element};
 use crate::mesh::has_direction;
 use crate::stream::{self, Input};
 use crate::{Error, Result};
@@ -71,7 +71,7 @@ pub struct Report {
 
 /// Measures codecs over one file after the other, in bounded memory.
 pub struct Meter {
-    formats: Vec<Format>,
+    formats: Vec<&'static AnyCodec>,
     element: Element,
     rows: Vec<Row>,
     /// For each format, for each part.
@@ -83,7 +83,7 @@ impl Meter {
     ///
     /// # Errors
     /// [`Error::Usage`] if some are of vectors and some of frames, or if there are none.
-    pub fn new(formats: Vec<Format>) -> Result<Self> {
+    pub fn new(formats: Vec<&'static AnyCodec>) -> Result<Self> {
         let element = formats.first().map(|format| format.element);
         match element.filter(|element| formats.iter().all(|format| format.element == *element)) {
             Some(element) => {
@@ -123,7 +123,7 @@ impl Meter {
             let decoded = &mut decoded[..elements.len()];
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
                 let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
-                round_trip_slice(backend, *format, elements, codes, decoded)?;
+                round_trip_slice(backend, format, elements, codes, decoded)?;
                 for (part, tally) in tallies.iter_mut().enumerate() {
                     tally.add_all(&Chunk {
                         file: &file,
@@ -160,7 +160,7 @@ fn parts(element: Element) -> &'static [&'static str] {
 }
 
 fn rows(
-    formats: &[Format],
+    formats: &[&'static AnyCodec],
     parts: &[&'static str],
     tallies: &[Tally],
     file: Option<&str>,
@@ -307,7 +307,7 @@ impl Tally {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::find_format;
+    use crate::catalogue::find;
     use crate::stream::Named;
     use std::path::Path;
 
@@ -315,11 +315,11 @@ mod tests {
     struct Broken;
 
     impl Backend for Broken {
-        fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> Result<()> {
+        fn encode(&mut self, _: &AnyCodec, _: &[f32], _: &mut [u8]) -> Result<()> {
             Ok(())
         }
 
-        fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> Result<()> {
+        fn decode(&mut self, _: &AnyCodec, _: &[u8], elements: &mut [f32]) -> Result<()> {
             elements.fill(1.0);
             elements[elements.len() - 1] = f32::NAN;
             Ok(())
@@ -328,7 +328,7 @@ mod tests {
 
     #[test]
     fn a_decoder_that_gives_nan_is_an_error() {
-        let mut meter = Meter::new(vec![find_format("oct16").unwrap()]).unwrap();
+        let mut meter = Meter::new(vec![find("oct16").unwrap()]).unwrap();
         let mut bytes: &[u8] = bytemuck::cast_slice(&[1.0f32; 9]);
         let input: Input<'_> = Named::new(Path::new("in.bin"), &mut bytes);
         let error = meter.measure(&mut Broken, input, &mut |_| ()).unwrap_err();

@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::backend::{Backend, CHUNK};
-use crate::catalogue::{Format, Operation, UnknownCodec, find_format};
+use crate::catalogue::{AnyCodec, Operation, UnknownCodec, find};
 use crate::glsl::{self, Compiler};
 use crate::vulkan::{Device, Kernel, Runner};
 use rayon::prelude::*;
@@ -31,8 +31,8 @@ impl Textbook {
     ///
     /// # Errors
     /// [`UnknownCodec`] where the catalogue lacks it.
-    pub fn format(&self) -> Result<Format, UnknownCodec> {
-        find_format(self.codec)
+    pub fn format(&self) -> Result<&'static AnyCodec, UnknownCodec> {
+        find(self.codec)
     }
 }
 
@@ -113,13 +113,13 @@ impl TextbookGpu {
 }
 
 impl Backend for TextbookGpu {
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         self.runner.run(&self.encode, count, bytemuck::cast_slice(elements), codes)?;
         Ok(())
     }
 
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         self.runner.run(&self.decode, count, codes, bytemuck::cast_slice_mut(elements))?;
         Ok(())

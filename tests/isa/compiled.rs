@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use unitvec_host::catalogue::{Operation, formats};
+use unitvec_host::catalogue::{CODECS, Operation};
 use unitvec_host::isa::{GENERATIONS, Generation, Report, Row, Source, glsl_file};
 use unitvec_tests::program::{command, run, stderr, stdout};
 use unitvec_tests::repository;
@@ -83,7 +83,8 @@ fn no_kernel_is_dearer_than_committed() {
         return cannot_compare(&format!("the figures are of {before}, and the driver here is {after}"));
     }
     let found = dearer(&before, &after);
-    let of_same_file: Vec<&str> = formats()
+    let of_same_file: Vec<&str> = CODECS
+        .iter()
         .map(|format| format.id)
         .filter(|id| is_unchanged(id, &before, &after))
         .filter(|id| found.iter().any(|line| line.starts_with(&format!("{id} "))))

@@ -4,7 +4,7 @@
 use std::sync::Arc;
 use unitvec_host::Error;
 use unitvec_host::backend::BackendKind;
-use unitvec_host::catalogue::{Format, find_format};
+use unitvec_host::catalogue::{AnyCodec, find};
 use unitvec_host::render::conform::{self, HardwareRounding, Options, Row};
 use unitvec_host::render::{
     self, Key, Layers, Material, Normals, OBJECTS, Picture, Renderer, Shot, Size, Vertices, View,
@@ -20,8 +20,8 @@ fn device() -> Arc<Device> {
     Device::open_for_graphics(&instance, &DeviceChoice::Named("lavapipe".into())).unwrap()
 }
 
-fn format(id: &str) -> Format {
-    find_format(id).unwrap()
+fn format(id: &str) -> &'static AnyCodec {
+    find(id).unwrap()
 }
 
 fn renderer(device: &Arc<Device>, source: BackendKind) -> Renderer {

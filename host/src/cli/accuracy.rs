@@ -7,7 +7,7 @@ use std::process::ExitCode;
 use unitvec_host::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_host::accuracy::{self, Row, Table, beyond, chart};
 use unitvec_host::backend::BackendKind;
-use unitvec_host::catalogue::CodecInfo;
+use unitvec_host::catalogue::{AnyCodec, frames};
 use unitvec_host::{Error, Result, output};
 
 #[derive(Args)]
@@ -94,7 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         .collect();
     let methods = meyer_rows(arguments.table.has_meyer());
     let beyond: Vec<_> = beyond::codecs().filter(|_| arguments.table.has_beyond()).collect();
-    let frames: Vec<_> = beyond::frames().filter(|_| arguments.table.has_beyond()).collect();
+    let frames: Vec<_> = frames().iter().filter(|_| arguments.table.has_beyond()).collect();
     let count = published.len() + methods.len() + beyond.len() + frames.len();
     let bar = progress::bar(Some(count as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left");
     let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
@@ -159,7 +159,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 /// Meyer's methods at each width that there is a codec for.
-fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static CodecInfo)> {
+fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static AnyCodec)> {
     let methods = METHODS.iter().filter(|_| wanted);
     methods
         .flat_map(|method| WIDTHS.iter().filter_map(move |bits| Some((method, method.codec(*bits)?))))

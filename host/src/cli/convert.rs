@@ -6,7 +6,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_host::backend::{Backend, BackendKind};
-use unitvec_host::catalogue::{Element, Format, find_format};
+use unitvec_host::catalogue::{AnyCodec, Element, find};
 use unitvec_host::input::{Elements, Input, to_bytes};
 use unitvec_host::mesh::{self, FileFormat, Frames};
 use unitvec_host::output::{Output, is_same_file};
@@ -53,7 +53,7 @@ pub struct NormalsArguments {
 }
 
 pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
-    let format = find_format(&arguments.codec)?;
+    let format = find(&arguments.codec)?;
     let mut conversion = Conversion::start(arguments, format)?;
     let mut elements = Elements::open(&arguments.r#in, format.element, arguments.raw)?;
     let counts = conversion.run(&mut elements.floats, elements.count, stream::encode)?;
@@ -61,7 +61,7 @@ pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
-    let format = find_format(&arguments.codec)?;
+    let format = find(&arguments.codec)?;
     let mut conversion = Conversion::start(arguments, format)?;
     let mut input = Input::open(&arguments.r#in)?;
     if input.mesh().is_some() && !arguments.raw {
@@ -109,18 +109,19 @@ fn create_output(input: &Path, out: &Path) -> Result<Output> {
 }
 
 /// [`stream::encode`] or [`stream::decode`].
-type Convert<T> = fn(&mut dyn Backend, Format, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
+type Convert<T> =
+    fn(&mut dyn Backend, &AnyCodec, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
 /// A backend at work, and the file that it will have written.
 struct Conversion<'a> {
     arguments: &'a Arguments,
-    format: Format,
+    format: &'static AnyCodec,
     open: OpenBackend,
     output: Output,
 }
 
 impl<'a> Conversion<'a> {
-    fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
+    fn start(arguments: &'a Arguments, format: &'static AnyCodec) -> Result<Self> {
         let output = create_output(&arguments.r#in, &arguments.out)?;
         let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
         Ok(Self { arguments, format, open, output })

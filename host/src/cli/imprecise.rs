@@ -4,7 +4,7 @@ use super::{print, progress, reports_to_stdout, status_after_validation, to_csv,
 use serde::Serialize;
 use std::fmt::Display;
 use std::process::ExitCode;
-use unitvec_host::catalogue::{Format, find_format};
+use unitvec_host::catalogue::{AnyCodec, find};
 use unitvec_host::conform::Rounding;
 use unitvec_host::imprecise::{self, Bounds, Gpus, Model, Options, Row, Summary};
 use unitvec_host::vulkan::DeviceInfo;
@@ -14,7 +14,7 @@ use unitvec_host::{Result, output};
 const COUNT: u64 = 1 << 16;
 
 /// `conform --imprecise`.
-pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
+pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<ExitCode> {
     let imprecise = &arguments.imprecise;
     let options = Options {
         count: arguments.count.unwrap_or(COUNT) as usize,
@@ -33,7 +33,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     if !to_stdout {
         print(&(heading(device.info(), &options, columns) + &table.heading()))?;
     }
-    let work = formats.iter().map(|format| options.work(*format)).sum();
+    let work = formats.iter().map(|format| options.work(format)).sum();
     let bar = progress::bar(Some(work), "{msg:<20} {wide_bar} {percent}%, {eta} left");
     let mut advance = |done| {
         progress::show_if_due(&bar);
@@ -44,7 +44,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     let mut failed = Vec::new();
     imprecise::run(formats, &options, open, &mut advance, &mut |row| {
         bar.set_message(row.id.clone());
-        let bounds = Bounds::of(find_format(&row.id)?);
+        let bounds = Bounds::of(find(&row.id)?);
         let objections = row.objections(&bounds);
         let line = Summary::new(&row, &bounds);
         if !to_stdout {

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use std::path::Path;
 use std::process::ExitCode;
 use unitvec_host::backend::BackendKind;
-use unitvec_host::catalogue::Format;
+use unitvec_host::catalogue::AnyCodec;
 use unitvec_host::render::conform::{self, Options, Projected, Report, Row, Traits};
 use unitvec_host::vulkan::DeviceInfo;
 use unitvec_host::{Error, Result, output};
@@ -18,7 +18,7 @@ const COUNT: u64 = 1 << 15;
 /// The most points that are drawn at once: what every device's attachments have room for.
 const MAX_COUNT: u64 = 1 << 20;
 
-pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
+pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<ExitCode> {
     arguments.vulkan.refuse_modules()?;
     let count = arguments.count.unwrap_or(COUNT);
     if count > MAX_COUNT {

@@ -11,7 +11,7 @@ pub use series::widest_of_each_series;
 
 use crate::Result;
 use crate::backend::{Backend, BackendKind, Cpu};
-use crate::catalogue::{Element, Format, Operation};
+use crate::catalogue::{AnyCodec, Element, Operation};
 use crate::measure::ElementErrors;
 use crate::sampling;
 use crate::vulkan::DeviceInfo;
@@ -137,7 +137,7 @@ impl Row {
     /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
     fn compare(
         &mut self,
-        format: Format,
+        format: &AnyCodec,
         operation: Operation,
         kind: BackendKind,
         input: &[u8],
@@ -181,14 +181,14 @@ pub fn run(
 
 /// Runs one codec on the CPU and on each backend, and counts what differs.
 struct Comparison<'a> {
-    format: Format,
+    format: &'static AnyCodec,
     backends: &'a mut Backends,
     errors: ElementErrors,
     row: Row,
 }
 
 impl<'a> Comparison<'a> {
-    fn new(format: Format, backends: &'a mut Backends) -> Self {
+    fn new(format: &'static AnyCodec, backends: &'a mut Backends) -> Self {
         let none: Mismatches = backends.keys().map(|kind| (*kind, 0)).collect();
         let row = Row {
             id: format.id,

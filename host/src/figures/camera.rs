@@ -1,7 +1,7 @@
 //! What takes the pictures of the scene.
 
 use crate::Result;
-use crate::catalogue::{CodecInfo, Coding};
+use crate::catalogue::AnyCodec;
 use crate::render::{Material, Normals, Renderer, Seen, Shot, View};
 use image::RgbImage;
 
@@ -39,6 +39,6 @@ pub fn shot(normals: Normals, material: Material, view: View) -> Shot {
 }
 
 /// The normals of a codec.
-pub fn coded(codec: &CodecInfo) -> Normals {
-    Normals::Codec(codec.format())
+pub fn coded(codec: &'static AnyCodec) -> Normals {
+    Normals::Codec(codec)
 }

@@ -7,7 +7,7 @@ use super::{Figure, Number, Options, Shown};
 use crate::Result;
 use crate::accuracy::{covering_bound_deg, measure};
 use crate::backend::Cpu;
-use crate::catalogue::{CodecInfo, Coding, Domain};
+use crate::catalogue::{AnyCodec, Domain};
 use image::RgbImage;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use std::collections::BTreeMap;
@@ -43,7 +43,7 @@ fn scale_deg(bits: u32) -> f64 {
     LAST_COLOUR * covering_bound_deg(bits, Domain::Sphere).1
 }
 
-fn error_map(codec: &'static CodecInfo, side: u32) -> RgbImage {
+fn error_map(codec: &'static AnyCodec, side: u32) -> RgbImage {
     let scale = scale_deg(codec.bits);
     let view = paint::of_domain(codec.domain);
     paint::disc(side, SAMPLES, view, |v| {
@@ -60,7 +60,7 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
     for codec in options.codecs_or(&MAPPED)? {
-        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?;
+        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?.normal;
         let lines = vec![
             format!("{}, {} bits", codec.survey_name, codec.bits),
             format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()),

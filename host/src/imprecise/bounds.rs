@@ -9,8 +9,8 @@
 //! That is a limit to hold results against, not a proof: slopes are mostly far below 1, and that is what pays for the
 //! roundings of a long way.
 
-use super::{Model, Outcome, error_bounds};
-use crate::catalogue::{Format, find, find_frame};
+use super::{Model, Outcome, error_bound};
+use crate::catalogue::AnyCodec;
 use std::f64::consts::PI;
 
 /// 2^-23: a ULP of the numbers from 1 to 2.
@@ -73,17 +73,14 @@ pub struct Bounds {
 
 impl Bounds {
     /// Those of a codec.
-    pub fn of(format: Format) -> Self {
-        let family = find(format.id).map_or("frame", |codec| codec.family);
-        let (encoder, decoder) = derivation(family);
-        let [normal, tangent] = error_bounds(format);
+    pub fn of(format: &AnyCodec) -> Self {
+        let (encoder, decoder) = derivation(format.family);
         Self {
             encoder,
             decoder,
             bits: format.bits,
-            error_bound_deg: normal.min(tangent),
-            is_stable: find(format.id).is_ok_and(|codec| codec.stable_across_devices)
-                || find_frame(format.id).is_some(),
+            error_bound_deg: error_bound(format),
+            is_stable: format.stable_across_devices,
         }
     }
 

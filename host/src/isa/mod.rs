@@ -5,7 +5,7 @@ pub mod pareto;
 pub mod radv;
 
 use crate::bench::REFERENCE;
-use crate::catalogue::{self, Format, Operation};
+use crate::catalogue::{self, AnyCodec, Operation};
 use crate::error::one_line;
 use crate::manifest::sha256_hex;
 use crate::modules::Modules;
@@ -210,16 +210,16 @@ impl Report {
 pub fn measure(
     inspector: &Inspector,
     modules: &Modules,
-    formats: &[Format],
-    done: impl Fn(Format) + Sync,
+    formats: &[&'static AnyCodec],
+    done: impl Fn(&'static AnyCodec) + Sync,
 ) -> Result<Report> {
     // glslang starts faster while another one runs.
     let _compiler = glsl::Compiler::new()?;
     let measured: Result<Vec<Vec<Row>>> = formats
         .par_iter()
         .map(|format| {
-            let rows = of_codec(inspector, modules, *format)?;
-            done(*format);
+            let rows = of_codec(inspector, modules, format)?;
+            done(format);
             Ok(rows)
         })
         .collect();
@@ -230,7 +230,7 @@ pub fn measure(
     })
 }
 
-fn of_codec(inspector: &Inspector, modules: &Modules, format: Format) -> Result<Vec<Row>> {
+fn of_codec(inspector: &Inspector, modules: &Modules, format: &AnyCodec) -> Result<Vec<Row>> {
     let compiler = glsl::Compiler::new()?;
     let mut rows = Vec::new();
     for operation in Operation::ALL {
@@ -316,7 +316,7 @@ fn to_hundredths(number: f64) -> f64 {
 ///
 /// # Errors
 /// [`glsl::Error::NoSource`], which would be a fault of this crate.
-pub fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String, String>> {
+pub fn sources(modules: &Modules, formats: &[&'static AnyCodec]) -> Result<BTreeMap<String, String>> {
     let half = |sha256: &str| sha256.get(..32).unwrap_or(sha256).to_owned();
     let mut sources = BTreeMap::new();
     for path in unitvec_shaders::glsl_paths().filter(|path| is_source(path, formats)) {
@@ -333,7 +333,7 @@ pub fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String,
 }
 
 /// True of GLSL that all codecs share, of textbooks', and of a codec's own.
-fn is_source(path: &str, formats: &[Format]) -> bool {
+fn is_source(path: &str, formats: &[&'static AnyCodec]) -> bool {
     const SHARED: [&str; 6] = [
         "unitvec/arith.glsl",
         "kernels/encode.comp",
@@ -349,12 +349,7 @@ fn is_source(path: &str, formats: &[Format]) -> bool {
 
 /// The file in `glsl/` with a codec's functions.
 pub fn glsl_file(id: &str) -> String {
-    let file = match (catalogue::find_frame(id), catalogue::find(id)) {
-        (Some(frame), _) => frame.glsl_file().to_owned(),
-        (None, Ok(codec)) => codec.glsl_file(),
-        (None, Err(_)) => String::new(),
-    };
-    format!("unitvec/{file}")
+    format!("unitvec/{}", catalogue::find(id).map_or_else(|_| String::new(), AnyCodec::glsl_file))
 }
 
 #[cfg(test)]

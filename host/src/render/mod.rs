@@ -27,7 +27,7 @@ pub use seen::Seen;
 pub use storage::Storage;
 pub use variant::DITHERED;
 
-use crate::catalogue::Format;
+use crate::catalogue::AnyCodec;
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
@@ -54,9 +54,9 @@ pub enum Normals {
     /// Normals as three floats.
     Float,
     /// Codes.
-    Codec(Format),
+    Codec(&'static AnyCodec),
     /// Codes with an offset, for one of [`DITHERED`].
-    Dithered(Format, Key),
+    Dithered(&'static AnyCodec, Key),
 }
 
 /// What the offset of a dithered code comes from.
@@ -77,7 +77,7 @@ pub enum Vertices {
     /// Three floats.
     Float,
     /// Codes, in the codec's format or as integers.
-    Codec(Format),
+    Codec(&'static AnyCodec),
 }
 
 /// What is in the picture.

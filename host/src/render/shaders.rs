@@ -35,7 +35,7 @@ pub fn sources_sha256() -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::catalogue::{Format, find_format, formats};
+    use crate::catalogue::{AnyCodec, CODECS, find};
     use rspirv::dr::{Instruction, Module, Operand, load_bytes};
     use rspirv::spirv::{Decoration, ExecutionModel, Op, StorageClass, Word};
     use std::collections::{BTreeMap, BTreeSet};
@@ -51,7 +51,7 @@ mod tests {
     }
 
     /// The types that a codec's values have: attribute, value, texture.
-    fn types(format: &Format, as_integers: bool) -> [&'static str; 3] {
+    fn types(format: &AnyCodec, as_integers: bool) -> [&'static str; 3] {
         match format.vk_format.filter(|_| !as_integers) {
             Some(name) if name.ends_with("SINT") => ["ivec2", "ivec4", "itexture2D"],
             Some(name) if !name.ends_with("UINT") => ["vec4", "vec4", "texture2D"],
@@ -78,8 +78,8 @@ mod tests {
                 ["vec4", "vec4", "texture2D"]
             }
             id => {
-                let format = find_format(id).unwrap_or_else(|_| panic!("{name} is of no codec"));
-                types(&format, is_dithered || plain.ends_with("_uint"))
+                let format = find(id).unwrap_or_else(|_| panic!("{name} is of no codec"));
+                types(format, is_dithered || plain.ends_with("_uint"))
             }
         };
         let varying = by_number(&[(0, "vec3"), (1, "vec3")]);
@@ -113,7 +113,7 @@ mod tests {
     fn every_codec_has_a_module() {
         let names: BTreeSet<&str> = modules().collect();
         let others = ["float", "fullscreen"];
-        for name in formats().map(|format| format.id).chain(others) {
+        for name in CODECS.iter().map(|format| format.id).chain(others) {
             assert!(names.contains(format!("{name}.spv").as_str()), "{name}");
         }
     }
@@ -149,8 +149,8 @@ mod tests {
             "float16x3",
             "xyonly32f",
         ];
-        let format = |id: &str| find_format(id).unwrap();
-        let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(&format(id))));
+        let format = |id: &str| find(id).unwrap();
+        let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(format(id))));
         let dithered = DITHERED.into_iter().map(|id| Variant::dithered(format(id)).unwrap());
         let projected = PROJECTIONS.iter().map(|projection: &Projection| Variant::projected(projection));
         let compiler = crate::glsl::Compiler::new().unwrap();

@@ -4,7 +4,7 @@ use super::kernel::{ENTRY_POINT, code_words, kernel};
 use super::{Edition, Error, Language, library};
 use crate::Result;
 use crate::backend::{Backend, CHUNK};
-use crate::catalogue::{Format, Operation};
+use crate::catalogue::{AnyCodec, Operation};
 use crate::glsl;
 use crate::vulkan::{Device, Kernel, Runner};
 use std::collections::HashMap;
@@ -30,7 +30,7 @@ impl LanguageGpu {
         Ok(Self { runner, language, edition, kernels: HashMap::new(), words: Vec::new() })
     }
 
-    fn kernel(&mut self, format: Format, operation: Operation) -> Result<()> {
+    fn kernel(&mut self, format: &AnyCodec, operation: Operation) -> Result<()> {
         let key = (format.id, operation);
         if !self.kernels.contains_key(&key) {
             let name = format.function(operation);
@@ -47,7 +47,7 @@ impl LanguageGpu {
 }
 
 impl Backend for LanguageGpu {
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         if count == 0 {
             return Ok(());
@@ -69,7 +69,7 @@ impl Backend for LanguageGpu {
         Ok(())
     }
 
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         if count == 0 {
             return Ok(());

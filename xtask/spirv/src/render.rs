@@ -6,7 +6,7 @@ use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use unitvec_host::catalogue::formats;
+use unitvec_host::catalogue::CODECS;
 use unitvec_host::manifest::render_sources_sha256;
 use unitvec_host::render::shaders::SOURCES;
 
@@ -27,7 +27,7 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
             modules.entry(id.to_owned()).or_default().push((name.clone(), words));
         }
     }
-    for codec in formats() {
+    for codec in &CODECS {
         ensure!(modules.contains_key(codec.id), "no render shaders for {}", codec.id);
     }
     eprintln!("spirv: optimising {} modules of render shaders", modules.len());

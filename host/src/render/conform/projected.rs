@@ -4,7 +4,7 @@ use super::Traits;
 use super::fields::Fields;
 use super::points::Points;
 use crate::Result;
-use crate::catalogue::Format;
+use crate::catalogue::AnyCodec;
 use crate::render::Renderer;
 use crate::render::projection::Projection;
 use crate::render::renderer::encoded;
@@ -39,12 +39,12 @@ const NEAR_HALFWAY: f64 = 8.0 * f32::EPSILON as f64;
 /// without a shader for it, and where the device does not draw to its format.
 pub(super) fn check(
     renderer: &Renderer,
-    format: Format,
+    format: &AnyCodec,
     directions: &[[f32; 3]],
     traits: &Traits,
 ) -> Result<Option<Projected>> {
-    let Some(projection) = Projection::of(&format) else { return Ok(None) };
-    let Some(fields) = Fields::of(Storage::of(&format).texel()) else { return Ok(None) };
+    let Some(projection) = Projection::of(format) else { return Ok(None) };
+    let Some(fields) = Fields::of(Storage::of(format).texel()) else { return Ok(None) };
     let variant = Variant::projected(projection);
     if !renderer.graphics.device().supports(fields.format, FormatUse::Attachment) {
         return Ok(None);

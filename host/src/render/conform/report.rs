@@ -3,7 +3,7 @@
 use super::super::storage::Storage;
 use super::{Conversion, HardwareRounding, Options, Projected};
 use crate::backend::BackendKind;
-use crate::catalogue::Format;
+use crate::catalogue::AnyCodec;
 use crate::vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -144,7 +144,7 @@ impl Row {
     }
 
     /// Nothing compared yet; codes are drawn to `drawn`.
-    pub(super) fn new(device: &Device, format: &Format, drawn: Storage) -> Self {
+    pub(super) fn new(device: &Device, format: &AnyCodec, drawn: Storage) -> Self {
         let own = Storage::of(format);
         let named = |format: ImageFormat| format!("{format:?}");
         let uses = [

@@ -7,7 +7,7 @@ use super::points::{WIDTH, vectors};
 use super::{Row, Tally};
 use crate::Result;
 use crate::backend::BackendKind;
-use crate::catalogue::Format;
+use crate::catalogue::AnyCodec;
 use crate::vulkan::{Draw, Image, ImageFormat, Target, bytes_per_texel};
 
 /// Decodes codes on the CPU and by texel fetch.
@@ -16,7 +16,7 @@ pub(super) fn check(
     source: BackendKind,
     renderer: &Renderer,
     variant: &Variant,
-    format: Format,
+    format: &AnyCodec,
     codes: &[u8],
 ) -> Result<Tally> {
     let texel = variant.storage.texel();
