@@ -49,14 +49,14 @@ pub fn cases(formats: &[&'static AnyCodec]) -> Result<Vec<Case>> {
     let mut elements = HashMap::new();
     let mut codes = HashMap::new();
     let mut cases = Vec::new();
-    for format in formats {
+    for &format in formats {
         let kind = (format.element.floats(), format.domain == Domain::Sphere);
         let elements = elements.entry(kind).or_insert_with(|| elements_of(format));
         let codes = codes.entry(format.bytes).or_insert_with(|| codes_of(format));
         let mut encoded = vec![0; COUNT * format.bytes];
         format.encode_cpu(bytemuck::cast_slice(elements), &mut encoded).map_err(told)?;
         cases.push(Case {
-            format: *format,
+            format,
             operation: Operation::Encode,
             input: elements.clone(),
             expected: whole_words(format, &encoded),
@@ -65,7 +65,7 @@ pub fn cases(formats: &[&'static AnyCodec]) -> Result<Vec<Case>> {
         let mut decoded = vec![0; COUNT * format.element.floats()];
         format.decode_cpu(&stored(format, codes), bytemuck::cast_slice_mut(&mut decoded)).map_err(told)?;
         cases.push(Case {
-            format: *format,
+            format,
             operation: Operation::Decode,
             input: codes.clone(),
             expected: decoded,
@@ -77,7 +77,7 @@ pub fn cases(formats: &[&'static AnyCodec]) -> Result<Vec<Case>> {
 
 /// Stored codes as words, one or two each.
 fn whole_words(format: &AnyCodec, stored: &[u8]) -> Vec<u32> {
-    let words = kernel::code_words(*format);
+    let words = kernel::code_words(format);
     let codes = stored.chunks_exact(format.bytes);
     codes
         .flat_map(|code| {
@@ -91,7 +91,7 @@ fn whole_words(format: &AnyCodec, stored: &[u8]) -> Vec<u32> {
 
 /// Codes of whole words as they are stored.
 pub fn stored(format: &AnyCodec, words: &[u32]) -> Vec<u8> {
-    let codes = words.chunks_exact(kernel::code_words(*format));
+    let codes = words.chunks_exact(kernel::code_words(format));
     codes
         .flat_map(|code| {
             bytemuck::cast_slice::<u32, u8>(code).iter().take(format.bytes).copied().collect::<Vec<_>>()
@@ -125,9 +125,9 @@ mod tests {
     fn words_come_back_from_stored_codes() {
         for id in ["oct16", "oct24", "oct32", "soct33", "oct48p", "frame64"] {
             let format = find(id).unwrap();
-            let codes = codes_of(&format);
+            let codes = codes_of(format);
             assert_eq!(codes.len(), COUNT * kernel::code_words(format), "{id}");
-            assert_eq!(whole_words(&format, &stored(&format, &codes)), codes.to_vec(), "{id}");
+            assert_eq!(whole_words(format, &stored(format, &codes)), codes.to_vec(), "{id}");
         }
     }
 }

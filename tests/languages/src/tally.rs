@@ -99,7 +99,7 @@ fn outcome(case: &Case, words: &[u32]) -> Result<Outcome> {
         a.chunks_exact(written).zip(b.chunks_exact(written)).filter(|(a, b)| a != b).count() as u64
     };
     let elements = bytemuck::cast_slice(&case.input[..RANDOM * read]);
-    let (codes, expected_codes) = (stored(&case.format, random), stored(&case.format, expected));
+    let (codes, expected_codes) = (stored(case.format, random), stored(case.format, expected));
     let (_, error) = of_codes(case.format, elements, &codes, &expected_codes).map_err(told)?;
     Ok(Outcome {
         codes_differ: differ(random, expected),
@@ -147,7 +147,7 @@ fn has_direction(element: &[f32]) -> Option<bool> {
 /// What the CPU makes of one code.
 fn decoded(format: &AnyCodec, code: &[u32]) -> Result<Vec<f32>> {
     let mut element = vec![0.0; format.element.floats()];
-    format.decode_cpu(&stored(&format, code), &mut element).map_err(told)?;
+    format.decode_cpu(&stored(format, code), &mut element).map_err(told)?;
     Ok(element)
 }
 
