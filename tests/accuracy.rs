@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
-use unitvec_catalogue::{FRAMES, Format};
+use unitvec_catalogue::{AnyCodec, frames};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, beyond};
 use unitvec_run::backend::Backend;
@@ -132,11 +132,11 @@ fn backends_measure_the_same() {
 struct Constant;
 
 impl Backend for Constant {
-    fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> unitvec_run::Result<()> {
+    fn encode(&mut self, _: &AnyCodec, _: &[f32], _: &mut [u8]) -> unitvec_run::Result<()> {
         Ok(())
     }
 
-    fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
+    fn decode(&mut self, _: &AnyCodec, _: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
         elements
             .chunks_exact_mut(7)
             .for_each(|frame| frame.copy_from_slice(&[0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0]));
@@ -147,7 +147,7 @@ impl Backend for Constant {
 /// Frames are measured on the backend that was asked for: this one's errors average to a right angle.
 #[test]
 fn frames_are_measured_on_the_backend() {
-    for row in beyond::measure_frame(&mut Constant, &FRAMES[0], 100_000, 1).unwrap() {
+    for row in beyond::measure_frame(&mut Constant, &frames()[0], 100_000, 1).unwrap() {
         assert!((row.mean_deg - 90.0).abs() < 1.0 && row.max_deg > 175.0, "{row:?}");
     }
 }

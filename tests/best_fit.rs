@@ -42,7 +42,7 @@ fn small_integers() {
             assert_eq!(decoded.to_array(), expected, "{}: {code:#x}", codec.id);
             let direction = if decoded == Vec3::ZERO { Vec3::Z } else { decoded };
             let error = angle_deg(widen(direction), widen(codec.round_trip(decoded)));
-            assert!(error <= f64::from(codec.max_error_deg), "{}: {code:#x}: {error}", codec.id);
+            assert!(error <= f64::from(codec.max_error_deg()), "{}: {code:#x}: {error}", codec.id);
         }
     }
 }

@@ -4,7 +4,7 @@
 use std::fs::File;
 use std::io::Write;
 use std::process::{Command, Output};
-use unitvec_catalogue::{Domain, Operation, find_format};
+use unitvec_catalogue::{Domain, Operation, find};
 use unitvec_run::backend::{Backend, Cpu};
 use unitvec_run::sampling;
 use unitvec_tests::repository;
@@ -41,7 +41,7 @@ fn output(kernel: &str, count: usize, input: &[u8]) -> Vec<u8> {
 fn a_client_in_python_gets_the_cpus_bits() {
     const COUNT: usize = 1003;
     for id in ["oct8", "oct16", "fib24", "oct32p", "oct48", "oct52p", "snorm8x3p", "frame32", "frame64"] {
-        let format = find_format(id).unwrap();
+        let format = find(id).unwrap();
         let random = sampling::random_elements(format.element, Domain::Sphere, 12);
         let mut elements: Vec<f32> = random.take(COUNT * format.element.floats()).collect();
         let bytes = |elements: &[f32]| elements.iter().flat_map(|f| f.to_le_bytes()).collect::<Vec<u8>>();

@@ -2,8 +2,7 @@
 
 use std::path::Path;
 use std::sync::Arc;
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{Domain, Operation, find, find_format, formats};
+use unitvec_catalogue::{CODECS, Domain, Operation, find};
 use unitvec_manifest::modules::Modules;
 use unitvec_mesh as mesh;
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
@@ -38,7 +37,7 @@ fn the_three_agree_to_the_bit() {
     let device = lavapipe();
     let options = options(1 << 18);
     assert!(options.normals.len() > 1000);
-    let plans: Vec<Plan<'_>> = formats().map(|format| Plan::new(format, &options)).collect();
+    let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
     let work: u64 = plans.iter().map(Plan::work).sum();
     let (mut done, mut rows) = (0, Vec::new());
     let open = || Ok(backends(&device, embedded()));
@@ -49,17 +48,14 @@ fn the_three_agree_to_the_bit() {
     .unwrap();
     assert_eq!(done, work);
     let ids: Vec<&str> = rows.iter().map(|row| row.id).collect();
-    assert_eq!(ids, formats().map(|format| format.id).collect::<Vec<_>>());
+    assert_eq!(ids, CODECS.iter().map(|format| format.id).collect::<Vec<_>>());
     for row in &rows {
         assert!(row.agrees(), "{row:#?}");
         assert!(row.codes >= if row.bits <= 16 { 1 << row.bits } else { 1 << 18 }, "{row:#?}");
-        let bounds = match catalogue::find_frame(row.id) {
-            Some(frame) => (frame.max_normal_error_deg, Some(frame.max_tangent_error_deg)),
-            None => (find(row.id).unwrap().max_error_deg, None),
-        };
-        assert!(row.max_deg <= f64::from(bounds.0), "{row:#?}");
-        assert_eq!(row.tangent_max_deg.is_some(), bounds.1.is_some(), "{row:#?}");
-        assert!(row.tangent_max_deg <= bounds.1.map(f64::from), "{row:#?}");
+        let errors: Vec<f64> = [row.max_deg].into_iter().chain(row.tangent_max_deg).collect();
+        let bounds = find(row.id).unwrap().max_errors_deg;
+        assert_eq!(errors.len(), bounds.len(), "{row:#?}");
+        assert!(errors.iter().zip(bounds).all(|(error, bound)| *error <= f64::from(*bound)), "{row:#?}");
     }
     assert_no_validation_messages(device);
 }
@@ -81,7 +77,7 @@ fn every_kernel_becomes_a_pipeline_of_a_device_without_features() {
 #[test]
 fn conform_ends_where_a_backend_does_not_open() {
     let options = options(1);
-    let plans = vec![Plan::new(find_format("oct16").unwrap(), &options)];
+    let plans = vec![Plan::new(find("oct16").unwrap(), &options)];
     let open = || Err(unitvec_host::Error::Usage("no such backend".to_owned()));
     let error = conform::run(plans, open, &mut |_| (), &mut |_| Ok(())).unwrap_err();
     assert_eq!(error.to_string(), "no such backend");
@@ -95,7 +91,7 @@ fn any_number_of_elements_can_be_dispatched() {
     for source in [embedded(), from_glsl()] {
         let mut gpu = Gpu::new(&device, source, true).unwrap();
         for id in ["oct8", "oct16", "oct24p", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
-            let format = find_format(id).unwrap();
+            let format = find(id).unwrap();
             let floats = format.element.floats();
             let random = sampling::random_elements(format.element, Domain::Sphere, 3);
             let elements: Vec<f32> = random.take(1030 * floats).collect();
@@ -125,7 +121,7 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
     let mut runner = Runner::new(&device, 16, true).unwrap();
     let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
     for id in ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
-        let format = find_format(id).unwrap();
+        let format = find(id).unwrap();
         let random = sampling::random_elements(format.element, Domain::Sphere, 9);
         let mut elements: Vec<f32> = random.take(12 * format.element.floats()).collect();
         let mut codes = vec![0; 12 * format.bytes];
@@ -169,7 +165,7 @@ fn kernels_write_nothing_by_a_short_table() {
     let device = lavapipe();
     let mut runner = Runner::new(&device, 4, true).unwrap();
     let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
-    let encoder = |id| compiler.kernel(find_format(id).unwrap(), Operation::Encode).unwrap();
+    let encoder = |id| compiler.kernel(find(id).unwrap(), Operation::Encode).unwrap();
     for (name, from_glsl, whole) in [
         ("snorm8x3p_encode", encoder("snorm8x3p"), 4 * unitvec::best_fit::TABLE_WORDS),
         ("crytek_bfn24_encode", encoder("crytek_bfn24"), 4 * unitvec::best_fit::TABLE_WORDS),
@@ -201,7 +197,7 @@ fn backends_refuse_wrong_lengths() {
     let gpu = |source| -> Box<dyn Backend> { Box::new(Gpu::new(&device, source, true).unwrap()) };
     for mut backend in [Box::new(Cpu), gpu(embedded()), gpu(from_glsl())] {
         for (id, floats, bytes) in [("oct24", 6, 3), ("oct24", 5, 6), ("oct24", 6, 7), ("frame64", 6, 8)] {
-            let format = find_format(id).unwrap();
+            let format = find(id).unwrap();
             let (mut elements, mut codes) = (vec![0.0; floats], vec![0; bytes]);
             let encoded = backend.encode(format, &elements, &mut codes);
             let decoded = backend.decode(format, &codes, &mut elements);
@@ -246,7 +242,7 @@ fn output_that_a_kernel_does_not_write_is_noticed() {
     let compiler = glsl::Compiler::new().unwrap();
     let idle = "#version 450\nlayout(local_size_x = 64) in;\nvoid main() {}\n";
     let idle = compiler.compile("idle.comp", idle, &[]).unwrap();
-    let working = compiler.kernel(find_format("oct16").unwrap(), Operation::Decode).unwrap();
+    let working = compiler.kernel(find("oct16").unwrap(), Operation::Decode).unwrap();
 
     let mut runner = Runner::new(&device, 8, true).unwrap();
     let (mut first, mut second) = ([0; 24], [0; 24]);
@@ -266,7 +262,7 @@ fn runners_refuse_what_they_cannot_run() {
     assert!(matches!(Runner::new(&device, usize::MAX, false), Err(Error::BadCount { .. })));
     let (mut one, other) = (Runner::new(&device, 8, false).unwrap(), Runner::new(&device, 8, false).unwrap());
     let compiler = glsl::Compiler::new().unwrap();
-    let module = compiler.kernel(find_format("oct16").unwrap(), Operation::Decode).unwrap();
+    let module = compiler.kernel(find("oct16").unwrap(), Operation::Decode).unwrap();
     let foreign = other.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
     assert!(matches!(one.run(&foreign, 1, &[0; 2], &mut [0; 12]), Err(Error::ForeignKernel)));
     let kernel = one.kernel(&module, glsl::ENTRY_POINT, None).unwrap();
@@ -284,7 +280,7 @@ fn a_kernel_that_computes_something_else_is_noticed() {
     let device = lavapipe();
     let source = KernelSource::Rust(Modules::open_trusted(folder.path()).unwrap());
     let options = options(10_000);
-    let plan = Plan::new(find_format("oct16").unwrap(), &options);
+    let plan = Plan::new(find("oct16").unwrap(), &options);
     let row = plan.run(&mut backends(&device, source), &mut |_| ()).unwrap();
     assert!(!row.agrees());
     assert!(row.encode_mismatches[&BackendKind::Rust] > 1000);

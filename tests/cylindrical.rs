@@ -29,7 +29,7 @@ fn bound_is_attained_at_the_poles() {
             let z = 1.0 - half_step * rng.range(0.985, 1.015);
             narrow(Cylindrical::direction([rng.range(-1.0, 1.0), if i % 2 == 0 { z } else { -z }]))
         });
-        let (bound, most) = (cylindrical::bound_deg(codec.bits), f64::from(codec.max_error_deg));
+        let (bound, most) = (cylindrical::bound_deg(codec.bits), f64::from(codec.max_error_deg()));
         assert!(bound <= most, "{}", codec.id);
         assert_attains(&codec, off_poles.chain(sphere(5, 300_000)), bound, 0.99, most - bound);
     }

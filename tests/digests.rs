@@ -3,19 +3,21 @@
 //! difference is a break of every file written so far.
 
 use std::collections::BTreeMap;
-use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
+use unitvec_catalogue::{AnyCodec, frames, vectors};
 use unitvec_processors::{COUNT, Coder};
 
 /// The format, as it was when each codec was first released.
 const RELEASED: &str = include_str!("../vectors/digests.csv");
 
 /// The row of a codec: digests of what it encodes and of what it decodes, on all cores.
-fn row<const N: usize>(codec: &impl Coding<N>) -> String {
-    let format = codec.format();
-    let encode = |elements: &[_], codes: &mut [_]| codec.encode_cpu(elements, codes).unwrap();
-    let decode = |codes: &[_], elements: &mut [_]| codec.decode_cpu(codes, elements).unwrap();
-    let (bits, bytes) = (format.bits, format.bytes);
-    Coder { id: format.id, bits, bytes, encode: &encode, decode: &decode }.released(COUNT)
+fn row<const N: usize>(codec: &AnyCodec) -> String {
+    let encode =
+        |elements: &[[f32; N]], codes: &mut [_]| codec.encode_cpu(elements.as_flattened(), codes).unwrap();
+    let decode = |codes: &[_], elements: &mut [[f32; N]]| {
+        codec.decode_cpu(codes, elements.as_flattened_mut()).unwrap()
+    };
+    let AnyCodec { id, bits, bytes, .. } = *codec;
+    Coder { id, bits, bytes, encode: &encode, decode: &decode }.released(COUNT)
 }
 
 /// Every codec writes and reads what it did when it was released. `BLESS=1` adds the rows of new codecs to the file, and
@@ -24,7 +26,7 @@ fn row<const N: usize>(codec: &impl Coding<N>) -> String {
 fn codes_are_the_released_ones() {
     let released: BTreeMap<&str, &str> =
         RELEASED.lines().skip(1).filter_map(|line| Some((line.split(',').next()?, line))).collect();
-    let rows: Vec<String> = CATALOGUE.iter().map(row).chain(FRAMES.iter().map(row)).collect();
+    let rows: Vec<String> = vectors().iter().map(row::<3>).chain(frames().iter().map(row::<7>)).collect();
     for row in &rows {
         let id = row.split(',').next().unwrap_or_default();
         if let Some(released) = released.get(id) {

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use tempfile::TempDir;
-use unitvec_catalogue::CATALOGUE;
+use unitvec_catalogue::vectors;
 use unitvec_tests::program::{command, stderr};
 use unitvec_tests::{copy_modules, replace_module, repository};
 
@@ -412,7 +412,7 @@ fn options_that_do_not_go_together() {
 #[test]
 fn unknown_codecs_get_suggestions() {
     assert_fails(&mut command(["conform", "--codec", "oct16P"]), 2, &["did you mean oct16p?"]);
-    let cubes = CATALOGUE.iter().map(|codec| codec.id).filter(|id| id.starts_with("cube"));
+    let cubes = vectors().iter().map(|codec| codec.id).filter(|id| id.starts_with("cube"));
     let cubes = format!("did you mean {}?", cubes.collect::<Vec<_>>().join(", "));
     assert_fails(&mut command(["conform", "--codec", "cube17"]), 2, &[&cubes]);
     assert_fails(&mut command(["conform", "--codec", "frame16"]), 2, &["did you mean frame32, frame64?"]);

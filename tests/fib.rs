@@ -66,7 +66,7 @@ fn bound_is_attained_beside_the_poles() {
             let off = [(); 3].map(|()| rng.range(-0.03, 0.03) * spread);
             narrow([around[0] + off[0], around[1] + off[1], around[2] + off[2] * spread])
         });
-        let most = f64::from(codec.max_error_deg);
+        let most = f64::from(codec.max_error_deg());
         assert!(bound <= most, "{}", codec.id);
         assert_attains(&codec, beside.chain(sphere(5, 300_000)), bound, 0.99, most - bound);
     }

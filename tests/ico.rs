@@ -111,7 +111,7 @@ fn maximum_is_at_circumcentres() {
         let slack = slack(bits).to_degrees();
         assert!(worst > exact * 0.999 && worst < exact + slack, "{}", codec.id);
         assert_bounded(&codec, worst);
-        assert!(f64::from(codec.max_error_deg) < exact + 2.0 * slack, "{}", codec.id);
+        assert!(f64::from(codec.max_error_deg()) < exact + 2.0 * slack, "{}", codec.id);
         if let Some(([_, bound_max], [_, least_max])) = stated(bits) {
             assert!(worst < bound_max * bound && worst < least_max, "{}", codec.id);
         }

@@ -3,7 +3,8 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use unitvec_catalogue::{find_format, formats};
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::find;
 use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
 use unitvec_manifest::modules::Modules;
@@ -238,7 +239,7 @@ const CODECS: [&str; 20] = [
 #[test]
 fn codecs_keep_within_their_bounds_on_every_device() {
     let device = lavapipe();
-    let formats = CODECS.map(|id| find_format(id).unwrap()).to_vec();
+    let formats = CODECS.map(|id| find(id).unwrap()).to_vec();
     let options = Options { count: 4096, seeds: vec![3], models: Model::ALL.to_vec(), all_codes_up_to: 16 };
     let open = || {
         let gpu = |source| Gpu::new(&device, source, true).unwrap();
@@ -254,9 +255,9 @@ fn codecs_keep_within_their_bounds_on_every_device() {
     })
     .unwrap();
     assert_eq!(rows.iter().map(|row| row.id.as_str()).collect::<Vec<_>>(), CODECS);
-    assert_eq!(work, formats.iter().map(|format| options.work(*format)).sum::<u64>());
+    assert_eq!(work, formats.iter().map(|format| options.work(format)).sum::<u64>());
     for (row, format) in rows.iter().zip(&formats) {
-        assert_eq!(row.objections(&Bounds::of(*format)), [""; 0], "{}", row.id);
+        assert_eq!(row.objections(&Bounds::of(format)), [""; 0], "{}", row.id);
         assert_eq!(row.models.len(), Model::ALL.len());
         assert!(row.codes > row.elements, "{row:?}");
     }
@@ -272,7 +273,7 @@ fn codecs_keep_within_their_bounds_on_every_device() {
 /// What is above a bound is an objection that names the model and the number.
 #[test]
 fn what_exceeds_a_bound_is_told() {
-    let bounds = Bounds::of(find_format("oct16").unwrap());
+    let bounds = Bounds::of(find("oct16").unwrap());
     let most = bounds.codes_differ(65_536).unwrap();
     let outcome = |codes_differ| imprecise::Outcome { codes_differ, ..Default::default() };
     let row = |model, outcome| Row {
@@ -305,7 +306,7 @@ fn what_exceeds_a_bound_is_told() {
 /// Every family has limits of its own: one without would be held to the bits.
 #[test]
 fn every_family_has_limits() {
-    for format in formats().filter(|format| format.id != "float16x3") {
+    for format in catalogue::CODECS.iter().filter(|format| format.id != "float16x3") {
         let (component, angle) = Bounds::of(format).decoded();
         assert!(component > 1.0 && angle > 6e-6 || component > 10.0 && angle > 5e-6, "{}", format.id);
     }

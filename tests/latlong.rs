@@ -56,7 +56,7 @@ fn bound_of_rings_is_attained_at_corners() {
 
 /// Asserts that `corners` and other directions attain the bound, and that the codec's own is not below it.
 fn assert_bound(codec: &Tested, corners: impl Iterator<Item = Vec3>, bound: f64) {
-    let most = f64::from(codec.max_error_deg);
+    let most = f64::from(codec.max_error_deg());
     assert!(bound <= most, "{}: {bound}", codec.id);
     assert_attains(codec, corners.chain(sphere(5, 300_000)), bound, 0.99, most - bound);
 }

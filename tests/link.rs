@@ -3,7 +3,8 @@
 
 use std::path::Path;
 use std::process::Command;
-use unitvec_catalogue::{Domain, Element, Format, Operation, formats};
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::{AnyCodec, Domain, Element, Operation};
 use unitvec_link as link;
 use unitvec_link::stubs;
 use unitvec_link::stubs::Language;
@@ -93,7 +94,7 @@ fn write(value: &str, of_type: Type, at: &str) -> String {
 }
 
 /// A compute shader that encodes an element and decodes a code by each of these codecs, without the stubs.
-pub fn caller(front_end: &FrontEnd, formats: &[Format]) -> String {
+pub fn caller(front_end: &FrontEnd, formats: &[&'static AnyCodec]) -> String {
     let (element, interface) = (formats[0].element, front_end.interface);
     let words = words(element);
     let float = |k: usize| format!("asfloat(words_in[first + {k}u])");
@@ -112,7 +113,7 @@ pub fn caller(front_end: &FrontEnd, formats: &[Format]) -> String {
         text += &format!("    float4 tangent = float4({});\n", vector(3, 4));
     }
     for (k, format) in formats.iter().enumerate() {
-        let [encode, decode] = Operation::ALL.map(|operation| Signature::of(*format, operation));
+        let [encode, decode] = Operation::ALL.map(|operation| Signature::of(format, operation));
         let arguments = if element == Element::Frame { "normal, tangent" } else { "normal" };
         let given = if encode.result == Type::Uint { "code.x" } else { "code" };
         let [code, decoded] = [encode.result, decode.result].map(|of_type| match of_type {
@@ -167,7 +168,8 @@ fn agree(front_end: &FrontEnd) {
     let device = lavapipe();
     let (mut compared, mut mismatches) = (0, Vec::new());
     for element in Element::ALL {
-        let formats: Vec<Format> = formats().filter(|format| format.element == element).collect();
+        let formats: Vec<&'static AnyCodec> =
+            catalogue::CODECS.iter().filter(|format| format.element == element).collect();
         let (elements, codes) = inputs(element);
         let count = codes.len();
         let given: Vec<u8> = elements
@@ -188,7 +190,7 @@ fn agree(front_end: &FrontEnd) {
             runner.run_cost(&kernel, count, 0, &given, &mut actual).unwrap();
             for (k, format) in formats.iter().enumerate() {
                 let actual = actual.chunks(words(element) * 4).skip(k).step_by(formats.len());
-                let expected = expected(*format, &elements, &codes);
+                let expected = expected(format, &elements, &codes);
                 for (actual, expected) in actual.zip(expected.chunks(words(element) * 4)) {
                     compared += 1;
                     if actual != expected && !is_nan_twice(actual, expected) {
@@ -218,7 +220,7 @@ fn is_nan_twice(a: &[u8], b: &[u8]) -> bool {
 }
 
 /// The CPU's words: the code of each element, and the element of each code.
-fn expected(format: Format, elements: &[f32], codes: &[u64]) -> Vec<u8> {
+fn expected(format: &AnyCodec, elements: &[f32], codes: &[u64]) -> Vec<u8> {
     let mut encoded = vec![0; codes.len() * format.bytes];
     format.encode_cpu(elements, &mut encoded).unwrap();
     let mut decoded = vec![0.0; elements.len()];
@@ -355,7 +357,7 @@ fn stubs_become_imports_by_the_script_of_the_docs() {
     let folder = tempfile::tempdir().unwrap();
     let docs = std::fs::read_to_string(repository().join("docs/linking.md")).unwrap();
     let script = docs.split("```awk\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
-    let formats: Vec<Format> = formats().filter(|format| format.element == Element::Frame).collect();
+    let formats: Vec<&'static AnyCodec> = catalogue::frames().iter().collect();
     let module = with_stubs(&GLSL, &caller(&GLSL, &formats), |text| text);
     std::fs::write(folder.path().join("shader.spv"), module).unwrap();
     std::fs::write(folder.path().join("imports.awk"), script).unwrap();

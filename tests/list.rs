@@ -5,7 +5,7 @@
 use crate::docs::costs::is_measured;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
-use unitvec_catalogue::{Operation, formats};
+use unitvec_catalogue::{CODECS, Operation, frames};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, beyond};
 use unitvec_manifest::modules::Modules;
@@ -31,7 +31,7 @@ fn nothing_is_lacking() {
         ("its name in README.md or docs/codecs.md", is_named_in(&["README.md", "docs/codecs.md"])),
     ];
     let mut lacking = Vec::new();
-    for format in formats() {
+    for format in &CODECS {
         lacking.extend(
             has.iter().filter(|(_, has)| !has(format.id)).map(|(what, _)| format!("{}: {what}", format.id)),
         );
@@ -52,7 +52,7 @@ fn nothing_is_lacking() {
 /// What was released stays: a codec with a digest is in the list.
 #[test]
 fn no_released_codec_is_gone() {
-    let ids: BTreeSet<String> = formats().map(|format| format.id.to_owned()).collect();
+    let ids: BTreeSet<String> = CODECS.iter().map(|format| format.id.to_owned()).collect();
     let gone: Vec<String> = digests().difference(&ids).cloned().collect();
     assert!(gone.is_empty(), "{gone:?}");
 }
@@ -60,7 +60,7 @@ fn no_released_codec_is_gone() {
 /// What every codec costs on lavapipe is measured: `unitvec bench` measures it.
 #[test]
 fn costs_are_complete() {
-    let lacking: Vec<&str> = formats().map(|format| format.id).filter(|id| !is_measured(id)).collect();
+    let lacking: Vec<&str> = CODECS.iter().map(|format| format.id).filter(|id| !is_measured(id)).collect();
     assert!(lacking.is_empty(), "host/choose/data/costs_lavapipe.json lacks {lacking:?}");
 }
 
@@ -98,7 +98,7 @@ fn measured() -> BTreeSet<String> {
     let survey = published.filter_map(|row| row.codec());
     let meyer = METHODS.iter().flat_map(|method| WIDTHS.iter().filter_map(|&bits| method.codec(bits)));
     let vectors = survey.chain(meyer).chain(beyond::codecs()).map(|codec| codec.id);
-    vectors.chain(beyond::frames().map(|codec| codec.id)).map(str::to_owned).collect()
+    vectors.chain(frames().iter().map(|codec| codec.id)).map(str::to_owned).collect()
 }
 
 /// The codecs in a file with a row for each, that begins with the identifier.
@@ -136,7 +136,7 @@ fn is_in_glsl(function: &str) -> bool {
 #[cfg(feature = "glsl")]
 fn lacking_glsl() -> Vec<String> {
     let compiler = Compiler::new().unwrap();
-    let kernels = formats().flat_map(|format| Operation::ALL.map(|half| (format, half)));
+    let kernels = CODECS.iter().flat_map(|format| Operation::ALL.map(|half| (format, half)));
     let errors = kernels.filter_map(|(format, half)| {
         let error = compiler.kernel(format, half).err()?;
         Some(format!("{}: GLSL function {}: {error}", format.id, format.function(half)))

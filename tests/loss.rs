@@ -3,7 +3,8 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use unitvec_catalogue::{Coding, Domain, FRAMES, find};
+use unitvec_catalogue as catalogue;
+use unitvec_catalogue::{Domain, find};
 use unitvec_choose::RECOMMENDED;
 use unitvec_oracle::angle_deg;
 use unitvec_run::sampling;
@@ -116,11 +117,11 @@ fn frames_have_two_errors() {
     frames[8][3..6].fill(0.0);
     let path = file(&folder, "in.bin", frames.as_flattened());
     let report = report(&["frame32", "frame64"], &[&path]);
-    for codec in FRAMES {
+    for codec in catalogue::frames() {
         let mut codes = vec![0; frames.len() * codec.bytes];
-        codec.encode_cpu(&frames, &mut codes).unwrap();
+        codec.encode_cpu(frames.as_flattened(), &mut codes).unwrap();
         let mut decoded = vec![[0.0; 7]; frames.len()];
-        codec.decode_cpu(&codes, &mut decoded).unwrap();
+        codec.decode_cpu(&codes, decoded.as_flattened_mut()).unwrap();
         for (part, at, left_out) in [("normal", 0, &[7][..]), ("tangent", 3, &[7, 8])] {
             let vector = |frame: [f32; 7]| [frame[at], frame[at + 1], frame[at + 2]].map(f64::from);
             let kept = (0..frames.len()).filter(|index| !left_out.contains(index));

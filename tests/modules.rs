@@ -4,11 +4,11 @@ use std::collections::{BTreeSet, HashSet};
 use std::path::PathBuf;
 use std::process::Command;
 use unitvec::best_fit;
-use unitvec_catalogue as catalogue;
 #[cfg(feature = "glsl")]
 use unitvec_catalogue::Domain;
-use unitvec_catalogue::{Operation, find_format, formats};
+use unitvec_catalogue::{CODECS, Operation, find};
 use unitvec_link::{LIBRARY, Signature};
+#[cfg(feature = "glsl")]
 use unitvec_manifest::modules::Modules;
 use unitvec_manifest::{
     BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, render_sources_sha256, schema, sha256_hex, sources_sha256,
@@ -52,7 +52,7 @@ fn render_modules_are_built_from_the_sources_as_they_are() {
 fn the_manifest_lists_two_modules_of_every_codec() {
     let manifest = manifest();
     let mut expected = BTreeSet::from(["kernels/decode_by_table.spv".to_owned()]);
-    let codecs = formats().map(|format| (format.id, Some(format.id)));
+    let codecs = CODECS.iter().map(|format| (format.id, Some(format.id)));
     for (name, id) in codecs.chain([("baseline", None)]) {
         for (folder, suffix) in [("kernels", ""), ("cost", "_cost")] {
             if id.is_none() && folder == "kernels" {
@@ -76,7 +76,7 @@ fn the_manifest_lists_two_modules_of_every_codec() {
 #[test]
 fn the_interfaces_are_those_of_the_codecs() {
     let manifest = manifest();
-    for codec in formats() {
+    for codec in &CODECS {
         let module =
             manifest.modules.iter().find(|module| module.file == format!("kernels/{}.spv", codec.id));
         for entry in &module.unwrap().entry_points {
@@ -102,18 +102,14 @@ fn the_interfaces_are_those_of_the_codecs() {
 fn the_codecs_are_those_of_the_catalogue() {
     let described = manifest().modules.into_iter().filter_map(|module| module.codec);
     for codec in described {
-        let format = find_format(&codec.id).unwrap();
+        let format = find(&codec.id).unwrap();
         assert_eq!(
             (codec.element, codec.bits, codec.bytes as usize, codec.vk_format.as_deref()),
             (format.element, format.bits, format.bytes, format.vk_format),
             "{}",
             codec.id
         );
-        let bounds = match catalogue::find_frame(&codec.id) {
-            Some(frame) => vec![frame.max_normal_error_deg, frame.max_tangent_error_deg],
-            None => vec![catalogue::find(&codec.id).unwrap().max_error_deg],
-        };
-        assert_eq!(codec.max_error_deg, bounds, "{}", codec.id);
+        assert_eq!(codec.max_error_deg, format.max_errors_deg, "{}", codec.id);
     }
     for table in manifest().tables {
         let size = std::fs::metadata(folder().join(&table.file)).unwrap().len();
@@ -215,10 +211,11 @@ fn render_modules_keep_the_rules_of_the_kernels() {
 #[test]
 fn every_float_result_of_the_glsl_is_marked_no_contraction() {
     let compiler = Compiler::new().unwrap();
-    let unmarked: Vec<String> = formats()
+    let unmarked: Vec<String> = CODECS
+        .iter()
         .flat_map(|format| Operation::ALL.map(|operation| (format, operation)))
         .filter(|(format, operation)| {
-            let spirv = Spirv::parse(&compiler.kernel(*format, *operation).unwrap());
+            let spirv = Spirv::parse(&compiler.kernel(format, *operation).unwrap());
             let fewest = if format.id == "float16x3" { 0 } else { 1 };
             unmarked_results(&format.function(*operation), &spirv, &FLOAT_ARITHMETIC[1..], fewest) > 0
         })
@@ -362,7 +359,7 @@ fn kernels_of_whole_groups_write_the_same() {
     let mut runner = Runner::new(&device, MOST + GROUP, true).unwrap();
     let (modules, compiler) = (Modules::open(None).unwrap(), Compiler::new().unwrap());
     for id in ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
-        let format = find_format(id).unwrap();
+        let format = find(id).unwrap();
         let random = sampling::random_elements(format.element, Domain::Sphere, 11);
         let elements: Vec<u8> =
             random.take(MOST * format.element.floats()).flat_map(f32::to_le_bytes).collect();

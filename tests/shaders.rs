@@ -1,7 +1,7 @@
 //! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and what `unitvec shader` writes.
 
 use std::sync::Arc;
-use unitvec_catalogue::{Format, Operation, find_format, formats};
+use unitvec_catalogue::{CODECS, Operation, find};
 use unitvec_run::backend::{Backend, BackendKind};
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Options, Plan};
@@ -27,7 +27,7 @@ fn hlsl_and_exact_wgsl_agree_to_the_bit() {
     let device = lavapipe();
     let options = Options { count: 1 << 16, seed: 15, normals: Vec::new(), all_codes_up_to: 16 };
     for edition in [Edition::Plain, Edition::Exact] {
-        let plans: Vec<Plan<'_>> = formats().map(|format| Plan::new(format, &options)).collect();
+        let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
         let mut codecs = 0;
         let open = || {
             let mut backends = backends(&device, edition);
@@ -41,7 +41,7 @@ fn hlsl_and_exact_wgsl_agree_to_the_bit() {
             Ok::<(), unitvec_run::Error>(())
         })
         .unwrap();
-        assert_eq!(codecs, formats().count());
+        assert_eq!(codecs, CODECS.len());
     }
     assert_no_validation_messages(device);
 }
@@ -50,7 +50,7 @@ fn hlsl_and_exact_wgsl_agree_to_the_bit() {
 #[test]
 fn every_backend_has_the_codes_of_the_cpu() {
     let device = lavapipe();
-    let format = find_format("oct48p").unwrap();
+    let format = find("oct48p").unwrap();
     let vectors = [0.6, 0.0, -0.8, 0.0, 1.0, 0.0, f32::NAN, 1.0, 1.0];
     let mut expected = [0; 18];
     format.encode_cpu(&vectors, &mut expected).unwrap();
@@ -67,7 +67,7 @@ fn every_backend_has_the_codes_of_the_cpu() {
 /// What `unitvec shader` writes for each codec alone compiles, in both editions, with the entry point of a kernel below it.
 #[test]
 fn the_text_of_each_codec_compiles() {
-    for format in formats() {
+    for format in &CODECS {
         for (language, edition) in [
             (Language::Hlsl, Edition::Plain),
             (Language::Wgsl, Edition::Plain),
@@ -118,7 +118,7 @@ fn a_file_gets_the_text_of_all_codecs() {
     assert!(output.status.success() && output.stdout.is_empty(), "{}", stderr(&output));
     let text = std::fs::read_to_string(&file).unwrap();
     assert_eq!(text, stdout(&run(["shader", "--language", "slang"])));
-    let functions = formats().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
+    let functions = CODECS.iter().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
     for function in functions {
         assert!(text.contains(&format!(" {function}(")), "{function}");
     }
@@ -129,7 +129,7 @@ fn a_file_gets_the_text_of_all_codecs() {
 fn the_list_has_all_languages_and_codecs() {
     let text = stdout(&run(["shader", "--list"]));
     let words: Vec<&str> = text.split_whitespace().collect();
-    let listed = Language::ALL.map(Language::id).into_iter().chain(formats().map(|Format { id, .. }| id));
+    let listed = Language::ALL.map(Language::id).into_iter().chain(CODECS.iter().map(|format| format.id));
     for id in listed {
         assert!(words.contains(&id), "{id}");
     }

@@ -13,7 +13,7 @@ use unitvec::slice::{
 };
 use unitvec::table::{DecodeTable, TableSize};
 use unitvec::{Codec, Listed, for_each_codec};
-use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
+use unitvec_catalogue::{self as catalogue, AnyCodec, CODECS};
 use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{Rng, sphere};
 
@@ -47,13 +47,13 @@ fn bytes(count: usize) -> Vec<u8> {
 }
 
 /// The code's bytes, by the scalar function.
-fn encode_scalar<const N: usize>(codec: &impl Coding<N>, element: [f32; N]) -> Vec<u8> {
+fn encode_scalar<const N: usize>(codec: &AnyCodec, element: [f32; N]) -> Vec<u8> {
     let [low, high] = codec.encode_one(element);
-    [low.to_le_bytes(), high.to_le_bytes()].concat()[..codec.format().bytes].to_vec()
+    [low.to_le_bytes(), high.to_le_bytes()].concat()[..codec.bytes].to_vec()
 }
 
 /// The vector or frame of a code's bytes, by the scalar function.
-fn decode_scalar<const N: usize>(codec: &impl Coding<N>, code: &[u8]) -> [f32; N] {
+fn decode_scalar<const N: usize>(codec: &AnyCodec, code: &[u8]) -> [f32; N] {
     codec.decode_one(words(code))
 }
 
@@ -70,25 +70,24 @@ fn bits<const N: usize>(elements: &[[f32; N]]) -> Vec<[u32; N]> {
 
 /// Slices of these lengths, at every level, hold what the scalar functions give.
 fn check_levels<const N: usize>(
-    codec: &impl Coding<N>,
+    codec: &AnyCodec,
     lengths: impl Iterator<Item = usize>,
     elements: &[[f32; N]],
     bytes: &[u8],
 ) {
-    let format = codec.format();
     let codes: Vec<u8> = elements.iter().flat_map(|&v| encode_scalar(codec, v)).collect();
     let decoded: Vec<[f32; N]> =
-        bytes.chunks_exact(format.bytes).map(|code| decode_scalar(codec, code)).collect();
+        bytes.chunks_exact(codec.bytes).map(|code| decode_scalar(codec, code)).collect();
     for count in lengths {
-        let size = count * format.bytes;
+        let size = count * codec.bytes;
         for level in Level::available() {
             let mut actual = vec![0xA5; size];
-            codec.encode_cpu_at(level, &elements[..count], &mut actual).unwrap();
-            assert_eq!(actual, codes[..size], "{} {level:?} {count}", format.id);
+            codec.encode_at(level, elements[..count].as_flattened(), &mut actual).unwrap();
+            assert_eq!(actual, codes[..size], "{} {level:?} {count}", codec.id);
 
             let mut actual = vec![[f32::NAN; N]; count];
-            codec.decode_cpu_at(level, &bytes[..size], &mut actual).unwrap();
-            assert_eq!(bits(&actual), bits(&decoded[..count]), "{} {level:?} {count}", format.id);
+            codec.decode_at(level, &bytes[..size], actual.as_flattened_mut()).unwrap();
+            assert_eq!(bits(&actual), bits(&decoded[..count]), "{} {level:?} {count}", codec.id);
         }
     }
 }
@@ -97,7 +96,7 @@ fn check_levels<const N: usize>(
 #[test]
 fn every_codec_at_every_length() {
     let (vectors, bytes) = (vectors(*LENGTHS.end()), bytes(8 * LENGTHS.end()));
-    for codec in CATALOGUE {
+    for codec in catalogue::vectors() {
         check_levels(codec, LENGTHS, &vectors, &bytes);
     }
 }
@@ -107,7 +106,7 @@ fn every_codec_at_every_length() {
 fn every_special_input() {
     let vectors = special_vectors();
     let bytes = bytes(8 * vectors.len());
-    for codec in CATALOGUE {
+    for codec in catalogue::vectors() {
         check_levels(codec, std::iter::once(vectors.len()), &vectors, &bytes);
     }
 }
@@ -121,36 +120,36 @@ fn frames_at_every_length() {
         .map(|v| [v[0][0], v[0][1], v[0][2], v[1][0], v[1][1], v[1][2], v[2][0]])
         .collect();
     let bytes = bytes(8 * LENGTHS.end());
-    for codec in FRAMES {
+    for codec in catalogue::frames() {
         check_levels(codec, LENGTHS, &frames, &bytes);
     }
 }
 
 /// An output that is one element short or long is an error and stays as it was, and so are bytes that are no whole number
 /// of codes.
-fn check_wrong_lengths<const N: usize>(codec: &impl Coding<N>, count: usize) {
-    let (id, size) = (codec.format().id, codec.format().bytes);
-    let elements = vec![[1.0; N]; count];
+fn check_wrong_lengths(codec: &AnyCodec, count: usize) {
+    let (id, size, floats) = (codec.id, codec.bytes, codec.element.floats());
+    let elements = vec![1.0; floats * count];
     for bytes in [Some(count * size + 1), (count * size).checked_sub(1)].into_iter().flatten() {
         let mut codes = vec![0xA5; bytes];
-        let mut decoded = vec![[7.0; N]; count];
+        let mut decoded = vec![7.0; floats * count];
         assert!(codec.encode_cpu(&elements, &mut codes).is_err(), "{id}");
         assert!(codec.decode_cpu(&codes, &mut decoded).is_err(), "{id}");
         for level in Level::available() {
-            assert!(codec.encode_cpu_at(level, &elements, &mut codes).is_err(), "{id} {level:?}");
-            assert!(codec.decode_cpu_at(level, &codes, &mut decoded).is_err(), "{id} {level:?}");
+            assert!(codec.encode_at(level, &elements, &mut codes).is_err(), "{id} {level:?}");
+            assert!(codec.decode_at(level, &codes, &mut decoded).is_err(), "{id} {level:?}");
         }
         assert!(codes.iter().all(|&byte| byte == 0xA5), "{id}");
-        assert!(decoded.iter().all(|&v| v == [7.0; N]), "{id}");
+        assert!(decoded.iter().all(|&v| v == 7.0), "{id}");
     }
     let codes = vec![0; count * size];
     for other in [Some(count + 1), count.checked_sub(1)].into_iter().flatten() {
-        let mut decoded = vec![[7.0; N]; other];
+        let mut decoded = vec![7.0; floats * other];
         assert!(codec.decode_cpu(&codes, &mut decoded).is_err(), "{id}");
         for level in Level::available() {
-            assert!(codec.decode_cpu_at(level, &codes, &mut decoded).is_err(), "{id} {level:?}");
+            assert!(codec.decode_at(level, &codes, &mut decoded).is_err(), "{id} {level:?}");
         }
-        assert!(decoded.iter().all(|&v| v == [7.0; N]), "{id}");
+        assert!(decoded.iter().all(|&v| v == 7.0), "{id}");
     }
 }
 
@@ -158,8 +157,7 @@ fn check_wrong_lengths<const N: usize>(codec: &impl Coding<N>, count: usize) {
 #[test]
 fn slices_of_wrong_lengths_are_left_alone() {
     for count in LENGTHS {
-        CATALOGUE.iter().for_each(|codec| check_wrong_lengths(codec, count));
-        FRAMES.iter().for_each(|codec| check_wrong_lengths(codec, count));
+        CODECS.iter().for_each(|codec| check_wrong_lengths(codec, count));
     }
 }
 
@@ -298,7 +296,7 @@ fn tables_are_the_scalar_functions() {
         };
     }
     for_each_codec!(check_all);
-    assert_eq!(count, CATALOGUE.iter().filter(|codec| codec.bits <= 16).count());
+    assert_eq!(count, catalogue::vectors().iter().filter(|codec| codec.bits <= 16).count());
 }
 
 /// The i16 x 4 form refuses slices of different lengths and leaves them alone.

@@ -33,7 +33,7 @@ fn bound_is_attained_at_the_equator() {
             narrow(at(0.5 + (0.5 + off) / (2.0 * m), column / steps))
         });
         let bound = spherical::bound_deg(codec.bits);
-        assert!(bound <= f64::from(codec.max_error_deg), "{}", codec.id);
+        assert!(bound <= f64::from(codec.max_error_deg()), "{}", codec.id);
         assert_attains(&codec, corners.chain(sphere(5, 300_000)), bound, 0.99, 4e-5);
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::sync::Arc;
-use unitvec_catalogue::{Domain, Element, Format, Operation, find, find_format, find_frame};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Operation, find};
 use unitvec_lab::accuracy::Table;
 use unitvec_lab::accuracy::meyer::worst_error;
 use unitvec_lab::textbook::{TEXTBOOK, Textbook, TextbookGpu, best_fit_table};
@@ -14,7 +14,7 @@ use unitvec_oracle::best_fit::error_at_length;
 use unitvec_run::backend::{Backend, CHUNK, Cpu, round_trip};
 use unitvec_run::glsl::Compiler;
 use unitvec_run::measure::ElementErrors;
-use unitvec_run::sampling::{random_codes, random_directions, random_elements, random_frames};
+use unitvec_run::sampling::{random_codes, random_elements};
 use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
 use unitvec_vulkan::Device;
 
@@ -37,7 +37,7 @@ fn every_textbook_has_a_codec_and_kernels() {
             assert!(functions.insert(textbook.function(operation)), "{} stands twice", textbook.id);
         }
         if let Some(finer) = textbook.finer {
-            assert_eq!(find_format(finer).unwrap().bytes, format.bytes, "{}", textbook.id);
+            assert_eq!(find(finer).unwrap().bytes, format.bytes, "{}", textbook.id);
             let [own, other] = [textbook.codec, finer].map(|id| accuracy::of(id, "direction"));
             assert!(other.mean < own.mean && other.max < own.max, "{}", textbook.id);
         }
@@ -63,30 +63,22 @@ const COUNT: usize = 1_000_000;
 const FEW: usize = 30_000;
 
 /// The errors of elements that come back finite, and the number of those that do not.
-fn errors(backend: &mut dyn Backend, format: Format, count: usize, seed: u64) -> (ElementErrors, usize) {
+fn errors(backend: &mut dyn Backend, format: &AnyCodec, count: usize, seed: u64) -> (ElementErrors, usize) {
     let (mut errors, mut lost) = (ElementErrors::default(), 0);
-    let mut add = |element: &[f32], decoded: &[f32]| {
+    let elements = random_elements(format.element, format.domain, seed);
+    round_trip(backend, format, elements, count, |element, decoded| {
         if decoded.iter().all(|c| c.is_finite()) {
             errors.add(element, decoded);
         } else {
             lost += 1;
         }
-    };
-    match format.element {
-        Element::Vector => {
-            let elements = random_directions(format.domain, seed);
-            round_trip(backend, format, elements, count, |v, decoded| add(&v, &decoded)).unwrap();
-        }
-        Element::Frame => {
-            let elements = random_frames(seed);
-            round_trip(backend, format, elements, count, |v, decoded| add(&v, &decoded)).unwrap();
-        }
-    }
+    })
+    .unwrap();
     (errors, lost)
 }
 
 /// The mean error of elements that one encodes and the other decodes.
-fn mean(encoder: &mut dyn Backend, decoder: &mut dyn Backend, format: Format) -> f64 {
+fn mean(encoder: &mut dyn Backend, decoder: &mut dyn Backend, format: &AnyCodec) -> f64 {
     let floats = format.element.floats();
     let elements: Vec<f32> = random_elements(format.element, format.domain, 3).take(FEW * floats).collect();
     let (mut codes, mut decoded) = (vec![0; FEW * format.bytes], vec![0.0; elements.len()]);
@@ -176,7 +168,7 @@ fn with_zeros() -> Vec<[f32; 3]> {
 }
 
 /// A vector as an element: a frame has a tangent across it, next to an axis.
-fn element(format: Format, v: [f32; 3]) -> Vec<f32> {
+fn element(format: &AnyCodec, v: [f32; 3]) -> Vec<f32> {
     if format.element == Element::Vector {
         return v.to_vec();
     }
@@ -205,7 +197,7 @@ fn name(decoded: &[f32]) -> String {
 }
 
 /// What comes back of inputs, in words.
-fn outcome(backend: &mut dyn Backend, format: Format, column: &str) -> String {
+fn outcome(backend: &mut dyn Backend, format: &AnyCodec, column: &str) -> String {
     let (has_direction, mut vectors) = inputs(column);
     if format.domain == Domain::Hemisphere {
         if column == "minus_z" {
@@ -231,8 +223,8 @@ fn of_none(pairs: &[(&[f32], &[f32])]) -> String {
 }
 
 /// Directions are right to a degree, or to the codec's bound where that is more.
-fn of_directions(format: Format, pairs: &[(&[f32], &[f32])]) -> String {
-    let bound = find(format.id).map_or(1.0, |codec| f64::from(codec.max_error_deg).max(1.0));
+fn of_directions(format: &AnyCodec, pairs: &[(&[f32], &[f32])]) -> String {
+    let bound = f64::from(format.max_error_deg()).max(1.0);
     let (mut worst, mut wrong, mut nan) = (0.0f64, BTreeSet::new(), false);
     for (element, decoded) in pairs {
         let mut errors = ElementErrors::default();
@@ -253,7 +245,7 @@ fn of_directions(format: Format, pairs: &[(&[f32], &[f32])]) -> String {
 }
 
 /// What codes decode to, all of up to 24 bits: unit vectors or not.
-fn of_codes(backend: &mut dyn Backend, format: Format) -> String {
+fn of_codes(backend: &mut dyn Backend, format: &AnyCodec) -> String {
     let (mut nan, mut least, mut most) = (false, f64::INFINITY, 0.0f64);
     let codes = codes(format);
     let mut decoded = vec![0.0; CHUNK * format.element.floats()];
@@ -277,7 +269,7 @@ fn of_codes(backend: &mut dyn Backend, format: Format) -> String {
 }
 
 /// All codes of up to 24 bits; of more, those whose bytes are at the ends of ranges, and random ones.
-fn codes(format: Format) -> Vec<u8> {
+fn codes(format: &AnyCodec) -> Vec<u8> {
     const ENDS: [u8; 6] = [0x00, 0x01, 0x7f, 0x80, 0x81, 0xff];
     let bytes = format.bytes;
     if bytes <= 3 {
@@ -292,7 +284,7 @@ fn codes(format: Format) -> Vec<u8> {
 }
 
 /// The cells of [`INPUTS`].
-fn outcomes(backend: &mut dyn Backend, format: Format) -> Vec<String> {
+fn outcomes(backend: &mut dyn Backend, format: &AnyCodec) -> Vec<String> {
     let of = |(column, _): &(&str, &str)| match *column {
         "codes" => of_codes(backend, format),
         column => outcome(backend, format, column),
@@ -374,7 +366,7 @@ fn lengths_of_the_table_are_the_best() {
 #[test]
 fn errors_are_the_surveys() {
     let mut compared = BTreeSet::new();
-    for textbook in TEXTBOOK.iter().filter(|textbook| find_frame(textbook.codec).is_none()) {
+    for textbook in TEXTBOOK {
         let codec = find(textbook.codec).unwrap();
         let table = if codec.domain == Domain::Sphere { Table::One } else { Table::Three };
         let rows = table.published();

@@ -3,28 +3,24 @@
 use std::ffi::{CString, c_char};
 use std::ptr;
 use std::sync::LazyLock;
-use unitvec_catalogue::{CATALOGUE, FRAMES, Format, formats};
+use unitvec_catalogue::AnyCodec;
 
 /// A codec, of vectors or of frames: see unitvec_find. It lives as long as the program.
 pub struct Codec {
-    pub(crate) format: Format,
+    pub(crate) any: &'static AnyCodec,
     pub(crate) id: CString,
     vk_format: Option<CString>,
-    max_error_deg: f32,
 }
 
 /// All codecs, in the order of the list.
-static CODECS: LazyLock<Vec<Codec>> = LazyLock::new(|| {
-    let vectors = CATALOGUE.iter().map(|codec| codec.max_error_deg);
-    let frames = FRAMES.iter().map(|codec| codec.max_normal_error_deg.max(codec.max_tangent_error_deg));
-    formats().zip(vectors.chain(frames)).map(|(format, error)| Codec::new(format, error)).collect()
-});
+static CODECS: LazyLock<Vec<Codec>> =
+    LazyLock::new(|| unitvec_catalogue::CODECS.iter().map(Codec::new).collect());
 
 impl Codec {
-    fn new(format: Format, max_error_deg: f32) -> Self {
+    fn new(any: &'static AnyCodec) -> Self {
         // Neither name has a zero in it.
         let text = |name: &str| CString::new(name).unwrap_or_default();
-        Self { format, id: text(format.id), vk_format: format.vk_format.map(text), max_error_deg }
+        Self { any, id: text(any.id), vk_format: any.vk_format.map(text) }
     }
 
     pub(crate) fn find(id: &[u8]) -> Option<&'static Self> {
@@ -63,26 +59,26 @@ pub extern "C" fn unitvec_codec_id(codec: *const Codec) -> *const c_char {
 /// Significant bits of a code. 0 for an unknown codec.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_codec_bits(codec: *const Codec) -> u32 {
-    Codec::at(codec).map_or(0, |codec| codec.format.bits)
+    Codec::at(codec).map_or(0, |codec| codec.any.bits)
 }
 
 /// Bytes of a stored code: 1, 2, 3, 4, 6 or 8. 0 for an unknown codec.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_codec_bytes(codec: *const Codec) -> usize {
-    Codec::at(codec).map_or(0, |codec| codec.format.bytes)
+    Codec::at(codec).map_or(0, |codec| codec.any.bytes)
 }
 
 /// Floats of an element: 3 for vectors, 7 for frames. 0 for an unknown codec.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_codec_floats(codec: *const Codec) -> usize {
-    Codec::at(codec).map_or(0, |codec| codec.format.element.floats())
+    Codec::at(codec).map_or(0, |codec| codec.any.element.floats())
 }
 
 /// Upper bound of the angle between a direction and its decoded code, in degrees; for frames, the greater of the bounds
 /// for normal and tangent. 0 for an unknown codec.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_codec_max_error_deg(codec: *const Codec) -> f32 {
-    Codec::at(codec).map_or(0.0, |codec| codec.max_error_deg)
+    Codec::at(codec).map_or(0.0, |codec| codec.any.max_error_deg())
 }
 
 /// The Vulkan format with the layout of the code, such as "VK_FORMAT_R16G16_SNORM". NULL where there is none, and for an

@@ -9,13 +9,13 @@ use std::ffi::{CStr, c_char, c_void};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::{ptr, slice};
 use unitvec::slice::LengthMismatch;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 
 /// A function that encodes a slice into another of the right length.
-type Encode = fn(&Format, &[f32], &mut [u8]) -> Result<(), LengthMismatch>;
+type Encode = fn(&AnyCodec, &[f32], &mut [u8]) -> Result<(), LengthMismatch>;
 
 /// A function that decodes a slice into another of the right length.
-type Decode = fn(&Format, &[u8], &mut [f32]) -> Result<(), LengthMismatch>;
+type Decode = fn(&AnyCodec, &[u8], &mut [f32]) -> Result<(), LengthMismatch>;
 
 /// The codec, of vectors or of frames, with an identifier, such as "oct32p". NULL where there is none, and for NULL. `id` must be
 /// NULL or a string that ends with a zero.
@@ -42,7 +42,7 @@ pub unsafe extern "C" fn unitvec_encode(
     codes_size: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { encode(codec, (elements, count), (codes, codes_size), Format::encode_here) }
+    unsafe { encode(codec, (elements, count), (codes, codes_size), AnyCodec::encode_here) }
 }
 
 /// Decodes codes, as unitvec_encode writes them, to `count` elements. The work stays on the calling thread. There must
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn unitvec_decode(
     count: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { decode(codec, (codes, codes_size), (elements, count), Format::decode_here) }
+    unsafe { decode(codec, (codes, codes_size), (elements, count), AnyCodec::decode_here) }
 }
 
 /// unitvec_encode on all cores: the same codes. The threads are started by the first call and stay.
@@ -69,7 +69,7 @@ pub unsafe extern "C" fn unitvec_encode_parallel(
     codes_size: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { encode(codec, (elements, count), (codes, codes_size), Format::encode_cpu) }
+    unsafe { encode(codec, (elements, count), (codes, codes_size), AnyCodec::encode_cpu) }
 }
 
 /// unitvec_decode on all cores: the same elements. The threads are started by the first call and stay.
@@ -82,7 +82,7 @@ pub unsafe extern "C" fn unitvec_decode_parallel(
     count: usize,
 ) -> Status {
     // SAFETY: as the caller promises.
-    unsafe { decode(codec, (codes, codes_size), (elements, count), Format::decode_cpu) }
+    unsafe { decode(codec, (codes, codes_size), (elements, count), AnyCodec::decode_cpu) }
 }
 
 /// # Safety
@@ -94,8 +94,8 @@ unsafe fn encode(
     run: Encode,
 ) -> Status {
     guarded(|| {
-        let format = format(codec)?;
-        let floats = checked(format, elements.addr(), count, codes.addr(), codes_size)?;
+        let codec = any(codec)?;
+        let floats = checked(codec, elements.addr(), count, codes.addr(), codes_size)?;
         if count == 0 {
             return Ok(());
         }
@@ -105,7 +105,7 @@ unsafe fn encode(
         // SAFETY: not NULL, and of a size that is less than isize::MAX. The caller promises so many bytes, of which nothing
         // else makes use; `checked` found that the elements are none of them.
         let codes = unsafe { slice::from_raw_parts_mut(codes.cast::<u8>(), codes_size) };
-        run(format, elements, codes).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+        run(codec, elements, codes).map_err(|_| Status::UNITVEC_ERROR_SIZE)
     })
 }
 
@@ -118,8 +118,8 @@ unsafe fn decode(
     run: Decode,
 ) -> Status {
     guarded(|| {
-        let format = format(codec)?;
-        let floats = checked(format, elements.addr(), count, codes.addr(), codes_size)?;
+        let codec = any(codec)?;
+        let floats = checked(codec, elements.addr(), count, codes.addr(), codes_size)?;
         if count == 0 {
             return Ok(());
         }
@@ -129,7 +129,7 @@ unsafe fn decode(
         // SAFETY: aligned, not NULL, and of a size that is less than isize::MAX. The caller promises so many floats, of
         // which nothing else makes use; `checked` found that the codes are none of them.
         let elements = unsafe { slice::from_raw_parts_mut(elements, floats) };
-        run(format, codes, elements).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+        run(codec, codes, elements).map_err(|_| Status::UNITVEC_ERROR_SIZE)
     })
 }
 
@@ -142,22 +142,22 @@ fn guarded(run: impl FnOnce() -> Result<(), Status>) -> Status {
     }
 }
 
-fn format(codec: *const Codec) -> Result<&'static Format, Status> {
-    Codec::at(codec).map(|codec| &codec.format).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
+fn any(codec: *const Codec) -> Result<&'static AnyCodec, Status> {
+    Codec::at(codec).map(|codec| codec.any).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
 }
 
 /// The number of floats of `count` elements, where slices can be made at both addresses, or `count` is 0.
 fn checked(
-    format: &Format,
+    codec: &AnyCodec,
     elements: usize,
     count: usize,
     codes: usize,
     codes_size: usize,
 ) -> Result<usize, Status> {
-    let floats = count.checked_mul(format.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
+    let floats = count.checked_mul(codec.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
     let size = floats.checked_mul(size_of::<f32>()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
     // Codes are smaller than their elements.
-    if size > isize::MAX as usize || count * format.bytes != codes_size {
+    if size > isize::MAX as usize || count * codec.bytes != codes_size {
         return Err(Status::UNITVEC_ERROR_SIZE);
     }
     if count == 0 {

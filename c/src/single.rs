@@ -1,7 +1,7 @@
 //! Single vectors and frames: the functions that `codecs.rs` calls, with the codecs that the catalogue has compiled.
 
 use unitvec::{for_each_codec, for_each_frame};
-use unitvec_catalogue::{CATALOGUE, Coding, FRAMES};
+use unitvec_catalogue::{frames, vectors};
 
 /// A vector of three floats, laid out as three floats of an array.
 #[repr(C)]
@@ -54,20 +54,20 @@ for_each_codec!(vectors);
 for_each_frame!(frames);
 
 pub(crate) fn encode(codec: Vectors, vector: Vec3) -> u64 {
-    joined(CATALOGUE[codec as usize].encode_one(vector.to_array()))
+    joined(vectors()[codec as usize].encode_one(vector.to_array()))
 }
 
 pub(crate) fn decode(codec: Vectors, code: u64) -> Vec3 {
-    CATALOGUE[codec as usize].decode_one(words(code)).into()
+    vectors()[codec as usize].decode_one::<3>(words(code)).into()
 }
 
 pub(crate) fn encode_frame(codec: Frames, frame: Frame) -> u64 {
     let ([nx, ny, nz], [tx, ty, tz]) = (frame.normal.to_array(), frame.tangent.to_array());
-    joined(FRAMES[codec as usize].encode_one([nx, ny, nz, tx, ty, tz, frame.handedness]))
+    joined(frames()[codec as usize].encode_one([nx, ny, nz, tx, ty, tz, frame.handedness]))
 }
 
 pub(crate) fn decode_frame(codec: Frames, code: u64) -> Frame {
-    let [nx, ny, nz, tx, ty, tz, handedness] = FRAMES[codec as usize].decode_one(words(code));
+    let [nx, ny, nz, tx, ty, tz, handedness] = frames()[codec as usize].decode_one(words(code));
     Frame { normal: [nx, ny, nz].into(), tangent: [tx, ty, tz].into(), handedness }
 }
 

@@ -6,8 +6,7 @@ use unitvec::codec::Code;
 use unitvec::frame::{decode_frames, encode_frames};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    DecodeAt, EncodeAt, LengthMismatch, decode_slice_at, encode_slice_at, encode_slice_with, expect_length,
-    par_decode_with, par_encode_with,
+    DecodeAt, EncodeAt, LengthMismatch, decode_slice_at, encode_slice_at, encode_slice_with,
 };
 use unitvec::{Codec, Frame, FrameCodec};
 
@@ -19,7 +18,7 @@ pub struct Functions<const N: usize> {
     pub encode_at: EncodeAt<[f32; N]>,
     pub decode_at: DecodeAt<[f32; N]>,
     /// What encodes slices: `encode_at`, or an encoder by table.
-    encode: EncodeAt<[f32; N]>,
+    pub encode: EncodeAt<[f32; N]>,
 }
 
 /// Those of a codec of vectors or of frames.
@@ -39,10 +38,6 @@ impl Functions<3> {
             encode: encode_slice_at::<C>,
         }
     }
-
-    pub const fn by_table(self, encode: EncodeAt<[f32; 3]>) -> Self {
-        Self { encode, ..self }
-    }
 }
 
 impl Functions<7> {
@@ -57,24 +52,20 @@ impl Functions<7> {
     }
 }
 
-impl<const N: usize> Functions<N> {
-    pub fn encode(&self, size: usize, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        expect_length(elements.len() * size, codes.len())?;
-        par_encode_with(elements, codes, size, self.encode)
-    }
+/// Evaluates an expression with the [`Functions`] of a codec, whatever its elements are.
+macro_rules! with_functions {
+    ($codec:expr, $functions:ident => $result:expr) => {
+        match &$codec.functions {
+            AnyFunctions::Vector($functions) => $result,
+            AnyFunctions::Frame($functions) => $result,
+        }
+    };
+}
+pub(crate) use with_functions;
 
-    pub fn decode(&self, size: usize, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch> {
-        expect_length(codes.len(), elements.len() * size)?;
-        par_decode_with(codes, elements, size, self.decode_at)
-    }
-
-    pub fn encode_here(&self, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        (self.encode)(Level::best(), elements, codes)
-    }
-
-    pub fn decode_here(&self, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch> {
-        (self.decode_at)(Level::best(), codes, elements)
-    }
+/// The first floats, and zeros after them.
+pub fn resized<const FROM: usize, const TO: usize>(floats: [f32; FROM]) -> [f32; TO] {
+    std::array::from_fn(|i| floats.get(i).copied().unwrap_or_default())
 }
 
 /// The table of [`unitvec::best_fit`], computed once.

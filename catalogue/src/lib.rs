@@ -2,45 +2,49 @@
 //! functions that encode and decode with it on the CPU, on all cores.
 //!
 //! ```
-//! use unitvec_catalogue::{Coding, find};
-//!
-//! let codec = find("oct32p")?;
+//! let codec = unitvec_catalogue::find("oct32p")?;
 //! let mut codes = vec![0; 2 * codec.bytes];
-//! codec.encode_cpu(&[[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]], &mut codes)?;
+//! codec.encode_cpu([[0.6, 0.0, -0.8], [0.0, 1.0, 0.0]].as_flattened(), &mut codes)?;
 //! let mut vectors = [[0.0; 3]; 2];
-//! codec.decode_cpu(&codes, &mut vectors)?;
+//! codec.decode_cpu(&codes, vectors.as_flattened_mut())?;
 //! assert_eq!(vectors[1], [0.0, 1.0, 0.0]);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! A program that knows its codec when it is written needs only [`unitvec`]. This crate compiles all of them, which takes
-//! about a minute on two cores. With the feature `serde`, [`CodecInfo`], [`FrameInfo`], [`Element`] and [`Operation`] can
-//! be serialised.
+//! about a minute on two cores. With the feature `serde`, [`AnyCodec`], [`Element`] and [`Operation`] can be serialised.
 
 mod cpu;
 mod list;
 
-use cpu::{AnyFunctions, Functions};
+use bytemuck::{cast_slice, cast_slice_mut};
+use cpu::{AnyFunctions, Functions, resized, with_functions};
+#[cfg(feature = "serde")]
+use serde::ser::SerializeMap;
+use std::hash::{Hash, Hasher};
 use unitvec::slice::machine::Level;
-use unitvec::slice::{EncodeAt, LengthMismatch, expect_length};
+use unitvec::slice::{EncodeAt, LengthMismatch, expect_length, par_decode_with, par_encode_with};
 #[cfg(doc)]
 use unitvec::{Codec, FrameCodec};
 use unitvec::{Listed, ListedFrame};
 
 pub use cpu::best_fit_table;
-pub use list::{CATALOGUE, FRAMES};
+pub use list::{CODECS, frames, vectors};
 pub use unitvec::Domain;
 
-/// A codec: what is known of it, and its CPU functions.
+/// A codec of vectors or of frames: what is known of it, and its CPU functions. Two are equal that have one identifier.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct CodecInfo {
+pub struct AnyCodec {
     /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
     pub id: &'static str,
     /// Name of its type in [`unitvec`]: `OctPrecise16`.
     pub rust_type: &'static str,
-    /// The survey's name, `oct16P`; for codecs that are not in the survey, a name in the same style.
+    /// The survey's name, `oct16P`; for other codecs of vectors a name in the same style, and for those of frames `id`.
     pub survey_name: &'static str,
+    /// The family: its module in [`unitvec`] and, with `.glsl`, the GLSL include file with its functions.
+    pub family: &'static str,
+    /// What it encodes.
+    pub element: Element,
     /// Significant bits of a code.
     pub bits: u32,
     /// Bytes of a stored code.
@@ -48,30 +52,42 @@ pub struct CodecInfo {
     /// The Vulkan format with the code's layout, where there is one.
     pub vk_format: Option<&'static str>,
     /// The directions it is made for.
-    #[cfg_attr(feature = "serde", serde(serialize_with = "serialize_domain"))]
     pub domain: Domain,
     /// True where decoded vectors have unit length; false for raw component formats.
     pub is_unit: bool,
-    /// True where the directions of the domain's axes come back exactly.
+    /// True where the directions of the domain's axes come back exactly. Codecs of frames do not promise it.
     pub exact_axes: bool,
-    /// True where what any device decodes, any other encodes to a code of the same vector.
+    /// True where what any device decodes, any other encodes to a code of the same element.
     pub stable_across_devices: bool,
-    /// Upper bound of the error over the domain, in degrees.
-    pub max_error_deg: f32,
-    /// The family: its module in [`unitvec`] and, with `.glsl`, the GLSL include file with its functions.
-    pub family: &'static str,
+    /// Upper bounds of the errors over the domain, in degrees: one for each of [`Element::directions`].
+    pub max_errors_deg: &'static [f32],
     /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
     pub encodes_by_table: bool,
-    #[cfg_attr(feature = "serde", serde(skip))]
-    functions: Functions<3>,
+    functions: AnyFunctions,
 }
 
-impl CodecInfo {
-    const fn of<C: Listed>() -> Self {
+impl PartialEq for AnyCodec {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for AnyCodec {}
+
+impl Hash for AnyCodec {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.id.hash(state);
+    }
+}
+
+impl AnyCodec {
+    const fn of_vectors<C: Listed>() -> Self {
         Self {
             id: C::NAME,
             rust_type: C::RUST_TYPE,
             survey_name: C::SURVEY_NAME,
+            family: C::FAMILY,
+            element: Element::Vector,
             bits: C::BITS,
             bytes: C::BYTES,
             vk_format: C::VK_FORMAT,
@@ -79,11 +95,42 @@ impl CodecInfo {
             is_unit: C::IS_UNIT,
             exact_axes: C::EXACT_AXES,
             stable_across_devices: C::STABLE_ACROSS_DEVICES,
-            max_error_deg: C::MAX_ERROR_DEG,
-            family: C::FAMILY,
+            max_errors_deg: const { &[C::MAX_ERROR_DEG] },
             encodes_by_table: false,
-            functions: Functions::of_vectors::<C>(),
+            functions: AnyFunctions::Vector(Functions::of_vectors::<C>()),
         }
+    }
+
+    /// The codec, encoding by the table of [`unitvec::best_fit`].
+    const fn by_table(self, encode: EncodeAt<[f32; 3]>) -> Self {
+        let AnyFunctions::Vector(functions) = self.functions else { return self };
+        let functions = AnyFunctions::Vector(Functions { encode, ..functions });
+        Self { encodes_by_table: true, functions, ..self }
+    }
+
+    const fn of_frames<F: ListedFrame>() -> Self {
+        Self {
+            id: F::NAME,
+            rust_type: F::RUST_TYPE,
+            survey_name: F::NAME,
+            family: "frame",
+            element: Element::Frame,
+            bits: F::BITS,
+            bytes: F::BYTES,
+            vk_format: Some(F::VK_FORMAT),
+            domain: Domain::Sphere,
+            is_unit: true,
+            exact_axes: false,
+            stable_across_devices: true,
+            max_errors_deg: const { &[F::MAX_NORMAL_ERROR_DEG, F::MAX_TANGENT_ERROR_DEG] },
+            encodes_by_table: false,
+            functions: AnyFunctions::Frame(Functions::of_frames::<F>()),
+        }
+    }
+
+    /// Upper bound of the error over the domain, in degrees; of frames the greater of those of normal and tangent.
+    pub fn max_error_deg(&self) -> f32 {
+        self.max_errors_deg.iter().copied().fold(0.0, f32::max)
     }
 
     /// The GLSL include file with its functions: `oct.glsl`.
@@ -91,85 +138,121 @@ impl CodecInfo {
         format!("{}.glsl", self.family)
     }
 
-    /// The codec, encoding by the table of [`unitvec::best_fit`].
-    const fn by_table(self, encode: EncodeAt<[f32; 3]>) -> Self {
-        Self { encodes_by_table: true, functions: self.functions.by_table(encode), ..self }
-    }
-
     /// Entry point of the kernel, and name of the GLSL function, of this operation: `oct16_encode`.
     pub fn function(&self, operation: Operation) -> String {
-        self.format().function(operation)
+        format!("{}_{operation}", self.id)
+    }
+
+    /// The number of elements, where slices of these lengths hold equally many.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where they do not, or where one ends within an element.
+    pub fn count(&self, floats: usize, code_bytes: usize) -> Result<usize, LengthMismatch> {
+        let count = floats / self.element.floats();
+        expect_length(count * self.bytes, code_bytes)?;
+        // Floats beyond the last whole element ask for one code more.
+        expect_length(floats.div_ceil(self.element.floats()) * self.bytes, code_bytes)?;
+        Ok(count)
+    }
+
+    /// Encodes elements, whose floats follow each other, on the CPU, on all cores: little endian, without gaps.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn encode_cpu(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        with_functions!(self, it => par_encode_with(cast_slice(elements), codes, self.bytes, it.encode))
+    }
+
+    /// Decodes codes, as [`encode_cpu`](Self::encode_cpu) makes them, on the CPU, on all cores.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn decode_cpu(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        with_functions!(self, it => par_decode_with(codes, cast_slice_mut(elements), self.bytes, it.decode_at))
+    }
+
+    /// As [`encode_cpu`](Self::encode_cpu), on the calling thread alone.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn encode_here(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        with_functions!(self, it => (it.encode)(Level::best(), cast_slice(elements), codes))
+    }
+
+    /// As [`decode_cpu`](Self::decode_cpu), on the calling thread alone.
+    ///
+    /// # Errors
+    /// As [`count`](Self::count). Nothing is written then.
+    pub fn decode_here(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
+        self.decode_at(Level::best(), codes, elements)
+    }
+
+    /// As [`encode_here`](Self::encode_here), with the instructions of a given level and without a table.
+    #[doc(hidden)]
+    pub fn encode_at(&self, level: Level, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        with_functions!(self, it => (it.encode_at)(level, cast_slice(elements), codes))
+    }
+
+    /// As [`decode_here`](Self::decode_here), with the instructions of a given level.
+    #[doc(hidden)]
+    pub fn decode_at(&self, level: Level, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
+        self.count(elements.len(), codes.len())?;
+        with_functions!(self, it => (it.decode_at)(level, codes, cast_slice_mut(elements)))
+    }
+
+    /// [`Codec::encode`] or [`FrameCodec::encode`] of one element: the low word first. `N` is 3 for vectors and 7 for
+    /// frames; floats that lack count as 0, and those beyond are left out.
+    pub fn encode_one<const N: usize>(&self, element: [f32; N]) -> [u32; 2] {
+        with_functions!(self, it => (it.encode_one)(resized(element)))
+    }
+
+    /// [`Codec::decode`] or [`FrameCodec::decode`] of one code, the low word first. `N` is as in
+    /// [`encode_one`](Self::encode_one).
+    pub fn decode_one<const N: usize>(&self, code: [u32; 2]) -> [f32; N] {
+        with_functions!(self, it => resized((it.decode_one)(code)))
     }
 }
 
+/// The codec as JSON: a row of `unitvec codecs --json`. Codecs of frames have the properties that tell them apart.
 #[cfg(feature = "serde")]
-fn serialize_domain<S: serde::Serializer>(domain: &Domain, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(match domain {
-        Domain::Sphere => "sphere",
-        Domain::Hemisphere => "hemisphere",
-    })
-}
-
-/// A codec of tangent frames: seven floats, which are normal, tangent and handedness.
-#[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct FrameInfo {
-    /// Identifier: `frame32`.
-    pub id: &'static str,
-    /// Name of its type in [`unitvec`]: `Frame32`.
-    pub rust_type: &'static str,
-    /// Significant bits of a code.
-    pub bits: u32,
-    /// Bytes of a stored code.
-    pub bytes: usize,
-    /// The Vulkan format that holds a code.
-    pub vk_format: &'static str,
-    /// Upper bound of the normal's error, in degrees.
-    pub max_normal_error_deg: f32,
-    /// Upper bound of the tangent's error, in degrees.
-    pub max_tangent_error_deg: f32,
-    #[cfg_attr(feature = "serde", serde(skip))]
-    functions: Functions<7>,
-}
-
-impl FrameInfo {
-    /// The GLSL include file with its functions.
-    pub fn glsl_file(&self) -> &'static str {
-        "frame.glsl"
-    }
-
-    const fn of<F: ListedFrame>() -> Self {
-        Self {
-            id: F::NAME,
-            rust_type: F::RUST_TYPE,
-            bits: F::BITS,
-            bytes: F::BYTES,
-            vk_format: F::VK_FORMAT,
-            max_normal_error_deg: F::MAX_NORMAL_ERROR_DEG,
-            max_tangent_error_deg: F::MAX_TANGENT_ERROR_DEG,
-            functions: Functions::of_frames::<F>(),
+impl serde::Serialize for AnyCodec {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("element", &self.element)?;
+        map.serialize_entry("id", self.id)?;
+        map.serialize_entry("rust_type", self.rust_type)?;
+        if self.element == Element::Vector {
+            map.serialize_entry("survey_name", self.survey_name)?;
         }
+        map.serialize_entry("bits", &self.bits)?;
+        map.serialize_entry("bytes", &self.bytes)?;
+        map.serialize_entry("vk_format", &self.vk_format)?;
+        match self.element {
+            Element::Vector => {
+                let is_hemisphere = self.domain == Domain::Hemisphere;
+                map.serialize_entry("domain", if is_hemisphere { "hemisphere" } else { "sphere" })?;
+                map.serialize_entry("is_unit", &self.is_unit)?;
+                map.serialize_entry("exact_axes", &self.exact_axes)?;
+                map.serialize_entry("stable_across_devices", &self.stable_across_devices)?;
+                map.serialize_entry("max_error_deg", &self.max_error_deg())?;
+                map.serialize_entry("family", self.family)?;
+                map.serialize_entry("encodes_by_table", &self.encodes_by_table)?;
+            }
+            Element::Frame => {
+                for (direction, bound) in self.element.directions().iter().zip(self.max_errors_deg) {
+                    map.serialize_entry(&format!("max_{direction}_error_deg"), bound)?;
+                }
+            }
+        }
+        for operation in Operation::ALL {
+            map.serialize_entry(&format!("{operation}_function"), &self.function(operation))?;
+        }
+        map.end()
     }
-}
-
-/// What runs a codec, of vectors or of frames, needs to know of it.
-#[derive(Clone, Copy, Debug)]
-pub struct Format {
-    /// Identifier.
-    pub id: &'static str,
-    /// Significant bits of a code.
-    pub bits: u32,
-    /// Bytes of a stored code.
-    pub bytes: usize,
-    /// What it encodes.
-    pub element: Element,
-    /// The Vulkan format with the code's layout, where there is one.
-    pub vk_format: Option<&'static str>,
-    /// The directions it is made for.
-    pub domain: Domain,
-    /// As in [`CodecInfo`].
-    pub encodes_by_table: bool,
-    functions: AnyFunctions,
 }
 
 /// What is encoded.
@@ -199,168 +282,20 @@ impl Element {
         4 * self.floats()
     }
 
+    /// The directions in it that have an error: `direction` of a vector, `normal` and `tangent` of a frame.
+    pub const fn directions(self) -> &'static [&'static str] {
+        match self {
+            Self::Vector => &["direction"],
+            Self::Frame => &["normal", "tangent"],
+        }
+    }
+
     /// `vectors` or `frames`.
     pub const fn plural(self) -> &'static str {
         match self {
             Self::Vector => "vectors",
             Self::Frame => "frames",
         }
-    }
-}
-
-impl Format {
-    /// Entry point of the kernel, and name of the GLSL function, of this operation: `oct16_encode`.
-    pub fn function(&self, operation: Operation) -> String {
-        format!("{}_{operation}", self.id)
-    }
-
-    /// The number of elements, where slices of these lengths hold equally many.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where they do not, or where one ends within an element.
-    pub fn count(&self, floats: usize, code_bytes: usize) -> Result<usize, LengthMismatch> {
-        let count = floats / self.element.floats();
-        expect_length(count * self.bytes, code_bytes)?;
-        // Floats beyond the last whole element ask for one code more.
-        expect_length(floats.div_ceil(self.element.floats()) * self.bytes, code_bytes)?;
-        Ok(count)
-    }
-
-    /// As [`Coding::encode_cpu`], of elements whose floats follow each other.
-    ///
-    /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
-    pub fn encode_cpu(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        self.count(elements.len(), codes.len())?;
-        match self.functions {
-            AnyFunctions::Vector(codec) => codec.encode(self.bytes, bytemuck::cast_slice(elements), codes),
-            AnyFunctions::Frame(codec) => codec.encode(self.bytes, bytemuck::cast_slice(elements), codes),
-        }
-    }
-
-    /// As [`Coding::decode_cpu`], to elements whose floats follow each other.
-    ///
-    /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
-    pub fn decode_cpu(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
-        self.count(elements.len(), codes.len())?;
-        match self.functions {
-            AnyFunctions::Vector(codec) => {
-                codec.decode(self.bytes, codes, bytemuck::cast_slice_mut(elements))
-            }
-            AnyFunctions::Frame(codec) => codec.decode(self.bytes, codes, bytemuck::cast_slice_mut(elements)),
-        }
-    }
-
-    /// As [`encode_cpu`](Self::encode_cpu), on the calling thread alone.
-    ///
-    /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
-    pub fn encode_here(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        self.count(elements.len(), codes.len())?;
-        match self.functions {
-            AnyFunctions::Vector(codec) => codec.encode_here(bytemuck::cast_slice(elements), codes),
-            AnyFunctions::Frame(codec) => codec.encode_here(bytemuck::cast_slice(elements), codes),
-        }
-    }
-
-    /// As [`decode_cpu`](Self::decode_cpu), on the calling thread alone.
-    ///
-    /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
-    pub fn decode_here(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
-        self.count(elements.len(), codes.len())?;
-        match self.functions {
-            AnyFunctions::Vector(codec) => codec.decode_here(codes, bytemuck::cast_slice_mut(elements)),
-            AnyFunctions::Frame(codec) => codec.decode_here(codes, bytemuck::cast_slice_mut(elements)),
-        }
-    }
-}
-
-/// The formats of all codecs, of vectors and then of frames.
-pub fn formats() -> impl Iterator<Item = Format> {
-    CATALOGUE.iter().map(Coding::format).chain(FRAMES.iter().map(Coding::format))
-}
-
-/// A codec of elements of `N` floats.
-pub trait Coding<const N: usize> {
-    /// What runs it needs to know.
-    fn format(&self) -> Format;
-
-    #[doc(hidden)]
-    fn functions(&self) -> &Functions<N>;
-
-    /// Encodes on the CPU, on all cores: little endian, without gaps.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where `codes` is not of that size. Nothing is written then.
-    fn encode_cpu(&self, elements: &[[f32; N]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        self.functions().encode(self.format().bytes, elements, codes)
-    }
-
-    /// Decodes on the CPU, on all cores.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where `codes` is not as [`encode_cpu`](Self::encode_cpu) makes it. Nothing is written then.
-    fn decode_cpu(&self, codes: &[u8], elements: &mut [[f32; N]]) -> Result<(), LengthMismatch> {
-        self.functions().decode(self.format().bytes, codes, elements)
-    }
-
-    /// [`Codec::encode`] or [`FrameCodec::encode`] of one element: the low word first.
-    fn encode_one(&self, element: [f32; N]) -> [u32; 2] {
-        (self.functions().encode_one)(element)
-    }
-
-    /// [`Codec::decode`] or [`FrameCodec::decode`] of one code, the low word first.
-    fn decode_one(&self, code: [u32; 2]) -> [f32; N] {
-        (self.functions().decode_one)(code)
-    }
-
-    /// The slice function with the instructions of a given level, on one core, and without a table.
-    #[doc(hidden)]
-    fn encode_cpu_at(
-        &self,
-        level: Level,
-        elements: &[[f32; N]],
-        codes: &mut [u8],
-    ) -> Result<(), LengthMismatch> {
-        (self.functions().encode_at)(level, elements, codes)
-    }
-
-    /// The slice function with the instructions of a given level, on one core.
-    #[doc(hidden)]
-    fn decode_cpu_at(
-        &self,
-        level: Level,
-        codes: &[u8],
-        elements: &mut [[f32; N]],
-    ) -> Result<(), LengthMismatch> {
-        (self.functions().decode_at)(level, codes, elements)
-    }
-}
-
-impl Coding<3> for CodecInfo {
-    fn format(&self) -> Format {
-        let Self { id, bits, bytes, vk_format, domain, encodes_by_table, functions, .. } = *self;
-        let (element, functions) = (Element::Vector, AnyFunctions::Vector(functions));
-        Format { id, bits, bytes, element, vk_format, domain, encodes_by_table, functions }
-    }
-
-    fn functions(&self) -> &Functions<3> {
-        &self.functions
-    }
-}
-
-impl Coding<7> for FrameInfo {
-    fn format(&self) -> Format {
-        let Self { id, bits, bytes, vk_format, functions, .. } = *self;
-        let (element, functions) = (Element::Frame, AnyFunctions::Frame(functions));
-        let (vk_format, domain) = (Some(vk_format), Domain::Sphere);
-        Format { id, bits, bytes, element, vk_format, domain, encodes_by_table: false, functions }
-    }
-
-    fn functions(&self) -> &Functions<7> {
-        &self.functions
     }
 }
 
@@ -398,41 +333,26 @@ pub struct UnknownCodec {
 
 /// Codecs whose identifier or survey name is this one but for case, or else that begin with the same letters.
 fn suggestion(id: &str) -> String {
-    if find_frame(id).is_some() {
-        return "it is a codec of tangent frames: see `find_frame`; ".to_owned();
+    if frames().iter().any(|codec| codec.id == id) {
+        return "it is a codec of tangent frames; ".to_owned();
     }
     let letters =
         |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
-    let codecs = CATALOGUE.iter().map(|codec| (codec.id, codec.survey_name));
-    let names: Vec<_> = codecs.chain(FRAMES.iter().map(|codec| (codec.id, codec.id))).collect();
-    let close = |is_close: &dyn Fn(&str, &str) -> bool| -> Vec<&str> {
-        names.iter().filter(|(id, survey_name)| is_close(id, survey_name)).map(|(id, _)| *id).collect()
+    let close = |is_close: &dyn Fn(&AnyCodec) -> bool| -> Vec<&str> {
+        CODECS.iter().filter(|codec| is_close(codec)).map(|codec| codec.id).collect()
     };
     let mut found =
-        close(&|other, survey_name| [other, survey_name].iter().any(|name| name.eq_ignore_ascii_case(id)));
+        close(&|codec| [codec.id, codec.survey_name].iter().any(|name| name.eq_ignore_ascii_case(id)));
     if found.is_empty() {
-        found = close(&|other, _| letters(other) == letters(id));
+        found = close(&|codec| letters(codec.id) == letters(id));
     }
     if found.is_empty() { String::new() } else { format!("did you mean {}? ", found.join(", ")) }
 }
 
-/// The codec of vectors with this identifier.
+/// The codec with this identifier.
 ///
 /// # Errors
 /// [`UnknownCodec`] where there is none.
-pub fn find(id: &str) -> Result<&'static CodecInfo, UnknownCodec> {
-    CATALOGUE.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
-}
-
-/// The codec of frames with this identifier.
-pub fn find_frame(id: &str) -> Option<&'static FrameInfo> {
-    FRAMES.iter().find(|codec| codec.id == id)
-}
-
-/// The format of the codec, of vectors or of frames, with this identifier.
-///
-/// # Errors
-/// [`UnknownCodec`] where there is none.
-pub fn find_format(id: &str) -> Result<Format, UnknownCodec> {
-    formats().find(|format| format.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
+pub fn find(id: &str) -> Result<&'static AnyCodec, UnknownCodec> {
+    CODECS.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
 }

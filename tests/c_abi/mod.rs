@@ -7,7 +7,7 @@ mod text;
 use program::{Library, compile};
 use std::io::Write;
 use std::process::{Command, Stdio};
-use unitvec_catalogue::{Domain, Format, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain};
 use unitvec_run::sampling;
 use unitvec_tests::repository;
 
@@ -22,9 +22,10 @@ fn every_codec_gives_the_cpus_bits() {
     std::fs::write(folder.path().join("codecs.inc"), text::calls()).unwrap();
     let source = repository().join("tests/c_abi/codecs.c");
     let program = compile(&source, folder.path(), Library::Static);
-    let wrong: Vec<String> = formats()
+    let wrong: Vec<String> = CODECS
+        .iter()
         .filter_map(|format| {
-            let (input, expected) = input_and_output(&format);
+            let (input, expected) = input_and_output(format);
             let mut child = Command::new(&program)
                 .args([format.id, &(expected.codes.len() / format.bytes).to_string()])
                 .stdin(Stdio::piped())
@@ -60,7 +61,7 @@ impl Expected {
 }
 
 /// Elements and as many codes, and what they are encoded and decoded to.
-fn input_and_output(format: &Format) -> (Vec<u8>, Expected) {
+fn input_and_output(format: &AnyCodec) -> (Vec<u8>, Expected) {
     let floats = format.element.floats();
     let random = sampling::random_elements(format.element, Domain::Sphere, 31).take(RANDOM * floats);
     let special = sampling::special_elements(format.element).iter().copied();

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 use std::process::Command;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, Format, FrameInfo, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element};
 use unitvec_files::write_file;
 use unitvec_tests::repository;
 
@@ -44,23 +44,19 @@ fn codecs() -> String {
     let mut text = "//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi::text`.\n\n\
                     use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};\n"
         .to_owned();
-    for codec in CATALOGUE {
-        write!(text, "{}", functions(codec.id, codec.bits, &about_vectors(codec), VECTOR)).unwrap();
-    }
-    for codec in FRAMES {
-        write!(text, "{}", functions(codec.id, codec.bits, &about_frames(codec), FRAME)).unwrap();
+    for codec in &CODECS {
+        let element = if codec.element == Element::Vector { VECTOR } else { FRAME };
+        write!(text, "{}", functions(codec.id, codec.bits, &about(codec), element)).unwrap();
     }
     text
 }
 
-fn about_vectors(codec: &CodecInfo) -> String {
+fn about(codec: &AnyCodec) -> String {
     let domain = if codec.domain == Domain::Hemisphere { "directions with z >= 0, " } else { "" };
-    format!("{domain}at most {} degrees off", codec.max_error_deg)
-}
-
-fn about_frames(codec: &FrameInfo) -> String {
-    let FrameInfo { max_normal_error_deg, max_tangent_error_deg, .. } = codec;
-    format!("normal at most {max_normal_error_deg}, tangent {max_tangent_error_deg} degrees off")
+    match codec.max_errors_deg {
+        [normal, tangent] => format!("normal at most {normal}, tangent {tangent} degrees off"),
+        _ => format!("{domain}at most {} degrees off", codec.max_error_deg()),
+    }
 }
 
 /// What the functions of vectors, or of frames, are written with.
@@ -98,11 +94,11 @@ pub extern \"C\" fn unitvec_{id}_decode(code: {code}) -> {type} {{
 
 /// A line of C a codec, for `codecs.c`.
 pub fn calls() -> String {
-    let kind = |format: &Format| match (format.element.floats(), format.bits) {
+    let kind = |format: &AnyCodec| match (format.element.floats(), format.bits) {
         (3, ..=32) => "VECTOR32",
         (3, _) => "VECTOR64",
         (_, ..=32) => "FRAME32",
         _ => "FRAME64",
     };
-    formats().map(|format| format!("{}({})\n", kind(&format), format.id)).collect()
+    CODECS.iter().map(|format| format!("{}({})\n", kind(format), format.id)).collect()
 }

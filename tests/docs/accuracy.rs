@@ -3,12 +3,11 @@
 use super::compare;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding, Domain, FRAMES, FrameInfo};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, frames, vectors};
 use unitvec_lab::accuracy::meyer::worst_error;
 use unitvec_lab::accuracy::{Row, chart, covering_bound_deg};
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::ErrorStats;
-use unitvec_run::sampling;
 use unitvec_tests::repository;
 
 /// Mean and largest error in degrees.
@@ -42,32 +41,10 @@ pub fn of(id: &str, of: &str) -> Errors {
     *found.unwrap_or_else(|| panic!("{id} is not in docs/data/accuracy.csv: cargo xtask docs --measure"))
 }
 
-/// The errors over random directions.
-fn sampled(codec: &CodecInfo, count: usize, seed: u64) -> ErrorStats {
-    let vectors: Vec<[f32; 3]> = sampling::random_directions(codec.domain, seed).take(count).collect();
-    let (mut codes, mut decoded) = (vec![0; count * codec.bytes], vec![[0.0; 3]; count]);
-    codec.encode_cpu(&vectors, &mut codes).unwrap();
-    codec.decode_cpu(&codes, &mut decoded).unwrap();
-    let mut errors = ErrorStats::default();
-    vectors.iter().zip(&decoded).for_each(|(original, decoded)| errors.add(*original, *decoded));
-    errors
-}
-
-/// The errors of normals and tangents over random frames.
-fn sampled_frames(codec: &FrameInfo, count: usize, seed: u64) -> [(&'static str, ErrorStats); 2] {
-    let frames: Vec<[f32; 7]> = sampling::random_frames(seed).take(count).collect();
-    let (mut codes, mut decoded) = (vec![0; count * codec.bytes], vec![[0.0; 7]; count]);
-    codec.encode_cpu(&frames, &mut codes).unwrap();
-    codec.decode_cpu(&codes, &mut decoded).unwrap();
-    [("normal", 0), ("tangent", 3)].map(|(of, first)| {
-        let mut errors = ErrorStats::default();
-        let vector = |frame: &[f32; 7]| [frame[first], frame[first + 1], frame[first + 2]];
-        frames
-            .iter()
-            .zip(&decoded)
-            .for_each(|(original, decoded)| errors.add(vector(original), vector(decoded)));
-        (of, errors)
-    })
+/// The errors over random elements: of directions, or of normals and of tangents.
+fn sampled(codec: &AnyCodec, count: usize, seed: u64) -> Vec<(&'static str, ErrorStats)> {
+    let errors = unitvec_run::measure::measure(&mut Cpu, codec, codec.domain, count, seed).unwrap();
+    codec.element.directions().iter().copied().zip([errors.normal, errors.tangent]).collect()
 }
 
 /// Measures what the docs state. The maximum of vectors is the largest that a search finds.
@@ -77,14 +54,13 @@ fn measure() {
     let mut text = String::from("codec,of,mean_deg,max_deg\n");
     let mut add =
         |id: &str, of: &str, mean: f64, max: f64| text += &format!("{id},{of},{mean:.6e},{max:.6e}\n");
-    for codec in CATALOGUE {
-        let errors = sampled(codec, COUNT, 1);
-        let (worst, _) = worst_error(&mut Cpu, codec, 1).unwrap();
-        add(codec.id, "direction", errors.mean_deg(), errors.max_deg().max(worst));
-    }
-    for codec in FRAMES {
-        for (of, errors) in sampled_frames(codec, COUNT, 1) {
-            add(codec.id, of, errors.mean_deg(), errors.max_deg());
+    for codec in &CODECS {
+        let worst = match codec.element {
+            Element::Vector => worst_error(&mut Cpu, codec, 1).unwrap().0,
+            Element::Frame => 0.0,
+        };
+        for (of, errors) in sampled(codec, COUNT, 1) {
+            add(codec.id, of, errors.mean_deg(), errors.max_deg().max(worst));
         }
     }
     let path = repository().join("docs/data/accuracy.csv");
@@ -110,20 +86,16 @@ fn assert_agrees(id: &str, of_what: &str, fresh: &ErrorStats, bound: f32) {
 /// The committed errors are those of the codecs, and none but theirs.
 #[test]
 fn committed_errors_are_what_codecs_have() {
-    for codec in CATALOGUE {
-        assert_agrees(codec.id, "direction", &sampled(codec, FEW, 2), codec.max_error_deg);
-    }
-    for codec in FRAMES {
-        let bounds = [codec.max_normal_error_deg, codec.max_tangent_error_deg];
-        for ((of, errors), bound) in sampled_frames(codec, FEW, 2).iter().zip(bounds) {
-            assert_agrees(codec.id, of, errors, bound);
+    for codec in &CODECS {
+        for ((of, errors), bound) in sampled(codec, FEW, 2).iter().zip(codec.max_errors_deg) {
+            assert_agrees(codec.id, of, errors, *bound);
         }
     }
-    assert_eq!(recorded().len(), CATALOGUE.len() + 2 * FRAMES.len());
+    assert_eq!(recorded().len(), vectors().len() + 2 * frames().len());
 }
 
 /// The chart's row of a codec.
-fn row(codec: &'static CodecInfo) -> Row {
+fn row(codec: &'static AnyCodec) -> Row {
     let errors = of(codec.id, "direction");
     let (bound_mean, bound_max) = covering_bound_deg(codec.bits, codec.domain);
     Row {
@@ -147,12 +119,12 @@ fn row(codec: &'static CodecInfo) -> Row {
 /// The chart shows the committed errors.
 #[test]
 fn the_chart_is_current() {
-    let rows: Vec<Row> = CATALOGUE.iter().map(row).collect();
+    let rows: Vec<Row> = vectors().iter().map(row).collect();
     compare(&repository().join("docs/errors.svg"), &chart::svg(&rows).unwrap());
 }
 
 /// The factor by which a codec's error is above that of the covering bound: mean and maximum.
-pub fn over_bound(codec: &CodecInfo) -> [f64; 2] {
+pub fn over_bound(codec: &AnyCodec) -> [f64; 2] {
     let (mean, max) = covering_bound_deg(codec.bits, Domain::Sphere);
     let errors = of(codec.id, "direction");
     [errors.mean / mean, errors.max / max]

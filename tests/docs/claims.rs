@@ -2,7 +2,7 @@
 
 use super::accuracy::{Errors, of, over_bound};
 use super::{costs, slices};
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, Operation, find};
+use unitvec_catalogue::{AnyCodec, Domain, Operation, find, vectors};
 use unitvec_lab::accuracy::Table;
 use unitvec_tests::repository;
 use unitvec_vulkan::{GROUP, WORKGROUP};
@@ -53,7 +53,7 @@ fn limits_of_a_dispatch() {
 #[test]
 fn what_to_take() {
     // `oct32` is among the cheapest of unit vectors: only `hemioct` costs less.
-    for codec in CATALOGUE.iter().filter(|codec| codec.is_unit && codec.bits <= 32) {
+    for codec in vectors().iter().filter(|codec| codec.is_unit && codec.bits <= 32) {
         let [encode, decode] = costs_of(codec.id);
         let least = if codec.family == "hemioct" { 0.85 } else { 1.0 };
         assert!(encode >= least && decode >= least, "{}", codec.id);
@@ -67,7 +67,7 @@ fn what_to_take() {
         // `hemioct` is finer than `oct…p` and costs less than `oct`.
         assert!(is_finer(&id("hemioctN"), &id("octNp")) && is_cheaper(&id("hemioctN"), &id("octN")));
         // `ico` has the least maximum of all; `fib` has a lower mean than `oct…p`, and is dearer to encode than `ico`.
-        for other in CATALOGUE.iter().filter(|codec| codec.bits == bits && codec.domain == Domain::Sphere) {
+        for other in vectors().iter().filter(|codec| codec.bits == bits && codec.domain == Domain::Sphere) {
             assert!(other.id == id("icoN") || errors(other.id).max > errors(&id("icoN")).max, "{}", other.id);
         }
         assert!(errors(&id("fibN")).mean < errors(&id("octNp")).mean);
@@ -91,7 +91,7 @@ fn what_to_take() {
 /// docs/costs.md: on lavapipe no codec decodes faster by table.
 #[test]
 fn tables_do_not_pay_on_lavapipe() {
-    let found: Vec<f64> = CATALOGUE.iter().filter_map(|codec| costs::by_table(codec.id)).collect();
+    let found: Vec<f64> = vectors().iter().filter_map(|codec| costs::by_table(codec.id)).collect();
     assert!(found.len() > 20 && found.iter().all(|ratio| *ratio < 1.0));
 }
 
@@ -141,11 +141,11 @@ fn cube_is_better_than_snorm() {
 /// docs/codecs.md: where errors are far below the published ones, and where codecs are named after other people's.
 #[test]
 fn differences_from_the_published() {
-    let published = |codec: &CodecInfo| {
+    let published = |codec: &AnyCodec| {
         let mut rows = [Table::One, Table::Three].into_iter().flat_map(Table::published);
         rows.find(|row| row.name == codec.survey_name)
     };
-    let far_lower = CATALOGUE.iter().filter(|codec| {
+    let far_lower = vectors().iter().filter(|codec| {
         let own = errors(codec.id);
         published(codec)
             .is_some_and(|row| own.mean < 0.9 * row.mean_error_deg || own.max < 0.8 * row.max_error_deg)

@@ -5,7 +5,7 @@ use super::compare;
 use crate::isa::committed;
 use serde_json::Value;
 use std::sync::OnceLock;
-use unitvec_catalogue::{Operation, formats};
+use unitvec_catalogue::{CODECS, Operation};
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source, find_generation};
 use unitvec_lab::isa::pareto;
 use unitvec_tests::repository;
@@ -79,7 +79,7 @@ pub fn table() -> String {
         "| codec | encode / oct32 | decode / oct32 | encode: rust / glsl | decode: rust / glsl | encode, % of copy \
          | decode, % of copy |\n|---|---|---|---|---|---|---|\n",
     );
-    for format in formats() {
+    for format in &CODECS {
         let cells = [("alu_ratio_to_oct32", 1), ("alu_ratio_to_glsl", 2)].map(|(key, digits)| {
             ["encode", "decode"].map(|operation| number(figure(format.id, operation, false, key), digits))
         });
@@ -129,7 +129,7 @@ pub fn gpus() -> String {
         titles.join(" | "),
         "---|".repeat(titles.len())
     );
-    for format in formats() {
+    for format in &CODECS {
         let of = |report: &Report| {
             let cost = |operation| report.ratio_to_oct32(report.row(format.id, operation, Source::Glsl)?);
             Operation::ALL.map(|operation| number(cost(operation), 1)).join(" / ")
@@ -146,7 +146,7 @@ pub fn navi21() -> String {
         "| codec | encode: T | instructions | vector / v | registers | rust / glsl | decode: T | instructions | vector / v \
          | registers | rust / glsl |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
     );
-    for format in formats() {
+    for format in &CODECS {
         let cells = Operation::ALL.map(|operation| {
             let row = |source| rdna2().row(format.id, operation, source);
             let (glsl, rust) = (row(Source::Glsl).unwrap(), row(Source::Rust).unwrap());

@@ -1,7 +1,7 @@
 //! docs/engines.md: the files, functions and formats that it names.
 
 use std::collections::BTreeSet;
-use unitvec_catalogue::formats;
+use unitvec_catalogue::CODECS;
 use unitvec_tests::repository;
 
 fn text() -> String {
@@ -55,7 +55,7 @@ fn functions_exist() {
 #[test]
 fn formats_are_listed() {
     let text = text();
-    for format in formats() {
+    for format in &CODECS {
         if let Some(name) = format.vk_format {
             assert!(text.contains(&format!("`{name}`")), "{name} of {}", format.id);
         }

@@ -2,7 +2,7 @@
 //! `unitvec conform --imprecise --seeds 8 --csv docs/data/imprecise.csv` writes.
 
 use std::fmt::Write;
-use unitvec_catalogue::{find_format, formats};
+use unitvec_catalogue::{CODECS, find};
 use unitvec_lab::imprecise::{Bounds, Summary};
 use unitvec_tests::repository;
 
@@ -44,9 +44,9 @@ pub fn table() -> String {
 fn the_record_is_of_all_codecs_and_within_the_bounds() {
     let recorded = recorded();
     let ids: Vec<&str> = recorded.iter().map(|row| row.id.as_str()).collect();
-    assert_eq!(ids, formats().map(|format| format.id).collect::<Vec<_>>());
+    assert_eq!(ids, CODECS.iter().map(|format| format.id).collect::<Vec<_>>());
     for row in &recorded {
-        let bounds = Bounds::of(find_format(&row.id).unwrap());
+        let bounds = Bounds::of(find(&row.id).unwrap());
         assert_eq!(row.elements, ELEMENTS, "{}", row.id);
         assert_eq!(row.codes_differ_at_most, bounds.codes_differ(row.elements), "{}", row.id);
         assert!(row.codes_differ_at_most.is_none_or(|most| row.codes_differ <= most), "{row:?}");

@@ -3,7 +3,7 @@
 use super::{BEGIN, END, files, markdown, tables};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use unitvec_catalogue::{CATALOGUE, FRAMES};
+use unitvec_catalogue::{CODECS, frames, vectors};
 use unitvec_tests::program::run;
 use unitvec_tests::repository;
 
@@ -107,9 +107,9 @@ fn the_quoted_line_is_what_encode_says() {
 /// Where a text says how many bits there are, it says what the catalogue does: of vectors, or of frames too.
 #[test]
 fn widths_are_the_catalogues() {
-    let bits: Vec<u32> = CATALOGUE.iter().map(|codec| codec.bits).collect();
+    let bits: Vec<u32> = vectors().iter().map(|codec| codec.bits).collect();
     let least = bits.iter().min().unwrap();
-    let most = [*bits.iter().max().unwrap(), FRAMES.iter().map(|codec| codec.bits).max().unwrap()];
+    let most = [*bits.iter().max().unwrap(), frames().iter().map(|codec| codec.bits).max().unwrap()];
     let allowed = most.map(|most| format!("in {least} to {most} bits"));
     let mut found = 0;
     for path in files(&repository(), &[".md", "lib.rs", "Cargo.toml"]) {
@@ -128,7 +128,7 @@ fn widths_are_the_catalogues() {
 fn every_layout_is_told() {
     let text = read(&repository().join("docs/codecs.md"));
     let (_, layouts) = text.split_once("## Storage layout").unwrap();
-    for id in CATALOGUE.iter().map(|codec| codec.id).chain(FRAMES.iter().map(|codec| codec.id)) {
+    for id in CODECS.iter().map(|codec| codec.id) {
         let family = tables::family(id);
         let names = [id, &family, family.trim_end_matches(['p', 'd'])].map(|name| format!("`{name}`"));
         let plain = names.clone().map(|name| name.replace("_concentric", "").replace("_ellipse", ""));

@@ -6,7 +6,7 @@ use super::{
 };
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, FRAMES, find, find_frame};
+use unitvec_catalogue::{AnyCodec, Domain, find, frames, vectors};
 use unitvec_choose::RECOMMENDED;
 use unitvec_lab::accuracy::{Table, covering_bound_deg};
 use unitvec_tests::repository;
@@ -19,7 +19,7 @@ pub fn table(name: &str) -> Option<String> {
         "which-type" => which(true, |id| format!("[`{}`]", type_of(id))),
         "families" => families(),
         "codecs" => codecs(),
-        "frames" => frames(),
+        "frames" => codecs_of_frames(),
         "bound" => bound(),
         "errors" => errors(rest),
         "costs" => costs::table(),
@@ -64,12 +64,12 @@ fn errors_of(id: &str) -> String {
 }
 
 /// The error that the bound allows no direction to exceed.
-fn bound_of(codec: &CodecInfo) -> String {
-    degrees(f64::from(codec.max_error_deg))
+fn bound_of(codec: &AnyCodec) -> String {
+    degrees(f64::from(codec.max_error_deg()))
 }
 
 fn type_of(id: &str) -> &'static str {
-    find_frame(id).map_or_else(|| find(id).unwrap().rust_type, |frame| frame.rust_type)
+    find(id).unwrap().rust_type
 }
 
 fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
@@ -80,19 +80,21 @@ fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
         let shown = if is_whole { row.codecs } else { row.short() };
         for (index, id) in shown.iter().enumerate() {
             let purpose = if index == 0 { row.purpose } else { "" };
-            let (bits, errors) = match find_frame(id) {
-                Some(frame) => (frame.bits, frame_errors(id)),
-                None => (find(id).unwrap().bits, errors_of(id)),
-            };
+            let codec = find(id).unwrap();
+            let (bits, errors) = (codec.bits, all_errors_of(codec));
             text += &format!("| {purpose} | {} | {bits} | {errors} | {} |\n", name(id), costs::both(id));
         }
     }
     text
 }
 
-fn frame_errors(id: &str) -> String {
-    let of = |part| mean_and_max(accuracy::of(id, part));
-    format!("normal {}, tangent {}", of("normal"), of("tangent"))
+/// Mean and maximum of a codec, with what each is of where there are several.
+fn all_errors_of(codec: &AnyCodec) -> String {
+    let of = |part: &&str| mean_and_max(accuracy::of(codec.id, part));
+    match codec.element.directions() {
+        [one] => of(one),
+        several => several.iter().map(|part| format!("{part} {}", of(part))).collect::<Vec<_>>().join(", "),
+    }
 }
 
 /// The identifier with N in place of its first number.
@@ -116,10 +118,10 @@ fn module(family: &str) -> (PathBuf, String) {
 
 /// Families with two parameters at 16, 24 and 32 bits, `soctN` with a bit more: one row each.
 fn families() -> String {
-    let mut rows: BTreeMap<usize, (String, &CodecInfo, [Option<String>; 3])> = BTreeMap::new();
+    let mut rows: BTreeMap<usize, (String, &AnyCodec, [Option<String>; 3])> = BTreeMap::new();
     let mut order = Vec::new();
     for codec in
-        CATALOGUE.iter().filter(|codec| !["snorm", "unorm", "float", "best_fit"].contains(&codec.family))
+        vectors().iter().filter(|codec| !["snorm", "unorm", "float", "best_fit"].contains(&codec.family))
     {
         let key = family(codec.id);
         let index = order.iter().position(|other| *other == key).unwrap_or_else(|| {
@@ -144,7 +146,7 @@ fn families() -> String {
 }
 
 /// The published errors of a codec: mean and maximum.
-fn published(codec: &CodecInfo) -> Option<String> {
+fn published(codec: &AnyCodec) -> Option<String> {
     let tables = [Table::Three, Table::One].into_iter().filter(|table| table.domain() == codec.domain);
     let mut rows = tables.flat_map(Table::published);
     let row = rows.find(|row| row.name == codec.survey_name)?;
@@ -157,7 +159,7 @@ fn codecs() -> String {
         "| codec | Rust type | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max | cost: \
          encode / decode |\n|---|---|---|---|---|---|---|---|---|---|\n",
     );
-    for codec in CATALOGUE {
+    for codec in vectors() {
         let format = codec.vk_format.map_or("", |format| format.trim_start_matches("VK_FORMAT_"));
         let published = published(codec);
         let name = if published.is_some() { codec.survey_name } else { "" };
@@ -177,23 +179,23 @@ fn codecs() -> String {
 }
 
 /// Every codec of frames.
-fn frames() -> String {
+fn codecs_of_frames() -> String {
     let mut text = String::from(
         "| codec | Rust type | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: \
          encode / decode |\n|---|---|---|---|---|---|---|---|---|---|\n",
     );
-    for codec in FRAMES {
+    for codec in frames() {
         text += &format!(
             "| `{}` | `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n",
             codec.id,
             codec.rust_type,
             codec.bits,
             codec.bytes,
-            codec.vk_format.trim_start_matches("VK_FORMAT_"),
+            codec.vk_format.unwrap_or_default().trim_start_matches("VK_FORMAT_"),
             mean_and_max(accuracy::of(codec.id, "normal")),
-            degrees(f64::from(codec.max_normal_error_deg)),
+            degrees(f64::from(codec.max_errors_deg[0])),
             mean_and_max(accuracy::of(codec.id, "tangent")),
-            degrees(f64::from(codec.max_tangent_error_deg)),
+            degrees(f64::from(codec.max_errors_deg[1])),
             costs::both(codec.id)
         );
     }
@@ -225,7 +227,7 @@ fn errors(module: &str) -> String {
         return frame_rows();
     }
     let mut text = String::from("| degrees | mean | max | bound |\n|---|---|---|---|\n");
-    for codec in CATALOGUE.iter().filter(|codec| codec.family == module) {
+    for codec in vectors().iter().filter(|codec| codec.family == module) {
         let Errors { mean, max } = accuracy::of(codec.id, "direction");
         text += &format!("| `{}` | {} | {} | {} |\n", codec.id, degrees(mean), degrees(max), bound_of(codec));
     }
@@ -234,17 +236,15 @@ fn errors(module: &str) -> String {
 
 fn frame_rows() -> String {
     let mut text = String::from("| degrees | mean | max | bound |\n|---|---|---|---|\n");
-    for codec in FRAMES {
-        for (part, bound) in
-            [("normal", codec.max_normal_error_deg), ("tangent", codec.max_tangent_error_deg)]
-        {
+    for codec in frames() {
+        for (part, bound) in codec.element.directions().iter().zip(codec.max_errors_deg) {
             let Errors { mean, max } = accuracy::of(codec.id, part);
             text += &format!(
                 "| `{}`, {part} | {} | {} | {} |\n",
                 codec.id,
                 degrees(mean),
                 degrees(max),
-                degrees(f64::from(bound))
+                degrees(f64::from(*bound))
             );
         }
     }

@@ -5,7 +5,7 @@ use super::tables::mean_and_max;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
-use unitvec_catalogue::{Element, Operation, find, find_format, find_frame};
+use unitvec_catalogue::{Element, Operation, find};
 use unitvec_lab::textbook::{TEXTBOOK, Textbook};
 use unitvec_tests::repository;
 
@@ -71,8 +71,8 @@ fn errors(textbook: &Textbook) -> [Option<Errors>; 2] {
 
 /// The errors of a codec: of directions or normals, and of tangents.
 fn errors_of_codec(id: &str) -> [Option<Errors>; 2] {
-    let names = if find_frame(id).is_some() { ["normal", "tangent"] } else { ["direction", ""] };
-    names.map(|name| (!name.is_empty()).then(|| accuracy::of(id, name)))
+    let mut errors = find(id).unwrap().element.directions().iter().map(|part| accuracy::of(id, part));
+    [errors.next(), errors.next()]
 }
 
 fn joined(errors: [Option<Errors>; 2]) -> String {
@@ -107,7 +107,7 @@ fn costs(textbook: &Textbook, operation: Operation) -> String {
 
 /// The GLSL file of a codec.
 fn file(id: &str) -> String {
-    find_frame(id).map_or_else(|| find(id).unwrap().glsl_file(), |frame| frame.glsl_file().to_owned())
+    find(id).unwrap().glsl_file()
 }
 
 /// The inputs that come back as they should not, by what they come back as. A vector that is too short or too long to
@@ -211,7 +211,7 @@ fn what_textbooks_do() {
     assert!(number("frame32", "tangent_max_deg") > 179.0);
     assert!(accuracy::of("frame32", "tangent").max < 0.4);
     for textbook in TEXTBOOK {
-        let codec = find_format(textbook.codec).unwrap().id;
+        let codec = find(textbook.codec).unwrap().id;
         assert!(mean(textbook.id) > 0.995 * errors_of_codec(codec)[0].unwrap().mean, "{}", textbook.id);
         // Zero, NaN and infinity are +Z throughout.
         for column in ["zero", "nan", "infinity"] {

@@ -15,7 +15,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::time::Instant;
-use unitvec_catalogue::{Element, find_format};
+use unitvec_catalogue::{Element, find};
 use unitvec_choose::Costs;
 use unitvec_host::input::{Elements, Input};
 use unitvec_host::stream::{self, Named};
@@ -316,7 +316,7 @@ fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
 
 fn encode_raw(path: &Path, input: &[u8]) -> Result<usize, String> {
     std::fs::write(path, input).unwrap();
-    let format = find_format("oct32").unwrap();
+    let format = find("oct32").unwrap();
     let mut elements = Elements::open(path, Element::Vector, false).map_err(text)?;
     let mut codes = Vec::new();
     let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
@@ -328,7 +328,7 @@ fn encode_raw(path: &Path, input: &[u8]) -> Result<usize, String> {
 
 fn decode_codes(path: &Path, input: &[u8]) -> Result<usize, String> {
     std::fs::write(path, input).unwrap();
-    let format = find_format("frame64").unwrap();
+    let format = find("frame64").unwrap();
     let (mut input, mut floats) = (Input::open(path).map_err(text)?, Vec::new());
     input.count(format.bytes, "codes").map_err(text)?;
     let (from, to): (stream::Input<'_>, stream::Sink<'_>) =

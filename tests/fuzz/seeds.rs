@@ -3,7 +3,7 @@
 use crate::link;
 use base64::Engine;
 use std::fmt::Write;
-use unitvec_catalogue::find_format;
+use unitvec_catalogue::find;
 use unitvec_manifest::Manifest;
 use unitvec_manifest::modules::Modules;
 use unitvec_tests::repository;
@@ -253,7 +253,7 @@ pub fn module() -> Vec<Vec<u8>> {
 /// Shaders that call stubs, by value and by pointers.
 pub fn shader() -> Vec<Vec<u8>> {
     let ids = ["oct16", "oct48", "frame32"];
-    let formats = ids.map(|id| find_format(id).unwrap());
+    let formats = ids.map(|id| find(id).unwrap());
     let shaders = [link::GLSL, link::HLSL].into_iter().flat_map(|front_end| {
         formats.map(|format| link::with_stubs(&front_end, &link::caller(&front_end, &[format]), |text| text))
     });

@@ -7,7 +7,7 @@ use unitvec::codec::Code;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec::*;
-use unitvec_catalogue::CATALOGUE;
+use unitvec_catalogue::CODECS;
 use unitvec_oracle::{angle_deg, length, normalize};
 use unitvec_tests::checks::LENGTH_ROUNDING;
 use unitvec_tests::directions::{Rng, near_planes, sphere};
@@ -81,7 +81,7 @@ pub fn functions() -> Vec<String> {
 #[test]
 fn all_widths_are_dithered() {
     let files = ["oct.glsl", "hemioct.glsl", "soct.glsl", "eaoct.glsl"];
-    let expected: BTreeSet<&str> = CATALOGUE
+    let expected: BTreeSet<&str> = CODECS
         .iter()
         .filter(|codec| files.contains(&codec.glsl_file().as_str()))
         .map(|codec| codec.id)
@@ -220,7 +220,7 @@ fn directions(id: &str) -> impl Iterator<Item = Vec3> {
 #[test]
 fn dithered_directions_come_back() {
     for case in cases() {
-        let bound = f64::from(Tested::find(case.id.trim_end_matches('p')).max_error_deg);
+        let bound = f64::from(Tested::find(case.id.trim_end_matches('p')).max_error_deg());
         let mut most = 0f64;
         for (n, v) in directions(case.id).enumerate() {
             let offset = dither_from_key(n as u32);

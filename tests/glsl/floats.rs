@@ -57,7 +57,7 @@ fn any_vector_is_stored_as_its_direction() {
     let inputs = vectors();
     for (function, id, part) in ENCODERS {
         let codec = Tested::find(id);
-        let bound = part * f64::from(codec.max_error_deg);
+        let bound = part * f64::from(codec.max_error_deg());
         for (input, pair) in inputs.iter().zip(evaluate(&format!("vec3({function}, 0.0)"), &inputs)) {
             assert!(
                 pair.iter().all(|c| c.abs() <= 1.0 + 2.0 * f32::EPSILON),

@@ -8,7 +8,7 @@ mod names;
 mod projections;
 mod versions;
 
-use unitvec_catalogue::{CATALOGUE, Domain, FRAMES};
+use unitvec_catalogue::{Domain, frames, vectors};
 use unitvec_run::glsl;
 use unitvec_run::glsl::Compiler;
 use unitvec_run::sampling::random_directions;
@@ -17,8 +17,8 @@ use unitvec_vulkan::Runner;
 
 /// A call of every function of a family's codecs, where `v` is a vec3.
 fn calls(file: &str) -> String {
-    let vectors = CATALOGUE.iter().filter(|codec| codec.glsl_file() == file);
-    let frames = FRAMES.iter().filter(|codec| codec.glsl_file() == file);
+    let vectors = vectors().iter().filter(|codec| codec.glsl_file() == file);
+    let frames = frames().iter().filter(|codec| codec.glsl_file() == file);
     let of_frames = frames.map(|codec| {
         let id = codec.id;
         format!("{{ vec3 n; vec4 t; {id}_decode({id}_encode(v, v.xyzx), n, t); v += n + t.xyz * t.w; }}\n")

@@ -5,7 +5,7 @@ use super::formats::FORMATS;
 use super::projections::PROJECTIONS;
 use super::versions::assert_valid;
 use std::collections::BTreeSet;
-use unitvec_catalogue::{Operation, formats};
+use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
 /// The functions of floats, after the survey's listings, and of its bytes.
@@ -77,7 +77,7 @@ fn names(file: &str) -> Vec<Name> {
 /// A name that is neither public nor the library's own may be the user's, or that of another library.
 #[test]
 fn helpers_have_the_prefix() {
-    let of_codecs = formats().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
+    let of_codecs = CODECS.iter().flat_map(|format| Operation::ALL.map(|half| format.function(half)));
     let public: BTreeSet<String> =
         of_codecs.chain(besides_codecs().into_iter().map(|(_, name)| name)).collect();
     let files = glsl_families().into_iter().chain(["arith.glsl".to_owned(), "unitvec.glsl".to_owned()]);

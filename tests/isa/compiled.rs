@@ -5,7 +5,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::io::Write;
 use std::path::{Path, PathBuf};
-use unitvec_catalogue::{Operation, formats};
+use unitvec_catalogue::{CODECS, Operation};
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
 use unitvec_lab::isa::glsl_file;
 use unitvec_tests::program::{command, run, stderr, stdout};
@@ -84,7 +84,8 @@ fn no_kernel_is_dearer_than_committed() {
         return cannot_compare(&format!("the figures are of {before}, and the driver here is {after}"));
     }
     let found = dearer(&before, &after);
-    let of_same_file: Vec<&str> = formats()
+    let of_same_file: Vec<&str> = CODECS
+        .iter()
         .map(|format| format.id)
         .filter(|id| is_unchanged(id, &before, &after))
         .filter(|id| found.iter().any(|line| line.starts_with(&format!("{id} "))))

@@ -5,7 +5,7 @@
 mod compiled;
 pub mod dithered;
 
-use unitvec_catalogue::{Format, Operation, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source};
 use unitvec_lab::isa;
 use unitvec_manifest::modules::Modules;
@@ -28,7 +28,7 @@ pub fn committed(generation: &Generation) -> Report {
 /// The figures are of the kernels that are committed with them.
 #[test]
 fn costs_are_of_these_kernels() {
-    let all: Vec<Format> = formats().collect();
+    let all: Vec<&'static AnyCodec> = CODECS.iter().collect();
     let sources = isa::sources(&Modules::open(None).unwrap(), &all).unwrap();
     for generation in &GENERATIONS {
         let report = committed(generation);
@@ -65,15 +65,15 @@ fn costs_are_complete() {
     }
 }
 
-fn kernels() -> impl Iterator<Item = (Format, Operation)> {
-    formats().flat_map(|format| Operation::ALL.map(|operation| (format, operation)))
+fn kernels() -> impl Iterator<Item = (&'static AnyCodec, Operation)> {
+    CODECS.iter().flat_map(|format| Operation::ALL.map(|operation| (format, operation)))
 }
 
 /// What the driver makes of kernels from Rust has at most 1.02 times the instructions of those from GLSL.
 #[test]
 fn rust_costs_what_glsl_costs() {
     let report = committed(rdna2());
-    let ratio = |(format, operation): (Format, Operation)| {
+    let ratio = |(format, operation): (&'static AnyCodec, Operation)| {
         let row = report.row(format.id, operation, Source::Rust).unwrap();
         (format.id, operation, report.ratio_to_glsl(row).unwrap())
     };

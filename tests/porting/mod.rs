@@ -9,7 +9,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use unitvec_catalogue::{CATALOGUE, Coding, Domain, FRAMES, Format, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element};
 use unitvec_files::write_file;
 use unitvec_tests::repository;
 
@@ -26,16 +26,16 @@ const CASES: usize = 256;
 fn test_vectors_are_the_released_ones() {
     let folder = repository().join("vectors");
     let mut wrong = Vec::new();
-    let texts = CATALOGUE.iter().map(text_of_vectors).chain(FRAMES.iter().map(text_of_frames));
-    for (format, text) in formats().zip(texts) {
+    for format in &CODECS {
+        let text = text(format);
         let path = folder.join(format.id).with_extension("json");
         if !path.exists() && std::env::var_os("BLESS").is_some() {
-            check(&format, &text);
+            check(format, &text);
             write_file(&path, text.as_bytes()).unwrap();
         }
         match std::fs::read_to_string(&path) {
             Ok(committed) => {
-                check(&format, &committed);
+                check(format, &committed);
                 wrong.extend(difference(format.id, &committed, &text));
             }
             Err(_) => {
@@ -69,7 +69,7 @@ fn difference(id: &str, committed: &str, text: &str) -> Option<String> {
 
 /// Files of codecs that the list does not have.
 fn without_a_codec(folder: &Path) -> Vec<String> {
-    let ids: BTreeSet<&str> = formats().map(|format| format.id).collect();
+    let ids: BTreeSet<&str> = CODECS.iter().map(|format| format.id).collect();
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
     let is_of_none = |path: &PathBuf| {
         path.extension().is_some_and(|extension| extension == "json")
@@ -82,14 +82,13 @@ fn without_a_codec(folder: &Path) -> Vec<String> {
 }
 
 /// Asserts that what a file says is right: see `test_vectors_are_the_released_ones`.
-fn check(format: &Format, text: &str) {
+fn check(format: &AnyCodec, text: &str) {
     let value: Value = serde_json::from_str(text).unwrap();
     let read: Vec<Case> = value["cases"].as_array().unwrap().iter().map(Case::read).collect();
     assert_eq!(read.len(), CASES, "{}", format.id);
-    if format.element.floats() == 3 {
-        vectors::check(format.id, &read);
-    } else {
-        frames::check(format.id, &read);
+    match format.element {
+        Element::Vector => vectors::check(format.id, &read),
+        Element::Frame => frames::check(format.id, &read),
     }
 }
 
@@ -102,10 +101,10 @@ struct Case {
 }
 
 impl Case {
-    fn of<const N: usize>(codec: &impl Coding<N>, input: [f32; N]) -> Self {
+    fn of<const N: usize>(codec: &AnyCodec, input: [f32; N]) -> Self {
         let words @ [low, high] = codec.encode_one(input);
         let code = u64::from(low) | (u64::from(high) << 32);
-        Self { input: input.to_vec(), code, decoded: codec.decode_one(words).to_vec() }
+        Self { input: input.to_vec(), code, decoded: codec.decode_one::<N>(words).to_vec() }
     }
 
     fn read(value: &Value) -> Self {
@@ -127,25 +126,23 @@ impl Case {
     }
 }
 
-fn text_of_vectors(codec: &impl Coding<3>) -> String {
-    text(&codec.format(), "x y z", inputs::vectors().into_iter().map(|v| Case::of(codec, v)))
-}
-
-fn text_of_frames(codec: &impl Coding<7>) -> String {
-    let element = "normal.x normal.y normal.z tangent.x tangent.y tangent.z handedness";
-    text(&codec.format(), element, inputs::frames().into_iter().map(|frame| Case::of(codec, frame)))
-}
-
 /// The file of a codec.
-fn text(format: &Format, element: &str, cases: impl Iterator<Item = Case>) -> String {
-    let Format { id, bits, bytes, domain, .. } = *format;
+fn text(codec: &AnyCodec) -> String {
+    let (element, cases): (_, Vec<Case>) = match codec.element {
+        Element::Vector => ("x y z", inputs::vectors().into_iter().map(|v| Case::of(codec, v)).collect()),
+        Element::Frame => (
+            "normal.x normal.y normal.z tangent.x tangent.y tangent.z handedness",
+            inputs::frames().into_iter().map(|frame| Case::of(codec, frame)).collect(),
+        ),
+    };
+    let AnyCodec { id, bits, bytes, domain, .. } = *codec;
     let domain = if domain == Domain::Hemisphere { "hemisphere" } else { "sphere" };
     let mut text = format!(
         "{{\n\"codec\": \"{id}\",\n\"format_version\": {FORMAT_VERSION},\n\"bits\": {bits},\n\"bytes\": {bytes},\n\
          \"words\": {},\n\"domain\": \"{domain}\",\n\"element\": \"{element}\",\n\"cases\": [\n",
         bits.div_ceil(32),
     );
-    let lines: Vec<String> = cases.map(|case| case.line(2 * bytes)).collect();
+    let lines: Vec<String> = cases.iter().map(|case| case.line(2 * bytes)).collect();
     write!(text, "{}\n]\n}}\n", lines.join(",\n")).unwrap();
     text
 }

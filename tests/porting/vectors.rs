@@ -44,7 +44,7 @@ fn assert_is_code_of(codec: &Tested, v: Vec3, case: &Case, z: u64) {
         }
     } else if case.code != z {
         // Half a step of one component alone turns an axis by as much. Steps of halves grow with the component.
-        let step = f64::from(codec.max_error_deg).to_radians();
+        let step = f64::from(codec.max_error_deg()).to_radians();
         let largest: f64 = if codec.family == "float" { 65504.0 } else { 1.0 };
         for (given, stored) in widen(v).into_iter().zip(decoded) {
             let off = (given.clamp(-largest, largest) - stored).abs();

@@ -2,7 +2,7 @@
 //! equal.
 
 use std::sync::Arc;
-use unitvec_catalogue::{Format, find_format};
+use unitvec_catalogue::{AnyCodec, find};
 use unitvec_lab::Error as LabError;
 use unitvec_render::Error;
 use unitvec_render::conform;
@@ -24,8 +24,8 @@ fn device() -> Arc<Device> {
     Device::open_for_graphics(&instance, &DeviceChoice::Named("lavapipe".into())).unwrap()
 }
 
-fn format(id: &str) -> Format {
-    find_format(id).unwrap()
+fn format(id: &str) -> &'static AnyCodec {
+    find(id).unwrap()
 }
 
 fn renderer(device: &Arc<Device>, source: BackendKind) -> Renderer {

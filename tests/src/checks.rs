@@ -137,7 +137,7 @@ pub fn assert_attains(
 
 /// Asserts that an error keeps to the codec's own bound.
 pub fn assert_bounded(codec: &Tested, error_deg: f64) {
-    let bound = codec.max_error_deg;
+    let bound = codec.max_error_deg();
     assert!(error_deg <= f64::from(bound), "{}: {error_deg} exceeds the maximum, {bound}", codec.id);
 }
 
@@ -186,7 +186,7 @@ pub fn assert_nearest(
 
 /// Asserts the contract of `encode` for any vector.
 pub fn assert_total(codec: &Tested, v: Vec3) {
-    assert_is_code_of(codec, v, codec.encode(v), f64::from(codec.max_error_deg));
+    assert_is_code_of(codec, v, codec.encode(v), f64::from(codec.max_error_deg()));
 }
 
 /// Asserts that `code` may be that of a vector: one of the codec's bits; +Z's without a usable direction; with one, unless

@@ -11,7 +11,7 @@ pub mod tested;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, FRAMES};
+use unitvec_catalogue::{AnyCodec, CODECS};
 use unitvec_manifest as manifest;
 use unitvec_manifest::modules::Modules;
 use unitvec_manifest::sha256_hex;
@@ -29,9 +29,7 @@ pub fn repository() -> PathBuf {
 
 /// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and what serves several of them.
 pub fn glsl_families() -> BTreeSet<String> {
-    let vectors = CATALOGUE.iter().map(CodecInfo::glsl_file);
-    let frames = FRAMES.iter().map(|codec| codec.glsl_file().to_owned());
-    vectors.chain(frames).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
+    CODECS.iter().map(AnyCodec::glsl_file).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
 }
 
 /// lavapipe, with validation.

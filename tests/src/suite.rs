@@ -117,10 +117,10 @@ pub fn keeps_the_axes(codec: &Tested) {
 /// next to the coordinate planes.
 pub fn errors_are_the_expected_ones(codec: &Tested) {
     let ours = Summary::of(million(codec.domain).iter().map(|&v| codec.error_deg(v)));
-    println!("{}: {ours:?}, at most {}, {:?}", codec.id, codec.max_error_deg, expected::errors(codec));
+    println!("{}: {ours:?}, at most {}, {:?}", codec.id, codec.max_error_deg(), expected::errors(codec));
     assert_bounded(codec, ours.max);
     assert!(
-        ours.max >= expected::part_of_the_bound(codec) * f64::from(codec.max_error_deg),
+        ours.max >= expected::part_of_the_bound(codec) * f64::from(codec.max_error_deg()),
         "{}: {ours:?}",
         codec.id
     );

@@ -4,13 +4,13 @@ use crate::directions::Rng;
 use glam::Vec3;
 use std::ops::Deref;
 use std::sync::OnceLock;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding};
+use unitvec_catalogue::{AnyCodec, vectors};
 use unitvec_oracle::{Oracle, Reference, angle_deg};
 
 /// A codec and its reference. Codes are numbers of 64 bits, the low word first, whatever their width.
 #[derive(Clone, Copy, Debug)]
 pub struct Tested {
-    info: &'static CodecInfo,
+    info: &'static AnyCodec,
     /// The codec once more, in `f64`.
     pub reference: Reference,
     /// The code of +Z.
@@ -18,9 +18,9 @@ pub struct Tested {
 }
 
 impl Deref for Tested {
-    type Target = CodecInfo;
+    type Target = AnyCodec;
 
-    fn deref(&self) -> &CodecInfo {
+    fn deref(&self) -> &AnyCodec {
         self.info
     }
 }
@@ -32,10 +32,10 @@ impl Tested {
     /// If the oracle lacks one.
     pub fn all() -> &'static [Self] {
         static ALL: OnceLock<Vec<Tested>> = OnceLock::new();
-        ALL.get_or_init(|| CATALOGUE.iter().map(Self::new).collect())
+        ALL.get_or_init(|| vectors().iter().map(Self::new).collect())
     }
 
-    fn new(info: &'static CodecInfo) -> Self {
+    fn new(info: &'static AnyCodec) -> Self {
         let reference = Reference::find(info.id).unwrap_or_else(|| panic!("{} has no oracle", info.id));
         assert_eq!(reference.bits, info.bits, "{}", info.id);
         let mut codec = Self { info, reference, z: 0 };

@@ -11,7 +11,7 @@ pub use error::{Error, Result};
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::Path;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, Operation};
+use unitvec_catalogue::{AnyCodec, Domain, Operation, vectors};
 use unitvec_files::one_line;
 use unitvec_run::backend::{BackendKind, Cpu};
 use unitvec_run::measure::measure;
@@ -187,9 +187,9 @@ pub const COUNT: usize = 100_000;
 /// [`LengthMismatch`](unitvec::slice::LengthMismatch), which would be a fault of this crate.
 pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
     let mut candidates = Vec::new();
-    for codec in CATALOGUE.iter().filter(|codec| meets(codec, demand)) {
+    for codec in vectors().iter().filter(|codec| meets(codec, demand)) {
         let domain = if demand.hemisphere { Domain::Hemisphere } else { Domain::Sphere };
-        let mean_error_deg = measure(&mut Cpu, codec, domain, COUNT, 1)?.mean_deg();
+        let mean_error_deg = measure(&mut Cpu, codec, domain, COUNT, 1)?.normal.mean_deg();
         if demand.mean_error_deg.is_some_and(|limit| mean_error_deg > limit) {
             continue;
         }
@@ -197,7 +197,7 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
             id: codec.id,
             bits: codec.bits,
             bytes: codec.bytes,
-            max_error_deg: f64::from(codec.max_error_deg),
+            max_error_deg: f64::from(codec.max_error_deg()),
             mean_error_deg,
             encode_cost: costs.of(codec.id, Operation::Encode),
             decode_cost: costs.of(codec.id, Operation::Decode),
@@ -221,9 +221,9 @@ impl Candidate {
 
 /// All but the mean error, which has to be measured. Raw component formats are left out: what they decode to is not a
 /// unit vector.
-fn meets(codec: &CodecInfo, demand: &Demand) -> bool {
+fn meets(codec: &AnyCodec, demand: &Demand) -> bool {
     codec.is_unit
-        && f64::from(codec.max_error_deg) <= demand.max_error_deg
+        && f64::from(codec.max_error_deg()) <= demand.max_error_deg
         && demand.bits.is_none_or(|bits| codec.bits <= bits)
         && !(demand.no_table && codec.encodes_by_table)
         && (demand.hemisphere || codec.domain == Domain::Sphere)

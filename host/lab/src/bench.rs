@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::sync::Arc;
 use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{CATALOGUE, Coding, Domain, Element, Format, Operation};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Operation};
 use unitvec_choose::REFERENCE;
 use unitvec_manifest::modules::Modules;
 use unitvec_oracle::survey;
@@ -82,7 +82,7 @@ struct Published {
 
 /// The survey's figure for a codec, in nanoseconds.
 pub fn survey_ns(id: &str, operation: Operation) -> Option<f64> {
-    let name = CATALOGUE.iter().find(|codec| codec.id == id)?.survey_name;
+    let name = catalogue::find(id).ok()?.survey_name;
     let mut rows = csv::Reader::from_reader(survey::TABLE_2.as_bytes());
     let row = rows.deserialize::<Published>().filter_map(|row| row.ok()).find(|row| row.name == name)?;
     Some(match operation {
@@ -130,7 +130,7 @@ impl Bench {
                 let compile = |compiler: &glsl::Compiler| compiler.baseline_kernel(operation);
                 let baseline = source.load(&bench.runner, &name, None, compile)?;
                 bench.baselines.insert((operation, backend), baseline);
-                let reference = bench.cost_kernel(source, catalogue::find(REFERENCE)?.format(), operation)?;
+                let reference = bench.cost_kernel(source, catalogue::find(REFERENCE)?, operation)?;
                 bench.references.insert((operation, backend), reference);
             }
         }
@@ -147,7 +147,7 @@ impl Bench {
     ///
     /// # Errors
     /// What the kernels meet.
-    pub fn measure(&mut self, format: Format) -> Result<Vec<Row>> {
+    pub fn measure(&mut self, format: &AnyCodec) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         for operation in Operation::ALL {
             let [rust, glsl] = self.cost(format, operation)?;
@@ -177,19 +177,19 @@ impl Bench {
         Ok(rows)
     }
 
-    fn cost_kernel(&self, source: &KernelSource, format: Format, operation: Operation) -> Result<Kernel> {
+    fn cost_kernel(&self, source: &KernelSource, format: &AnyCodec, operation: Operation) -> Result<Kernel> {
         let table = self.table_of(format, operation);
         let compile = |compiler: &glsl::Compiler| compiler.cost_kernel(format, operation);
         let name = format!("{}_cost", format.function(operation));
         Ok(source.load(&self.runner, &name, table, compile)?)
     }
 
-    fn table_of(&self, format: Format, operation: Operation) -> Option<&Table> {
+    fn table_of(&self, format: &AnyCodec, operation: Operation) -> Option<&Table> {
         (operation == Operation::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
     }
 
     /// Costs of the kernels from Rust and from GLSL.
-    fn cost(&mut self, format: Format, operation: Operation) -> Result<[Costs; 2]> {
+    fn cost(&mut self, format: &AnyCodec, operation: Operation) -> Result<[Costs; 2]> {
         let [rust, glsl] = &self.sources;
         let rust = self.cost_kernel(rust, format, operation)?;
         let glsl = self.cost_kernel(glsl, format, operation)?;
@@ -235,7 +235,7 @@ impl Bench {
     }
 
     /// Vectors a second of the shipped kernels and of one that copies.
-    fn throughput(&mut self, format: Format, operation: Operation) -> Result<Speeds> {
+    fn throughput(&mut self, format: &AnyCodec, operation: Operation) -> Result<Speeds> {
         let count = self.options.count;
         let copy = self.compiler.copy_kernel(format, operation)?;
         let table = self.table_of(format, operation).cloned();
@@ -246,9 +246,8 @@ impl Bench {
             (Some((BackendKind::Rust, false)), kernel(rust, &self.runner)?),
             (Some((BackendKind::Glsl, false)), kernel(glsl, &self.runner)?),
         ];
-        let codec = CATALOGUE.iter().find(|codec| codec.id == format.id && codec.bytes == 2);
-        if let (Some(codec), Operation::Decode) = (codec, operation) {
-            let table = self.runner.table(bytemuck::cast_slice(&decode_table(codec)?))?;
+        if (format.bytes, operation) == (2, Operation::Decode) {
+            let table = self.runner.table(bytemuck::cast_slice(&decode_table(format)?))?;
             let kernel = rust.decode_by_table(&self.runner, &table)?;
             kernels.push((Some((BackendKind::Rust, true)), kernel));
         }
@@ -354,7 +353,10 @@ mod tests {
     /// The survey's 17 rows are read and belong to codecs of the catalogue.
     #[test]
     fn the_published_table_is_whole() {
-        let known = CATALOGUE.iter().filter(|codec| survey_ns(codec.id, Operation::Decode).is_some()).count();
+        let known = catalogue::vectors()
+            .iter()
+            .filter(|codec| survey_ns(codec.id, Operation::Decode).is_some())
+            .count();
         assert_eq!(known, 17);
         assert_eq!(survey_ns("oct32", Operation::Encode), Some(0.023160));
     }

@@ -3,7 +3,7 @@
 use crate::Result;
 use rayon::prelude::*;
 use std::sync::Arc;
-use unitvec_catalogue::{Format, Operation, UnknownCodec, find_format};
+use unitvec_catalogue::{AnyCodec, Operation, UnknownCodec, find};
 use unitvec_run::backend::{Backend, CHUNK};
 use unitvec_run::glsl;
 use unitvec_run::glsl::Compiler;
@@ -32,8 +32,8 @@ impl Textbook {
     ///
     /// # Errors
     /// [`UnknownCodec`] where the catalogue lacks it.
-    pub fn format(&self) -> Result<Format, UnknownCodec> {
-        find_format(self.codec)
+    pub fn format(&self) -> Result<&'static AnyCodec, UnknownCodec> {
+        find(self.codec)
     }
 }
 
@@ -124,13 +124,13 @@ impl TextbookGpu {
 }
 
 impl Backend for TextbookGpu {
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> unitvec_run::Result<()> {
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> unitvec_run::Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         self.runner.run(&self.encode, count, bytemuck::cast_slice(elements), codes)?;
         Ok(())
     }
 
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         self.runner.run(&self.decode, count, codes, bytemuck::cast_slice_mut(elements))?;
         Ok(())

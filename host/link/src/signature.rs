@@ -1,6 +1,6 @@
 //! The library's functions: names and types.
 
-use unitvec_catalogue::{Element, Format, Operation, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Element, Operation};
 
 /// A type of parameters and results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -30,7 +30,7 @@ pub struct Signature {
 
 impl Signature {
     /// The function of this operation of a codec.
-    pub fn of(format: Format, operation: Operation) -> Self {
+    pub fn of(format: &AnyCodec, operation: Operation) -> Self {
         let name = format!("unitvec_{}", format.function(operation));
         let code = if format.bits > 32 { Type::Uvec2 } else { Type::Uint };
         let (parameters, result) = match (operation, format.element) {
@@ -46,7 +46,7 @@ impl Signature {
 
     /// All functions, codec by codec.
     pub fn all() -> impl Iterator<Item = Self> {
-        formats().flat_map(|format| Operation::ALL.map(|operation| Self::of(format, operation)))
+        CODECS.iter().flat_map(|format| Operation::ALL.map(|operation| Self::of(format, operation)))
     }
 }
 

@@ -5,7 +5,7 @@ use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
 use unitvec::angle_deg;
-use unitvec_catalogue::{Element, Format};
+use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_mesh::has_direction;
 use unitvec_run::backend::{Backend, CHUNK, round_trip_slice};
 
@@ -71,7 +71,7 @@ pub struct Report {
 
 /// Measures codecs over one file after the other, in bounded memory.
 pub struct Meter {
-    formats: Vec<Format>,
+    formats: Vec<&'static AnyCodec>,
     element: Element,
     rows: Vec<Row>,
     /// For each format, for each part.
@@ -83,7 +83,7 @@ impl Meter {
     ///
     /// # Errors
     /// [`Error::Usage`] if some are of vectors and some of frames, or if there are none.
-    pub fn new(formats: Vec<Format>) -> Result<Self> {
+    pub fn new(formats: Vec<&'static AnyCodec>) -> Result<Self> {
         let element = formats.first().map(|format| format.element);
         match element.filter(|element| formats.iter().all(|format| format.element == *element)) {
             Some(element) => {
@@ -123,7 +123,7 @@ impl Meter {
             let decoded = &mut decoded[..elements.len()];
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
                 let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
-                round_trip_slice(backend, *format, elements, codes, decoded)?;
+                round_trip_slice(backend, format, elements, codes, decoded)?;
                 for (part, tally) in tallies.iter_mut().enumerate() {
                     tally.add_all(&Chunk {
                         file: &file,
@@ -160,7 +160,7 @@ fn parts(element: Element) -> &'static [&'static str] {
 }
 
 fn rows(
-    formats: &[Format],
+    formats: &[&'static AnyCodec],
     parts: &[&'static str],
     tallies: &[Tally],
     file: Option<&str>,
@@ -309,17 +309,18 @@ mod tests {
     use super::*;
     use crate::stream::Named;
     use std::path::Path;
+    use unitvec_catalogue::find;
     use unitvec_catalogue::find_format;
 
     /// Decodes the last element to NaN.
     struct Broken;
 
     impl Backend for Broken {
-        fn encode(&mut self, _: Format, _: &[f32], _: &mut [u8]) -> unitvec_run::Result<()> {
+        fn encode(&mut self, _: &AnyCodec, _: &[f32], _: &mut [u8]) -> unitvec_run::Result<()> {
             Ok(())
         }
 
-        fn decode(&mut self, _: Format, _: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
+        fn decode(&mut self, _: &AnyCodec, _: &[u8], elements: &mut [f32]) -> unitvec_run::Result<()> {
             elements.fill(1.0);
             elements[elements.len() - 1] = f32::NAN;
             Ok(())
@@ -328,7 +329,7 @@ mod tests {
 
     #[test]
     fn a_decoder_that_gives_nan_is_an_error() {
-        let mut meter = Meter::new(vec![find_format("oct16").unwrap()]).unwrap();
+        let mut meter = Meter::new(vec![find("oct16").unwrap()]).unwrap();
         let mut bytes: &[u8] = bytemuck::cast_slice(&[1.0f32; 9]);
         let input: Input<'_> = Named::new(Path::new("in.bin"), &mut bytes);
         let error = meter.measure(&mut Broken, input, &mut |_| ()).unwrap_err();

@@ -3,8 +3,7 @@
 use crate::{Error, Result};
 use std::io::{self, Read, Write};
 use std::path::Path;
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{Domain, Element, Format};
+use unitvec_catalogue::{AnyCodec, Domain, Element};
 use unitvec_mesh::has_direction;
 use unitvec_run::backend::{Backend, CHUNK};
 
@@ -61,7 +60,7 @@ impl Counts {
     }
 
     /// Counts vectors and their codes.
-    fn add_vectors(&mut self, format: Format, z_code: &[u8], floats: &[f32], codes: &[u8]) {
+    fn add_vectors(&mut self, format: &AnyCodec, z_code: &[u8], floats: &[f32], codes: &[u8]) {
         self.add_normals(Element::Vector, floats);
         let is_raw = keeps_lengths(format);
         let with_direction = vectors(Element::Vector, floats, 0)
@@ -81,7 +80,7 @@ impl Counts {
 
     /// Counts frames by their codes and those with the tangents turned round. Only where a codec finds no tangent are the
     /// two alike.
-    fn add_frames(&mut self, format: Format, floats: &[f32], codes: &[u8], turned: &[u8]) {
+    fn add_frames(&mut self, format: &AnyCodec, floats: &[f32], codes: &[u8], turned: &[u8]) {
         self.add_normals(Element::Frame, floats);
         let pairs = codes.chunks_exact(format.bytes).zip(turned.chunks_exact(format.bytes));
         self.no_tangent += pairs.filter(|(code, turned)| code == turned).count() as u64;
@@ -94,8 +93,8 @@ fn vectors(element: Element, floats: &[f32], at: usize) -> impl Iterator<Item = 
 }
 
 /// True for codecs that store components as given, so that a vector's length is kept, or is lost with small ones.
-pub fn keeps_lengths(format: Format) -> bool {
-    catalogue::find(format.id).is_ok_and(|codec| !codec.is_unit && codec.family != "best_fit")
+pub fn keeps_lengths(format: &AnyCodec) -> bool {
+    !format.is_unit && format.family != "best_fit"
 }
 
 /// Frames with their tangents turned round.
@@ -113,7 +112,7 @@ fn turned(frames: &[f32]) -> Vec<f32> {
 /// [`Error::Truncated`] if the input ends within an element, and whatever reading, encoding or writing meets.
 pub fn encode(
     backend: &mut dyn Backend,
-    format: Format,
+    format: &AnyCodec,
     input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
@@ -175,7 +174,7 @@ pub fn for_each_chunk(
 /// [`Error::Truncated`] if the input ends within a code, and whatever reading, decoding or writing meets.
 pub fn decode(
     backend: &mut dyn Backend,
-    format: Format,
+    format: &AnyCodec,
     mut input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
@@ -244,7 +243,7 @@ fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_catalogue::find_format;
+    use unitvec_catalogue::find;
     use unitvec_run::backend::Cpu;
 
     /// Hands out its bytes a few at a time, as a pipe may.
@@ -272,7 +271,7 @@ mod tests {
     }
 
     fn run_encode(input: &[u8], output: &mut dyn Write) -> Result<Counts> {
-        let codec = find_format("oct24").unwrap();
+        let codec = find("oct24").unwrap();
         let (from, to) = (Path::new("in"), Path::new("out"));
         encode(&mut Cpu, codec, Named::new(from, &mut Trickle(input)), Named::new(to, output), &mut |_| ())
     }
@@ -287,7 +286,7 @@ mod tests {
 
     fn count(codec: &str, elements: &[f32]) -> Counts {
         let input: Vec<u8> = elements.iter().flat_map(|c| c.to_le_bytes()).collect();
-        let (path, codec) = (Path::new("a"), find_format(codec).unwrap());
+        let (path, codec) = (Path::new("a"), find(codec).unwrap());
         let (mut input, mut output) = (&input[..], io::sink());
         encode(&mut Cpu, codec, Named::new(path, &mut input), Named::new(path, &mut output), &mut |_| ())
             .unwrap()
@@ -341,7 +340,7 @@ mod tests {
         assert_eq!(count("float16x3", &[1e-9, 0.0, 0.0]).no_direction, 1);
         let kept =
             ["snorm8x3", "unorm8x3", "float16x3", "snorm8x3p", "snorm8x3_nearest", "crytek_bfn24", "oct16"]
-                .map(|codec| keeps_lengths(find_format(codec).unwrap()));
+                .map(|codec| keeps_lengths(find(codec).unwrap()));
         assert_eq!(kept, [true, true, true, false, false, false, false]);
     }
 

@@ -35,7 +35,7 @@ pub use storage::Storage;
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 
 /// What objects are made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
@@ -60,9 +60,9 @@ pub enum Normals {
     /// Normals as three floats.
     Float,
     /// Codes.
-    Codec(Format),
+    Codec(&'static AnyCodec),
     /// Codes with an offset, for one of [`shaders::dithered`].
-    Dithered(Format, Key),
+    Dithered(&'static AnyCodec, Key),
 }
 
 /// What the offset of a dithered code comes from.
@@ -83,7 +83,7 @@ pub enum Vertices {
     /// Three floats.
     Float,
     /// Codes, in the codec's format or as integers.
-    Codec(Format),
+    Codec(&'static AnyCodec),
 }
 
 /// What is in the picture.

@@ -4,8 +4,7 @@ use super::storage::Storage;
 use unitvec::azimuthal::{self, Ellipse, Eqarea};
 use unitvec::glam::Vec3;
 use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 
 /// A projection of the shaders, and the same on the CPU.
 #[derive(Debug)]
@@ -85,12 +84,11 @@ impl Projection {
     }
 
     /// The projection that a codec of two snorm rounds; `None` for other codecs, and for those of no projection.
-    pub fn of(format: &Format) -> Option<&'static Self> {
+    pub fn of(format: &AnyCodec) -> Option<&'static Self> {
         if !matches!(Storage::of(format), Storage::Snorm8x2 | Storage::Snorm16x2) {
             return None;
         }
-        let family = catalogue::find(format.id).map_or("", |codec| codec.family);
-        Self::find(&format!("{}_snorm", format.id)).or_else(|| Self::find(&format!("{family}_snorm")))
+        [format.id, format.family].iter().find_map(|name| Self::find(&format!("{name}_snorm")))
     }
 
     /// Its numbers of a vector, on the CPU; the third is alpha's.
@@ -140,19 +138,18 @@ impl Projection {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_catalogue::formats;
+    use unitvec_catalogue::{CODECS, find};
 
     #[test]
     fn codecs_of_two_snorm_have_their_projection() {
-        let named =
-            |id: &str| Projection::of(&catalogue::find_format(id).unwrap()).map(|projection| projection.name);
+        let named = |id: &str| Projection::of(find(id).unwrap()).map(|projection| projection.name);
         assert_eq!(named("oct16"), Some("oct_snorm"));
         assert_eq!(named("oct32p"), Some("oct32p_snorm"));
         assert_eq!(named("eaoct16p"), Some("eaoct16p_snorm"));
         assert_eq!(named("hemioct32"), Some("hemioct_snorm"));
         // Three bytes; no projection; another format.
         assert_eq!([named("oct24"), named("xyonly16"), named("spherical16")], [None; 3]);
-        assert_eq!(formats().filter(|format| Projection::of(format).is_some()).count(), 12);
+        assert_eq!(CODECS.iter().filter(|format| Projection::of(format).is_some()).count(), 12);
     }
 
     /// A vector comes back, and numbers lie in the range of their kind.

@@ -12,7 +12,7 @@ use crate::Result;
 use bytemuck::{Pod, Zeroable};
 use std::collections::HashMap;
 use std::sync::Arc;
-use unitvec_catalogue::{Element, Format};
+use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{
     Device, Draw, Graphics, Image, ImageFormat, Mesh, Pipeline, PipelineOptions, Shader, Target,
@@ -220,14 +220,14 @@ impl Renderer {
     }
 
     /// What holds a codec's codes in the G-buffer. The device is not asked how it rounds 10 bits.
-    pub(super) fn storage(&self, format: &Format) -> Storage {
+    pub(super) fn storage(&self, format: &AnyCodec) -> Storage {
         Storage::drawn(format, self.device(), false)
     }
 
     fn variant(&self, normals: Normals) -> Result<Variant> {
         Ok(match normals {
             Normals::Float => Variant::FLOAT,
-            Normals::Codec(format) => Variant::codec(format, self.storage(&format)),
+            Normals::Codec(format) => Variant::codec(format, self.storage(format)),
             Normals::Dithered(format, _) => {
                 Variant::dithered(format).ok_or(Error::NotDithered { id: format.id })?
             }
@@ -266,7 +266,7 @@ impl Renderer {
     fn vertex_variant(&self, vertices: Vertices) -> Variant {
         match vertices {
             Vertices::Float => Variant::FLOAT,
-            Vertices::Codec(format) => Variant::codec(format, Storage::of(&format)),
+            Vertices::Codec(format) => Variant::codec(format, Storage::of(format)),
         }
     }
 
@@ -296,7 +296,7 @@ impl Renderer {
 }
 
 /// The codes of normals, by the CPU. A frame's tangent is what the shaders take for it.
-pub(super) fn encoded(format: Format, normals: &[[f32; 3]]) -> Result<Vec<u8>> {
+pub(super) fn encoded(format: &AnyCodec, normals: &[[f32; 3]]) -> Result<Vec<u8>> {
     let mut codes = vec![0; normals.len() * format.bytes];
     let elements: Vec<f32> = match format.element {
         Element::Vector => normals.as_flattened().to_vec(),
@@ -307,7 +307,7 @@ pub(super) fn encoded(format: Format, normals: &[[f32; 3]]) -> Result<Vec<u8>> {
 }
 
 /// The normals of codes, by the CPU.
-pub(super) fn decoded(format: Format, codes: &[u8]) -> Result<Vec<[f32; 3]>> {
+pub(super) fn decoded(format: &AnyCodec, codes: &[u8]) -> Result<Vec<[f32; 3]>> {
     let floats = format.element.floats();
     let mut elements = vec![0.0; codes.len() / format.bytes * floats];
     format.decode_cpu(codes, &mut elements)?;

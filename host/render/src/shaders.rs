@@ -58,6 +58,7 @@ mod tests {
     use rspirv::dr::{Instruction, Module, Operand, load_bytes};
     use rspirv::spirv::{Decoration, ExecutionModel, Op, StorageClass, Word};
     use std::collections::{BTreeMap, BTreeSet};
+    use unitvec_catalogue::{AnyCodec, CODECS, find};
     use unitvec_catalogue::{Format, find_format, formats};
 
     /// What an entry point takes and gives: types by location, textures by binding in set 0, bytes of push constants.
@@ -71,7 +72,7 @@ mod tests {
     }
 
     /// The types that a codec's values have: attribute, value, texture.
-    fn types(format: &Format, as_integers: bool) -> [&'static str; 3] {
+    fn types(format: &AnyCodec, as_integers: bool) -> [&'static str; 3] {
         match format.vk_format.filter(|_| !as_integers) {
             Some(name) if name.ends_with("SINT") => ["ivec2", "ivec4", "itexture2D"],
             Some(name) if !name.ends_with("UINT") => ["vec4", "vec4", "texture2D"],
@@ -96,8 +97,8 @@ mod tests {
             "float" => ["vec4", "vec4", "texture2D"],
             projected if crate::Projection::find(projected).is_some() => ["vec4", "vec4", "texture2D"],
             id => {
-                let format = find_format(id).unwrap_or_else(|_| panic!("{name} is of no codec"));
-                types(&format, is_dithered || plain.ends_with("_uint"))
+                let format = find(id).unwrap_or_else(|_| panic!("{name} is of no codec"));
+                types(format, is_dithered || plain.ends_with("_uint"))
             }
         };
         let varying = by_number(&[(0, "vec3"), (1, "vec3")]);
@@ -131,7 +132,7 @@ mod tests {
     fn every_codec_has_a_module() {
         let names: BTreeSet<&str> = modules().collect();
         let others = ["float", "fullscreen"];
-        for name in formats().map(|format| format.id).chain(others) {
+        for name in CODECS.iter().map(|format| format.id).chain(others) {
             assert!(names.contains(format!("{name}.spv").as_str()), "{name}");
         }
     }
@@ -167,8 +168,8 @@ mod tests {
             "float16x3",
             "xyonly32f",
         ];
-        let format = |id: &str| find_format(id).unwrap();
-        let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(&format(id))));
+        let format = |id: &str| find(id).unwrap();
+        let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(format(id))));
         let dithered = dithered().map(|id| Variant::dithered(format(id)).unwrap());
         let projected = PROJECTIONS.iter().map(|projection: &Projection| Variant::projected(projection));
         let compiler = unitvec_run::glsl::Compiler::new().unwrap();

@@ -1,6 +1,6 @@
 //! What holds codes on the graphics pipeline: attachments, textures and vertex attributes.
 
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::{Device, FormatUse, ImageFormat, bytes_per_texel};
 
 /// How the value of a texel or an attribute holds a code.
@@ -55,19 +55,19 @@ const STORAGES: [(&str, Storage); 11] = [
 
 impl Storage {
     /// That of a codec by its Vulkan format; integers where it has none.
-    pub fn of(format: &Format) -> Self {
+    pub fn of(format: &AnyCodec) -> Self {
         let named = STORAGES.iter().find(|(name, _)| format.vk_format == Some(name));
         named.map_or(Self::integers(format), |(_, storage)| *storage)
     }
 
     /// Integers for the codes of this codec.
-    pub fn integers(format: &Format) -> Self {
+    pub fn integers(format: &AnyCodec) -> Self {
         if format.bits > 32 { Self::Uint2 } else { Self::Uint }
     }
 
     /// What a codec's codes are drawn to: its own format, or integers where the device does not draw to that.
     /// `keeps_10_bits`: A2B10G10R10_SNORM_PACK32 keeps codes, which software devices round wrong.
-    pub fn drawn(format: &Format, device: &Device, keeps_10_bits: bool) -> Self {
+    pub fn drawn(format: &AnyCodec, device: &Device, keeps_10_bits: bool) -> Self {
         let own = Self::of(format);
         let keeps = own != Self::Snorm10x3 || keeps_10_bits;
         let is_drawn = keeps && device.supports(own.texel(), FormatUse::Attachment);
@@ -165,13 +165,13 @@ pub fn texels_of(codes: &[u8], format: ImageFormat, code_bytes: usize) -> Vec<u8
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_catalogue::formats;
+    use unitvec_catalogue::CODECS;
 
     /// A codec's format is known, and a texel has room for its code.
     #[test]
     fn every_codec_has_storage() {
-        for format in formats() {
-            let storage = Storage::of(&format);
+        for format in &CODECS {
+            let storage = Storage::of(format);
             let is_integer = matches!(storage, Storage::Uint | Storage::Uint2);
             let names_integer = format.vk_format.is_none_or(|name| name.ends_with("32_UINT"));
             assert_eq!(is_integer, names_integer, "{}", format.id);

@@ -7,7 +7,7 @@ use crate::Result;
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::collections::HashMap;
-use unitvec_catalogue::{Element, Format};
+use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_run::backend::BackendKind;
 use unitvec_run::glsl;
 
@@ -22,8 +22,8 @@ pub struct Variant {
 #[derive(Clone, Copy)]
 enum Stored {
     Float,
-    Codec(Format),
-    Dithered(Format),
+    Codec(&'static AnyCodec),
+    Dithered(&'static AnyCodec),
     Projected(&'static Projection),
 }
 
@@ -32,13 +32,13 @@ impl Variant {
     pub const FLOAT: Self = Self { normals: Stored::Float, storage: Storage::Float };
 
     /// A codec.
-    pub const fn codec(format: Format, storage: Storage) -> Self {
+    pub const fn codec(format: &'static AnyCodec, storage: Storage) -> Self {
         Self { normals: Stored::Codec(format), storage }
     }
 
     /// A codec with an offset, its codes in integers; `None` for one that is not among [`shaders::dithered`].
-    pub fn dithered(format: Format) -> Option<Self> {
-        let storage = Storage::integers(&format);
+    pub fn dithered(format: &'static AnyCodec) -> Option<Self> {
+        let storage = Storage::integers(format);
         shaders::dithered()
             .any(|id| id == format.id)
             .then_some(Self { normals: Stored::Dithered(format), storage })
@@ -53,7 +53,7 @@ impl Variant {
     pub fn name(&self) -> String {
         match self.normals {
             Stored::Float => "float".to_owned(),
-            Stored::Codec(format) if self.storage == Storage::of(&format) => format.id.to_owned(),
+            Stored::Codec(format) if self.storage == Storage::of(format) => format.id.to_owned(),
             // Codes in integers though the codec has a format.
             Stored::Codec(format) => format!("{}_uint", format.id),
             Stored::Dithered(format) => format!("{}_dithered", format.id),
@@ -174,8 +174,8 @@ mod tests {
 
     #[test]
     fn names_say_codec_and_kind() {
-        let format = |id| catalogue::find_format(id).unwrap();
-        let named = |id| Variant::codec(format(id), Storage::of(&format(id))).name();
+        let format = |id| catalogue::find(id).unwrap();
+        let named = |id| Variant::codec(format(id), Storage::of(format(id))).name();
         assert_eq!((named("oct16"), named("frame32")), ("oct16".to_owned(), "frame32".to_owned()));
         assert_eq!(Variant::codec(format("snorm10x3"), Storage::Uint).name(), "snorm10x3_uint");
         assert_eq!(Variant::FLOAT.name(), "float");
@@ -197,13 +197,9 @@ mod tests {
     /// Every codec whose format need not be an attachment has shaders for integers, and no other has.
     #[test]
     fn every_device_can_draw_every_codec() {
-        for format in catalogue::formats() {
+        for format in catalogue::CODECS.iter() {
             let name = format!("{}_uint.spv", format.id);
-            assert_eq!(
-                shaders::module(&name).is_none(),
-                Storage::of(&format).is_drawn_everywhere(),
-                "{name}"
-            );
+            assert_eq!(shaders::module(&name).is_none(), Storage::of(format).is_drawn_everywhere(), "{name}");
         }
     }
 }

@@ -7,7 +7,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
-use unitvec_catalogue::{CodecInfo, Coding, Format, Operation, best_fit_table};
+use unitvec_catalogue::{AnyCodec, Operation, best_fit_table};
 use unitvec_manifest as manifest;
 use unitvec_manifest::modules::Modules;
 use unitvec_vulkan::{Device, Kernel, Runner, Table};
@@ -58,32 +58,36 @@ pub trait Backend {
     ///
     /// # Errors
     /// What the backend meets: a wrong size, a missing module, a failed Vulkan call.
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()>;
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()>;
 
     /// Decodes up to [`CHUNK`] dense codes.
     ///
     /// # Errors
     /// As [`encode`](Self::encode).
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()>;
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()>;
 }
 
-/// Encodes and decodes the first `count` of `elements`, and hands on each with what it came back as.
+/// Encodes and decodes the first `count` of elements whose floats follow each other, and hands on each with what it came
+/// back as.
 ///
 /// # Errors
 /// What the backend meets.
-pub fn round_trip<const N: usize>(
+pub fn round_trip(
     backend: &mut dyn Backend,
-    format: Format,
-    elements: impl Iterator<Item = [f32; N]>,
+    codec: &AnyCodec,
+    elements: impl Iterator<Item = f32>,
     count: usize,
-    mut each: impl FnMut([f32; N], [f32; N]),
+    mut each: impl FnMut(&[f32], &[f32]),
 ) -> Result<()> {
-    let mut codes = vec![0; CHUNK.min(count) * format.bytes];
-    let mut decoded = vec![[0.0; N]; CHUNK.min(count)];
-    sampling::in_chunks(elements, count, CHUNK, |elements| {
-        let (codes, decoded) = (&mut codes[..elements.len() * format.bytes], &mut decoded[..elements.len()]);
-        round_trip_slice(backend, format, elements.as_flattened(), codes, decoded.as_flattened_mut())?;
-        elements.iter().zip(decoded).for_each(|(element, decoded)| each(*element, *decoded));
+    let floats = codec.element.floats();
+    let mut codes = vec![0; CHUNK.min(count) * codec.bytes];
+    let mut decoded = vec![0.0; CHUNK.min(count) * floats];
+    sampling::in_chunks(elements, count * floats, CHUNK * floats, |elements| {
+        let codes = &mut codes[..elements.len() / floats * codec.bytes];
+        let decoded = &mut decoded[..elements.len()];
+        round_trip_slice(backend, codec, elements, codes, decoded)?;
+        let pairs = elements.chunks_exact(floats).zip(decoded.chunks_exact(floats));
+        pairs.for_each(|(element, decoded)| each(element, decoded));
         Ok(())
     })
 }
@@ -94,7 +98,7 @@ pub fn round_trip<const N: usize>(
 /// What the backend meets.
 pub fn round_trip_slice(
     backend: &mut dyn Backend,
-    format: Format,
+    format: &AnyCodec,
     elements: &[f32],
     codes: &mut [u8],
     decoded: &mut [f32],
@@ -107,11 +111,11 @@ pub fn round_trip_slice(
 pub struct Cpu;
 
 impl Backend for Cpu {
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         Ok(format.encode_cpu(elements, codes)?)
     }
 
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         Ok(format.decode_cpu(codes, elements)?)
     }
 }
@@ -132,7 +136,7 @@ impl KernelSource {
     pub fn kernel(
         &self,
         runner: &Runner,
-        format: Format,
+        format: &AnyCodec,
         operation: Operation,
         table: Option<&Table>,
     ) -> Result<Kernel> {
@@ -143,7 +147,7 @@ impl KernelSource {
     fn rewritten_kernel(
         &self,
         runner: &Runner,
-        format: Format,
+        format: &AnyCodec,
         operation: Operation,
         table: Option<&Table>,
         rewrite: &Rewrite,
@@ -245,7 +249,7 @@ impl Gpu {
 
     fn run(
         &mut self,
-        format: Format,
+        format: &AnyCodec,
         operation: Operation,
         count: usize,
         input: &[u8],
@@ -279,12 +283,12 @@ impl Gpu {
 }
 
 impl Backend for Gpu {
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         self.run(format, Operation::Encode, count, bytemuck::cast_slice(elements), codes)
     }
 
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         self.run(format, Operation::Decode, count, codes, bytemuck::cast_slice_mut(elements))
     }
@@ -294,9 +298,9 @@ impl Backend for Gpu {
 ///
 /// # Errors
 /// [`LengthMismatch`](unitvec::slice::LengthMismatch) for a codec of more bytes.
-pub fn decode_table(codec: &CodecInfo) -> Result<Vec<[f32; 3]>> {
+pub fn decode_table(codec: &AnyCodec) -> Result<Vec<[f32; 3]>> {
     let codes: Vec<u8> = (0..=u16::MAX).flat_map(u16::to_le_bytes).collect();
     let mut vectors = vec![[0.0; 3]; codes.len() / 2];
-    codec.decode_cpu(&codes, &mut vectors)?;
+    codec.decode_cpu(&codes, vectors.as_flattened_mut())?;
     Ok(vectors)
 }

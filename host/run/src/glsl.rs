@@ -8,7 +8,7 @@ mod glslang;
 mod glslang;
 
 use glslang::Glslang;
-use unitvec_catalogue::{Element, Format, Operation};
+use unitvec_catalogue::{AnyCodec, Element, Operation};
 use unitvec_manifest as manifest;
 
 /// GLSL that could not be compiled to SPIR-V.
@@ -94,7 +94,7 @@ impl Compiler {
     ///
     /// # Errors
     /// [`Error::NoSource`] or [`Error::Rejected`].
-    pub fn kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+    pub fn kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
         self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation, &function))
     }
@@ -106,7 +106,7 @@ impl Compiler {
     /// The same.
     pub fn function_kernel(
         &self,
-        format: Format,
+        format: &AnyCodec,
         operation: Operation,
         function: &str,
         others: &[(&str, &str)],
@@ -120,7 +120,7 @@ impl Compiler {
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn cost_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+    pub fn cost_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
         self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation, &function))
     }
@@ -137,7 +137,7 @@ impl Compiler {
     ///
     /// # Errors
     /// As [`kernel`](Self::kernel).
-    pub fn copy_kernel(&self, format: Format, operation: Operation) -> Result<Vec<u8>, Error> {
+    pub fn copy_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"))
     }
 
@@ -186,7 +186,7 @@ impl Compiler {
 }
 
 /// The macros that the kernel files are compiled with for a function of this format.
-fn macros(format: Format, operation: Operation, function: &str) -> Vec<(String, String)> {
+fn macros(format: &AnyCodec, operation: Operation, function: &str) -> Vec<(String, String)> {
     let mut macros = vec![
         (operation.to_string().to_uppercase(), function.to_owned()),
         ("BYTES".into(), format.bytes.to_string()),

@@ -3,7 +3,7 @@
 use crate::backend::{Backend, round_trip};
 use crate::{Result, sampling};
 use unitvec::angle_deg;
-use unitvec_catalogue::{CodecInfo, Coding, Domain};
+use unitvec_catalogue::{AnyCodec, Domain};
 
 /// Mean and maximum of a series of errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -62,20 +62,20 @@ impl ElementErrors {
     }
 }
 
-/// Measures a codec over `count` random directions by the survey's method (section 4.1).
+/// Measures a codec over `count` random directions of the domain, or frames, by the survey's method (section 4.1).
 ///
 /// # Errors
-/// What the backend meets.
+/// An error of the backend.
 pub fn measure(
     backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
+    codec: &AnyCodec,
     domain: Domain,
     count: usize,
     seed: u64,
-) -> Result<ErrorStats> {
-    let mut errors = ErrorStats::default();
-    let directions = sampling::random_directions(domain, seed);
-    round_trip(backend, codec.format(), directions, count, |v, decoded| errors.add(v, decoded))?;
+) -> Result<ElementErrors> {
+    let mut errors = ElementErrors::default();
+    let elements = sampling::random_elements(codec.element, domain, seed);
+    round_trip(backend, codec, elements, count, |element, decoded| errors.add(element, decoded))?;
     Ok(errors)
 }
 

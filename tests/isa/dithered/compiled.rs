@@ -6,7 +6,7 @@ use crate::isa::{RENEW, rdna2};
 use std::path::Path;
 use std::process::Command;
 use std::sync::Arc;
-use unitvec_catalogue::{Operation, find_format};
+use unitvec_catalogue::{Operation, find};
 use unitvec_choose::costs::{Report, Row, Source};
 use unitvec_lab::isa::radv::Radv;
 use unitvec_run::glsl::{Compiler, ENTRY_POINT};
@@ -50,7 +50,7 @@ fn compile() {
 }
 
 fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Operation, key: &str) -> Row {
-    let format = find_format(codec).unwrap();
+    let format = find(codec).unwrap();
     let macros = [
         (operation.to_string().to_uppercase(), format!("{codec}_{operation}_dithered")),
         ("BYTES".to_owned(), format.bytes.to_string()),

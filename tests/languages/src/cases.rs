@@ -3,7 +3,7 @@
 use crate::{Result, told};
 use std::collections::HashMap;
 use std::sync::Arc;
-use unitvec_catalogue::{Domain, Format, Operation};
+use unitvec_catalogue::{AnyCodec, Domain, Operation};
 use unitvec_run::sampling;
 use unitvec_run::shader::kernel;
 
@@ -18,7 +18,7 @@ const SEED: u64 = 15;
 
 /// One codec, encoding or decoding: what its kernel reads, and what it has to write.
 pub struct Case {
-    pub format: Format,
+    pub format: &'static AnyCodec,
     pub operation: Operation,
     pub input: Arc<[u32]>,
     pub expected: Vec<u32>,
@@ -45,18 +45,18 @@ impl Case {
 }
 
 /// Encoding and decoding by these codecs.
-pub fn cases(formats: &[Format]) -> Result<Vec<Case>> {
+pub fn cases(formats: &[&'static AnyCodec]) -> Result<Vec<Case>> {
     let mut elements = HashMap::new();
     let mut codes = HashMap::new();
     let mut cases = Vec::new();
-    for format in formats {
+    for &format in formats {
         let kind = (format.element.floats(), format.domain == Domain::Sphere);
         let elements = elements.entry(kind).or_insert_with(|| elements_of(format));
         let codes = codes.entry(format.bytes).or_insert_with(|| codes_of(format));
         let mut encoded = vec![0; COUNT * format.bytes];
         format.encode_cpu(bytemuck::cast_slice(elements), &mut encoded).map_err(told)?;
         cases.push(Case {
-            format: *format,
+            format,
             operation: Operation::Encode,
             input: elements.clone(),
             expected: whole_words(format, &encoded),
@@ -65,7 +65,7 @@ pub fn cases(formats: &[Format]) -> Result<Vec<Case>> {
         let mut decoded = vec![0; COUNT * format.element.floats()];
         format.decode_cpu(&stored(format, codes), bytemuck::cast_slice_mut(&mut decoded)).map_err(told)?;
         cases.push(Case {
-            format: *format,
+            format,
             operation: Operation::Decode,
             input: codes.clone(),
             expected: decoded,
@@ -76,8 +76,8 @@ pub fn cases(formats: &[Format]) -> Result<Vec<Case>> {
 }
 
 /// Stored codes as words, one or two each.
-fn whole_words(format: &Format, stored: &[u8]) -> Vec<u32> {
-    let words = kernel::code_words(*format);
+fn whole_words(format: &AnyCodec, stored: &[u8]) -> Vec<u32> {
+    let words = kernel::code_words(format);
     let codes = stored.chunks_exact(format.bytes);
     codes
         .flat_map(|code| {
@@ -90,8 +90,8 @@ fn whole_words(format: &Format, stored: &[u8]) -> Vec<u32> {
 }
 
 /// Codes of whole words as they are stored.
-pub fn stored(format: &Format, words: &[u32]) -> Vec<u8> {
-    let codes = words.chunks_exact(kernel::code_words(*format));
+pub fn stored(format: &AnyCodec, words: &[u32]) -> Vec<u8> {
+    let codes = words.chunks_exact(kernel::code_words(format));
     codes
         .flat_map(|code| {
             bytemuck::cast_slice::<u32, u8>(code).iter().take(format.bytes).copied().collect::<Vec<_>>()
@@ -100,7 +100,7 @@ pub fn stored(format: &Format, words: &[u32]) -> Vec<u8> {
 }
 
 /// Random elements of the domain, and some of the special ones, evenly taken.
-fn elements_of(format: &Format) -> Arc<[u32]> {
+fn elements_of(format: &AnyCodec) -> Arc<[u32]> {
     let floats = format.element.floats();
     let random = sampling::random_elements(format.element, format.domain, SEED).take(RANDOM * floats);
     let special: Vec<&[f32]> = sampling::special_elements(format.element).chunks_exact(floats).collect();
@@ -109,7 +109,7 @@ fn elements_of(format: &Format) -> Arc<[u32]> {
 }
 
 /// Random codes, and special ones.
-fn codes_of(format: &Format) -> Arc<[u32]> {
+fn codes_of(format: &AnyCodec) -> Arc<[u32]> {
     let special = sampling::special_codes();
     let special = (0..SPECIAL).map(|n| special[n * special.len() / SPECIAL]);
     let codes: Vec<u64> = sampling::random_codes(SEED).take(RANDOM).chain(special).collect();
@@ -119,15 +119,15 @@ fn codes_of(format: &Format) -> Arc<[u32]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_catalogue::find_format;
+    use unitvec_catalogue::find;
 
     #[test]
     fn words_come_back_from_stored_codes() {
         for id in ["oct16", "oct24", "oct32", "soct33", "oct48p", "frame64"] {
-            let format = find_format(id).unwrap();
-            let codes = codes_of(&format);
+            let format = find(id).unwrap();
+            let codes = codes_of(format);
             assert_eq!(codes.len(), COUNT * kernel::code_words(format), "{id}");
-            assert_eq!(whole_words(&format, &stored(&format, &codes)), codes.to_vec(), "{id}");
+            assert_eq!(whole_words(format, &stored(format, &codes)), codes.to_vec(), "{id}");
         }
     }
 }

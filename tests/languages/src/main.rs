@@ -26,7 +26,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 use tally::Tally;
-use unitvec_catalogue::{find_format, formats};
+use unitvec_catalogue::{CODECS, find};
 use unitvec_link as link;
 use unitvec_run::conform::widest_of_each_series;
 use unitvec_run::shader::{Edition, Language};
@@ -100,7 +100,7 @@ fn run(options: &Options) -> Result<()> {
     let mut cases = if options.widest {
         cases::cases(&widest_of_each_series())
     } else if options.codec.is_empty() {
-        cases::cases(&formats().collect::<Vec<_>>())
+        cases::cases(&CODECS.iter().collect::<Vec<_>>())
     } else {
         cases_of(options.codec.iter().map(String::as_str))
     }?;
@@ -123,7 +123,7 @@ fn run(options: &Options) -> Result<()> {
 
 /// The cases of the codecs with these identifiers.
 fn cases_of<'a>(ids: impl Iterator<Item = &'a str>) -> Result<Vec<Case>> {
-    cases::cases(&ids.map(|id| find_format(id).map_err(told)).collect::<Result<Vec<_>>>()?)
+    cases::cases(&ids.map(|id| find(id).map_err(told)).collect::<Result<Vec<_>>>()?)
 }
 
 fn dxc<'a>(library: &'a Path, arguments: &'static [&'static str]) -> Compiler<'a> {

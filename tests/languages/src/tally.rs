@@ -3,8 +3,8 @@
 use crate::cases::{Case, RANDOM, stored};
 use crate::{Result, told};
 use unitvec::direction::{MAX_NORM, MIN_NORM};
-use unitvec_catalogue::{Format, Operation};
-use unitvec_lab::imprecise::{Outcome, error_bounds, of_codes, of_elements};
+use unitvec_catalogue::{AnyCodec, Operation};
+use unitvec_lab::imprecise::{Outcome, error_bound, of_codes, of_elements};
 
 /// What came of all cases.
 #[derive(Default)]
@@ -35,7 +35,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    pub fn of(format: Format) -> Self {
+    pub fn of(format: &AnyCodec) -> Self {
         if format.bits <= 32 { Self { error: 1.0, angle: 0.05 } } else { Self { error: 2.0, angle: 1.0 } }
     }
 }
@@ -86,12 +86,6 @@ impl Tally {
     }
 }
 
-/// A codec's error bound in degrees: of frames that of the normal or of the tangent, whichever is less.
-fn error_bound(format: Format) -> f64 {
-    let [normal, tangent] = error_bounds(format);
-    normal.min(tangent)
-}
-
 /// How a case's results differ from those expected.
 fn outcome(case: &Case, words: &[u32]) -> Result<Outcome> {
     if case.operation == Operation::Decode {
@@ -105,7 +99,7 @@ fn outcome(case: &Case, words: &[u32]) -> Result<Outcome> {
         a.chunks_exact(written).zip(b.chunks_exact(written)).filter(|(a, b)| a != b).count() as u64
     };
     let elements = bytemuck::cast_slice(&case.input[..RANDOM * read]);
-    let (codes, expected_codes) = (stored(&case.format, random), stored(&case.format, expected));
+    let (codes, expected_codes) = (stored(case.format, random), stored(case.format, expected));
     let (_, error) = of_codes(case.format, elements, &codes, &expected_codes).map_err(told)?;
     Ok(Outcome {
         codes_differ: differ(random, expected),
@@ -151,9 +145,9 @@ fn has_direction(element: &[f32]) -> Option<bool> {
 }
 
 /// What the CPU makes of one code.
-fn decoded(format: Format, code: &[u32]) -> Result<Vec<f32>> {
+fn decoded(format: &AnyCodec, code: &[u32]) -> Result<Vec<f32>> {
     let mut element = vec![0.0; format.element.floats()];
-    format.decode_cpu(&stored(&format, code), &mut element).map_err(told)?;
+    format.decode_cpu(&stored(format, code), &mut element).map_err(told)?;
     Ok(element)
 }
 
@@ -161,10 +155,10 @@ fn decoded(format: Format, code: &[u32]) -> Result<Vec<f32>> {
 mod tests {
     use super::*;
     use crate::cases::cases;
-    use unitvec_catalogue::find_format;
+    use unitvec_catalogue::find;
 
     fn tally_of(id: &str, operation: Operation, change: impl FnOnce(&mut Vec<u32>)) -> Tally {
-        let cases = cases(&[find_format(id).unwrap()]).unwrap();
+        let cases = cases(&[find(id).unwrap()]).unwrap();
         let case = cases.iter().find(|case| case.operation == operation).unwrap();
         let mut words = case.expected.clone();
         change(&mut words);
@@ -195,7 +189,7 @@ mod tests {
     /// A code far away, of the first special element that has a direction, or has none.
     #[test]
     fn codes_of_special_elements_are_bounded() {
-        let cases = cases(&[find_format("oct32").unwrap()]).unwrap();
+        let cases = cases(&[find("oct32").unwrap()]).unwrap();
         let floats = bytemuck::cast_slice::<u32, f32>(&cases[0].input).chunks_exact(3);
         for is_usable in [true, false] {
             let is_such = |element: &[f32]| has_direction(element) == Some(is_usable);

@@ -3,7 +3,7 @@
 use crate::{Result, told};
 use std::fs;
 use std::path::PathBuf;
-use unitvec_catalogue::{Element, Format, Operation, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Element, Operation};
 use unitvec_run::shader::kernel::code_words;
 use unitvec_run::shader::{Edition, Language, library};
 
@@ -53,11 +53,11 @@ fn calls(language: Language) -> String {
         }
         _ => ("uint2 all_codecs(uint2 code, float3 normal, float4 tangent) {\n", ""),
     };
-    let calls: String = formats().map(|format| call(format, reference)).collect();
+    let calls: String = CODECS.iter().map(|format| call(format, reference)).collect();
     format!("\n{head}{calls}    return code;\n}}\n")
 }
 
-fn call(format: Format, reference: &str) -> String {
+fn call(format: &AnyCodec, reference: &str) -> String {
     let code = if code_words(format) == 1 { "code.x" } else { "code" };
     let [encode, decode] = Operation::ALL.map(|operation| format.function(operation));
     match format.element {

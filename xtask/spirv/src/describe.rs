@@ -1,7 +1,7 @@
 //! The manifest's words about kernels, modules and tables.
 
 use crate::kernel::Kernel;
-use unitvec_catalogue::{Element, Format, Operation, best_fit_table, find, find_frame};
+use unitvec_catalogue::{AnyCodec, Element, Operation, best_fit_table};
 use unitvec_link::{LIBRARY, Signature};
 use unitvec_manifest as manifest;
 use unitvec_manifest::{
@@ -54,16 +54,10 @@ pub fn module(file: &str, kernels: &[Kernel], bytes: &[u8]) -> Module {
     }
 }
 
-fn codec(format: Format) -> Codec {
-    let Format { id, element, bits, bytes, vk_format, .. } = format;
-    let (is_unit, max_error_deg) = match (find(id), find_frame(id)) {
-        (Ok(codec), _) => (codec.is_unit, vec![codec.max_error_deg]),
-        (Err(_), frame) => {
-            let bounds = frame.map(|frame| vec![frame.max_normal_error_deg, frame.max_tangent_error_deg]);
-            (true, bounds.unwrap_or_default())
-        }
-    };
+fn codec(format: &AnyCodec) -> Codec {
+    let AnyCodec { id, element, bits, bytes, vk_format, is_unit, max_errors_deg, .. } = *format;
     let (id, vk_format) = (id.to_owned(), vk_format.map(str::to_owned));
+    let max_error_deg = max_errors_deg.to_vec();
     Codec { id, element, bits, bytes: bytes as u32, vk_format, is_unit, max_error_deg }
 }
 

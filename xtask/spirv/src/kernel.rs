@@ -1,7 +1,7 @@
 //! What a kernel is, by the name that rust-gpu gives its entry point.
 
 use anyhow::{Context, Result};
-use unitvec_catalogue::{Format, Operation, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_manifest::DECODE_BY_TABLE;
 
 /// Stands for a codec in the names of the kernels that measure what the others do besides encoding or decoding.
@@ -13,7 +13,7 @@ pub struct Kernel {
     /// Codec's identifier; [`BASELINE`] or [`DECODE_BY_TABLE`] for those that belong to none.
     id: String,
     /// The codec, if it belongs to one.
-    pub codec: Option<Format>,
+    pub codec: Option<&'static AnyCodec>,
     /// What it does.
     pub operation: Operation,
     /// True of those that measure arithmetic.
@@ -34,7 +34,7 @@ impl Kernel {
             .find_map(|operation| Some((function.strip_suffix(&format!("_{operation}"))?, operation)))
             .with_context(belongs)?;
         let is_cost = function.len() < name.len();
-        let codec = formats().find(|codec| codec.id == id);
+        let codec = CODECS.iter().find(|codec| codec.id == id);
         if codec.is_none() && (id != BASELINE || !is_cost) {
             return None.with_context(belongs);
         }

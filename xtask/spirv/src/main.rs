@@ -15,7 +15,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
-use unitvec_catalogue::{Operation, best_fit_table, formats};
+use unitvec_catalogue::{CODECS, Operation, best_fit_table};
+use unitvec_files as output;
 use unitvec_link as link;
 use unitvec_manifest as manifest;
 use unitvec_manifest::Manifest;
@@ -63,7 +64,7 @@ fn repository() -> Result<PathBuf> {
 fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     let compiler = compile::Compiler::install(repository.join("shader-crate"))?;
     let kernels = compiler.kernels()?;
-    let codecs = formats().count();
+    let codecs = CODECS.len();
     ensure!(kernels.len() == 4 * codecs + 3, "{} kernels for {codecs} codecs", kernels.len());
     eprintln!("spirv: optimising {} kernels", kernels.len());
     let modules = modules(kernels)?;
@@ -106,7 +107,7 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
 fn library(compiler: &compile::Compiler) -> Result<Vec<u8>> {
     let mut compiled = compiler.library()?;
     let mut functions = Vec::new();
-    for (format, operation) in formats().flat_map(|format| Operation::ALL.map(|each| (format, each))) {
+    for (format, operation) in CODECS.iter().flat_map(|format| Operation::ALL.map(|each| (format, each))) {
         let name = format.function(operation);
         let words = compiled.remove(&name).with_context(|| format!("the library lacks {name}"))?;
         functions.push((link::Signature::of(format, operation), words));

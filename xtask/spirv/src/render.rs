@@ -6,8 +6,9 @@ use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
-use unitvec_catalogue::formats;
-use unitvec_manifest::{RENDER_SOURCES, render_sources_sha256};
+use unitvec_catalogue::CODECS;
+use unitvec_manifest::render_sources_sha256;
+use unitvec_render::shaders::SOURCES;
 
 /// Where they lie.
 pub const FOLDER: &str = "host/render/shaders/spirv";
@@ -26,7 +27,7 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
             modules.entry(id.to_owned()).or_default().push((name.clone(), words));
         }
     }
-    for codec in formats() {
+    for codec in &CODECS {
         ensure!(modules.contains_key(codec.id), "no render shaders for {}", codec.id);
     }
     eprintln!("spirv: optimising {} modules of render shaders", modules.len());

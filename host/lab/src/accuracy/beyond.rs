@@ -2,26 +2,20 @@
 
 use super::{Published, Row, Table, meyer};
 use crate::Result;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding, FRAMES, FrameInfo};
-use unitvec_run::backend::{Backend, round_trip};
+use unitvec_catalogue::{AnyCodec, vectors};
+use unitvec_run::backend::Backend;
+use unitvec_run::measure::ErrorStats;
 use unitvec_run::measure::measure;
-use unitvec_run::measure::{ElementErrors, ErrorStats};
-use unitvec_run::sampling;
 
 /// The codecs that neither the survey's tables nor Meyer's have.
-pub fn codecs() -> impl Iterator<Item = &'static CodecInfo> {
+pub fn codecs() -> impl Iterator<Item = &'static AnyCodec> {
     let survey: Vec<Published> = [Table::One, Table::Three].into_iter().flat_map(Table::published).collect();
-    CATALOGUE.iter().filter(move |codec| {
+    vectors().iter().filter(move |codec| {
         let mut methods = meyer::METHODS.iter();
         let is_meyers = meyer::WIDTHS.contains(&codec.bits)
             && methods.any(|method| method.codec(codec.bits).is_some_and(|other| other.id == codec.id));
         !is_meyers && survey.iter().all(|row| row.name != codec.survey_name)
     })
-}
-
-/// The codecs of frames.
-pub fn frames() -> impl Iterator<Item = &'static FrameInfo> {
-    FRAMES.iter()
 }
 
 /// The least mean and the least maximum, of different rows perhaps, that the survey's table 1 has for this many bits.
@@ -36,13 +30,8 @@ fn best_published(bits: u32) -> Option<(f64, f64)> {
 ///
 /// # Errors
 /// What the backend meets.
-pub fn measure_row(
-    backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
-    count: usize,
-    seed: u64,
-) -> Result<Row> {
-    let errors = measure(backend, codec, codec.domain, count, seed)?;
+pub fn measure_row(backend: &mut dyn Backend, codec: &AnyCodec, count: usize, seed: u64) -> Result<Row> {
+    let errors = measure(backend, codec, codec.domain, count, seed)?.normal;
     let (worst, _) = meyer::worst_error(backend, codec, seed)?;
     let max_deg = errors.max_deg().max(worst);
     Ok(Row::new("beyond", "best of table 1", codec, &errors, max_deg, best_published(codec.bits).unzip()))
@@ -58,13 +47,11 @@ const PUBLISHED_FRAME: [(f64, f64); 2] = [(0.0272, 0.1136), (0.1691, 0.4485)];
 /// What the backend meets.
 pub fn measure_frame(
     backend: &mut dyn Backend,
-    codec: &'static FrameInfo,
+    codec: &AnyCodec,
     count: usize,
     seed: u64,
 ) -> Result<[Row; 2]> {
-    let mut errors = ElementErrors::default();
-    let frames = sampling::random_frames(seed);
-    round_trip(backend, codec.format(), frames, count, |frame, decoded| errors.add(&frame, &decoded))?;
+    let errors = measure(backend, codec, codec.domain, count, seed)?;
     let row = |part: &str, errors: &ErrorStats, published: (f64, f64)| {
         let published = (codec.bits == 32).then_some(published);
         Row {
@@ -119,10 +106,10 @@ mod tests {
     #[test]
     fn our_families_are_there() {
         for family in ["eaoct", "fib", "ico", "soct"] {
-            let count = |codecs: &mut dyn Iterator<Item = &'static CodecInfo>| {
+            let count = |codecs: &mut dyn Iterator<Item = &'static AnyCodec>| {
                 codecs.filter(|codec| codec.family == family).count()
             };
-            assert_eq!(count(&mut codecs()), count(&mut CATALOGUE.iter()), "{family}");
+            assert_eq!(count(&mut codecs()), count(&mut vectors().iter()), "{family}");
         }
         assert!(codecs().all(|codec| !["oct16", "hemioct16", "float16x3", "pp48"].contains(&codec.id)));
     }

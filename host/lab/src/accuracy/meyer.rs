@@ -6,7 +6,7 @@ use rand::{Rng, SeedableRng};
 use rand_pcg::Pcg64Mcg;
 use std::f64::consts::{PI, SQRT_2};
 use unitvec::angle_deg;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Coding, Domain};
+use unitvec_catalogue::{AnyCodec, Domain, find};
 use unitvec_run::backend::{Backend, round_trip};
 use unitvec_run::sampling;
 
@@ -57,12 +57,12 @@ fn scale(bits: f64) -> f64 {
 
 impl Method {
     /// The codec that implements the method at this width, if the catalogue has one.
-    pub fn codec(&self, bits: u32) -> Option<&'static CodecInfo> {
+    pub fn codec(&self, bits: u32) -> Option<&'static AnyCodec> {
         let id = match self.name {
             "FPNV" | "FPNV_half" if bits == 48 => "float16x3".to_owned(),
             _ => format!("{}{bits}{}", self.family, self.suffix),
         };
-        CATALOGUE.iter().find(|codec| codec.id == id)
+        find(&id).ok()
     }
 }
 
@@ -84,11 +84,7 @@ const ROUNDS: i32 = 40;
 ///
 /// # Errors
 /// What the backend meets.
-pub fn worst_error(
-    backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
-    seed: u64,
-) -> Result<(f64, [f32; 3])> {
+pub fn worst_error(backend: &mut dyn Backend, codec: &AnyCodec, seed: u64) -> Result<(f64, [f32; 3])> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     // Side of a cell if all were equal.
     let cell = (4.0 * PI / 2f64.powi(codec.bits as i32)).sqrt();
@@ -137,14 +133,12 @@ fn moved(v: [f32; 3], reach: f64, domain: Domain, random: &mut impl Rng) -> [f32
     if domain == Domain::Hemisphere { [x, y, z.abs()] } else { [x, y, z] }
 }
 
-fn errors(
-    backend: &mut dyn Backend,
-    codec: &'static CodecInfo,
-    vectors: &[[f32; 3]],
-) -> Result<Vec<(f64, [f32; 3])>> {
+fn errors(backend: &mut dyn Backend, codec: &AnyCodec, vectors: &[[f32; 3]]) -> Result<Vec<(f64, [f32; 3])>> {
     let mut errors = Vec::with_capacity(vectors.len());
-    round_trip(backend, codec.format(), vectors.iter().copied(), vectors.len(), |v, decoded| {
-        errors.push((angle_deg(v, decoded), v));
+    let floats = vectors.as_flattened().iter().copied();
+    let vector = |v: &[f32]| [v[0], v[1], v[2]];
+    round_trip(backend, codec, floats, vectors.len(), |v, decoded| {
+        errors.push((angle_deg(vector(v), vector(decoded)), vector(v)));
     })?;
     Ok(errors)
 }

@@ -6,7 +6,7 @@ pub mod meyer;
 
 use crate::Result;
 use serde::{Deserialize, Serialize};
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain};
+use unitvec_catalogue::{AnyCodec, Domain, vectors};
 use unitvec_oracle::survey;
 use unitvec_run::backend::Backend;
 use unitvec_run::measure::{ErrorStats, measure};
@@ -64,8 +64,8 @@ pub struct Published {
 
 impl Published {
     /// The codec of this row, if it is in the catalogue.
-    pub fn codec(&self) -> Option<&'static CodecInfo> {
-        CATALOGUE.iter().find(|codec| codec.survey_name == self.name)
+    pub fn codec(&self) -> Option<&'static AnyCodec> {
+        vectors().iter().find(|codec| codec.survey_name == self.name)
     }
 }
 
@@ -120,7 +120,7 @@ pub fn covering_bound_deg(bits: u32, domain: Domain) -> (f64, f64) {
 
 /// The survey's second measurement: like [`measure`], with float64 from the f32 input to the angle. The derivation is the
 /// one that the tests hold the codecs against, and shares no code with them. `None` for a codec that it does not have.
-pub fn measure_float64(codec: &CodecInfo, domain: Domain, count: usize, seed: u64) -> Option<(f64, f64)> {
+pub fn measure_float64(codec: &AnyCodec, domain: Domain, count: usize, seed: u64) -> Option<(f64, f64)> {
     let round_trip = unitvec_oracle::round_trip(codec.id)?;
     let (mut sum, mut max) = (0.0, 0.0f64);
     for vector in sampling::random_directions(domain, seed).take(count) {
@@ -140,11 +140,11 @@ pub fn measure_row(
     backend: &mut dyn Backend,
     table: Table,
     published: &Published,
-    codec: &'static CodecInfo,
+    codec: &AnyCodec,
     count: usize,
     seed: u64,
 ) -> Result<Row> {
-    let errors = measure(backend, codec, table.domain(), count, seed)?;
+    let errors = measure(backend, codec, table.domain(), count, seed)?.normal;
     let published_errors = (Some(published.mean_error_deg), Some(published.max_error_deg));
     Ok(Row::new(table.name(), &published.name, codec, &errors, errors.max_deg(), published_errors))
 }
@@ -156,11 +156,11 @@ pub fn measure_row(
 pub fn measure_meyer_row(
     backend: &mut dyn Backend,
     method: &meyer::Method,
-    codec: &'static CodecInfo,
+    codec: &AnyCodec,
     count: usize,
     seed: u64,
 ) -> Result<Row> {
-    let errors = measure(backend, codec, codec.domain, count, seed)?;
+    let errors = measure(backend, codec, codec.domain, count, seed)?.normal;
     let (worst, _) = meyer::worst_error(backend, codec, seed)?;
     let bound = (method.bound)(f64::from(codec.bits)).to_degrees();
     let max_deg = errors.max_deg().max(worst);
@@ -171,7 +171,7 @@ impl Row {
     fn new(
         table: &'static str,
         name: &str,
-        codec: &CodecInfo,
+        codec: &AnyCodec,
         errors: &ErrorStats,
         max_deg: f64,
         (survey_mean_deg, survey_max_deg): (Option<f64>, Option<f64>),

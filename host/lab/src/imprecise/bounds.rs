@@ -9,9 +9,9 @@
 //! That is a limit to hold results against, not a proof: slopes are mostly far below 1, and that is what pays for the
 //! roundings of a long way.
 
-use super::{Model, Outcome, error_bounds};
+use super::{Model, Outcome, error_bound};
 use std::f64::consts::PI;
-use unitvec_catalogue::{Format, find, find_frame};
+use unitvec_catalogue::AnyCodec;
 
 /// 2^-23: a ULP of the numbers from 1 to 2.
 const UNIT: f64 = 1.0 / 8_388_608.0;
@@ -73,17 +73,14 @@ pub struct Bounds {
 
 impl Bounds {
     /// Those of a codec.
-    pub fn of(format: Format) -> Self {
-        let family = find(format.id).map_or("frame", |codec| codec.family);
-        let (encoder, decoder) = derivation(family);
-        let [normal, tangent] = error_bounds(format);
+    pub fn of(format: &AnyCodec) -> Self {
+        let (encoder, decoder) = derivation(format.family);
         Self {
             encoder,
             decoder,
             bits: format.bits,
-            error_bound_deg: normal.min(tangent),
-            is_stable: find(format.id).is_ok_and(|codec| codec.stable_across_devices)
-                || find_frame(format.id).is_some(),
+            error_bound_deg: error_bound(format),
+            is_stable: format.stable_across_devices,
         }
     }
 

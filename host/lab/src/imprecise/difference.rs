@@ -1,9 +1,9 @@
 //! How results differ from the CPU's.
 
-use super::{Outcome, error_bounds};
+use super::Outcome;
 use crate::Result;
 use unitvec::angle_deg;
-use unitvec_catalogue::{Element, Format};
+use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_run::backend::{Backend, Cpu};
 
 /// The number of stored codes that differ from those expected, and the largest error of these, as a part of the codec's
@@ -11,7 +11,7 @@ use unitvec_run::backend::{Backend, Cpu};
 ///
 /// # Errors
 /// A wrong length.
-pub fn of_codes(format: Format, elements: &[f32], codes: &[u8], expected: &[u8]) -> Result<(u64, f64)> {
+pub fn of_codes(format: &AnyCodec, elements: &[f32], codes: &[u8], expected: &[u8]) -> Result<(u64, f64)> {
     let pairs = codes.chunks_exact(format.bytes).zip(expected.chunks_exact(format.bytes));
     let all = elements.chunks_exact(format.element.floats()).zip(pairs);
     let (mut differ, mut different) = (Vec::new(), Vec::new());
@@ -21,14 +21,13 @@ pub fn of_codes(format: Format, elements: &[f32], codes: &[u8], expected: &[u8])
     }
     let mut decoded = vec![0.0; differ.len()];
     Cpu.decode(format, &different, &mut decoded)?;
-    let bounds = error_bounds(format);
-    let errors = angles(format.element, &differ, &decoded);
-    let parts = errors.flat_map(|angles| [angles[0] / bounds[0], angles[1] / bounds[1]]);
+    let errors = angles(format.element, &differ, &decoded).zip(format.max_errors_deg.iter().cycle());
+    let parts = errors.map(|(angle, bound)| angle / f64::from(*bound));
     Ok(((differ.len() / format.element.floats()) as u64, parts.fold(0.0, f64::max)))
 }
 
 /// How decoded elements differ from those expected: their number, components and angles.
-pub fn of_elements(format: Format, decoded: &[f32], expected: &[f32]) -> Outcome {
+pub fn of_elements(format: &AnyCodec, decoded: &[f32], expected: &[f32]) -> Outcome {
     let floats = format.element.floats();
     let differ = decoded.chunks_exact(floats).zip(expected.chunks_exact(floats));
     let differ = differ.filter(|(decoded, expected)| bits_differ(decoded, expected)).count();
@@ -36,7 +35,7 @@ pub fn of_elements(format: Format, decoded: &[f32], expected: &[f32]) -> Outcome
     Outcome {
         elements_differ: differ as u64,
         component_ulp: differences.fold(0.0, f64::max) * f64::from(1 << 24),
-        angle_deg: angles(format.element, decoded, expected).flatten().fold(0.0, f64::max),
+        angle_deg: angles(format.element, decoded, expected).fold(0.0, f64::max),
         ..Outcome::default()
     }
 }
@@ -51,13 +50,14 @@ pub(super) fn bits_differ(a: &[f32], b: &[f32]) -> bool {
     a.iter().zip(b).any(|(a, b)| a.to_bits() != b.to_bits())
 }
 
-/// The angles between elements, degrees: of vectors, and 0; of normals, and of tangents.
-fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = [f64; 2]> + 'a {
+/// The angles between elements, degrees: of each the angle of the vectors, or those of normals and of tangents.
+fn angles<'a>(element: Element, a: &'a [f32], b: &'a [f32]) -> impl Iterator<Item = f64> + 'a {
     let vector = |of: &[f32], at: usize| [of[at], of[at + 1], of[at + 2]];
     let pairs = a.chunks_exact(element.floats()).zip(b.chunks_exact(element.floats()));
-    pairs.map(move |(a, b)| {
-        let angle = |at| if bits_differ(a, b) { angle_or_all(vector(a, at), vector(b, at)) } else { 0.0 };
-        [angle(0), if element == Element::Frame { angle(3) } else { 0.0 }]
+    pairs.flat_map(move |(a, b)| {
+        let angle =
+            move |at| if bits_differ(a, b) { angle_or_all(vector(a, at), vector(b, at)) } else { 0.0 };
+        (0..element.directions().len()).map(move |i| angle(3 * i))
     })
 }
 

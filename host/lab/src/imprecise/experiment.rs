@@ -4,7 +4,7 @@ use super::difference::{bits_differ, of_codes, of_elements};
 use super::{Model, Options, Outcome, Row, merged};
 use crate::{Error, Result};
 use std::collections::BTreeMap;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::{Backend, BackendKind, CHUNK, Cpu, Gpu};
 use unitvec_run::sampling;
 
@@ -15,7 +15,12 @@ pub type Gpus = BTreeMap<BackendKind, Gpu>;
 ///
 /// # Errors
 /// What the devices meet.
-pub fn run(format: Format, options: &Options, gpus: &mut Gpus, progress: &mut dyn FnMut(u64)) -> Result<Row> {
+pub fn run(
+    format: &'static AnyCodec,
+    options: &Options,
+    gpus: &mut Gpus,
+    progress: &mut dyn FnMut(u64),
+) -> Result<Row> {
     let mut rows = BTreeMap::new();
     let sources = gpus.len() as u64;
     for (kind, gpu) in gpus {
@@ -51,7 +56,7 @@ pub fn run(format: Format, options: &Options, gpus: &mut Gpus, progress: &mut dy
 
 /// One codec, seed and source of kernels.
 struct Run<'a> {
-    format: Format,
+    format: &'static AnyCodec,
     options: &'a Options,
     seed: u64,
     gpu: &'a mut Gpu,

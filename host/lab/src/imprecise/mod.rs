@@ -15,9 +15,10 @@ pub use model::Model;
 pub use rewrite::{Error, rewrite};
 pub use summary::Summary;
 
+use crate::Result;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use unitvec_catalogue::{Format, find, find_frame};
+use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::BackendKind;
 use unitvec_run::workers;
 
@@ -36,12 +37,12 @@ pub struct Options {
 
 impl Options {
     /// Elements and codes of a codec of this format, of each source.
-    pub fn work(&self, format: Format) -> u64 {
+    pub fn work(&self, format: &AnyCodec) -> u64 {
         (self.count as u64 + self.codes(format)) * self.seeds.len() as u64
     }
 
     /// Codes for each seed.
-    fn codes(&self, format: Format) -> u64 {
+    fn codes(&self, format: &AnyCodec) -> u64 {
         if format.bits <= self.all_codes_up_to { 1 << format.bits } else { self.count as u64 }
     }
 }
@@ -128,7 +129,7 @@ impl Row {
 /// # Errors
 /// The first error of a device or of `each`. Differences are no error: they are in the rows.
 pub fn run<E: From<crate::Error> + Send>(
-    formats: Vec<Format>,
+    formats: Vec<&'static AnyCodec>,
     options: &Options,
     open: impl Fn() -> Result<Gpus, E> + Sync,
     progress: &mut dyn FnMut(u64),
@@ -140,13 +141,9 @@ pub fn run<E: From<crate::Error> + Send>(
     workers::run(formats, open, work, progress, each)
 }
 
-/// The error bounds of a codec, degrees: of a vector, or of a frame's normal and tangent.
-pub fn error_bounds(format: Format) -> [f64; 2] {
-    match (find(format.id), find_frame(format.id)) {
-        (Ok(codec), _) => [codec.max_error_deg.into(); 2],
-        (_, Some(frame)) => [frame.max_normal_error_deg.into(), frame.max_tangent_error_deg.into()],
-        _ => [180.0; 2],
-    }
+/// The error bound of a codec in degrees: of frames that of the normal or of the tangent, whichever is less.
+pub fn error_bound(format: &AnyCodec) -> f64 {
+    format.max_errors_deg.iter().copied().fold(f32::INFINITY, f32::min).into()
 }
 
 /// Rows by the source of their kernels, as one: the worse of each.

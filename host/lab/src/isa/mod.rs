@@ -8,7 +8,7 @@ use crate::Result;
 use crate::textbook::{self, TEXTBOOK, Textbook};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use unitvec_catalogue::{Format, Operation};
+use unitvec_catalogue::{AnyCodec, Operation};
 pub use unitvec_choose::costs::{Report, Row, Source};
 use unitvec_manifest::modules::Modules;
 use unitvec_manifest::sha256_hex;
@@ -22,16 +22,16 @@ use unitvec_vulkan::{Inspector, Statistics};
 pub fn measure(
     inspector: &Inspector,
     modules: &Modules,
-    formats: &[Format],
-    done: impl Fn(Format) + Sync,
+    formats: &[&'static AnyCodec],
+    done: impl Fn(&'static AnyCodec) + Sync,
 ) -> Result<Report> {
     // glslang starts faster while another one runs.
     let _compiler = glsl::Compiler::new()?;
     let measured: Result<Vec<Vec<Row>>> = formats
         .par_iter()
         .map(|format| {
-            let rows = of_codec(inspector, modules, *format)?;
-            done(*format);
+            let rows = of_codec(inspector, modules, format)?;
+            done(format);
             Ok(rows)
         })
         .collect();
@@ -42,7 +42,7 @@ pub fn measure(
     })
 }
 
-fn of_codec(inspector: &Inspector, modules: &Modules, format: Format) -> Result<Vec<Row>> {
+fn of_codec(inspector: &Inspector, modules: &Modules, format: &AnyCodec) -> Result<Vec<Row>> {
     let compiler = glsl::Compiler::new()?;
     let mut rows = Vec::new();
     for operation in Operation::ALL {
@@ -126,7 +126,7 @@ fn to_hundredths(number: f64) -> f64 {
 ///
 /// # Errors
 /// [`glsl::Error::NoSource`], which would be a fault of this crate.
-pub fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String, String>> {
+pub fn sources(modules: &Modules, formats: &[&'static AnyCodec]) -> Result<BTreeMap<String, String>> {
     let half = |sha256: &str| sha256.get(..32).unwrap_or(sha256).to_owned();
     let mut sources = BTreeMap::new();
     for path in unitvec_shaders::glsl_paths().filter(|path| is_source(path, formats)) {
@@ -143,7 +143,7 @@ pub fn sources(modules: &Modules, formats: &[Format]) -> Result<BTreeMap<String,
 }
 
 /// True of GLSL that all codecs share, of textbooks', and of a codec's own.
-fn is_source(path: &str, formats: &[Format]) -> bool {
+fn is_source(path: &str, formats: &[&'static AnyCodec]) -> bool {
     const SHARED: [&str; 6] = [
         "unitvec/arith.glsl",
         "kernels/encode.comp",
@@ -159,12 +159,7 @@ fn is_source(path: &str, formats: &[Format]) -> bool {
 
 /// The file in `glsl/` with a codec's functions.
 pub fn glsl_file(id: &str) -> String {
-    let file = match (unitvec_catalogue::find_frame(id), unitvec_catalogue::find(id)) {
-        (Some(frame), _) => frame.glsl_file().to_owned(),
-        (None, Ok(codec)) => codec.glsl_file(),
-        (None, Err(_)) => String::new(),
-    };
-    format!("unitvec/{file}")
+    format!("unitvec/{}", unitvec_catalogue::find(id).map_or_else(|_| String::new(), AnyCodec::glsl_file))
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use std::error::Error;
 use std::ops::RangeInclusive;
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain, Operation};
+use unitvec_catalogue::{AnyCodec, Domain, Operation, vectors};
 
 /// Codecs that take about as much room: their bytes, a label and a colour.
 type Size = (RangeInclusive<usize>, &'static str, RGBColor);
@@ -23,7 +23,7 @@ const SIZES: [Size; 4] = [
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
     /// The codec.
-    pub codec: &'static CodecInfo,
+    pub codec: &'static AnyCodec,
     /// Its inverse throughput.
     pub cost: f64,
     /// Upper bound of its error, degrees.
@@ -32,10 +32,10 @@ pub struct Point {
 
 /// The codecs of any direction that decode to unit vectors, by cost; those that the report has, from GLSL.
 pub fn points(report: &Report, operation: Operation) -> Vec<Point> {
-    let codecs = CATALOGUE.iter().filter(|codec| codec.is_unit && codec.domain == Domain::Sphere);
-    let point = |codec: &'static CodecInfo| {
+    let codecs = vectors().iter().filter(|codec| codec.is_unit && codec.domain == Domain::Sphere);
+    let point = |codec: &'static AnyCodec| {
         let cost = report.row(codec.id, operation, Source::Glsl)?.inverse_throughput? as f64;
-        Some(Point { codec, cost, error_deg: f64::from(codec.max_error_deg) })
+        Some(Point { codec, cost, error_deg: f64::from(codec.max_error_deg()) })
     };
     let mut points: Vec<Point> = codecs.filter_map(point).collect();
     points.sort_by(|a, b| a.cost.total_cmp(&b.cost).then(a.error_deg.total_cmp(&b.error_deg)));
@@ -186,7 +186,7 @@ mod tests {
     /// A front leaves out what is coarser than something that costs no more.
     #[test]
     fn fronts_fall() {
-        let point = |cost, error_deg| Point { codec: &CATALOGUE[0], cost, error_deg };
+        let point = |cost, error_deg| Point { codec: &vectors()[0], cost, error_deg };
         let points = [point(1.0, 5.0), point(1.0, 6.0), point(2.0, 5.0), point(3.0, 1.0), point(4.0, 2.0)];
         let costs: Vec<f64> = front(&points).iter().map(|point| point.cost).collect();
         assert_eq!(costs, [1.0, 3.0]);

@@ -4,8 +4,9 @@ use clap::{Args, ValueEnum};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::CodecInfo;
-use unitvec_host::Result;
+use unitvec_catalogue::{AnyCodec, frames};
+use unitvec_files as output;
+use unitvec_host::{Error, Result};
 use unitvec_lab::accuracy;
 use unitvec_lab::accuracy::meyer::{METHODS, Method, WIDTHS};
 use unitvec_lab::accuracy::{Row, Table, beyond, chart};
@@ -95,7 +96,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         .collect();
     let methods = meyer_rows(arguments.table.has_meyer());
     let beyond: Vec<_> = beyond::codecs().filter(|_| arguments.table.has_beyond()).collect();
-    let frames: Vec<_> = beyond::frames().filter(|_| arguments.table.has_beyond()).collect();
+    let frames: Vec<_> = frames().iter().filter(|_| arguments.table.has_beyond()).collect();
     let count = published.len() + methods.len() + beyond.len() + frames.len();
     let bar = progress::bar(Some(count as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left");
     let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
@@ -160,7 +161,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 /// Meyer's methods at each width that there is a codec for.
-fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static CodecInfo)> {
+fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static AnyCodec)> {
     let methods = METHODS.iter().filter(|_| wanted);
     methods
         .flat_map(|method| WIDTHS.iter().filter_map(move |bits| Some((method, method.codec(*bits)?))))

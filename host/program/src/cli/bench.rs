@@ -203,13 +203,9 @@ fn of_rust(report: &Report, operation: Operation) -> impl Iterator<Item = &Row> 
 
 /// Of a frame, its normal's and its tangent's.
 fn bound(id: &str) -> String {
-    match (catalogue::find(id), catalogue::find_frame(id)) {
-        (_, Some(frame)) => {
-            format!("{:.3e}, {:.3e}", frame.max_normal_error_deg, frame.max_tangent_error_deg)
-        }
-        (Ok(codec), None) => format!("{:.3e}", codec.max_error_deg),
-        (Err(_), None) => "-".to_owned(),
-    }
+    let bounds = catalogue::find(id).map_or(&[][..], |codec| codec.max_errors_deg);
+    let texts: Vec<String> = bounds.iter().map(|bound| format!("{bound:.3e}")).collect();
+    if texts.is_empty() { "-".to_owned() } else { texts.join(", ") }
 }
 
 fn number(value: Option<f64>, digits: usize) -> String {

@@ -2,9 +2,7 @@ use super::table::{self, Layout, left, right};
 use super::{print, to_json};
 use clap::Args;
 use std::process::ExitCode;
-use unitvec_catalogue::{
-    CATALOGUE, CodecInfo, Coding, Domain, Element, FRAMES, Format, FrameInfo, Operation,
-};
+use unitvec_catalogue::{CODECS, Domain, frames, vectors};
 use unitvec_host::Result;
 
 #[derive(Args)]
@@ -17,37 +15,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    print(&if arguments.json { to_json(&entries()) } else { tables(arguments.wide.columns()?) })
-}
-
-/// A row of `--json`: what the catalogue says, and the names to call.
-#[derive(serde::Serialize)]
-struct Entry {
-    element: Element,
-    #[serde(flatten)]
-    codec: Codec,
-    /// Entry point of the encoding kernel, and name of the GLSL function.
-    encode_function: String,
-    /// Entry point of the decoding kernel, and name of the GLSL function.
-    decode_function: String,
-}
-
-#[derive(serde::Serialize)]
-#[serde(untagged)]
-enum Codec {
-    Vector(&'static CodecInfo),
-    Frame(&'static FrameInfo),
-}
-
-fn entries() -> Vec<Entry> {
-    let entry = |format: Format, codec: Codec| Entry {
-        element: format.element,
-        codec,
-        encode_function: format.function(Operation::Encode),
-        decode_function: format.function(Operation::Decode),
-    };
-    let vectors = CATALOGUE.iter().map(|codec| entry(codec.format(), Codec::Vector(codec)));
-    vectors.chain(FRAMES.iter().map(|codec| entry(codec.format(), Codec::Frame(codec)))).collect()
+    print(&if arguments.json { to_json(&CODECS.as_slice()) } else { tables(arguments.wide.columns()?) })
 }
 
 fn yes(flag: bool) -> &'static str {
@@ -55,7 +23,7 @@ fn yes(flag: bool) -> &'static str {
 }
 
 fn tables(columns: Option<usize>) -> String {
-    let vectors = Layout::new(
+    let of_vectors = Layout::new(
         vec![
             left("codec", 20),
             left("survey", 19).rank(5),
@@ -71,7 +39,7 @@ fn tables(columns: Option<usize>) -> String {
         ],
         columns,
     );
-    let frames = Layout::new(
+    let of_frames = Layout::new(
         vec![
             left("codec of frames", 20),
             right("bits", 4),
@@ -83,19 +51,19 @@ fn tables(columns: Option<usize>) -> String {
         ],
         columns,
     );
-    let mut text = vectors.heading();
-    for codec in CATALOGUE {
+    let mut text = of_vectors.heading();
+    for codec in vectors() {
         let domain = match codec.domain {
             Domain::Sphere => "sphere",
             Domain::Hemisphere => "z >= 0",
         };
-        text += &vectors.line(&[
+        text += &of_vectors.line(&[
             &codec.id,
             &codec.survey_name,
             &codec.bits,
             &codec.bytes,
             &domain,
-            &format_args!("{:.7}", codec.max_error_deg),
+            &format_args!("{:.7}", codec.max_error_deg()),
             &yes(codec.is_unit),
             &yes(codec.exact_axes),
             &yes(codec.stable_across_devices),
@@ -104,17 +72,17 @@ fn tables(columns: Option<usize>) -> String {
         ]);
     }
     text.push('\n');
-    text += &frames.heading();
-    for codec in FRAMES {
-        text += &frames.line(&[
+    text += &of_frames.heading();
+    for codec in frames() {
+        text += &of_frames.line(&[
             &codec.id,
             &codec.bits,
             &codec.bytes,
-            &format_args!("{:.7}", codec.max_normal_error_deg),
-            &format_args!("{:.7}", codec.max_tangent_error_deg),
-            &codec.vk_format,
+            &format_args!("{:.7}", codec.max_errors_deg[0]),
+            &format_args!("{:.7}", codec.max_errors_deg[1]),
+            &codec.vk_format.unwrap_or("-"),
             &codec.glsl_file(),
         ]);
     }
-    text + &table::left_out(&[&vectors, &frames])
+    text + &table::left_out(&[&of_vectors, &of_frames])
 }

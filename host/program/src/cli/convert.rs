@@ -5,8 +5,7 @@ use indicatif::ProgressBar;
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::{Element, Format, find_format};
-use unitvec_files::{Output, is_same_file};
+use unitvec_catalogue::{AnyCodec, Element, find};
 use unitvec_host::input::{Elements, Input, to_bytes};
 use unitvec_host::stream;
 use unitvec_host::stream::{Counts, Named, Sink};
@@ -55,7 +54,7 @@ pub struct NormalsArguments {
 }
 
 pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
-    let format = find_format(&arguments.codec)?;
+    let format = find(&arguments.codec)?;
     let mut conversion = Conversion::start(arguments, format)?;
     let mut elements = Elements::open(&arguments.r#in, format.element, arguments.raw)?;
     let counts = conversion.run(&mut elements.floats, elements.count, stream::encode)?;
@@ -63,7 +62,7 @@ pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
-    let format = find_format(&arguments.codec)?;
+    let format = find(&arguments.codec)?;
     let mut conversion = Conversion::start(arguments, format)?;
     let mut input = Input::open(&arguments.r#in)?;
     if input.mesh().is_some() && !arguments.raw {
@@ -113,18 +112,19 @@ fn create_output(input: &Path, out: &Path) -> Result<Output> {
 }
 
 /// [`stream::encode`] or [`stream::decode`].
-type Convert<T> = fn(&mut dyn Backend, Format, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
+type Convert<T> =
+    fn(&mut dyn Backend, &AnyCodec, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
 /// A backend at work, and the file that it will have written.
 struct Conversion<'a> {
     arguments: &'a Arguments,
-    format: Format,
+    format: &'static AnyCodec,
     open: OpenBackend,
     output: Output,
 }
 
 impl<'a> Conversion<'a> {
-    fn start(arguments: &'a Arguments, format: Format) -> Result<Self> {
+    fn start(arguments: &'a Arguments, format: &'static AnyCodec) -> Result<Self> {
         let output = create_output(&arguments.r#in, &arguments.out)?;
         let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
         Ok(Self { arguments, format, open, output })

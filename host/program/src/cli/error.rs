@@ -4,7 +4,7 @@ use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::{Domain, Element, Format, find, find_format};
+use unitvec_catalogue::{AnyCodec, Domain, Element, find};
 use unitvec_choose::RECOMMENDED;
 use unitvec_host::input::Elements;
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
@@ -66,12 +66,13 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 /// The codecs chosen; else those of the README's table that take any vector.
-fn formats(ids: &[String]) -> Result<Vec<Format>> {
+fn formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     if !ids.is_empty() {
         return chosen_formats(ids);
     }
-    let recommended = RECOMMENDED.iter().flat_map(|row| row.short()).filter_map(|id| find_format(id).ok());
-    let is_for_all = |format: &Format| format.element == Element::Vector && format.domain == Domain::Sphere;
+    let recommended = RECOMMENDED.iter().flat_map(|row| row.short()).filter_map(|id| find(id).ok());
+    let is_for_all =
+        |format: &&AnyCodec| format.element == Element::Vector && format.domain == Domain::Sphere;
     Ok(recommended.filter(is_for_all).collect())
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use unitvec_catalogue::find;
 use unitvec_files::Folder;
 use unitvec_host::Result;
-use unitvec_render::figures::{Camera, Figures, Options, Origin, Part, RgbImage, draw};
+use unitvec_render::figures::{Camera, Figures, Folder, Options, Origin, Part, draw, named};
 use unitvec_render::{MAX_SAMPLES, Material, Renderer, Seen, Shot, Size};
 use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Device, DeviceInfo};
@@ -156,8 +156,7 @@ fn each_once<T>(list: Vec<T>, is_same: impl Fn(&T, &T) -> bool) -> Vec<T> {
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let Arguments { only, out, small, size, rendering, .. } = arguments;
     rendering.vulkan.refuse_modules()?;
-    let codecs: Result<Vec<_>> = arguments.codec.iter().map(|id| Ok(find(id)?)).collect();
-    let codecs = each_once(codecs?, |a, b| a.id == b.id);
+    let codecs = each_once(named(&arguments.codec)?, |a, b| a == b);
     let materials = if arguments.material.is_empty() { &Material::ALL } else { &arguments.material[..] };
     let materials = each_once(materials.to_vec(), |a, b| a == b);
     let options = Options { small: *small, codecs, materials, whole: !small };

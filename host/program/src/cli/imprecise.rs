@@ -4,7 +4,8 @@ use super::{print, progress, reports_to_stdout, status_after_validation, to_csv,
 use serde::Serialize;
 use std::fmt::Display;
 use std::process::ExitCode;
-use unitvec_catalogue::{Format, find_format};
+use unitvec_catalogue::{AnyCodec, find};
+use unitvec_files as output;
 use unitvec_host::Result;
 use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Gpus, Model, Options, Row, Summary};
@@ -15,7 +16,7 @@ use unitvec_vulkan::DeviceInfo;
 const COUNT: u64 = 1 << 16;
 
 /// `conform --imprecise`.
-pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
+pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<ExitCode> {
     let imprecise = &arguments.imprecise;
     let options = Options {
         count: arguments.count.unwrap_or(COUNT) as usize,
@@ -34,7 +35,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     if !to_stdout {
         print(&(heading(device.info(), &options, columns) + &table.heading()))?;
     }
-    let work = formats.iter().map(|format| options.work(*format)).sum();
+    let work = formats.iter().map(|format| options.work(format)).sum();
     let bar = progress::bar(Some(work), "{msg:<20} {wide_bar} {percent}%, {eta} left");
     let mut advance = |done| {
         progress::show_if_due(&bar);
@@ -45,7 +46,7 @@ pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
     let mut failed = Vec::new();
     imprecise::run(formats, &options, open, &mut advance, &mut |row| {
         bar.set_message(row.id.clone());
-        let bounds = Bounds::of(find_format(&row.id)?);
+        let bounds = Bounds::of(find(&row.id)?);
         let objections = row.objections(&bounds);
         let line = Summary::new(&row, &bounds);
         if !to_stdout {

@@ -24,7 +24,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use unitvec_catalogue::{Format, find_format, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, find};
 use unitvec_host::{Error, Result};
 use unitvec_lab::imprecise::Gpus;
 use unitvec_manifest::modules::Modules;
@@ -290,13 +290,13 @@ fn status_after_validation(messages: &[String], success: bool) -> ExitCode {
 }
 
 /// The codecs, of vectors and of frames, with these identifiers; all if there are none.
-fn chosen_formats(ids: &[String]) -> Result<Vec<Format>> {
+fn chosen_formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     if ids.is_empty() {
-        return Ok(formats().collect());
+        return Ok(CODECS.iter().collect());
     }
-    let mut chosen: Vec<Format> = Vec::new();
+    let mut chosen: Vec<&'static AnyCodec> = Vec::new();
     for id in ids {
-        let format = find_format(id)?;
+        let format = find(id)?;
         if chosen.iter().all(|other| other.id != format.id) {
             chosen.push(format);
         }

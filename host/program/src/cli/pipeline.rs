@@ -6,7 +6,8 @@ use super::{print, progress, status_after_validation, to_json};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::ExitCode;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
+use unitvec_files as output;
 use unitvec_host::{Error, Result};
 use unitvec_render::conform;
 use unitvec_render::conform::{Options, Projected, Report, Row, Traits};
@@ -19,7 +20,7 @@ const COUNT: u64 = 1 << 15;
 /// The most points that are drawn at once: what every device's attachments have room for.
 const MAX_COUNT: u64 = 1 << 20;
 
-pub fn run(arguments: &Arguments, formats: Vec<Format>) -> Result<ExitCode> {
+pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<ExitCode> {
     arguments.vulkan.refuse_modules()?;
     let count = arguments.count.unwrap_or(COUNT);
     if count > MAX_COUNT {

@@ -4,9 +4,11 @@ use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use unitvec_catalogue::{Format, find_format, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, find};
 use unitvec_choose::{Costs, RECOMMENDED};
+use unitvec_files as output;
 use unitvec_files::read_small;
+use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
 use unitvec_render as render;
 use unitvec_render::Material;
@@ -177,7 +179,7 @@ fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<Pip
     let options = render::conform::Options { count: SHORT_PIPELINE, seed: 1 };
     let traits = render::conform::traits(&device, &options)?;
     let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
-    let formats = ids.map(|id| Ok(find_format(id)?)).collect::<Result<Vec<Format>>>()?;
+    let formats = ids.map(|id| Ok(find(id)?)).collect::<Result<Vec<&'static AnyCodec>>>()?;
     let bar = progress::bar(Some(formats.len() as u64), "graphics pipeline {wide_bar} {pos} of {len}");
     let mut rows = Vec::new();
     render::conform::run(formats, &options, &device, &traits, &mut |row| {
@@ -198,7 +200,7 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<Ag
     let device = rendering.vulkan.device()?;
     let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend(rendering, &device)?)].into()) };
     let rounding = [(BackendKind::Rust, Rounding::of(backend(rendering, &device)?.as_mut())?)].into();
-    let plans: Vec<Plan<'_>> = formats().map(|format| Plan::new(format, &options)).collect();
+    let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
     let bar = progress::bar(Some(plans.len() as u64), "agreement {wide_bar} {pos} of {len}");
     let mut rows = Vec::new();
     conform::run(plans, open, &mut |_| progress::show_if_due(&bar), &mut |row| {

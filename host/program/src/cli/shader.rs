@@ -4,7 +4,8 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::{Format, Operation, formats};
+use unitvec_catalogue::{AnyCodec, CODECS, Operation};
+use unitvec_files as output;
 use unitvec_host::{Error, Result};
 use unitvec_run::shader::{Edition, Language, text};
 
@@ -79,8 +80,8 @@ fn list(columns: Option<usize>) -> String {
         Layout::new(vec![left("codec", 20), right("bits", 4), left("functions", 55).apart()], columns);
     text.push('\n');
     text += &codecs.heading();
-    for format in formats() {
-        let Format { id, bits, .. } = format;
+    for format in &CODECS {
+        let AnyCodec { id, bits, .. } = format;
         let functions = Operation::ALL.map(|operation| format.function(operation)).join(", ");
         text += &codecs.line(&[&id, &bits, &functions]);
     }

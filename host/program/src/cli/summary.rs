@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::Path;
-use unitvec_catalogue::{Domain, Element, Format};
+use unitvec_catalogue::{AnyCodec, Domain, Element};
 use unitvec_host::Result;
 use unitvec_host::stream::{Counts, keeps_lengths};
 use unitvec_mesh::{Part, mesh_count};
@@ -104,7 +104,7 @@ impl Summary {
     }
 
     /// Of `unitvec encode`.
-    pub fn of_encoding(format: Format, counts: Counts, parts: Option<Vec<Part>>) -> Self {
+    pub fn of_encoding(format: &AnyCodec, counts: Counts, parts: Option<Vec<Part>>) -> Self {
         Self {
             codec: Some(format.id),
             without_direction: Some(counts.no_direction),
@@ -117,7 +117,7 @@ impl Summary {
     }
 
     /// Of `unitvec decode`.
-    pub fn of_decoding(format: Format, count: u64) -> Self {
+    pub fn of_decoding(format: &AnyCodec, count: u64) -> Self {
         Self { codec: Some(format.id), ..Self::new(format.element, count) }
     }
 

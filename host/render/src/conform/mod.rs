@@ -26,7 +26,7 @@ use points::Points;
 use rounding::conversion;
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use unitvec_catalogue::{Domain, Format};
+use unitvec_catalogue::{AnyCodec, Domain};
 use unitvec_run::backend::BackendKind;
 use unitvec_run::sampling;
 use unitvec_run::workers;
@@ -68,13 +68,13 @@ pub fn open(device: &Arc<Device>) -> Result<Renderers> {
 /// # Errors
 /// The first error of a thread or of `each`. Differences are no error: they are in the rows.
 pub fn run<E: From<Error> + Send>(
-    formats: Vec<Format>,
+    formats: Vec<&'static AnyCodec>,
     options: &Options,
     device: &Arc<Device>,
     traits: &Traits,
     each: &mut dyn FnMut(Row) -> Result<(), E>,
 ) -> Result<(), E> {
-    let work = |format: Format, renderers: &mut Renderers, _: &mut dyn FnMut(u64)| {
+    let work = |format: &'static AnyCodec, renderers: &mut Renderers, _: &mut dyn FnMut(u64)| {
         Ok(row(format, options, device, renderers, traits)?)
     };
     workers::run(formats, open_on(device), work, &mut |_| {}, each)
@@ -143,7 +143,7 @@ fn directions_of(domain: Domain, options: &Options) -> Vec<[f32; 3]> {
 }
 
 /// Codes as they are stored: all of them, or random ones and those whose fields are at the ends of their range.
-fn codes(format: &Format, options: &Options) -> Vec<u8> {
+fn codes(format: &AnyCodec, options: &Options) -> Vec<u8> {
     let codes: Vec<u64> = if format.bits <= ALL_CODES_UP_TO {
         (0..1 << format.bits).collect()
     } else {
@@ -163,7 +163,7 @@ fn codes(format: &Format, options: &Options) -> Vec<u8> {
 }
 
 fn row(
-    format: Format,
+    format: &'static AnyCodec,
     options: &Options,
     device: &Arc<Device>,
     renderers: &mut Renderers,
@@ -171,10 +171,10 @@ fn row(
 ) -> Result<Row> {
     let keeps_10_bits =
         traits.rounding(Storage::Snorm10x3.texel()).is_some_and(HardwareRounding::keeps_codes);
-    let drawn = Storage::drawn(&format, device, keeps_10_bits);
-    let own = Variant::codec(format, Storage::of(&format));
-    let mut row = Row::new(device, &format, drawn);
-    let (directions, codes) = (directions_of(format.domain, options), codes(&format, options));
+    let drawn = Storage::drawn(format, device, keeps_10_bits);
+    let own = Variant::codec(format, Storage::of(format));
+    let mut row = Row::new(device, format, drawn);
+    let (directions, codes) = (directions_of(format.domain, options), codes(format, options));
     for (source, renderer) in renderers.iter_mut() {
         let mut checks = Checks::default();
         let variant = Variant::codec(format, drawn);
@@ -204,7 +204,7 @@ fn attachment(
     source: BackendKind,
     renderer: &Renderer,
     variant: &Variant,
-    format: Format,
+    format: &AnyCodec,
     directions: &[[f32; 3]],
 ) -> Result<Tally> {
     let points = Points::of_normals(renderer, directions)?;
@@ -213,10 +213,15 @@ fn attachment(
 }
 
 /// The scene's codes, where there is an object.
-fn scene(row: &mut Row, source: BackendKind, renderer: &mut Renderer, format: Format) -> Result<Tally> {
+fn scene(
+    row: &mut Row,
+    source: BackendKind,
+    renderer: &mut Renderer,
+    format: &'static AnyCodec,
+) -> Result<Tally> {
     let shot = Shot { normals: Normals::Codec(format), view: View::Scene, ..Shot::new(Material::Mirror) };
     let layers = renderer.layers(&shot)?;
-    let texel = renderer.storage(&format).texel();
+    let texel = renderer.storage(format).texel();
     let size = layers.codes.len() / SCENE.pixels();
     let mut drawn = (Vec::new(), Vec::new());
     for (texel, [x, y, z, is_drawn]) in layers.codes.chunks_exact(size).zip(layers.normals) {
@@ -232,7 +237,7 @@ fn scene(row: &mut Row, source: BackendKind, renderer: &mut Renderer, format: Fo
 fn compare_codes(
     row: &mut Row,
     what: &str,
-    format: Format,
+    format: &AnyCodec,
     texel: ImageFormat,
     texels: &[u8],
     normals: &[[f32; 3]],
@@ -249,7 +254,7 @@ fn vertex(
     source: BackendKind,
     renderer: &Renderer,
     variant: &Variant,
-    format: Format,
+    format: &AnyCodec,
     codes: &[u8],
 ) -> Result<Tally> {
     let cpu = decoded(format, codes)?;

@@ -5,7 +5,7 @@ use super::super::renderer::{FLOATS, Geometry, RAW, Renderer, pipeline};
 use super::super::storage::{Storage, float_texels, texels_of};
 use super::super::variant::{Stage, Variant};
 use crate::Result;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::{Draw, ImageFormat, Mesh, Target, bytes_per_texel};
 
 /// Pixels of a row.
@@ -30,7 +30,7 @@ impl Points {
     pub(super) fn of_codes(
         renderer: &Renderer,
         variant: &Variant,
-        format: Format,
+        format: &AnyCodec,
         codes: &[u8],
     ) -> Result<Self> {
         let attribute = variant.storage.attribute(renderer.graphics.device());

@@ -10,7 +10,7 @@ use crate::renderer::encoded;
 use crate::storage::Storage;
 use crate::variant::Variant;
 use serde::Serialize;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::FormatUse;
 
 /// A codec's projection, rounded by the hardware.
@@ -39,12 +39,12 @@ const NEAR_HALFWAY: f64 = 8.0 * f32::EPSILON as f64;
 /// without a shader for it, and where the device does not draw to its format.
 pub(super) fn check(
     renderer: &Renderer,
-    format: Format,
+    format: &AnyCodec,
     directions: &[[f32; 3]],
     traits: &Traits,
 ) -> Result<Option<Projected>> {
-    let Some(projection) = Projection::of(&format) else { return Ok(None) };
-    let Some(fields) = Fields::of(Storage::of(&format).texel()) else { return Ok(None) };
+    let Some(projection) = Projection::of(format) else { return Ok(None) };
+    let Some(fields) = Fields::of(Storage::of(format).texel()) else { return Ok(None) };
     let variant = Variant::projected(projection);
     if !renderer.graphics.device().supports(fields.format, FormatUse::Attachment) {
         return Ok(None);

@@ -4,7 +4,7 @@ use super::super::storage::Storage;
 use super::{Conversion, HardwareRounding, Options, Projected};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
 
@@ -144,7 +144,7 @@ impl Row {
     }
 
     /// Nothing compared yet; codes are drawn to `drawn`.
-    pub(super) fn new(device: &Device, format: &Format, drawn: Storage) -> Self {
+    pub(super) fn new(device: &Device, format: &AnyCodec, drawn: Storage) -> Self {
         let own = Storage::of(format);
         let named = |format: ImageFormat| format!("{format:?}");
         let uses = [

@@ -6,7 +6,7 @@ use super::super::variant::{Stage, Variant};
 use super::points::{WIDTH, vectors};
 use super::{Row, Tally};
 use crate::Result;
-use unitvec_catalogue::Format;
+use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Draw, Image, ImageFormat, Target, bytes_per_texel};
 
@@ -16,7 +16,7 @@ pub(super) fn check(
     source: BackendKind,
     renderer: &Renderer,
     variant: &Variant,
-    format: Format,
+    format: &AnyCodec,
     codes: &[u8],
 ) -> Result<Tally> {
     let texel = variant.storage.texel();

@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::{Material, Normals, Renderer, Seen, Shot, View};
 use image::RgbImage;
-use unitvec_catalogue::{CodecInfo, Coding};
+use unitvec_catalogue::AnyCodec;
 
 /// Takes pictures, as bytes of sRGB.
 pub trait Camera {
@@ -39,6 +39,6 @@ pub fn shot(normals: Normals, material: Material, view: View) -> Shot {
 }
 
 /// The normals of a codec.
-pub fn coded(codec: &CodecInfo) -> Normals {
-    Normals::Codec(codec.format())
+pub fn coded(codec: &'static AnyCodec) -> Normals {
+    Normals::Codec(codec)
 }

@@ -10,7 +10,7 @@ use crate::{Key, Material, Normals, Seen, Shot, View};
 use glam::{IVec3, Vec3};
 use image::RgbImage;
 use std::collections::HashMap;
-use unitvec_catalogue::{CodecInfo, Coding, find};
+use unitvec_catalogue::{AnyCodec, find};
 
 /// The codecs that are shown dithered.
 const CODECS: [&str; 2] = ["oct16", "oct16p"];
@@ -19,10 +19,10 @@ const KEYS: [(Key, &str); 3] =
     [(Key::Pixel, "pixel"), (Key::BlueNoise, "blue noise"), (Key::Position, "position")];
 
 /// Plain and dithered normals of a codec, with their names.
-fn variants(codec: &'static CodecInfo) -> impl Iterator<Item = (Normals, String)> {
+fn variants(codec: &'static AnyCodec) -> impl Iterator<Item = (Normals, String)> {
     let dithered = KEYS
         .into_iter()
-        .map(|(key, name)| (Normals::Dithered(codec.format(), key), format!("{} by {name}", codec.id)));
+        .map(move |(key, name)| (Normals::Dithered(codec, key), format!("{} by {name}", codec.id)));
     std::iter::once((coded(codec), format!("{} plain", codec.id))).chain(dithered)
 }
 

@@ -8,7 +8,7 @@ use crate::Result;
 use image::RgbImage;
 use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use std::collections::BTreeMap;
-use unitvec_catalogue::{CodecInfo, Coding, Domain};
+use unitvec_catalogue::{AnyCodec, Domain};
 use unitvec_lab::accuracy::covering_bound_deg;
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
@@ -44,7 +44,7 @@ fn scale_deg(bits: u32) -> f64 {
     LAST_COLOUR * covering_bound_deg(bits, Domain::Sphere).1
 }
 
-fn error_map(codec: &'static CodecInfo, side: u32) -> RgbImage {
+fn error_map(codec: &'static AnyCodec, side: u32) -> RgbImage {
     let scale = scale_deg(codec.bits);
     let view = paint::of_domain(codec.domain);
     paint::disc(side, SAMPLES, view, |v| {
@@ -61,7 +61,7 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
     for codec in options.codecs_or(&MAPPED)? {
-        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?;
+        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?.normal;
         let lines = vec![
             format!("{}, {} bits", codec.survey_name, codec.bits),
             format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()),

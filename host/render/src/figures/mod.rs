@@ -24,7 +24,7 @@ use crate::Material;
 use crate::{Error, Result};
 use clap::ValueEnum;
 use figure::Content;
-use unitvec_catalogue::{CodecInfo, find};
+use unitvec_catalogue::{AnyCodec, UnknownCodec, vectors};
 use unitvec_choose::costs::{USUAL, find_generation};
 use unitvec_lab::isa::pareto;
 
@@ -85,7 +85,7 @@ pub struct Options {
     /// Pictures for a page instead of a screen.
     pub small: bool,
     /// Codecs in place of those that a figure has; none for those.
-    pub codecs: Vec<&'static CodecInfo>,
+    pub codecs: Vec<&'static AnyCodec>,
     /// Materials of figure 8.
     pub materials: Vec<Material>,
     /// True where figure 8 has each picture as a file of its own, besides its sheets.
@@ -93,7 +93,7 @@ pub struct Options {
 }
 
 impl Options {
-    fn codecs_or(&self, usual: &[&str]) -> Result<Vec<&'static CodecInfo>> {
+    fn codecs_or(&self, usual: &[&str]) -> Result<Vec<&'static AnyCodec>> {
         if self.codecs.is_empty() { named(usual) } else { Ok(self.codecs.clone()) }
     }
 }
@@ -153,8 +153,13 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
 }
 
 /// Codecs of vectors by identifier.
-fn named(ids: &[&str]) -> Result<Vec<&'static CodecInfo>> {
-    ids.iter().map(|id| Ok(find(id)?)).collect()
+///
+/// # Errors
+/// [`UnknownCodec`] of what is none, a codec of frames too.
+pub fn named(ids: &[impl AsRef<str>]) -> Result<Vec<&'static AnyCodec>> {
+    let find = |id: &str| vectors().iter().find(|codec| codec.id == id);
+    let unknown = |id: &str| UnknownCodec { id: id.to_owned() };
+    ids.iter().map(|id| Ok(find(id.as_ref()).ok_or_else(|| unknown(id.as_ref()))?)).collect()
 }
 
 #[cfg(test)]

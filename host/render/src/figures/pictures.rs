@@ -8,7 +8,7 @@ use crate::Result;
 use crate::{Material, Normals, OBJECTS, SIDES, Seen, View};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
-use unitvec_catalogue::{CATALOGUE, CodecInfo, Domain};
+use unitvec_catalogue::{AnyCodec, Domain, vectors};
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
 
@@ -32,7 +32,7 @@ pub struct Compared {
     /// What the normals went through.
     pub label: String,
     /// The codec, unless it is floats.
-    pub codec: Option<&'static CodecInfo>,
+    pub codec: Option<&'static AnyCodec>,
     /// The picture.
     pub picture: RgbImage,
     /// Its difference; none for floats.
@@ -74,7 +74,7 @@ pub fn take(camera: &mut dyn Camera, normals: Normals, material: Material, view:
 /// The picture of floats, and then those of codecs.
 fn compare(
     camera: &mut dyn Camera,
-    codecs: &[&'static CodecInfo],
+    codecs: &[&'static AnyCodec],
     material: Material,
     view: View,
 ) -> Result<Vec<Compared>> {
@@ -292,10 +292,10 @@ fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
     let curved: Vec<bool> = camera.surface(&taken(Normals::Float))?.iter().map(is_curved).collect();
     let all = vec![true; curved.len()];
     let float_sides = sides(camera, Normals::Float)?;
-    let is_asked = |codec: &&CodecInfo| codec.bits == BITS && codec.domain == Domain::Sphere && codec.is_unit;
+    let is_asked = |codec: &&AnyCodec| codec.bits == BITS && codec.domain == Domain::Sphere && codec.is_unit;
     let (mut numbers, mut pairs) = (Vec::new(), [const { Vec::new() }; 4]);
-    for codec in CATALOGUE.iter().filter(is_asked) {
-        let error = measure(&mut Cpu, codec, Domain::Sphere, MEASURED, 1)?.mean_deg();
+    for codec in vectors().iter().filter(is_asked) {
+        let error = measure(&mut Cpu, codec, Domain::Sphere, MEASURED, 1)?.normal.mean_deg();
         let coded_sides = sides(camera, coded(codec))?;
         // The sky around the sphere does not differ.
         let of_sides =

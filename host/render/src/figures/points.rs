@@ -6,7 +6,7 @@ use super::{Figure, Number, Options, Shown};
 use crate::Result;
 use glam::DVec3;
 use std::collections::HashSet;
-use unitvec_catalogue::{CodecInfo, Coding};
+use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
 
@@ -40,14 +40,14 @@ const DIRECTIONS: usize = 1 << 22;
 pub const MEASURED: usize = 100_000;
 
 /// The directions that encoded vectors can have, each once.
-fn representable(codec: &'static CodecInfo) -> Result<Vec<DVec3>> {
+fn representable(codec: &AnyCodec) -> Result<Vec<DVec3>> {
     let vectors: Vec<[f32; 3]> = if codec.bits <= ALL_CODES_UP_TO {
         (0..1u32 << codec.bits).map(|code| codec.decode_one([code, 0])).collect()
     } else {
         let mut decoded = Vec::new();
         let directions = unitvec_run::sampling::random_directions(codec.domain, 1);
-        unitvec_run::backend::round_trip(&mut Cpu, codec.format(), directions, DIRECTIONS, |_, v| {
-            decoded.push(v)
+        unitvec_run::backend::round_trip(&mut Cpu, codec, directions.flatten(), DIRECTIONS, |_, v| {
+            decoded.push([v[0], v[1], v[2]]);
         })?;
         decoded
     };
@@ -71,7 +71,7 @@ pub fn points(options: &Options) -> Result<Figure> {
         // Dots of smaller pictures lie closer.
         let ink = 2.2 * (f64::from(side) / 360.0).powf(1.5);
         directions.iter().filter_map(|v| paint::place(*v, view)).for_each(|place| dots.add(place, ink));
-        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?;
+        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?.normal;
         let lines = vec![
             codec.survey_name.to_owned(),
             format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()),

@@ -7,7 +7,7 @@ use crate::Result;
 use glam::DVec2;
 use image::RgbImage;
 use rayon::prelude::*;
-use unitvec_catalogue::{CodecInfo, Coding, find};
+use unitvec_catalogue::{AnyCodec, find};
 use unitvec_oracle::{Oct, Oracle};
 
 /// The codec of the survey's picture, then others by their bits.
@@ -15,19 +15,19 @@ const MAIN: &str = "oct24p";
 const OTHERS: [&str; 8] = ["oct8p", "oct12p", "oct16p", "oct18p", "oct20p", "oct22p", "oct24p", "oct32p"];
 
 /// The vector of a place of the square, and by how much of the square's height encoding moves it up.
-fn rise(codec: &CodecInfo, place: DVec2) -> f64 {
+fn rise(codec: &AnyCodec, place: DVec2) -> f64 {
     let v = Oct::direction(place.to_array()).map(|c| c as f32);
     let y = |v: [f32; 3]| Oct::position(v.map(f64::from))[1];
     y(codec.decode_one(codec.encode_one(v))) - y(v)
 }
 
 /// Black where y is rounded down, white where it is rounded up, at the middle of each pixel.
-fn map(codec: &CodecInfo, side: u32) -> RgbImage {
+fn map(codec: &AnyCodec, side: u32) -> RgbImage {
     paint::square(side, 1, |place| if rise(codec, place) > 0.0 { Colour::ONE } else { Colour::ZERO })
 }
 
 /// The share of vectors, spread evenly over the square, that the precise encoder gives another code than the nearest.
-fn moved(precise: &CodecInfo, fast: &CodecInfo) -> f64 {
+fn moved(precise: &AnyCodec, fast: &AnyCodec) -> f64 {
     const SIDE: u32 = 500;
     let differs = |n: &u32| {
         // Off the pixels' middles, which lie on lattice points of some widths.

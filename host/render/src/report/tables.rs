@@ -3,7 +3,7 @@
 use crate::Result;
 use crate::Storage;
 use serde::Serialize;
-use unitvec_catalogue::{CATALOGUE, Domain, FRAMES, Format, Operation, find_format};
+use unitvec_catalogue::{AnyCodec, Domain, Operation, find, vectors};
 use unitvec_choose::REFERENCE;
 use unitvec_choose::costs::{GENERATIONS, USUAL};
 use unitvec_choose::{COUNT, Costs, RECOMMENDED};
@@ -69,10 +69,10 @@ pub fn shipped_costs() -> Result<Vec<Costs>> {
 /// All codecs of vectors, in the order of `choose`.
 pub fn codecs(all: &[Costs], progress: &mut dyn FnMut()) -> Result<Vec<Codec>> {
     let mut codecs = Vec::new();
-    for codec in CATALOGUE {
+    for codec in vectors() {
         let of_gpu = |costs: &Costs| Operation::ALL.map(|operation| costs.of(codec.id, operation));
         let mean_over =
-            |domain| -> Result<f64> { Ok(measure(&mut Cpu, codec, domain, COUNT, 1)?.mean_deg()) };
+            |domain| -> Result<f64> { Ok(measure(&mut Cpu, codec, domain, COUNT, 1)?.normal.mean_deg()) };
         let mean_above = mean_over(Domain::Hemisphere)?;
         let is_for_above = codec.domain == Domain::Hemisphere;
         codecs.push(Codec {
@@ -86,7 +86,7 @@ pub fn codecs(all: &[Costs], progress: &mut dyn FnMut()) -> Result<Vec<Codec>> {
             by_table: codec.encodes_by_table,
             mean: if is_for_above { mean_above } else { mean_over(codec.domain)? },
             mean_above,
-            max: f64::from(codec.max_error_deg),
+            max: f64::from(codec.max_error_deg()),
             costs: all.iter().map(of_gpu).collect(),
         });
         progress();
@@ -103,7 +103,7 @@ fn short_format(name: &'static str) -> &'static str {
 }
 
 /// What a G-buffer holds a codec in: the attachment of the codec's format, or of its sibling of four components.
-fn attachment(format: &Format) -> String {
+fn attachment(format: &AnyCodec) -> String {
     let storage = Storage::of(format);
     let spare = if storage.three().is_some() { ", whose fourth component is free" } else { "" };
     let or = if storage.is_drawn_everywhere() {
@@ -136,20 +136,16 @@ struct AnswerCodec {
 /// What `choose` and README recommend.
 pub fn answers(codecs: &[Codec]) -> Vec<Answer> {
     let of_codec = |id: &&'static str| {
-        let frame = FRAMES.iter().find(|frame| frame.id == *id).map(|frame| AnswerCodec {
-            id: frame.id,
-            bits: frame.bits,
-            format: Some(short_format(frame.vk_format)),
-            attachment: short_format(frame.vk_format).to_owned(),
-            mean: None,
-            max: f64::from(frame.max_normal_error_deg),
-            costs: [None; 2],
-        });
-        frame.or_else(|| {
-            let codec = codecs.iter().find(|codec| codec.id == *id)?;
-            let Codec { id, bits, format, mean, max, .. } = *codec;
-            let attachment = find_format(id).map_or_else(|_| String::new(), |format| attachment(&format));
-            Some(AnswerCodec { id, bits, format, attachment, mean: Some(mean), max, costs: codec.costs[0] })
+        let codec = find(id).ok()?;
+        let measured = codecs.iter().find(|measured| measured.id == codec.id);
+        Some(AnswerCodec {
+            id: codec.id,
+            bits: codec.bits,
+            format: codec.vk_format.map(short_format),
+            attachment: attachment(codec),
+            mean: measured.map(|measured| measured.mean),
+            max: f64::from(codec.max_errors_deg[0]),
+            costs: measured.map_or([None; 2], |measured| measured.costs[0]),
         })
     };
     let answer = |one: &unitvec_choose::Recommendation| Answer {
@@ -205,7 +201,7 @@ fn of_survey(all: &[Costs]) -> PageTable {
     let both = |costs: [Option<f64>; 2]| costs.map(ratio).join(" / ");
     let [encode, decode] =
         Operation::ALL.map(|operation| survey_ns(REFERENCE, operation).unwrap_or(f64::NAN));
-    let rows = CATALOGUE.iter().filter_map(|codec| {
+    let rows = vectors().iter().filter_map(|codec| {
         let survey = Operation::ALL.map(|operation| survey_ns(codec.id, operation));
         let survey = both([Some(survey[0]? / encode), Some(survey[1]? / decode)]);
         let others =
@@ -258,7 +254,7 @@ pub fn work() -> usize {
     let tables: usize = [Table::One, Table::Three].map(|table| table.published().len()).iter().sum();
     let of_meyer =
         METHODS.iter().map(|method| WIDTHS.iter().filter(|bits| method.codec(**bits).is_some()).count());
-    CATALOGUE.len() + tables + of_meyer.sum::<usize>()
+    vectors().len() + tables + of_meyer.sum::<usize>()
 }
 
 /// Degrees with three digits that count.

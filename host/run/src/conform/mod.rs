@@ -16,7 +16,7 @@ use crate::workers;
 use crate::{Error, Result};
 use serde::Serialize;
 use std::collections::BTreeMap;
-use unitvec_catalogue::{Element, Format, Operation};
+use unitvec_catalogue::{AnyCodec, Element, Operation};
 use unitvec_vulkan::DeviceInfo;
 
 /// What to run.
@@ -137,7 +137,7 @@ impl Row {
     /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
     fn compare(
         &mut self,
-        format: Format,
+        format: &AnyCodec,
         operation: Operation,
         kind: BackendKind,
         input: &[u8],
@@ -184,14 +184,14 @@ pub fn run<E: From<Error> + Send>(
 
 /// Runs one codec on the CPU and on each backend, and counts what differs.
 struct Comparison<'a> {
-    format: Format,
+    format: &'static AnyCodec,
     backends: &'a mut Backends,
     errors: ElementErrors,
     row: Row,
 }
 
 impl<'a> Comparison<'a> {
-    fn new(format: Format, backends: &'a mut Backends) -> Self {
+    fn new(format: &'static AnyCodec, backends: &'a mut Backends) -> Self {
         let none: Mismatches = backends.keys().map(|kind| (*kind, 0)).collect();
         let row = Row {
             id: format.id,

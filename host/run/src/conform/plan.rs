@@ -4,14 +4,14 @@ use super::{Backends, Comparison, Options, Row};
 use crate::backend::CHUNK;
 use crate::sampling;
 use crate::{Error, Result};
-use unitvec_catalogue::{Element, Format};
+use unitvec_catalogue::{AnyCodec, Element};
 
 /// Directions halfway between lattice points, where rounding breaks ties.
 const HALFWAY: usize = 50_000;
 
 /// The inputs of one codec, which are made while it runs.
 pub struct Plan<'a> {
-    format: Format,
+    format: &'static AnyCodec,
     steps: Vec<Step<'a>>,
 }
 
@@ -40,7 +40,7 @@ impl<'a> Step<'a> {
 
 impl<'a> Plan<'a> {
     /// Random elements, special ones, and codes, special ones too; for vectors also the normals of meshes and ties.
-    pub fn new(format: Format, options: &'a Options) -> Self {
+    pub fn new(format: &'static AnyCodec, options: &'a Options) -> Self {
         let Options { count, seed, normals, all_codes_up_to } = options;
         let random = sampling::random_elements(format.element, format.domain, *seed);
         let mut steps =
@@ -97,6 +97,6 @@ impl<'a> Plan<'a> {
 }
 
 /// Largest integer of a coordinate's snorm, up to where f32 still has halves.
-fn lattice_size(format: Format) -> u32 {
+fn lattice_size(format: &AnyCodec) -> u32 {
     (1 << (format.bits / 2 - 1).min(22)) - 1
 }

@@ -1,7 +1,7 @@
 use crate::Result;
 use crate::backend::Backend;
 use serde::Serialize;
-use unitvec_catalogue::{Element, Format, find_format};
+use unitvec_catalogue::{AnyCodec, Element, find};
 
 /// How a device rounds the sum of a number and 1.5 2^23, by which encoders find the nearest whole number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -29,7 +29,7 @@ impl Rounding {
     /// # Errors
     /// What the backend meets.
     pub fn of(backend: &mut dyn Backend) -> Result<Self> {
-        let format: Format = find_format(CODEC)?;
+        let format: &'static AnyCodec = find(CODEC)?;
         debug_assert_eq!(format.element, Element::Vector);
         let vectors = POSITIONS.map(|[x, y]| [x, y, M - x.abs() - y.abs()]);
         let mut codes = [0; 2 * POSITIONS.len()];
@@ -55,14 +55,14 @@ mod tests {
     struct Rounds(fn(f32) -> f32);
 
     impl Backend for Rounds {
-        fn encode(&mut self, _: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+        fn encode(&mut self, _: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
             for (v, code) in elements.chunks_exact(3).zip(codes.chunks_exact_mut(2)) {
                 code.copy_from_slice(&[v[0], v[1]].map(|x| (self.0)(x) as i8 as u8));
             }
             Ok(())
         }
 
-        fn decode(&mut self, _: Format, _: &[u8], _: &mut [f32]) -> Result<()> {
+        fn decode(&mut self, _: &AnyCodec, _: &[u8], _: &mut [f32]) -> Result<()> {
             Ok(())
         }
     }

@@ -1,13 +1,13 @@
 //! Which codecs stand for others.
 
-use unitvec_catalogue::{Format, formats};
+use unitvec_catalogue::{AnyCodec, CODECS};
 
 /// The widest codec of each series: `oct8` to `oct32` differ in their bits alone, and `oct32` stands for them. Codecs of more
 /// than 32 bits, whose codes are two words, are a series of their own.
-pub fn widest_of_each_series() -> Vec<Format> {
-    let mut widest: Vec<Format> = Vec::new();
-    for format in formats() {
-        match widest.iter_mut().find(|other| series(other) == series(&format)) {
+pub fn widest_of_each_series() -> Vec<&'static AnyCodec> {
+    let mut widest: Vec<&'static AnyCodec> = Vec::new();
+    for format in &CODECS {
+        match widest.iter_mut().find(|other| series(other) == series(format)) {
             Some(other) if other.bits < format.bits => *other = format,
             Some(_) => {}
             None => widest.push(format),
@@ -17,7 +17,7 @@ pub fn widest_of_each_series() -> Vec<Format> {
 }
 
 /// The identifier without its numbers, and whether codes are two words.
-fn series(format: &Format) -> (String, bool) {
+fn series(format: &AnyCodec) -> (String, bool) {
     (format.id.replace(|c: char| c.is_ascii_digit(), ""), format.bits > 32)
 }
 
@@ -35,8 +35,8 @@ mod tests {
         for id in ["oct16", "eaoct24p", "snorm8x3"] {
             assert!(!ids.contains(&id), "{id}: {ids:?}");
         }
-        for format in formats() {
-            let mut of = widest.iter().filter(|other| series(other) == series(&format));
+        for format in &CODECS {
+            let mut of = widest.iter().filter(|other| series(other) == series(format));
             assert!(of.next().is_some_and(|other| other.bits >= format.bits) && of.next().is_none());
         }
     }

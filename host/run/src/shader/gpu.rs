@@ -7,7 +7,7 @@ use crate::backend::{Backend, CHUNK};
 use crate::glsl;
 use std::collections::HashMap;
 use std::sync::Arc;
-use unitvec_catalogue::{Format, Operation};
+use unitvec_catalogue::{AnyCodec, Operation};
 use unitvec_vulkan::{Device, Kernel, Runner};
 
 /// A backend that runs HLSL, compiled by glslang, or WGSL, compiled by naga.
@@ -30,7 +30,7 @@ impl LanguageGpu {
         Ok(Self { runner, language, edition, kernels: HashMap::new(), words: Vec::new() })
     }
 
-    fn kernel(&mut self, format: Format, operation: Operation) -> Result<()> {
+    fn kernel(&mut self, format: &AnyCodec, operation: Operation) -> Result<()> {
         let key = (format.id, operation);
         if !self.kernels.contains_key(&key) {
             let name = format.function(operation);
@@ -47,7 +47,7 @@ impl LanguageGpu {
 }
 
 impl Backend for LanguageGpu {
-    fn encode(&mut self, format: Format, elements: &[f32], codes: &mut [u8]) -> Result<()> {
+    fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         if count == 0 {
             return Ok(());
@@ -69,7 +69,7 @@ impl Backend for LanguageGpu {
         Ok(())
     }
 
-    fn decode(&mut self, format: Format, codes: &[u8], elements: &mut [f32]) -> Result<()> {
+    fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
         if count == 0 {
             return Ok(());

@@ -7,13 +7,13 @@
 //! instead, of one element each: its words are those of two texels in a row, and the results' those of two targets.
 
 use super::Language;
-use unitvec_catalogue::{Element, Format, Operation};
+use unitvec_catalogue::{AnyCodec, Element, Operation};
 
 /// The name of the entry point of all kernels but Metal's, whose names are those of [`metal_name`].
 pub const ENTRY_POINT: &str = "main";
 
 /// The name of a kernel in Metal, where all of them may stand in one file.
-pub fn metal_name(format: Format, operation: Operation) -> String {
+pub fn metal_name(format: &AnyCodec, operation: Operation) -> String {
     format!("{}_kernel", format.function(operation))
 }
 
@@ -35,12 +35,12 @@ const fn is_fragment(language: Language) -> bool {
 }
 
 /// u32 words of a code in a kernel's buffers.
-pub const fn code_words(format: Format) -> usize {
+pub const fn code_words(format: &AnyCodec) -> usize {
     if format.bits > 32 { 2 } else { 1 }
 }
 
 /// u32 words of what an operation reads and of what it writes, for one element.
-pub const fn words(format: Format, operation: Operation) -> (usize, usize) {
+pub const fn words(format: &AnyCodec, operation: Operation) -> (usize, usize) {
     let (element, code) = (format.element.floats(), code_words(format));
     match operation {
         Operation::Encode => (element, code),
@@ -49,7 +49,7 @@ pub const fn words(format: Format, operation: Operation) -> (usize, usize) {
 }
 
 /// A kernel's entry point, to be written after the functions of the codec.
-pub fn kernel(language: Language, format: Format, operation: Operation) -> String {
+pub fn kernel(language: Language, format: &AnyCodec, operation: Operation) -> String {
     let syntax = Syntax::of(language);
     let (read, written) = words(format, operation);
     let inputs = (0..read).map(|word| syntax.input(read, word)).collect::<Vec<_>>();
@@ -72,7 +72,7 @@ pub fn kernel(language: Language, format: Format, operation: Operation) -> Strin
 }
 
 /// The statements that encode an element, and the words of its code.
-fn encode(syntax: &Syntax, format: Format, inputs: &[String]) -> (Vec<String>, Vec<String>) {
+fn encode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>, Vec<String>) {
     let arguments = match format.element {
         Element::Vector => syntax.floats(inputs),
         Element::Frame => [&inputs[..3], &inputs[3..]].map(|words| syntax.floats(words)).join(", "),
@@ -84,7 +84,7 @@ fn encode(syntax: &Syntax, format: Format, inputs: &[String]) -> (Vec<String>, V
 }
 
 /// The statements that decode a code, and the words of the element.
-fn decode(syntax: &Syntax, format: Format, inputs: &[String]) -> (Vec<String>, Vec<String>) {
+fn decode(syntax: &Syntax, format: &AnyCodec, inputs: &[String]) -> (Vec<String>, Vec<String>) {
     let code_type = syntax.codes[inputs.len() - 1];
     let code =
         if inputs.len() == 1 { inputs[0].clone() } else { format!("{code_type}({})", inputs.join(", ")) };
@@ -302,10 +302,10 @@ void main() {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use unitvec_catalogue::find_format;
+    use unitvec_catalogue::find;
 
     fn text(language: Language, id: &str, operation: Operation) -> String {
-        kernel(language, find_format(id).unwrap(), operation)
+        kernel(language, find(id).unwrap(), operation)
     }
 
     #[test]

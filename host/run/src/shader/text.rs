@@ -2,7 +2,7 @@
 
 use super::{Edition, Error, Language, library};
 use std::fmt::Write;
-use unitvec_catalogue::{Element, Format, Operation, find, find_frame};
+use unitvec_catalogue::{AnyCodec, Operation};
 
 /// The functions of these codecs in a language, and all that they need, below a comment that says what each is. `command` is
 /// what wrote it.
@@ -10,7 +10,7 @@ use unitvec_catalogue::{Element, Format, Operation, find, find_frame};
 /// # Errors
 /// [`Error::Language`], which tests rule out for the codecs of the catalogue.
 pub fn text(
-    formats: &[Format],
+    formats: &[&'static AnyCodec],
     language: Language,
     edition: Edition,
     command: &str,
@@ -40,7 +40,7 @@ pub fn text(
     let widest = formats.iter().map(|format| format.id.len()).max().unwrap_or_default();
     for format in formats {
         // Writing to a String cannot fail.
-        let _ = writeln!(head, "//   {:widest$}  {}", format.id, about(*format));
+        let _ = writeln!(head, "//   {:widest$}  {}", format.id, about(format));
     }
     for layout in layouts {
         head = head + "//\n" + &layout;
@@ -49,17 +49,12 @@ pub fn text(
 }
 
 /// Bits, error and Vulkan format.
-fn about(format: Format) -> String {
-    let degrees = |error: f32| format!("{error} degrees");
-    let error = match format.element {
-        Element::Vector => find(format.id).ok().map(|codec| degrees(codec.max_error_deg)),
-        Element::Frame => find_frame(format.id).map(|codec| {
-            let [normal, tangent] = [codec.max_normal_error_deg, codec.max_tangent_error_deg].map(degrees);
-            format!("{normal} (normal) and {tangent} (tangent)")
-        }),
+fn about(format: &AnyCodec) -> String {
+    let error = match format.max_errors_deg {
+        [normal, tangent] => format!("{normal} degrees (normal) and {tangent} degrees (tangent)"),
+        _ => format!("{} degrees", format.max_error_deg()),
     };
-    let mut parts = vec![format!("{} bits", format.bits)];
-    parts.extend(error.map(|error| format!("error up to {error}")));
+    let mut parts = vec![format!("{} bits", format.bits), format!("error up to {error}")];
     parts.extend(format.vk_format.map(str::to_owned));
     parts.join(", ")
 }

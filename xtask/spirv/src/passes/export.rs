@@ -353,7 +353,7 @@ mod tests {
     use super::*;
     use spirv_tools::assembler::{self, Assembler, AssemblerOptions};
     use spirv_tools::val::{self, Validator};
-    use unitvec_catalogue::{Operation, find_format};
+    use unitvec_catalogue::{Operation, find};
 
     /// A vertex shader that reads a code of two words, and writes a vector %8 and another, %9, with these lines at its end.
     fn entry_point(end: &str) -> Module {
@@ -406,7 +406,7 @@ mod tests {
         OpReturn";
 
     fn signature(id: &str) -> Signature {
-        Signature::of(find_format(id).unwrap(), Operation::Decode)
+        Signature::of(find(id).unwrap(), Operation::Decode)
     }
 
     /// What was read is a parameter, what was written a struct in the order of locations.
