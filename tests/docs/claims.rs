@@ -26,6 +26,7 @@ fn is_finer(id: &str, than: &str) -> bool {
 #[test]
 fn limits_of_a_dispatch() {
     let text = std::fs::read_to_string(repository().join("docs/kernels.md")).unwrap();
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let grouped = |number: usize| {
         let digits = number.to_string();
         let groups =
@@ -35,7 +36,7 @@ fn limits_of_a_dispatch() {
     let taken = GROUP * WORKGROUP;
     for said in [
         format!("{WORKGROUP} invocations, which take {taken} vectors"),
-        format!("{} vectors or {}\nframes", grouped((1 << 27) / 12), grouped((1 << 27) / 28)),
+        format!("{} vectors or {} frames", grouped((1 << 27) / 12), grouped((1 << 27) / 28)),
         format!("{}, which take {}", grouped(65_535), grouped(65_535 * taken)),
         format!("(count + {}) / {taken}", taken - 1),
     ] {
