@@ -111,7 +111,7 @@ fn is_among(ids: BTreeSet<String>) -> Has {
     Box::new(move |id| ids.contains(id))
 }
 
-/// Whether an identifier stands between backquotes in one of these files.
+/// Whether an identifier stands between backquotes in a file.
 fn is_named_in(file: &str) -> Has {
     let text = std::fs::read_to_string(repository().join(file)).unwrap_or_default();
     Box::new(move |id| text.contains(&format!("`{id}`")))
