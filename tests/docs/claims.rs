@@ -59,6 +59,7 @@ fn what_to_take() {
         assert!((0.63..0.7).contains(&(errors(&precise).max / errors(&fast).max)));
         assert_eq!(costs_of(&precise)[1], costs_of(&fast)[1]);
         assert!(is_finer(&hemioct, &precise));
+        assert!((0..2).all(|operation| costs_of(&hemioct)[operation] < costs_of(&fast)[operation]));
         for codec in CATALOGUE.iter().filter(|codec| codec.bits == bits && codec.domain == Domain::Sphere) {
             let ico = id("icoN");
             assert!(codec.id == ico || errors(codec.id).max > errors(&ico).max, "{}", codec.id);
