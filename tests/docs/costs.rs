@@ -2,11 +2,13 @@
 //! compilers.
 
 use super::compare;
+use super::tables::is_shown;
 use crate::isa::committed;
 use serde_json::Value;
 use std::sync::OnceLock;
-use unitvec_catalogue::{CODECS, Operation};
-use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source, find_generation};
+use unitvec_catalogue::CODECS;
+use unitvec_catalogue::Operation;
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, find_generation};
 use unitvec_lab::isa::pareto;
 use unitvec_tests::repository;
 
@@ -18,10 +20,13 @@ fn report() -> &'static Value {
     })
 }
 
-/// A figure of a codec's row, of SPIR-V from Rust: `operation` is `encode` or `decode`.
-fn figure(id: &str, operation: &str, by_table: bool, key: &str) -> Option<f64> {
+/// A figure of a codec's row, of SPIR-V from Rust.
+fn figure(id: &str, operation: Operation, by_table: bool, key: &str) -> Option<f64> {
+    let operation = operation.to_string();
     let is_it = |row: &&Value| {
-        (&row["id"], &row["operation"], &row["backend"]) == (&id.into(), &operation.into(), &"rust".into())
+        row["id"] == id
+            && row["operation"] == operation
+            && row["backend"] == "rust"
             && row["by_table"] == by_table
     };
     report()["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
@@ -45,13 +50,7 @@ pub fn number(value: Option<f64>, digits: usize) -> String {
 
 /// True where the arithmetic of both operations was measured on lavapipe.
 pub fn is_measured(id: &str) -> bool {
-    ["encode", "decode"].iter().all(|operation| figure(id, operation, false, "alu_ratio_to_oct32").is_some())
-}
-
-/// The arithmetic of both operations on lavapipe as multiples of `oct32`'s, where it was measured.
-fn both_on_lavapipe(id: &str) -> String {
-    let cost = |operation| figure(id, operation, false, "alu_ratio_to_oct32");
-    ["encode", "decode"].map(|operation| number(cost(operation), 1)).join(" / ")
+    Operation::ALL.iter().all(|operation| figure(id, *operation, false, "alu_ratio_to_oct32").is_some())
 }
 
 /// The device, and how much it did.
@@ -68,30 +67,52 @@ pub fn device() -> String {
 }
 
 /// The shipped kernel's speed in per cent of that of a copy.
-fn of_copy(id: &str, operation: &str) -> Option<f64> {
+fn of_copy(id: &str, operation: Operation) -> Option<f64> {
     let figure = |key| figure(id, operation, false, key);
     Some(100.0 * figure("bytes_per_s")? / figure("copy_bytes_per_s")?)
 }
 
-/// The table of all codecs.
-pub fn table() -> String {
-    let mut text = String::from(
-        "| codec | encode / oct32 | decode / oct32 | encode: rust / glsl | decode: rust / glsl | encode, % of copy \
-         | decode, % of copy |\n|---|---|---|---|---|---|---|\n",
+/// Costs of both operations: inverse throughput on all generations of GPUs and arithmetic on lavapipe, as multiples of
+/// `oct32`'s; the other figures of RDNA 2 and of lavapipe.
+pub fn table(rows: &str) -> String {
+    let titles: Vec<&str> = compiled().iter().map(|(generation, _)| generation.title).collect();
+    let mut text = format!(
+        "| codec: encode / decode | {} | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | lavapipe: % of copy |\n\
+         |---|{}---|---|---|---|---|---|\n",
+        titles.join(" | "),
+        "---|".repeat(titles.len())
     );
-    for format in &CODECS {
-        let cells = [("alu_ratio_to_oct32", 1), ("alu_ratio_to_glsl", 2)].map(|(key, digits)| {
-            ["encode", "decode"].map(|operation| number(figure(format.id, operation, false, key), digits))
-        });
-        let copy = ["encode", "decode"].map(|operation| number(of_copy(format.id, operation), 0));
-        text += &format!("| `{}` | {} |\n", format.id, [cells.as_flattened(), &copy].concat().join(" | "));
+    for id in CODECS.iter().map(|format| format.id).filter(|id| is_shown(rows, id)) {
+        let mut cells: Vec<String> = compiled()
+            .iter()
+            .map(|(_, report)| {
+                pair(1, |operation| report.ratio_to_oct32(report.row(id, operation, Source::Glsl)?))
+            })
+            .collect();
+        let integer = |figure: fn(&Row) -> Option<u64>| {
+            pair(0, |operation| Some(figure(rdna2().row(id, operation, Source::Glsl)?)? as f64))
+        };
+        cells.extend([
+            pair(1, |operation| figure(id, operation, false, "alu_ratio_to_oct32")),
+            integer(|row| row.inverse_throughput),
+            pair(1, |operation| vector_instructions(id, operation)),
+            integer(|row| row.vector_registers),
+            pair(2, |operation| rdna2().ratio_to_glsl(rdna2().row(id, operation, Source::Rust)?)),
+            pair(0, |operation| of_copy(id, operation)),
+        ]);
+        text += &format!("| `{id}` | {} |\n", cells.join(" | "));
     }
     text
 }
 
+/// A figure of both operations, with so many decimals.
+fn pair(digits: usize, figure: impl Fn(Operation) -> Option<f64>) -> String {
+    Operation::ALL.map(|operation| number(figure(operation), digits)).join(" / ")
+}
+
 /// The speed of decoding by table as a multiple of that of the codec's own kernel, where a table is made for it.
 pub fn by_table(id: &str) -> Option<f64> {
-    let speed = |by_table| figure(id, "decode", by_table, "vectors_per_s");
+    let speed = |by_table| figure(id, Operation::Decode, by_table, "vectors_per_s");
     Some(speed(true)? / speed(false)?)
 }
 
@@ -117,50 +138,6 @@ pub fn compilers() -> String {
     let mut text = String::from("| generation | GPU | compiler |\n|---|---|---|\n");
     for (generation, report) in compiled() {
         text += &format!("| {} | `{}` | {} |\n", generation.title, generation.gpu, report.device.driver);
-    }
-    text
-}
-
-/// The inverse throughput of both operations as multiples of `oct32`'s, beside the arithmetic on lavapipe.
-pub fn gpus() -> String {
-    let titles: Vec<&str> = compiled().iter().map(|(generation, _)| generation.title).collect();
-    let mut text = format!(
-        "| codec: encode / decode | {} | lavapipe |\n|---|{}---|\n",
-        titles.join(" | "),
-        "---|".repeat(titles.len())
-    );
-    for format in &CODECS {
-        let of = |report: &Report| {
-            let cost = |operation| report.ratio_to_oct32(report.row(format.id, operation, Source::Glsl)?);
-            Operation::ALL.map(|operation| number(cost(operation), 1)).join(" / ")
-        };
-        let cells: Vec<String> = compiled().iter().map(|(_, report)| of(report)).collect();
-        text += &format!("| `{}` | {} | {} |\n", format.id, cells.join(" | "), both_on_lavapipe(format.id));
-    }
-    text
-}
-
-/// All figures on RDNA 2.
-pub fn navi21() -> String {
-    let mut text = String::from(
-        "| codec | encode: T | instructions | vector / v | registers | rust / glsl | decode: T | instructions | vector / v \
-         | registers | rust / glsl |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    for format in &CODECS {
-        let cells = Operation::ALL.map(|operation| {
-            let row = |source| rdna2().row(format.id, operation, source);
-            let (glsl, rust) = (row(Source::Glsl).unwrap(), row(Source::Rust).unwrap());
-            let integer = |figure: Option<u64>| number(figure.map(|figure| figure as f64), 0);
-            [
-                integer(glsl.inverse_throughput),
-                integer(glsl.instructions),
-                number(glsl.vector_instructions, 1),
-                integer(glsl.vector_registers),
-                number(rdna2().ratio_to_glsl(rust), 2),
-            ]
-            .join(" | ")
-        });
-        text += &format!("| `{}` | {} |\n", format.id, cells.join(" | "));
     }
     text
 }

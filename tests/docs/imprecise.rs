@@ -1,6 +1,7 @@
 //! What codecs do on devices that round as badly as Vulkan allows: docs/data/imprecise.csv, which
-//! `unitvec conform --imprecise --seeds 8 --csv docs/data/imprecise.csv` writes.
+//! `unitvec conform imprecise --seeds 8 --csv docs/data/imprecise.csv` writes.
 
+use super::tables::is_shown;
 use std::fmt::Write;
 use unitvec_catalogue::{CODECS, find};
 use unitvec_lab::imprecise::{Bounds, Summary};
@@ -14,13 +15,13 @@ fn recorded() -> Vec<Summary> {
     reader.deserialize().collect::<Result<_, _>>().unwrap()
 }
 
-/// The table of docs/agreement.md.
-pub fn table() -> String {
+/// The table of all codecs, or of those that are recommended.
+pub fn table(rows: &str) -> String {
     let mut text = String::from(
         "| codec | codes that differ | at most | components, 2^-24 | at most | angle, degrees | at most | codes lost |\n\
          |---|---|---|---|---|---|---|---|\n",
     );
-    for row in recorded() {
+    for row in recorded().into_iter().filter(|row| is_shown(rows, &row.id)) {
         let most = row.codes_differ_at_most.map_or_else(|| "none".to_owned(), |most| most.to_string());
         let [angle, angle_most] = [row.angle_deg, row.angle_deg_at_most].map(|angle| match angle {
             0.0 => "0".to_owned(),

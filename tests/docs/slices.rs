@@ -17,7 +17,7 @@ fn rows(operation: &str) -> impl Iterator<Item = (&'static str, [f64; 3])> {
 }
 
 /// Nanoseconds a vector in slices of 2^10, 2^16 and 2^24 vectors.
-pub fn ns(operation: &str, name: &str) -> [f64; 3] {
+fn ns(operation: &str, name: &str) -> [f64; 3] {
     let found = rows(operation).find(|row| row.0 == name);
     found.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json")).1
 }

@@ -18,21 +18,19 @@ pub fn table(name: &str) -> Option<String> {
         "which" => which(false, |id| format!("`{id}`")),
         "which-type" => which(true, |id| format!("[`{}`]", type_of(id))),
         "families" => families(),
-        "codecs" => codecs(),
+        "codecs" => codecs(rest),
         "frames" => codecs_of_frames(),
         "bound" => bound(),
         "errors" => errors(rest),
-        "costs" => costs::table(),
+        "costs" => costs::table(rest),
         "costs-device" => costs::device(),
         "costs-compilers" => costs::compilers(),
-        "costs-gpus" => costs::gpus(),
-        "costs-navi21" => costs::navi21(),
         "dither" => dither::table(),
         "dither-costs" => dither::cost_table(),
         "dither-keys" => dither::key_table(),
         "dither-pictures" => pictures::dither(),
         "drivers" => drivers::table(),
-        "imprecise" => imprecise::table(),
+        "imprecise" => imprecise::table(rest),
         "languages" => languages::table(),
         "languages-barriers" => languages::barriers(),
         "processors" => processors::table(),
@@ -43,6 +41,12 @@ pub fn table(name: &str) -> Option<String> {
         "slices-machine" => slices::machine(),
         _ => return None,
     })
+}
+
+/// True where a table has a row of this codec: all codecs, or with `recommended` those of the table of recommendations.
+pub fn is_shown(rows: &str, id: &str) -> bool {
+    assert!(["", "recommended"].contains(&rows), "no table of {rows} codecs");
+    rows.is_empty() || RECOMMENDED.iter().any(|row| row.codecs.contains(&id))
 }
 
 /// Three digits; decimals where those do not take too many zeros.
@@ -153,18 +157,18 @@ fn published(codec: &AnyCodec) -> Option<String> {
     Some(format!("{} / {}", row.mean_error_deg, row.max_error_deg))
 }
 
-/// Every codec.
-fn codecs() -> String {
+/// Names, formats and errors of the codecs of vectors.
+fn codecs(rows: &str) -> String {
     let mut text = String::from(
-        "| codec | Rust type | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max | cost: \
-         encode / decode |\n|---|---|---|---|---|---|---|---|---|---|\n",
+        "| codec | Rust type | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max |\n\
+         |---|---|---|---|---|---|---|---|---|\n",
     );
-    for codec in vectors() {
+    for codec in vectors().iter().filter(|codec| is_shown(rows, codec.id)) {
         let format = codec.vk_format.map_or("", |format| format.trim_start_matches("VK_FORMAT_"));
         let published = published(codec);
         let name = if published.is_some() { codec.survey_name } else { "" };
         text += &format!(
-            "| `{}` | `{}` | {name} | {} | {} | {format} | {} | {} | {} | {} |\n",
+            "| `{}` | `{}` | {name} | {} | {} | {format} | {} | {} | {} |\n",
             codec.id,
             codec.rust_type,
             codec.bits,
@@ -172,7 +176,6 @@ fn codecs() -> String {
             errors_of(codec.id),
             bound_of(codec),
             published.unwrap_or_default(),
-            costs::both(codec.id)
         );
     }
     text
