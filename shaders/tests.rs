@@ -20,14 +20,57 @@ fn generated() -> impl Iterator<Item = (Language, Edition)> {
 /// The committed files are those that the includes give: a change to an include without `cargo xtask shaders` fails.
 #[test]
 fn committed_files_are_current() {
-    let texts = library().translations().unwrap();
-    for (path, text) in &texts {
-        let is_current = unitvec_shaders::shader(path) == Some(text);
-        assert!(is_current, "shaders/{path} is not what glsl/unitvec gives: run `cargo xtask shaders`");
+    let library = library();
+    let mut known = BTreeSet::new();
+    for language in Language::ALL.into_iter().filter(|language| language.is_committed()) {
+        for (name, text) in library.folder(language).unwrap() {
+            let path = format!("{}/{name}", language.id());
+            let is_current = unitvec_shaders::shader(&path) == Some(&text);
+            assert!(is_current, "shaders/{path} is not what glsl/unitvec gives: run `cargo xtask shaders`");
+            known.insert(path);
+        }
     }
     for path in unitvec_shaders::shader_paths() {
-        let is_known = texts.contains_key(path) || path.starts_with("stubs/");
+        let is_known = known.contains(path) || path.starts_with("stubs/");
         assert!(is_known, "shaders/{path} comes from no file of glsl/unitvec: run `cargo xtask shaders`");
+    }
+}
+
+/// Every family has its file in `glsl/flat/`, as the includes give it, and there is no other.
+#[test]
+fn flat_files_are_current() {
+    let flat = library().flat().unwrap();
+    for (name, text) in &flat {
+        let is_current = glsl(&format!("flat/{name}")) == Some(text);
+        assert!(is_current, "glsl/flat/{name} is not what glsl/unitvec gives: run `cargo xtask shaders`");
+    }
+    let committed = unitvec_shaders::glsl_paths().filter_map(|path| path.strip_prefix("flat/"));
+    assert_eq!(committed.collect::<BTreeSet<_>>(), flat.keys().map(String::as_str).collect());
+}
+
+/// A flat file has all that its family's file has, and of the others only what it uses; but for what half of the families use,
+/// which all have.
+#[test]
+fn flat_files_have_what_their_families_need() {
+    fn code(text: &str) -> Vec<&str> {
+        let code = text.lines().filter(|line| !line.trim_start().starts_with("//") && !line.starts_with('#'));
+        let words = code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
+        words.filter(|word| !word.is_empty()).collect()
+    }
+    let flat = library().flat().unwrap();
+    let flat: Vec<(&String, Vec<&str>)> = flat.iter().map(|(file, text)| (file, code(text))).collect();
+    let is_in_all = |name: &str| flat.iter().all(|(_, words)| words.contains(&name));
+    for (file, words) in &flat {
+        let own = code(glsl(&format!("unitvec/{file}")).unwrap());
+        assert_eq!(own.iter().find(|word| !words.contains(word)), None, "{file} lacks it");
+        let is_used =
+            |name: &str| own.contains(&name) || words.iter().filter(|word| **word == name).count() > 1;
+        let names = words.iter().filter(|word| word.to_lowercase().starts_with("unitvec_"));
+        assert_eq!(
+            names.copied().find(|name| !is_used(name) && !is_in_all(name)),
+            None,
+            "{file} does not use it"
+        );
     }
 }
 
