@@ -65,7 +65,7 @@ pub fn folder(language: Language) -> Result<std::collections::BTreeMap<String, S
 }
 
 /// A file of `spirv/`: `kernels/oct16.spv`; `unitvec.spv`, all codecs as functions to link with; `manifest.json` and its
-/// schema, `manifest.schema.json`; `best_fit_table.bin`, which two kernels read. The kernels in `cost/` are for measuring.
+/// schema, `manifest.schema.json`; `best_fit_table.bin`, which two kernels read.
 pub fn spirv(path: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(path)?.contents())
 }
