@@ -163,7 +163,7 @@ fn modules(kernels: Vec<(Kernel, Vec<u32>)>) -> Result<Vec<Built>> {
     finished.collect()
 }
 
-/// Paths, in `folder`, of the files in it and in the folders below.
+/// Paths, in `folder`, of the files in it and in the folders below, but for what says that they are generated.
 fn files_in(folder: &Path) -> Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder).with_context(|| format!("reading {}", folder.display()))? {
@@ -171,7 +171,7 @@ fn files_in(folder: &Path) -> Result<Vec<String>> {
         let name = entry.file_name().to_string_lossy().into_owned();
         if entry.file_type()?.is_dir() {
             names.extend(files_in(&entry.path())?.iter().map(|file| format!("{name}/{file}")));
-        } else {
+        } else if name != "README.md" {
             names.push(name);
         }
     }
