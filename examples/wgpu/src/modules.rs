@@ -10,7 +10,7 @@ use wesl::syntax::ModulePath;
 /// The modules of these families, by name, from a folder that the crate `unitvec-shaders` makes.
 pub fn of(language: Language, folder: &str, families: &[&str]) -> Result<Vec<(String, String)>> {
     let mut files = unitvec_shaders::folder(language)?;
-    let module = |family: &&str| {
+    let module = |family: &&str| -> Result<(String, String)> {
         let text =
             files.remove(&format!("{folder}{family}.{}", language.extension())).ok_or("no such module")?;
         Ok(((*family).to_owned(), text))
