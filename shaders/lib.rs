@@ -19,6 +19,9 @@
 //! assert_eq!(kernels[..4], 0x0723_0203u32.to_le_bytes());
 //! # Ok::<(), &str>(())
 //! ```
+//!
+//! With the feature `languages`, `folder` makes the files of languages that are not embedded: WGSL's modules in WESL and for
+//! naga_oil.
 
 use include_dir::{Dir, include_dir};
 
@@ -26,9 +29,9 @@ static GLSL: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/glsl");
 static SHADERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/shaders");
 static SPIRV: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/spirv");
 
-/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, the same without any `#include`
-/// in `flat/`, kernels over them in `kernels/`, the functions that people commonly write today in `textbook/`, only to
-/// measure against.
+/// The text of a file of `glsl/`: `unitvec/oct.glsl`. The includes are in `unitvec/`, each alone with what it needs in
+/// `flat/`, kernels over them in `kernels/`, the functions that people commonly write today in `textbook/`, only to measure
+/// against.
 pub fn glsl(path: &str) -> Option<&'static str> {
     GLSL.get_file(path)?.contents_utf8()
 }
@@ -41,8 +44,30 @@ pub fn shader(path: &str) -> Option<&'static str> {
     path.contains('/').then(|| SHADERS.get_file(path)?.contents_utf8()).flatten()
 }
 
+#[cfg(feature = "languages")]
+pub use unitvec_languages::{Error, Language};
+
+/// The files of a language, by their paths in its folder: `oct.wesl`, `exact/oct.wesl`. They are made from the GLSL, so that
+/// there are those of languages without a folder in `shaders/`, too.
+///
+/// ```
+/// use unitvec_shaders::Language;
+///
+/// // For a build script: modules of WESL, to be written to a folder of shaders.
+/// let files = unitvec_shaders::folder(Language::Wesl)?;
+/// assert!(files["exact/oct.wesl"].contains("fn oct16_encode(v: vec3f) -> u32"));
+/// # Ok::<(), unitvec_shaders::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error`], which tests rule out.
+#[cfg(feature = "languages")]
+pub fn folder(language: Language) -> Result<std::collections::BTreeMap<String, String>, Error> {
+    unitvec_languages::Library::parse(glsl)?.folder(language)
+}
+
 /// A file of `spirv/`: `kernels/oct16.spv`; `unitvec.spv`, all codecs as functions to link with; `manifest.json` and its
-/// schema, `manifest.schema.json`; `best_fit_table.bin`, which two kernels read. The kernels in `cost/` are for measuring.
+/// schema, `manifest.schema.json`; `best_fit_table.bin`, which two kernels read.
 pub fn spirv(path: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(path)?.contents())
 }

@@ -5,8 +5,11 @@ use serde_json::{Value, json};
 use std::collections::HashMap;
 use std::path::Path;
 use unitvec::angle_deg;
-use unitvec_catalogue::{CODECS, Domain, Element, Operation, frames, vectors};
+use unitvec_catalogue::Element;
+use unitvec_catalogue::Operation;
+use unitvec_catalogue::{CODECS, Domain, find, frames, vectors};
 use unitvec_mesh as mesh;
+use unitvec_run::glsl::Compiler;
 use unitvec_run::sampling;
 use unitvec_tests::program::{command, run, run_with_input, stderr, stdout};
 use unitvec_tests::{BACKENDS, repository};
@@ -577,11 +580,14 @@ fn bench_reports_every_operation_and_backend() {
     let folder = tempfile::tempdir().unwrap();
     let [json, csv, markdown] =
         ["json", "csv", "md"].map(|kind| folder.path().join(format!("report.{kind}")));
+    cost_kernels(folder.path(), &["oct32", "oct16", "snorm8x3p", "frame64"]);
     let output = run([
         "bench",
         "--device",
         "llvmpipe",
         "--validate",
+        "--cost-kernels",
+        path(folder.path()),
         "--count",
         "4099",
         "--samples",
@@ -625,4 +631,61 @@ fn bench_reports_every_operation_and_backend() {
     assert_eq!(rows[0]["survey_ns_per_vector"].as_f64(), Some(0.023132));
     assert_eq!(std::fs::read_to_string(&csv).unwrap().lines().count(), 14);
     assert_eq!(std::fs::read_to_string(&markdown).unwrap().matches("\n| `").count(), 3);
+}
+
+/// Kernels that measure, compiled from GLSL, in a folder as `cargo xtask spirv --cost` writes those from Rust.
+#[cfg(feature = "glsl")]
+fn cost_kernels(folder: &Path, ids: &[&str]) {
+    let compiler = Compiler::new().unwrap();
+    let write = |name: String, module: Vec<u8>| {
+        let name = format!("{name}_cost");
+        std::fs::write(folder.join(format!("{name}.spv")), with_entry_point(&module, &name)).unwrap();
+    };
+    for operation in Operation::ALL {
+        write(format!("baseline_{operation}"), compiler.baseline_kernel(operation).unwrap());
+        for format in ids.iter().map(|id| find(id).unwrap()) {
+            write(format.function(operation), compiler.cost_kernel(format, operation).unwrap());
+        }
+    }
+}
+
+/// A module whose only entry point, `main`, has another name.
+#[cfg(feature = "glsl")]
+fn with_entry_point(module: &[u8], name: &str) -> Vec<u8> {
+    const OP_ENTRY_POINT: [u8; 2] = [15, 0];
+    let main = module.windows(8).position(|bytes| bytes == b"main\0\0\0\0").unwrap();
+    assert_eq!(module[main - 12..][..2], OP_ENTRY_POINT);
+    let mut words = name.as_bytes().to_vec();
+    words.resize(name.len() / 4 * 4 + 4, 0);
+    let length = u16::from_le_bytes([module[main - 10], module[main - 9]]) as usize + words.len() / 4 - 2;
+    let mut renamed = [&module[..main], &words, &module[main + 8..]].concat();
+    renamed[main - 10..main - 8].copy_from_slice(&(length as u16).to_le_bytes());
+    renamed
+}
+
+/// Without the kernels from Rust that measure, those from GLSL are measured; where one is missing, the command that builds it is
+/// named.
+#[cfg(feature = "glsl")]
+#[test]
+fn bench_says_how_to_build_the_kernels_that_measure() {
+    let folder = tempfile::tempdir().unwrap();
+    let [json, none] = ["report.json", "none"].map(|name| folder.path().join(name));
+    let few = ["bench", "--device", "llvmpipe", "--count", "100", "--samples", "1", "--codec", "oct16"];
+    let output = run([&few[..], &["--json", path(&json)]].concat());
+    assert!(output.status.success(), "{}", stderr(&output));
+    assert!(stdout(&output).contains("cargo xtask spirv --cost"), "{}", stdout(&output));
+    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    for row in report["rows"].as_array().unwrap() {
+        assert_eq!(row["alu_ratio_to_oct32"].is_number(), row["backend"] == "glsl", "{row}");
+    }
+    let chosen = run(["choose", "--max-error", "1", "--bits", "16", "--json", "--costs", path(&json)]);
+    let chosen: Value = serde_json::from_slice(&chosen.stdout).unwrap();
+    assert_eq!(
+        (&chosen["candidates"][0]["id"], chosen["candidates"][0]["encode_cost"].is_number()),
+        (&json!("oct16"), true)
+    );
+    let refused = run([&few[..], &["--cost-kernels", path(&none)]].concat());
+    assert_eq!(refused.status.code(), Some(1));
+    let said = stderr(&refused);
+    assert!(said.lines().count() == 1 && said.contains("`cargo xtask spirv --cost` builds it"), "{said}");
 }

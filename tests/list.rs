@@ -18,13 +18,11 @@ use unitvec_tests::repository;
 /// Whether a codec has something, by its identifier.
 type Has = Box<dyn Fn(&str) -> bool>;
 
-/// Every codec of vectors and of frames has its two SPIR-V kernels and those that measure them, GLSL functions, an oracle of
-/// as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named.
+/// Every codec of vectors and of frames has its two SPIR-V kernels, GLSL functions, an oracle of as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named.
 #[test]
 fn nothing_is_lacking() {
-    let has: [(&str, Has); 6] = [
-        ("SPIR-V kernels", has_kernels("")),
-        ("SPIR-V kernels that measure", has_kernels("_cost")),
+    let has: [(&str, Has); 5] = [
+        ("SPIR-V kernels", has_kernels()),
         ("a digest in vectors/digests.csv", is_among(digests())),
         ("a row of `unitvec accuracy`", is_among(measured())),
         ("a measured error in docs/data/accuracy.csv", is_among(rows("docs/data/accuracy.csv"))),
@@ -81,11 +79,9 @@ fn all_files_of_tests_are_run() {
     }
 }
 
-fn has_kernels(suffix: &'static str) -> Has {
+fn has_kernels() -> Has {
     let modules = Modules::open(None).unwrap();
-    Box::new(move |id| {
-        ["encode", "decode"].iter().all(|half| modules.load(&format!("{id}_{half}{suffix}")).is_ok())
-    })
+    Box::new(move |id| ["encode", "decode"].iter().all(|half| modules.load(&format!("{id}_{half}")).is_ok()))
 }
 
 fn digests() -> BTreeSet<String> {

@@ -47,27 +47,20 @@ fn render_modules_are_built_from_the_sources_as_they_are() {
     assert_eq!(shaders::sources_sha256(), Some(sources.as_str()), "run `cargo xtask spirv`");
 }
 
-/// Two modules of two entry points a codec, the two baselines, and the decoder by table.
+/// A module of two entry points a codec, and the decoder by table.
 #[test]
-fn the_manifest_lists_two_modules_of_every_codec() {
+fn the_manifest_lists_a_module_of_every_codec() {
     let manifest = manifest();
     let mut expected = BTreeSet::from(["kernels/decode_by_table.spv".to_owned()]);
-    let codecs = CODECS.iter().map(|format| (format.id, Some(format.id)));
-    for (name, id) in codecs.chain([("baseline", None)]) {
-        for (folder, suffix) in [("kernels", ""), ("cost", "_cost")] {
-            if id.is_none() && folder == "kernels" {
-                continue;
-            }
-            let file = format!("{folder}/{name}.spv");
-            let module = manifest.modules.iter().find(|module| module.file == file);
-            let module = module.unwrap_or_else(|| panic!("no module {file}"));
-            assert_eq!(module.codec.as_ref().map(|codec| codec.id.as_str()), id, "{file}");
-            let actual = module.entry_points.iter().map(|entry| (entry.name.clone(), entry.operation));
-            let entry_point = |operation| (format!("{name}_{operation}{suffix}"), operation);
-            let both = Operation::ALL.map(entry_point);
-            assert_eq!(actual.collect::<Vec<_>>(), both, "{file}");
-            expected.insert(file);
-        }
+    for format in &CODECS {
+        let file = format!("kernels/{}.spv", format.id);
+        let module = manifest.modules.iter().find(|module| module.file == file);
+        let module = module.unwrap_or_else(|| panic!("no module {file}"));
+        assert_eq!(module.codec.as_ref().map(|codec| codec.id.as_str()), Some(format.id), "{file}");
+        let actual = module.entry_points.iter().map(|entry| (entry.name.clone(), entry.operation));
+        let both = Operation::ALL.map(|operation| (format.function(operation), operation));
+        assert_eq!(actual.collect::<Vec<_>>(), both, "{file}");
+        expected.insert(file);
     }
     let listed: BTreeSet<String> = manifest.modules.into_iter().map(|module| module.file).collect();
     assert_eq!(listed, expected);
@@ -127,20 +120,21 @@ fn the_schema_is_that_of_the_manifest() {
     assert!(serde_json::from_str::<Manifest>(&with_another).is_err());
 }
 
-/// The files that the manifest lists, with the SHA-256 that it says, the schema, and nothing else.
+/// The files that the manifest lists, with the SHA-256 that it says, the schema, what says that they are generated, and nothing
+/// else.
 #[test]
 fn the_folder_holds_what_the_manifest_lists() {
     let manifest = manifest();
     let modules = manifest.modules.iter().map(|module| (&module.file, &module.sha256));
     let tables = manifest.tables.iter().map(|table| (&table.file, &table.sha256));
     let library = [(&manifest.library.file, &manifest.library.sha256)];
-    let mut expected = BTreeSet::from(["manifest.json", SCHEMA, "cost", "kernels"].map(str::to_owned));
+    let mut expected = BTreeSet::from(["README.md", "manifest.json", SCHEMA, "kernels"].map(str::to_owned));
     for (file, sha256) in modules.chain(tables).chain(library) {
         assert_eq!(*sha256, sha256_hex(&std::fs::read(folder().join(file)).unwrap()), "{file}");
         expected.insert(file.clone());
     }
     let mut actual = BTreeSet::new();
-    for part in ["", "cost", "kernels"] {
+    for part in ["", "kernels"] {
         for entry in std::fs::read_dir(folder().join(part)).unwrap() {
             let name = entry.unwrap().file_name().into_string().unwrap();
             actual.insert(if part.is_empty() { name } else { format!("{part}/{name}") });
@@ -293,7 +287,7 @@ fn the_library_exports_the_functions_of_all_codecs() {
 }
 
 /// What a host has to know: names, workgroups, and of each buffer whether it is only read, and its array's element:
-/// a word, but for cost kernels what a vector takes.
+/// a word.
 #[test]
 fn entry_points_are_as_the_manifest_says() {
     let interfaces = manifest().interfaces;
@@ -318,18 +312,15 @@ fn entry_points_are_as_the_manifest_says() {
             let actual = spirv.buffers(function);
             let found = actual.iter().map(|&(set, binding, is_read, _)| (set, binding, is_read));
             assert_eq!(found.collect::<Vec<_>>(), expected.collect::<Vec<_>>(), "{name}");
-            let is_cost = module.file.starts_with("cost/");
-            let group = if is_cost { 1 } else { GROUP };
-            assert_eq!(interface.vectors_per_workgroup as usize, group * WORKGROUP, "{name}");
+            assert_eq!(interface.vectors_per_workgroup as usize, GROUP * WORKGROUP, "{name}");
             for (buffer, binding) in actual.iter().zip(&interface.bindings[..2]) {
-                let element = if is_cost { binding.bytes_per_vector } else { Some(binding.size_multiple) };
-                assert_eq!(Some(buffer.3), element, "{name}");
+                assert_eq!(buffer.3, binding.size_multiple, "{name}");
             }
         }
     }
 }
 
-/// Those of an entry point's interface, with their defaults: `whole_groups` of all but cost kernels.
+/// Those of an entry point's interface, with their defaults: `whole_groups`.
 #[test]
 fn specialization_constants_are_those_of_the_manifest() {
     let interfaces = manifest().interfaces;
@@ -338,8 +329,7 @@ fn specialization_constants_are_those_of_the_manifest() {
         let of_module: Vec<(u32, u32)> = constants
             .map(|operands| (spirv.decoration(operands[1], SPEC_ID).unwrap()[0], operands[2]))
             .collect();
-        let expected = if module.file.starts_with("cost/") { vec![] } else { vec![(0, 0)] };
-        assert_eq!(of_module, expected, "{}", module.file);
+        assert_eq!(of_module, [(0, 0)], "{}", module.file);
         for entry in &module.entry_points {
             let listed = &interfaces[&entry.interface].specialization_constants;
             let listed = listed.iter().map(|constant| (constant.id, constant.default));

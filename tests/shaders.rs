@@ -5,7 +5,7 @@ use unitvec_catalogue::{CODECS, Operation, find};
 use unitvec_run::backend::{Backend, BackendKind};
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Options, Plan};
-use unitvec_run::shader::{Edition, Language, LanguageGpu, compile, kernel, text};
+use unitvec_run::shader::{Edition, Language, LanguageGpu, compile, kernel, library, text};
 use unitvec_tests::program::{run, stderr, stdout};
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 use unitvec_vulkan::Device;
@@ -122,6 +122,34 @@ fn a_file_gets_the_text_of_all_codecs() {
     for function in functions {
         assert!(text.contains(&format!(" {function}(")), "{function}");
     }
+}
+
+/// A folder gets the files of all families, in both editions: of GLSL, which has no other, the includes but for where lines break.
+#[test]
+fn a_folder_gets_the_files_of_all_families() {
+    let folder = tempfile::tempdir().unwrap();
+    for language in Language::ALL {
+        let to = folder.path().join("shaders").join(language.id());
+        let output = run(["shader", "--language", language.id(), "--all", "-o", to.to_str().unwrap()]);
+        assert!(output.status.success(), "{}", stderr(&output));
+        let files = library().unwrap().folder(language).unwrap();
+        assert!(files.len() > 20 && stdout(&output).contains(&format!("{} files", files.len())));
+        for (name, text) in files {
+            assert_eq!(std::fs::read_to_string(to.join(&name)).unwrap(), text, "{name}");
+            let committed = unitvec_shaders::shader(&format!("{}/{name}", language.id()));
+            assert!(committed.is_none_or(|committed| committed == text), "{name}");
+        }
+    }
+    let file = folder.path().join("file");
+    std::fs::write(&file, "mine").unwrap();
+    for (to, status, part) in [(file.to_str().unwrap(), 1, "a file stands"), ("-", 2, "name a folder")] {
+        let refused = run(["shader", "--language", "wesl", "--all", "-o", to]);
+        assert_eq!(refused.status.code(), Some(status));
+        let said = stderr(&refused);
+        assert!(said.lines().count() == 1 && said.contains(part), "{said}");
+    }
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "mine");
+    assert_eq!(run(["shader", "--language", "wesl", "--all"]).status.code(), Some(2));
 }
 
 /// All languages and codecs are in the list.

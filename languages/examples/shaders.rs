@@ -1,5 +1,5 @@
-//! Writes `shaders/` from `glsl/unitvec/`, for `cargo xtask shaders`. With `--check` it writes nothing, and fails where
-//! a file is not the one it would write.
+//! Writes `shaders/` and `glsl/flat/` from `glsl/unitvec/`: what `cargo xtask shaders` runs. With `--check` it writes nothing,
+//! and fails where a file is not the one it would write.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -14,18 +14,17 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(other) => return Err(format!("unknown argument `{other}`; there is --check").into()),
     };
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-    let texts = translations(&repository.join("glsl/unitvec"))?;
-    let shaders = repository.join("shaders");
-    let stale = stale(&shaders, &texts)?;
+    let texts = texts(&repository)?;
+    let stale = stale(&repository, &texts)?;
     if let (true, Some(first)) = (is_check, stale.first()) {
         let number = stale.len();
         return Err(format!(
-            "{number} files of shaders/ are not what glsl/unitvec/ gives, {first} among them; `cargo xtask shaders` writes them"
+            "{number} files are not what glsl/unitvec/ gives, {first} among them; `cargo xtask shaders` writes them"
         )
         .into());
     }
     for path in &stale {
-        let file = shaders.join(path);
+        let file = repository.join(path);
         match texts.get(path) {
             Some(text) => {
                 fs::create_dir_all(file.parent().unwrap_or(&file))?;
@@ -34,34 +33,40 @@ fn main() -> Result<(), Box<dyn Error>> {
             None => fs::remove_file(&file)?,
         }
     }
-    println!("shaders/: {} files, {} of them changed", texts.len(), stale.len());
+    println!("shaders/, glsl/flat/: {} files, {} of them changed", texts.len(), stale.len());
     Ok(())
 }
 
-/// All expected files, by their paths.
-fn translations(glsl: &Path) -> Result<BTreeMap<String, String>, Box<dyn Error>> {
+/// All expected files, by their paths in the repository.
+fn texts(repository: &Path) -> Result<BTreeMap<String, String>, Box<dyn Error>> {
     let mut sources = BTreeMap::new();
-    for entry in fs::read_dir(glsl)? {
+    for entry in fs::read_dir(repository.join("glsl/unitvec"))? {
         let entry = entry?;
         let name = entry.file_name().to_string_lossy().into_owned();
         sources.insert(format!("unitvec/{name}"), fs::read_to_string(entry.path())?);
     }
     let library = Library::parse(|path| sources.get(path).map(String::as_str))?;
-    Ok(library.translations()?)
+    let mut texts = BTreeMap::new();
+    let mut add = |folder: &str, files: BTreeMap<String, String>| {
+        texts.extend(files.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text)));
+    };
+    add("glsl/flat", library.flat()?);
+    for language in Language::ALL.into_iter().filter(|language| language.is_committed()) {
+        add(&format!("shaders/{}", language.id()), library.folder(language)?);
+    }
+    Ok(texts)
 }
 
 /// The paths of files that are missing, different or unexpected.
-fn stale(shaders: &Path, texts: &BTreeMap<String, String>) -> Result<BTreeSet<String>, Box<dyn Error>> {
+fn stale(repository: &Path, texts: &BTreeMap<String, String>) -> Result<BTreeSet<String>, Box<dyn Error>> {
     let differs = |(path, text): (&String, &String)| {
-        let current = fs::read_to_string(shaders.join(path));
+        let current = fs::read_to_string(repository.join(path));
         (current.ok().as_ref() != Some(text)).then(|| path.clone())
     };
     let mut stale: BTreeSet<String> = texts.iter().filter_map(differs).collect();
-    let languages = Language::ALL.into_iter().filter(|language| *language != Language::Glsl);
-    for folder in languages
-        .flat_map(|language| language.editions().iter().map(move |edition| language.folder(*edition)))
-    {
-        let Ok(entries) = fs::read_dir(shaders.join(&folder)) else { continue };
+    let folders: BTreeSet<&str> = texts.keys().filter_map(|path| Some(path.rsplit_once('/')?.0)).collect();
+    for folder in folders {
+        let Ok(entries) = fs::read_dir(repository.join(folder)) else { continue };
         for entry in entries {
             let entry = entry?;
             let path = format!("{folder}/{}", entry.file_name().to_string_lossy());

@@ -65,12 +65,10 @@ impl Language {
         }
     }
 
-    /// The folder of an edition's files in `shaders/`.
-    pub fn folder(self, edition: Edition) -> String {
-        match edition {
-            Edition::Plain => self.id().to_owned(),
-            Edition::Exact => format!("{}/exact", self.id()),
-        }
+    /// True for the languages whose files are committed, in `shaders/`. GLSL is the source, and WGSL's modules differ from its
+    /// files in a few lines: those are made on demand.
+    pub const fn is_committed(self) -> bool {
+        !matches!(self, Self::Glsl | Self::NagaOil | Self::Wesl)
     }
 
     /// Its name in sentences.
@@ -176,6 +174,16 @@ impl Language {
             Self::Msl => OF_MSL,
         };
         words.split_whitespace().any(|word| word == name)
+    }
+}
+
+impl Edition {
+    /// The folder of its files in a language's folder, with a slash; none for the plain one.
+    pub const fn folder(self) -> &'static str {
+        match self {
+            Self::Plain => "",
+            Self::Exact => "exact/",
+        }
     }
 }
 

@@ -1,15 +1,21 @@
 //! The GLSL includes of `unitvec` in other shading languages: HLSL, WGSL, Slang, MSL, GLSL ES and Godot's,
 //! and WGSL as modules for naga_oil and in WESL.
 //!
-//! A [`Library`] parses the includes once. [`Library::file`] gives each in another language, with its functions, names
-//! and comments; [`Library::excerpt`] only some functions and what they need.
+//! A [`Library`] parses the includes once. [`Library::folder`] gives all of them in another language, with their functions,
+//! names and comments; [`Library::excerpt`] only some functions and what they need; [`Library::flat`] the families in GLSL
+//! without any include.
 //!
 //! ```
 //! use unitvec_languages::{Edition, Language, Library};
 //!
-//! let library = Library::parse(unitvec_shaders::glsl)?;
-//! let text = library.excerpt(&["oct16_encode"], Language::Wgsl, Edition::Plain)?;
-//! assert!(text.contains("fn oct16_encode(v: vec3f) -> u32 {"));
+//! // The includes of `unitvec` are in the crate `unitvec-shaders`: `Library::parse(unitvec_shaders::glsl)`.
+//! let library = Library::parse(|path| match path {
+//!     "unitvec/unitvec.glsl" => Some("#include \"half.glsl\"\n"),
+//!     "unitvec/half.glsl" => Some("float half_of(float x) {\n    return 0.5 * x;\n}\n"),
+//!     _ => None,
+//! })?;
+//! let text = library.excerpt(&["half_of"], Language::Wgsl, Edition::Plain)?;
+//! assert!(text.contains("fn half_of(x: f32) -> f32 {"));
 //! # Ok::<(), unitvec_languages::Error>(())
 //! ```
 //!
@@ -17,6 +23,7 @@
 //! no intermediate representation: the text that a person wrote stays, so that it can be read and compared with its
 //! source.
 
+mod flat;
 mod language;
 mod lex;
 mod parse;
@@ -101,6 +108,10 @@ impl Library {
         Ok(library)
     }
 
+    fn items(&self) -> impl Iterator<Item = &Item> {
+        self.files.iter().flat_map(|file| &file.items)
+    }
+
     fn has(&self, name: &str) -> bool {
         self.files.iter().any(|file| file.name == name)
     }
@@ -129,19 +140,17 @@ impl Library {
         Ok(printer.finish())
     }
 
-    /// All files in all languages but GLSL, by their paths in `shaders/`: `hlsl/oct.hlsl`, `wgsl/exact/oct.wgsl`.
+    /// All files in a language, by their paths in its folder: `oct.wesl`, `exact/oct.wesl`.
     ///
     /// # Errors
     /// [`Error::Reserved`].
-    pub fn translations(&self) -> Result<BTreeMap<String, String>, Error> {
+    pub fn folder(&self, language: Language) -> Result<BTreeMap<String, String>, Error> {
         let mut texts = BTreeMap::new();
-        for language in Language::ALL.into_iter().filter(|language| *language != Language::Glsl) {
-            for edition in language.editions() {
-                for file in self.files() {
-                    if let Some(name) = self.file_name(file, language) {
-                        let path = format!("{}/{name}", language.folder(*edition));
-                        texts.insert(path, self.file(file, language, *edition)?);
-                    }
+        for edition in language.editions() {
+            for file in self.files() {
+                if let Some(name) = self.file_name(file, language) {
+                    let path = format!("{}{name}", edition.folder());
+                    texts.insert(path, self.file(file, language, *edition)?);
                 }
             }
         }
@@ -153,7 +162,14 @@ impl Library {
     /// # Errors
     /// [`Error::NoFunction`], or [`Error::Reserved`].
     pub fn excerpt(&self, functions: &[&str], language: Language, edition: Edition) -> Result<String, Error> {
-        let needed = self.needed(functions, language, edition)?;
+        let is_declared = |name: &str| {
+            self.items()
+                .any(|item| matches!(&item.kind, ItemKind::Function(function) if function.name == name))
+        };
+        if let Some(unknown) = functions.iter().find(|name| !is_declared(name)) {
+            return Err(Error::NoFunction((*unknown).to_owned()));
+        }
+        let needed = self.closure(functions.to_vec(), language, edition);
         let mut printer = Printer::new(language, edition, &self.declared);
         printer.prelude();
         for file in &self.files {
@@ -177,31 +193,23 @@ impl Library {
         Ok(printer.finish())
     }
 
-    /// The names that these functions need, their own included.
-    fn needed<'a>(
+    /// The names that these names need, themselves included.
+    fn closure<'a>(
         &'a self,
-        functions: &[&'a str],
+        mut open: Vec<&'a str>,
         language: Language,
         edition: Edition,
-    ) -> Result<BTreeSet<&'a str>, Error> {
-        let items = self.files.iter().flat_map(|file| &file.items);
+    ) -> BTreeSet<&'a str> {
         let by_name: HashMap<&str, &Item> =
-            items.filter_map(|item| Some((item.kind.name()?, item))).collect();
+            self.items().filter_map(|item| Some((item.kind.name()?, item))).collect();
         let mut needed = BTreeSet::new();
-        let mut open: Vec<&str> = Vec::new();
-        for name in functions {
-            match by_name.get(name) {
-                Some(Item { kind: ItemKind::Function(function), .. }) => open.push(&function.name),
-                _ => return Err(Error::NoFunction((*name).to_owned())),
-            }
-        }
         while let Some(name) = open.pop() {
             let Some(item) = by_name.get(name) else { continue };
             if needed.insert(name) {
                 open.extend(item.kind.names_used(&|condition| language.written().branch(edition, condition)));
             }
         }
-        Ok(needed)
+        needed
     }
 }
 

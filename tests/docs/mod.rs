@@ -10,7 +10,6 @@ pub mod costs;
 mod dither;
 mod drivers;
 mod engines;
-mod flat;
 mod imprecise;
 mod languages;
 mod pictures;

@@ -30,11 +30,12 @@ usage: cargo xtask <command>
        [--widest | --codec ID...]            codecs, and compare with the CPU; --all fails where one cannot be had, as
                                              with CI set; --record writes what the docs say of it
   setup                                      install what is missing, and nothing else
-  spirv [--check] [--render] | --example     test the SPIR-V passes, then rebuild spirv/ and the renderer's modules with
-                                             rust-gpu; --check compares instead, and builds examples/rust-gpu; --render
-                                             leaves spirv/ out, --example builds the example alone
-  shaders [--check]                          write shaders/ in all shading languages from glsl/unitvec/; --check compares
-                                             instead
+  spirv [--check] [--render] | --cost |      test the SPIR-V passes, then rebuild spirv/ and the renderer's modules with
+        --example                            rust-gpu; --check compares instead, and builds examples/rust-gpu; --render
+                                             leaves spirv/ out; --cost builds the kernels that `unitvec bench`
+                                             measures, into target/spirv-cost; --example builds the example alone
+  shaders [--check]                          write shaders/ in all shading languages, and glsl/flat/, from glsl/unitvec/;
+                                             --check compares instead
   examples [--all]                           install what is missing, then run the program on wgpu and the page for
                                              browsers of examples/; --all fails where no browser can be had, as with CI set
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by

@@ -8,8 +8,8 @@ use std::process::Command;
 /// What is published, in the order of the dependencies.
 const PACKAGES: [&str; 15] = [
     "unitvec",
-    "unitvec-shaders",
     "unitvec-languages",
+    "unitvec-shaders",
     "unitvec-oracle",
     "unitvec-catalogue",
     "unitvec-files",

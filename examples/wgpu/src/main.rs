@@ -10,6 +10,7 @@ use gpu::{Binding, Gpu};
 use std::borrow::Cow;
 use std::process::ExitCode;
 use unitvec::{Codec, Oct32};
+use unitvec_shaders::Language;
 use wgpu::ShaderSource;
 
 type Result<T, E = Box<dyn std::error::Error>> = std::result::Result<T, E>;
@@ -18,14 +19,6 @@ type Result<T, E = Box<dyn std::error::Error>> = std::result::Result<T, E>;
 const WGSL: [&str; 2] = [
     include_str!("../../../shaders/wgsl/exact/arith.wgsl"),
     include_str!("../../../shaders/wgsl/exact/oct.wgsl"),
-];
-const NAGA_OIL: [(&str, &str); 2] = [
-    ("arith.wgsl", include_str!("../../../shaders/naga-oil/exact/arith.wgsl")),
-    ("oct.wgsl", include_str!("../../../shaders/naga-oil/exact/oct.wgsl")),
-];
-const WESL: [(&str, &str); 2] = [
-    ("arith", include_str!("../../../shaders/wesl/exact/arith.wesl")),
-    ("oct", include_str!("../../../shaders/wesl/exact/oct.wesl")),
 ];
 const SPIRV: &[u8] = include_bytes!("../../../spirv/kernels/oct32.spv");
 const SHADER: &str = include_str!("normals.wgsl");
@@ -58,10 +51,13 @@ fn run() -> Result<bool> {
     let normals = normals();
     let expected = on_cpu(&normals);
     let import = "unitvec::oct::{oct32_encode, oct32_decode}";
+    let families = ["arith", "oct"];
+    let [oil, wesl] =
+        [Language::NagaOil, Language::Wesl].map(|language| modules::of(language, "exact/", &families));
     let texts = [
         ("WGSL", [WGSL[0], WGSL[1], SHADER].concat()),
-        ("naga_oil", modules::naga_oil(&format!("#import {import}\n{SHADER}"), &NAGA_OIL)?),
-        ("WESL", modules::wesl(&format!("import package::{import};\n{SHADER}"), &WESL)?),
+        ("naga_oil", modules::naga_oil(&format!("#import {import}\n{SHADER}"), &oil?)?),
+        ("WESL", modules::wesl(&format!("import package::{import};\n{SHADER}"), &wesl?)?),
     ];
     let mut agree = true;
     for (name, text) in texts {

@@ -4,11 +4,22 @@ use crate::Result;
 use naga::back::wgsl;
 use naga::valid::{Capabilities, ValidationFlags, Validator};
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor};
+use unitvec_shaders::Language;
 use wesl::syntax::ModulePath;
 
-/// A shader that imports modules of `shaders/naga-oil`, composed, as WGSL. Each of the modules stands after those that it
-/// imports.
-pub fn naga_oil(shader: &str, modules: &[(&str, &str)]) -> Result<String> {
+/// The modules of these families, by name, from a folder that the crate `unitvec-shaders` makes.
+pub fn of(language: Language, folder: &str, families: &[&str]) -> Result<Vec<(String, String)>> {
+    let mut files = unitvec_shaders::folder(language)?;
+    let module = |family: &&str| -> Result<(String, String)> {
+        let text =
+            files.remove(&format!("{folder}{family}.{}", language.extension())).ok_or("no such module")?;
+        Ok(((*family).to_owned(), text))
+    };
+    families.iter().map(module).collect()
+}
+
+/// A shader that imports modules for naga_oil, composed, as WGSL. Each of the modules stands after those that it imports.
+pub fn naga_oil(shader: &str, modules: &[(String, String)]) -> Result<String> {
     let mut composer = Composer::default();
     for (path, source) in modules {
         let module = ComposableModuleDescriptor { source, file_path: path, ..Default::default() };
@@ -25,12 +36,12 @@ pub fn naga_oil(shader: &str, modules: &[(&str, &str)]) -> Result<String> {
     Ok(wgsl::write_string(&module, &info, wgsl::WriterFlags::empty())?)
 }
 
-/// A shader that imports modules of `shaders/wesl`, which lie in the package's folder `unitvec`, as WGSL.
-pub fn wesl(shader: &str, modules: &[(&str, &str)]) -> Result<String> {
+/// A shader that imports modules of WESL, which lie in the package's folder `unitvec`, as WGSL.
+pub fn wesl(shader: &str, modules: &[(String, String)]) -> Result<String> {
     let mut files = wesl::VirtualResolver::new();
     let path = |name: &str| name.parse::<ModulePath>().map_err(|error| error.to_string());
     for (name, text) in modules {
-        files.add_module(path(&format!("package::unitvec::{name}"))?, (*text).into());
+        files.add_module(path(&format!("package::unitvec::{name}"))?, text.as_str().into());
     }
     let main = path("package::normals")?;
     files.add_module(main.clone(), shader.into());
@@ -44,21 +55,15 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    /// The modules of a folder of `shaders/`, each after those that it imports, by their names without the ending.
-    fn modules(folder: &str, ending: &str) -> Vec<(String, String)> {
+    /// All modules of an edition, each after those that it imports.
+    fn modules(language: Language, folder: &str) -> Vec<(String, String)> {
         let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
         let all = fs::read_to_string(repository.join("glsl/unitvec/unitvec.glsl")).unwrap();
         let names = all.lines().filter_map(|line| line.strip_prefix("#include \"")?.strip_suffix(".glsl\""));
-        let folder = repository.join("shaders").join(folder);
-        let read = |name: &str| fs::read_to_string(folder.join(format!("{name}.{ending}"))).unwrap();
-        let modules: Vec<_> = names.map(|name| (name.to_owned(), read(name))).collect();
-        let files = fs::read_dir(&folder).unwrap().filter(|entry| entry.as_ref().unwrap().path().is_file());
-        assert_eq!(modules.len(), files.count(), "{}", folder.display());
+        let names: Vec<&str> = names.collect();
+        let modules = of(language, folder, &names).unwrap();
+        assert_eq!(2 * modules.len(), unitvec_shaders::folder(language).unwrap().len());
         modules
-    }
-
-    fn borrowed(modules: &[(String, String)]) -> Vec<(&str, &str)> {
-        modules.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect()
     }
 
     /// The names and the parameters' types of a module's functions that are for users.
@@ -105,7 +110,7 @@ mod tests {
 
     /// A shader that imports and calls every function of every module. `import` makes the line that imports names from a
     /// module.
-    fn caller_of_all(modules: &[(&str, &str)], import: impl Fn(&str, &str) -> String) -> String {
+    fn caller_of_all(modules: &[(String, String)], import: impl Fn(&str, &str) -> String) -> String {
         let mut imports = String::new();
         let mut called = Vec::new();
         for (name, text) in &modules[1..] {
@@ -121,9 +126,8 @@ mod tests {
 
     #[test]
     fn naga_oil_composes_all_modules() {
-        for folder in ["naga-oil", "naga-oil/exact"] {
-            let modules = modules(folder, "wgsl");
-            let modules = borrowed(&modules);
+        for folder in ["", "exact/"] {
+            let modules = modules(Language::NagaOil, folder);
             let import = |name: &str, names: &str| format!("#import unitvec::{name}::{{{names}}}\n");
             validate(&naga_oil(&caller_of_all(&modules, import), &modules).unwrap());
         }
@@ -131,9 +135,8 @@ mod tests {
 
     #[test]
     fn wesl_composes_all_modules() {
-        for folder in ["wesl", "wesl/exact"] {
-            let modules = modules(folder, "wesl");
-            let modules = borrowed(&modules);
+        for folder in ["", "exact/"] {
+            let modules = modules(Language::Wesl, folder);
             let import = |name: &str, names: &str| format!("import package::unitvec::{name}::{{{names}}};\n");
             validate(&wesl(&caller_of_all(&modules, import), &modules).unwrap());
         }
@@ -148,11 +151,11 @@ mod tests {
         let main = "@compute @workgroup_size(1)\nfn main() { _ = loaded(stored(vec3f())); }\n";
         let [in_wesl, in_naga_oil, plain]: [String; 3] =
             blocks.map(|block| format!("{block}{main}")).collect::<Vec<_>>().try_into().unwrap();
-        let [wgsl, oil, files] = [("wgsl", "wgsl"), ("naga-oil", "wgsl"), ("wesl", "wesl")]
-            .map(|(folder, ending)| modules(folder, ending));
+        let [wgsl, oil, files] =
+            [Language::Wgsl, Language::NagaOil, Language::Wesl].map(|language| modules(language, ""));
         validate(&[wgsl[0].1.as_str(), &wgsl[1].1, &plain].concat());
-        validate(&naga_oil(&in_naga_oil, &borrowed(&oil)).unwrap());
+        validate(&naga_oil(&in_naga_oil, &oil).unwrap());
         let in_wesl: String = in_wesl.replace("package::shaders::", "package::");
-        validate(&wesl(&in_wesl, &borrowed(&files)).unwrap());
+        validate(&wesl(&in_wesl, &files).unwrap());
     }
 }

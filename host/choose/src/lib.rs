@@ -123,7 +123,11 @@ impl Costs {
         let report: Report = serde_json::from_slice(json)
             .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })?;
         let ratio = |row: ReportRow| Some((row.id, row.operation, row.alu_ratio_to_oct32?));
-        let rows = report.rows.into_iter().filter(|row| row.backend == BackendKind::Rust);
+        // Where arithmetic from Rust was not measured, that from GLSL counts.
+        let is_measured = |row: &ReportRow| row.alu_ratio_to_oct32.is_some();
+        let has = |kind| report.rows.iter().any(|row| row.backend == kind && is_measured(row));
+        let kind = if has(BackendKind::Rust) { BackendKind::Rust } else { BackendKind::Glsl };
+        let rows = report.rows.into_iter().filter(|row| row.backend == kind);
         Ok(Self::new(report.device.name, rows.filter_map(ratio)))
     }
 

@@ -4,10 +4,15 @@
 use crate::Result;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
+use std::path::PathBuf;
 use std::sync::Arc;
 use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{AnyCodec, Domain, Element, Operation};
+use unitvec_catalogue::AnyCodec;
+use unitvec_catalogue::Domain;
+use unitvec_catalogue::Element;
+use unitvec_catalogue::Operation;
 use unitvec_choose::REFERENCE;
+use unitvec_manifest::modules;
 use unitvec_manifest::modules::Modules;
 use unitvec_oracle::survey;
 use unitvec_run::backend::{BackendKind, KernelSource, decode_table};
@@ -26,6 +31,9 @@ pub struct Options {
     pub samples: usize,
     /// Dispatches of each shipped kernel.
     pub throughput_samples: usize,
+    /// The folder of kernels from Rust that measure arithmetic, which `cargo xtask spirv --cost` builds. They run as they are.
+    /// Without them the arithmetic of SPIR-V from GLSL alone is measured.
+    pub cost_kernels: Option<PathBuf>,
 }
 
 /// All that was measured.
@@ -97,9 +105,8 @@ pub struct Bench {
     sources: [KernelSource; 2],
     compiler: glsl::Compiler,
     best_fit_table: Table,
-    baselines: HashMap<(Operation, BackendKind), Kernel>,
-    /// Those of [`REFERENCE`].
-    references: HashMap<(Operation, BackendKind), Kernel>,
+    /// The baseline and the kernel of [`REFERENCE`].
+    references: HashMap<(Operation, BackendKind), [Kernel; 2]>,
     options: Options,
     vectors: Vec<[f32; 3]>,
     codes: Vec<u64>,
@@ -118,20 +125,21 @@ impl Bench {
             sources: [KernelSource::Rust(modules), KernelSource::Glsl(glsl::Compiler::new()?)],
             compiler: glsl::Compiler::new()?,
             best_fit_table,
-            baselines: HashMap::new(),
             references: HashMap::new(),
             vectors: sampling::random_directions(Domain::Sphere, 1).take(options.count).collect(),
             codes: sampling::random_codes(1).take(options.count).collect(),
             options,
         };
+        let reference = catalogue::find(REFERENCE)?;
         for operation in Operation::ALL {
-            for (backend, source) in BACKENDS.into_iter().zip(&bench.sources) {
-                let name = format!("baseline_{operation}_cost");
-                let compile = |compiler: &glsl::Compiler| compiler.baseline_kernel(operation);
-                let baseline = source.load(&bench.runner, &name, None, compile)?;
-                bench.baselines.insert((operation, backend), baseline);
-                let reference = bench.cost_kernel(source, catalogue::find(REFERENCE)?, operation)?;
-                bench.references.insert((operation, backend), reference);
+            for backend in bench.measured() {
+                let baseline =
+                    match bench.rust_cost_kernel(backend, &format!("baseline_{operation}"), None)? {
+                        Some(kernel) => kernel,
+                        None => bench.glsl_kernel(&bench.compiler.baseline_kernel(operation)?, None)?,
+                    };
+                let pair = [baseline, bench.cost_kernel(backend, reference, operation)?];
+                bench.references.insert((operation, backend), pair);
             }
         }
         Ok(bench)
@@ -150,13 +158,14 @@ impl Bench {
     pub fn measure(&mut self, format: &AnyCodec) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         for operation in Operation::ALL {
-            let [rust, glsl] = self.cost(format, operation)?;
+            let measured = self.cost(format, operation)?;
+            let of = |kind| measured.iter().find(|(backend, _)| *backend == kind).map(|(_, costs)| costs);
+            let (rust, glsl) = (of(BackendKind::Rust), of(BackendKind::Glsl));
             let speeds = self.throughput(format, operation)?;
             let traffic = (format.element.bytes() + format.bytes) as f64;
             for (backend, by_table, vectors_per_s) in speeds.kernels {
-                let costs = if backend == BackendKind::Rust { &rust } else { &glsl };
-                let costs = (!by_table).then_some(costs);
-                let to_glsl = || ratio(&rust.codec, &glsl.codec);
+                let costs = of(backend).filter(|_| !by_table);
+                let to_glsl = rust.zip(glsl).map(|(rust, glsl)| ratio(&rust.codec, &glsl.codec));
                 rows.push(Row {
                     id: format.id,
                     bits: format.bits,
@@ -166,7 +175,7 @@ impl Bench {
                     alu_ns_per_vector: costs.map(|costs| median(costs.codec.clone())),
                     alu_spread_ns: costs.map(|costs| spread(&costs.codec)),
                     alu_ratio_to_oct32: costs.map(|costs| ratio(&costs.codec, &costs.reference)),
-                    alu_ratio_to_glsl: (backend == BackendKind::Rust && !by_table).then(to_glsl),
+                    alu_ratio_to_glsl: to_glsl.filter(|_| backend == BackendKind::Rust && !by_table),
                     vectors_per_s,
                     bytes_per_s: vectors_per_s * traffic,
                     copy_bytes_per_s: speeds.copy * traffic,
@@ -177,22 +186,48 @@ impl Bench {
         Ok(rows)
     }
 
-    fn cost_kernel(&self, source: &KernelSource, format: &AnyCodec, operation: Operation) -> Result<Kernel> {
+    /// The backends whose arithmetic is measured.
+    fn measured(&self) -> impl Iterator<Item = BackendKind> + use<> {
+        let has_rust = self.options.cost_kernels.is_some();
+        BACKENDS.into_iter().filter(move |backend| has_rust || *backend == BackendKind::Glsl)
+    }
+
+    fn cost_kernel(&self, backend: BackendKind, format: &AnyCodec, operation: Operation) -> Result<Kernel> {
         let table = self.table_of(format, operation);
-        let compile = |compiler: &glsl::Compiler| compiler.cost_kernel(format, operation);
-        let name = format!("{}_cost", format.function(operation));
-        Ok(source.load(&self.runner, &name, table, compile)?)
+        match self.rust_cost_kernel(backend, &format.function(operation), table)? {
+            Some(kernel) => Ok(kernel),
+            None => self.glsl_kernel(&self.compiler.cost_kernel(format, operation)?, table),
+        }
+    }
+
+    /// The kernel that measures a function, where the backend is Rust and has one.
+    fn rust_cost_kernel(
+        &self,
+        backend: BackendKind,
+        function: &str,
+        table: Option<&Table>,
+    ) -> Result<Option<Kernel>> {
+        let (BackendKind::Rust, Some(folder)) = (backend, &self.options.cost_kernels) else {
+            return Ok(None);
+        };
+        let name = format!("{function}_cost");
+        let module = modules::cost_kernel(folder, &name)?;
+        Ok(Some(self.runner.kernel(&module, &name, table)?))
+    }
+
+    fn glsl_kernel(&self, module: &[u8], table: Option<&Table>) -> Result<Kernel> {
+        Ok(self.runner.kernel(module, glsl::ENTRY_POINT, table)?)
     }
 
     fn table_of(&self, format: &AnyCodec, operation: Operation) -> Option<&Table> {
         (operation == Operation::Encode && format.encodes_by_table).then_some(&self.best_fit_table)
     }
 
-    /// Costs of the kernels from Rust and from GLSL.
-    fn cost(&mut self, format: &AnyCodec, operation: Operation) -> Result<[Costs; 2]> {
-        let [rust, glsl] = &self.sources;
-        let rust = self.cost_kernel(rust, format, operation)?;
-        let glsl = self.cost_kernel(glsl, format, operation)?;
+    /// Costs of the kernels of each backend that is measured.
+    fn cost(&mut self, format: &AnyCodec, operation: Operation) -> Result<Vec<(BackendKind, Costs)>> {
+        let backends: Vec<BackendKind> = self.measured().collect();
+        let kernels = backends.iter().map(|backend| self.cost_kernel(*backend, format, operation));
+        let kernels = kernels.collect::<Result<Vec<Kernel>>>()?;
         let input: Vec<u8> = match operation {
             Operation::Encode => bytemuck::cast_slice(&self.vectors).to_vec(),
             Operation::Decode => {
@@ -201,16 +236,13 @@ impl Bench {
                 bytemuck::cast_slice(&words).to_vec()
             }
         };
-        let [of_rust, of_glsl] = BACKENDS.map(|backend| (operation, backend));
-        // What is compared is side by side.
-        let kernels = [
-            &self.baselines[&of_rust],
-            &self.references[&of_rust],
-            &rust,
-            &glsl,
-            &self.references[&of_glsl],
-            &self.baselines[&of_glsl],
-        ];
+        // What is compared is side by side: the codec's kernels are next to each other.
+        let mut order: Vec<(usize, usize, &Kernel)> = Vec::new();
+        for (index, (backend, kernel)) in backends.iter().zip(&kernels).enumerate() {
+            let [baseline, reference] = &self.references[&(operation, *backend)];
+            let parts = [baseline, reference, kernel];
+            order.extend(alternating(index, parts.len()).map(|part| (index, part, parts[part])));
+        }
         let (runner, count) = (&mut self.runner, self.options.count);
         let mut sums = vec![0; count * 4];
         let mut time = |kernel: &Kernel, repetitions| -> Result<f64> {
@@ -218,18 +250,18 @@ impl Bench {
             Ok(ns.ok_or_else(|| no_timestamps(runner))? / count as f64 / f64::from(REPETITIONS))
         };
         // Drivers compile at the first dispatch.
-        for kernel in kernels {
+        for (_, _, kernel) in &order {
             time(kernel, 4)?;
         }
-        let mut costs = [Costs::default(), Costs::default()];
+        let mut costs: Vec<_> = backends.into_iter().map(|backend| (backend, Costs::default())).collect();
         for sample in 0..self.options.samples {
-            let mut times = [0.0; 6];
-            for i in alternating(sample, kernels.len()) {
-                times[i] = time(kernels[i], REPETITIONS)?;
+            let mut times = vec![[0.0; 3]; costs.len()];
+            for (index, part, kernel) in alternating(sample, order.len()).map(|i| order[i]) {
+                times[index][part] = time(kernel, REPETITIONS)?;
             }
-            let [rust_baseline, rust_reference, rust, glsl, glsl_reference, glsl_baseline] = times;
-            costs[0].add(rust - rust_baseline, rust_reference - rust_baseline);
-            costs[1].add(glsl - glsl_baseline, glsl_reference - glsl_baseline);
+            for ((_, costs), [baseline, reference, codec]) in costs.iter_mut().zip(times) {
+                costs.add(codec - baseline, reference - baseline);
+            }
         }
         Ok(costs)
     }

@@ -122,8 +122,7 @@ pub struct EntryPoint {
     pub interface: String,
 }
 
-/// How to call a kernel. A vector is whatever it encodes or decodes: a frame, with codecs of frames. Kernels that measure,
-/// those in `cost/`, take three f32 of a frame as well.
+/// How to call a kernel. A vector is whatever it encodes or decodes: a frame, with codecs of frames.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Interface {
@@ -213,8 +212,6 @@ pub struct PushConstant {
 pub enum Constant {
     /// The number of vectors.
     Count,
-    /// How often each is encoded or decoded.
-    Repetitions,
 }
 
 /// A specialization constant.

@@ -30,6 +30,14 @@ pub enum Error {
         /// Cause.
         source: io::Error,
     },
+    /// A kernel that measures cannot be read.
+    #[error("kernel {} cannot be read ({source}); `cargo xtask spirv --cost` builds it", .path.display())]
+    NoCostKernel {
+        /// Its path.
+        path: PathBuf,
+        /// Cause.
+        source: io::Error,
+    },
     /// The manifest is not one.
     #[error("{} is not a manifest of SPIR-V modules ({reason}); `cargo xtask spirv` builds it", .path.display())]
     BadManifest {
@@ -144,6 +152,16 @@ impl Modules {
     fn not_listed(&self, name: &str) -> Error {
         Error::NotListed { folder: self.folder.shown(""), kernel: name.to_owned() }
     }
+}
+
+/// The kernel of this name that measures arithmetic, from a folder that `cargo xtask spirv --cost` wrote. The caller answers for
+/// its validity.
+///
+/// # Errors
+/// [`Error::NoCostKernel`].
+pub fn cost_kernel(folder: &Path, name: &str) -> Result<Vec<u8>, Error> {
+    let file = format!("{name}.spv");
+    read_inside(folder, &file).map_err(|source| Error::NoCostKernel { path: folder.join(file), source })
 }
 
 /// A folder of modules; without a path, the one inside the program.

@@ -13,7 +13,7 @@ const ALL: &str = "unitvec.glsl";
 /// Where the files of a language lie.
 pub fn folder(language: Language, edition: Edition) -> PathBuf {
     let repository = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
-    PathBuf::from(repository).join("shaders").join(language.folder(edition))
+    PathBuf::from(repository).join("shaders").join(language.id()).join(edition.folder())
 }
 
 /// A text that has all files, and calls every codec's functions.

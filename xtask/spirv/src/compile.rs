@@ -14,9 +14,10 @@ pub const TARGET: &str = "spirv-unknown-vulkan1.1";
 /// Version of rust-gpu.
 pub const RUST_GPU: &str = "0.10.0";
 
-/// Features of `shader-crate` that have kernels. rust-gpu holds a copy of all that it compiles for each entry point, so memory
-/// and time grow with the square of what is compiled at once.
-const KERNELS: [&str; 2] = ["kernels", "cost-kernels"];
+/// The features of `shader-crate` that have the shipped kernels, and those that measure. rust-gpu holds a copy of all that it
+/// compiles for each entry point, so memory and time grow with the square of what is compiled at once.
+pub const KERNELS: &str = "kernels";
+pub const COST_KERNELS: &str = "cost-kernels";
 
 /// The feature that has the library's functions.
 const LIBRARY: &str = "library";
@@ -40,15 +41,10 @@ impl Compiler {
         Ok(Self { backend, shader_crate })
     }
 
-    /// Compiles the kernels of `unitvec` to the words of a module each, not optimised.
-    pub fn kernels(&self) -> Result<Vec<(Kernel, Vec<u32>)>> {
-        let mut kernels = Vec::new();
-        for feature in KERNELS {
-            for (entry_point, words) in self.compile(feature)? {
-                kernels.push((Kernel::of_entry_point(&entry_point)?, words));
-            }
-        }
-        Ok(kernels)
+    /// Compiles the kernels of `unitvec` behind a feature to the words of a module each, not optimised.
+    pub fn kernels(&self, feature: &str) -> Result<Vec<(Kernel, Vec<u32>)>> {
+        let compiled = self.compile(feature)?.into_iter();
+        compiled.map(|(entry_point, words)| Ok((Kernel::of_entry_point(&entry_point)?, words))).collect()
     }
 
     /// Compiles the functions of `unitvec`'s library, each as the entry point of a module, not optimised, by the name of codec and

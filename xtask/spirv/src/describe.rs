@@ -75,17 +75,14 @@ pub fn interface(kernel: &Kernel) -> (String, Interface) {
     if bindings.len() > 2 {
         name += " by a table";
     }
-    let mut push_constants = vec![constant(0, Constant::Count)];
-    if kernel.is_cost {
-        push_constants.push(constant(4, Constant::Repetitions));
-    }
+    let count = PushConstant { offset: 0, r#type: "u32".to_owned(), content: Constant::Count };
     let interface = Interface {
         workgroup_size: [WORKGROUP as u32, 1, 1],
-        vectors_per_workgroup: (WORKGROUP * if kernel.is_cost { 1 } else { GROUP }) as u32,
+        vectors_per_workgroup: (WORKGROUP * GROUP) as u32,
         descriptor_set: 0,
         bindings,
-        push_constants,
-        specialization_constants: if kernel.is_cost { Vec::new() } else { vec![whole_groups()] },
+        push_constants: vec![count],
+        specialization_constants: vec![whole_groups()],
     };
     (name, interface)
 }
@@ -118,23 +115,13 @@ impl Buffer {
 
 /// What a kernel reads and what it writes.
 fn buffers(kernel: &Kernel) -> [Buffer; 2] {
-    let vectors = || Buffer::new("vectors", "three f32 a vector, packed", Element::Vector.bytes());
-    if kernel.is_cost {
-        let sums = Buffer::new("sums", "u32 a vector: the sum of its codes; or f32, of its components", 4);
-        return match kernel.operation {
-            Operation::Encode => [vectors(), sums],
-            Operation::Decode => {
-                [Buffer::new("codes", "codes of three words, of which the first two count", 12), sums]
-            }
-        };
-    }
     let elements = match kernel.codec.map(|codec| codec.element) {
         Some(Element::Frame) => Buffer::new(
             "frames",
             "seven f32 a frame (normal, tangent, handedness), packed",
             Element::Frame.bytes(),
         ),
-        _ => vectors(),
+        _ => Buffer::new("vectors", "three f32 a vector, packed", Element::Vector.bytes()),
     };
     // Codes that are decoded by a table have two bytes.
     let bytes = kernel.codec.map_or(2, |codec| codec.bytes);
@@ -157,10 +144,6 @@ fn table_binding(content: &str, bytes: usize, file: Option<&str>) -> Binding {
         size_multiple: WORD,
         table: file.map(str::to_owned),
     }
-}
-
-fn constant(offset: u32, content: Constant) -> PushConstant {
-    PushConstant { offset, r#type: "u32".to_owned(), content }
 }
 
 fn whole_groups() -> SpecializationConstant {

@@ -49,9 +49,9 @@ impl Kernel {
         format!("{}_{}{}", self.id, self.operation, if self.is_cost { "_cost" } else { "" })
     }
 
-    /// Path, in `spirv/`, of the module that it is part of.
+    /// Path, in `spirv/`, of the module that it is part of. Kernels that measure lie in a folder of their own, a module each.
     pub fn file(&self) -> String {
-        format!("{}/{}.spv", if self.is_cost { "cost" } else { "kernels" }, self.id)
+        if self.is_cost { format!("{}.spv", self.name()) } else { format!("kernels/{}.spv", self.id) }
     }
 
     /// True of those that look up lengths in the table of [`unitvec::best_fit`].
@@ -83,9 +83,9 @@ mod tests {
             (
                 "kernels::snorm8x3_nearest::encode_cost",
                 "snorm8x3_nearest_encode_cost",
-                "cost/snorm8x3_nearest.spv",
+                "snorm8x3_nearest_encode_cost.spv",
             ),
-            ("kernels::baseline::decode_cost", "baseline_decode_cost", "cost/baseline.spv"),
+            ("kernels::baseline::decode_cost", "baseline_decode_cost", "baseline_decode_cost.spv"),
             ("kernels::decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
             ("decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
         ] {

@@ -1,5 +1,6 @@
-//! `cargo xtask spirv [--check | --example]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with rust-gpu, and
-//! the modules of the renderer from `host/render/shaders`. `--render` leaves the former out.
+//! `cargo xtask spirv [--check | --cost | --example]`: builds `spirv/` (modules, table and manifest) from `shader-crate` with
+//! rust-gpu, and the modules of the renderer from `host/render/shaders`. `--render` leaves the former out. `--cost` builds the
+//! kernels that measure arithmetic instead, into `target/spirv-cost`, where `unitvec bench` takes them.
 
 mod compile;
 mod describe;
@@ -38,10 +39,11 @@ fn run() -> Result<()> {
         match argument.as_str() {
             "--check" => check = true,
             "--render" => only_render = true,
+            "--cost" => return replace(&repository, COST_FOLDER, &cost_kernels(&repository)?),
             "--example" => return example::check(&repository),
             other => {
                 bail!(
-                    "unknown argument {other:?}; usage: cargo xtask spirv [--check] [--render], or cargo xtask spirv --example"
+                    "unknown argument {other:?}; usage: cargo xtask spirv [--check] [--render] | --cost | --example"
                 )
             }
         }
@@ -60,12 +62,30 @@ fn repository() -> Result<PathBuf> {
     Ok(root.to_owned())
 }
 
+/// Where the kernels lie that measure. They are not committed: they are built where somebody measures.
+const COST_FOLDER: &str = "target/spirv-cost";
+
+/// Names in [`COST_FOLDER`] and contents of its files: two kernels of every codec, and the two baselines.
+fn cost_kernels(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
+    let compiler = compile::Compiler::install(repository.join("shader-crate"))?;
+    let kernels = compiler.kernels(compile::COST_KERNELS)?;
+    eprintln!("spirv: optimising {} kernels that measure", kernels.len());
+    let files: BTreeMap<_, _> =
+        modules(kernels)?.into_iter().map(|module| (module.file, module.bytes)).collect();
+    let functions = formats().flat_map(|format| Operation::ALL.map(|operation| format.function(operation)));
+    let baselines = Operation::ALL.map(|operation| format!("baseline_{operation}"));
+    for name in functions.chain(baselines) {
+        ensure!(files.contains_key(&format!("{name}_cost.spv")), "no kernel measures {name}");
+    }
+    Ok(files)
+}
+
 /// Paths in `spirv/` and contents of its files, the manifest included.
 fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     let compiler = compile::Compiler::install(repository.join("shader-crate"))?;
-    let kernels = compiler.kernels()?;
+    let kernels = compiler.kernels(compile::KERNELS)?;
     let codecs = CODECS.len();
-    ensure!(kernels.len() == 4 * codecs + 3, "{} kernels for {codecs} codecs", kernels.len());
+    ensure!(kernels.len() == 2 * codecs + 1, "{} kernels for {codecs} codecs", kernels.len());
     eprintln!("spirv: optimising {} kernels", kernels.len());
     let modules = modules(kernels)?;
     let library = library(&compiler)?;
@@ -144,7 +164,7 @@ fn modules(kernels: Vec<(Kernel, Vec<u32>)>) -> Result<Vec<Built>> {
     finished.collect()
 }
 
-/// Paths, in `folder`, of the files in it and in the folders below.
+/// Paths, in `folder`, of the files in it and in the folders below, but for what says that they are generated.
 fn files_in(folder: &Path) -> Result<Vec<String>> {
     let mut names = Vec::new();
     for entry in fs::read_dir(folder).with_context(|| format!("reading {}", folder.display()))? {
@@ -152,7 +172,7 @@ fn files_in(folder: &Path) -> Result<Vec<String>> {
         let name = entry.file_name().to_string_lossy().into_owned();
         if entry.file_type()?.is_dir() {
             names.extend(files_in(&entry.path())?.iter().map(|file| format!("{name}/{file}")));
-        } else {
+        } else if name != "README.md" {
             names.push(name);
         }
     }

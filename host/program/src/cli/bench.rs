@@ -24,6 +24,10 @@ pub struct Arguments {
     /// Dispatches of each kernel that measures arithmetic, of which the median counts; the others run twice as often.
     #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
     samples: u32,
+    /// Folder of the kernels from Rust that measure arithmetic: `cargo xtask spirv --cost` builds target/spirv-cost in the
+    /// repository. They run as they are: only their framing is checked. Without it that from GLSL alone is measured.
+    #[arg(long, value_name = "FOLDER")]
+    cost_kernels: Option<PathBuf>,
     /// Write the report as JSON as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
     pub json: Option<PathBuf>,
@@ -52,6 +56,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         count: arguments.count as usize,
         samples: arguments.samples as usize,
         throughput_samples: 2 * arguments.samples as usize,
+        cost_kernels: arguments.cost_kernels.clone(),
     };
     let columns = arguments.wide.columns()?;
     let table = table(columns);
@@ -102,10 +107,17 @@ fn legend(device: &DeviceInfo, options: &Options) -> String {
         }
         _ => "",
     };
+    let unit = match options.cost_kernels {
+        Some(_) => "/ oct32 is SPIR-V from Rust",
+        None => {
+            "those of SPIR-V from Rust are left out, and / oct32 is from GLSL: `cargo xtask spirv --cost` builds what \
+             --cost-kernels takes"
+        }
+    };
     format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n{warning}\
          arithmetic: nanoseconds a vector, median of {} dispatches of {} vectors, 100 times each, less a baseline; +- is \
-         largest less smallest; ratios are medians of those of dispatches side by side; / oct32 is SPIR-V from Rust; \
+         largest less smallest; ratios are medians of those of dispatches side by side; {unit}; \
          survey is its GTX 680\n\
          throughput: of the shipped kernels, 10^6 vectors a second, and of a copy of as many bytes\n\n",
         device.name, device.kind, device.driver, device.api_version, options.samples, options.count,
@@ -152,7 +164,7 @@ fn lines(table: &Layout, rows: &[Row]) -> String {
             &fitting(glsl.alu_ns_per_vector, 4, 8),
             &fitting(glsl.alu_spread_ns, 4, 7),
             &fitting(rust.alu_ratio_to_glsl, 3, 6),
-            &fitting(rust.alu_ratio_to_oct32, 2, 7),
+            &fitting(rust.alu_ratio_to_oct32.or(glsl.alu_ratio_to_oct32), 2, 7),
             &fitting(rust.survey_ns_per_vector, 4, 7),
             &fitting(Some(rust.vectors_per_s / 1e6), 1, 8),
             &fitting(Some(glsl.vectors_per_s / 1e6), 1, 8),
@@ -184,8 +196,8 @@ fn markdown(report: &Report) -> String {
             encode.id,
             encode.bits,
             bound(encode.id),
-            number(encode.alu_ratio_to_oct32, 1),
-            number(decode.alu_ratio_to_oct32, 1),
+            number(ratio_to_oct32(report, encode), 1),
+            number(ratio_to_oct32(report, decode), 1),
             number(encode.alu_ratio_to_glsl, 2),
             number(decode.alu_ratio_to_glsl, 2),
             of_copy(encode),
@@ -199,6 +211,12 @@ fn of_rust(report: &Report, operation: Operation) -> impl Iterator<Item = &Row> 
     let is_wanted =
         move |row: &&Row| row.operation == operation && row.backend == BackendKind::Rust && !row.by_table;
     report.rows.iter().filter(is_wanted)
+}
+
+/// Of SPIR-V from Rust or, where that is not measured, from GLSL.
+fn ratio_to_oct32(report: &Report, row: &Row) -> Option<f64> {
+    let alike = report.rows.iter().filter(|other| (other.id, other.operation) == (row.id, row.operation));
+    row.alu_ratio_to_oct32.or_else(|| alike.filter_map(|other| other.alu_ratio_to_oct32).next())
 }
 
 /// Of a frame, its normal's and its tangent's.
@@ -227,10 +245,13 @@ fn summary(report: &Report) -> String {
         .filter_map(|row| Some((row, row.alu_ratio_to_glsl.filter(|ratio| *ratio > 1.05)?)))
         .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
         .collect();
+    let codecs = of_rust(report, Operation::Encode).count();
+    if report.rows.iter().all(|row| row.alu_ratio_to_glsl.is_none()) {
+        return format!("\nbench: {codecs} codecs\n");
+    }
     let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };
     format!(
-        "\nbench: {} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n",
-        of_rust(report, Operation::Encode).count()
+        "\nbench: {codecs} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n"
     )
 }
 

@@ -2,12 +2,14 @@ use super::table::{self, Layout, left, right};
 use super::{chosen_formats, print};
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, CODECS, Operation};
+use unitvec_catalogue::Operation;
 use unitvec_files as output;
 use unitvec_host::{Error, Result};
-use unitvec_run::shader::{Edition, Language, text};
+use unitvec_run::shader;
+use unitvec_run::shader::{Edition, Language, library, text};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -21,11 +23,14 @@ pub struct Arguments {
     /// operation for each that is rounded.
     #[arg(long)]
     exact: bool,
-    /// File to write; - for the standard output, which it is if not given.
+    /// Write a folder, which -o names, with all codecs in a file each family, and the exact edition below it in exact/.
+    #[arg(long, requires = "output", conflicts_with_all = ["codec", "exact"])]
+    all: bool,
+    /// File to write; - for the standard output, which it is if not given. With --all the folder, which is made.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// List the languages and the codecs with their functions, and write nothing.
-    #[arg(long, conflicts_with_all = ["language", "codec", "exact", "output"])]
+    #[arg(long, conflicts_with_all = ["language", "codec", "exact", "all", "output"])]
     list: bool,
     #[command(flatten)]
     wide: table::Wide,
@@ -40,6 +45,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         (false, Some(language)) => language,
         _ => return print(&list(arguments.wide.columns()?)),
     };
+    if let (true, Some(folder)) = (arguments.all, arguments.output.as_deref()) {
+        return write_all(language, folder);
+    }
     let edition = if arguments.exact { Edition::Exact } else { Edition::Plain };
     if !language.editions().contains(&edition) {
         return Err(Error::Usage(format!(
@@ -54,6 +62,21 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         }
         _ => print(&text),
     }
+}
+
+/// Writes all files of a language.
+fn write_all(language: Language, folder: &Path) -> Result<ExitCode> {
+    if folder == Path::new("-") {
+        return Err(Error::Usage("--all writes many files: -o has to name a folder for them".to_owned()));
+    }
+    let files = library().and_then(|library| library.folder(language)).map_err(shader::Error::from)?;
+    for (name, text) in &files {
+        let path = folder.join(name);
+        let below = path.parent().unwrap_or(folder);
+        fs::create_dir_all(below).map_err(|source| Error::writing(below, source))?;
+        output::write_file(&path, text.as_bytes())?;
+    }
+    print(&format!("shader: {} files of {language} in {}\n", files.len(), folder.display()))
 }
 
 /// What wrote a text, for its head.
