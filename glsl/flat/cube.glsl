@@ -7,9 +7,10 @@
 //   cube16_encode(v), cube16_decode(code), warpedcube16_encode(v), warpedcube16_decode(code); also 24 and 32
 //   cube48_encode(v), cube48_decode(code)      codes as uvec2, low word first
 //
-// Any v: length does not matter, and +Z stands in for what has no direction. Layout: u in the low ceil((b - 3) / 2) bits,
-// then v, two's complement, over (m + 1/2); the face in the high three: twice the axis, and 1 if negative. (u, v) is
-// (y, z), (z, x), (x, y) on the faces of x, y, z. The warped cube stores 4/pi atan(u) in place of u.
+// Any v will do: length does not matter, and +Z stands in for vectors without a direction. Layout: u in the low
+// ceil((b - 3) / 2) bits, then v, two's complement, over (m + 1/2); the face in the high three: twice the axis, and 1
+// if negative. (u, v) is (y, z), (z, x), (x, y) on the faces of x, y, z. The warped cube stores 4/pi atan(u) in place
+// of u.
 
 #ifndef UNITVEC_CUBE_GLSL
 #define UNITVEC_CUBE_GLSL
@@ -318,7 +319,7 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
     uint face = unitvec_cube_unpack_face(code, bits);
     vec2 e = unitvec_cube_unpack(code, bits);
     uvec2 widths = unitvec_cube_widths(bits);
-    // Over m + 1/2, twice which is the largest integer of an snorm with a bit more.
+    // Both over m + 1/2: twice that is the largest integer of an snorm with one bit more.
     UNITVEC_PRECISE vec2 doubled = 2.0 * abs(e);
     float s = unitvec_snorm_quotient(doubled.x, widths.x + 1u);
     float t = unitvec_snorm_quotient(doubled.y, widths.y + 1u);
@@ -327,8 +328,8 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
     return unitvec_from_face(unitvec_normalize(p), face);
 }
 
-// Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice that is a whole
-// number over 2^bits - 1.
+// Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice the factor of
+// x / side is 2^bits - 1.
 int unitvec_cube_round_wide(float x, float side, uint bits) {
     UNITVEC_PRECISE float reciprocal = 1.0 / side;
     int doubled;

@@ -9,9 +9,9 @@
 //   cylindrical_to_float32x3(e)                              the direction of such a pair
 //   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
-// and (0, 0) where one is NaN. Layout: phi /
-// pi in the low half, z in the high half, two's complement snorm.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction. A pair is
+// clamped to [-1, 1], and (0, 0) where one is NaN. Layout: phi / pi in the low half, z in the high half, two's
+// complement snorm.
 
 #ifndef UNITVEC_CYLINDRICAL_GLSL
 #define UNITVEC_CYLINDRICAL_GLSL
@@ -194,7 +194,7 @@ float unitvec_angles_azimuth(vec3 v, vec3 p) {
 }
 #endif
 
-// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+// The z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
 vec2 unitvec_cylindrical_height(vec3 v) {
     float norm = unitvec_l1_norm(v);
     vec3 p = unitvec_angles_scaled(v, norm);
@@ -222,7 +222,7 @@ vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);
 }
 
-// Unquantised: phi / pi and z, both on [-1, 1].
+// The unquantised phi / pi and z, both on [-1, 1].
 vec2 float32x3_to_cylindrical(vec3 v) {
     vec2 height = unitvec_cylindrical_height(v);
     float z = max(min(height.x, 1.0), -1.0);
@@ -230,12 +230,12 @@ vec2 float32x3_to_cylindrical(vec3 v) {
     return vec2(abs(z) < 1.0 ? turn : 0.0, z);
 }
 
-// The direction of such a pair.
+// The direction of phi / pi and z, both on [-1, 1].
 vec3 cylindrical_to_float32x3(vec2 e) {
     return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 vec2 float32x3_to_cylindrical_unorm(vec3 v) { return unitvec_biased(float32x3_to_cylindrical(v)); }
 vec3 cylindrical_unorm_to_float32x3(vec2 e) { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 

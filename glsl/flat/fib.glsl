@@ -6,9 +6,9 @@
 //
 //   fib16_encode(v), fib16_decode(code)      also fib24, 32
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: the code
-// is the number i of a point, counted from +Z to -Z: with N = 2^bits, its height is 1 - (2i + 1) / N and its azimuth
-// frac(0.618... i) of a turn. The encoder finds the nearest point. No axis is a point.
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout: the
+// code is the number i of a point, counted from +Z to -Z: with N = 2^bits, its height is 1 - (2i + 1) / N and its
+// azimuth frac(0.618... i) of a turn. The encoder finds the nearest point. No axis is a point.
 
 #ifndef UNITVEC_FIB_GLSL
 #define UNITVEC_FIB_GLSL
@@ -155,12 +155,12 @@ const float UNITVEC_CHORD_2 = 85.35731;
 const float UNITVEC_CHORD_3 = -59.191452;
 const float UNITVEC_CHORD_4 = 21.72156;
 
-// Added to the numbers of points so that those of a cell beside a pole are not negative; what it adds to the azimuth.
+// Added to the numbers of points so that those of a cell beside a pole are not negative; the azimuth that this adds.
 const uint UNITVEC_FIB_SHIFT = 64u;
 const uint UNITVEC_FIB_SHIFT_TURN = 0x8dde6e5fu;
 
-// A direction beside the points, in the hemisphere z >= 0: 1 - z, z, 1 - z^2, and where it is among the numbers of the
-// points: a whole number, and what to add.
+// A direction beside the points, in the hemisphere z >= 0: 1 - z, z, 1 - z^2, and its place among the numbers of the
+// points: a whole number, and a fraction to add.
 struct UnitvecFibPlace {
     float depth;
     float height;
@@ -169,8 +169,7 @@ struct UnitvecFibPlace {
     float fraction;
 };
 
-// Two steps of the lattice, by the k-th Fibonacci number and the next: the numbers, how far they go around, and
-// whether k is even.
+// Two steps of the lattice, by the k-th Fibonacci number and the next: the numbers, their turns, and whether k is even.
 struct UnitvecFibBasis {
     float step_size;
     float next_step;
@@ -179,7 +178,7 @@ struct UnitvecFibBasis {
     bool is_even;
 };
 
-// A point, and a measure of its distance from what was sought.
+// A point, and a measure of its distance from the place sought.
 struct UnitvecFibCandidate {
     uint i;
     float cost;
@@ -201,7 +200,7 @@ uint unitvec_fib_turn(uint i) {
     return i * UNITVEC_FIB_GOLDEN_HIGH + high;
 }
 
-// The same for i below 2^17.
+// unitvec_fib_turn for i below 2^17.
 uint unitvec_fib_turn_of_step(uint i) {
     return i * UNITVEC_FIB_GOLDEN_HIGH + (((i & 0x1ffffu) * (UNITVEC_FIB_GOLDEN_LOW >> 17u)) >> 15u);
 }
@@ -211,7 +210,7 @@ float unitvec_fib_signed_turn(uint turn) {
     return signed_turn;
 }
 
-// Integer part of a number from 0 to 2^31, and what is left.
+// Integer part of a number from 0 to 2^31, and the rest.
 uint unitvec_fib_split(float x, out float rest) {
     int whole = int(x);
     UNITVEC_PRECISE float left = x - float(whole);

@@ -9,10 +9,10 @@
 //   frame32_decode(code, out normal, out tangent)    tangent.w is +1 or -1
 //   frame64_encode(normal, tangent), ...             codes as uvec2, low word first
 //
-// The bitangent is tangent.w * cross(normal, tangent.xyz), as glTF has it. Any vectors will do: lengths do not matter;
-// +Z stands in for a normal that has no direction, the first vector of the basis for a tangent that has none in the
-// plane of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm;
-// then 9 (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
+// The bitangent is tangent.w * cross(normal, tangent.xyz), as in glTF. Any vectors will do: lengths do not matter; +Z
+// stands in for a normal that has no direction, the first vector of the basis for a tangent that has none in the plane
+// of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm; then 9
+// (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
 
 #ifndef UNITVEC_FRAME_GLSL
 #define UNITVEC_FRAME_GLSL
@@ -220,8 +220,8 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 }
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
-    // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
-    // break ties.
+    // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
+    // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
     // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
     vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
@@ -244,7 +244,7 @@ const float UNITVEC_WARP_0 = 0.787353515625;
 const float UNITVEC_WARP_1 = 0.15234375;
 const float UNITVEC_WARP_2 = 0.060302734375;
 
-// The inverse, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
 const float UNITVEC_UNWARP_0 = 0.27020066;
 const float UNITVEC_UNWARP_1 = -0.13198552;
 const float UNITVEC_UNWARP_2 = 0.0392082;
@@ -268,7 +268,7 @@ float unitvec_frame_warp(float v) {
     return w;
 }
 
-// The inverse; for more than 9 bits of angle, with a step of Newton's method.
+// The inverse of unitvec_frame_warp; for more than 9 bits of angle, with a step of Newton's method.
 float unitvec_frame_unwarp(float w, uint angle_bits) {
     UNITVEC_PRECISE float u = w * w;
     UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));

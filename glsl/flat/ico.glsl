@@ -6,9 +6,10 @@
 //
 //   ico16_encode(v), ico16_decode(code)      integer codes; also ico24, ico32
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. A lattice point has
-// a whole number i for each vertex of a face, of the sum n, and is the sum of i (N - i) times the vertex. Layout: the Rust
-// crate's module `ico` says which face, row and column a code is of; past the last code all decode as that does.
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. A lattice
+// point has a whole number i for each vertex of a face, of the sum n, and is the sum of i (N - i) times the vertex.
+// Layout: the Rust crate's module `ico` says which face, row and column a code is of; past the last code all decode
+// like the last.
 //
 // A vec3 of numbers for a face's vertices has: in z that of the apex, in x that of the base's end on the straddled
 // coordinate's positive side, in y that of the other end. On the face of the positive octant they are (0, 1, p),
@@ -111,15 +112,15 @@ float unitvec_flip_sign(float x, uint sign_bit) {
 const float UNITVEC_ICO_GOLDEN = 1.618034;
 const float UNITVEC_ICO_GOLDEN_LESS_1 = 0.618034;
 
-// What reflection adds to the sum of the flat coordinates, for a coordinate of -1.
+// The number that reflection adds to the sum of the flat coordinates, for a coordinate of -1.
 const float UNITVEC_ICO_ADDED_BY_REFLECTION = 0.763932;
 
-// Of the cubic that the inverse of the warp starts from.
+// Coefficients of the cubic that approximates the inverse warp.
 const float UNITVEC_ICO_INVERSE_0 = 0.214316;
 const float UNITVEC_ICO_INVERSE_1 = -0.121124;
 const float UNITVEC_ICO_INVERSE_2 = 0.117389;
 
-// UNITVEC_ICO_INVERSE_2 times 1/2, and 1; times 3/2; and times 3.
+// 1 + i / 2, 3/2 i and 3 i, where i is UNITVEC_ICO_INVERSE_2.
 const float UNITVEC_ICO_INVERSE_3 = 1.0586945;
 const float UNITVEC_ICO_INVERSE_4 = 0.1760835;
 const float UNITVEC_ICO_INVERSE_5 = 0.352167;
@@ -181,7 +182,7 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     UNITVEC_PRECISE vec3 t = p * (1.0 / p_sum);
     UNITVEC_PRECISE vec3 t_squared = t * t;
     float squares = unitvec_ico_sum(t_squared);
-    // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
+    // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
     UNITVEC_PRECISE float b_1 = UNITVEC_ICO_INVERSE_0 * n + (UNITVEC_ICO_INVERSE_1 * n) * squares;
     UNITVEC_PRECISE float b_0 = (UNITVEC_ICO_INVERSE_3 * n - squares * (b_1 + UNITVEC_ICO_INVERSE_4 * n))
         - (UNITVEC_ICO_INVERSE_5 * n) * ((t.x * t.y) * t.z);
@@ -216,7 +217,7 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     UNITVEC_PRECISE float s_1 = lattice.squares_t + lattice.squares_ts * squares;
     UNITVEC_PRECISE vec3 square = s_0 + (s_1 * t + lattice.squares_tt * t_squared);
 
-    // The squares of the distances from the corners, less the same of each.
+    // The squares of the distances from the corners, each less the same number.
     UNITVEC_PRECISE float from_corner = in_x * square.z + in_z * square.x;
     UNITVEC_PRECISE float from_x = in_corner * square.z + in_z * square.y;
     UNITVEC_PRECISE float from_z = in_corner * square.x + in_x * square.y;
@@ -237,15 +238,15 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     // Scaled so that a vertex such as (0, 1, p) has the coordinate 2 p.
     UNITVEC_PRECISE float norm_part = UNITVEC_ICO_GOLDEN_LESS_1 * norm;
     UNITVEC_PRECISE vec3 flat_part = (norm_part + a.zyx) - UNITVEC_ICO_GOLDEN * a.xzy;
-    // By reflection: the vertices across a side have the sum of the side's two, divided by p.
+    // By reflection: the vertices across a side have the sum of the side's two vertices, divided by p.
     float beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
     UNITVEC_PRECISE float shared_part = UNITVEC_ICO_GOLDEN_LESS_1 * beyond;
     UNITVEC_PRECISE float sum = 2.0 * norm_part - UNITVEC_ICO_ADDED_BY_REFLECTION * beyond;
     UNITVEC_PRECISE vec3 on_side = flat_part + shared_part;
     vec3 i = unitvec_ico_nearest(max(on_side, -flat_part), sum, lattice);
 
-    // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
-    // they are equal, it is the one whose base ends there.
+    // The face that has the point: the one across the least number's side, unless the least is more than 0. Where two
+    // are equal, it is the face whose base ends there.
     float x = unitvec_with_sign(i.x, flat_part.x);
     float y = unitvec_with_sign(i.y, flat_part.y);
     float z = unitvec_with_sign(i.z, flat_part.z);
@@ -255,7 +256,7 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     bool of_x = !is_octant && z < y && !x_less;
     bool of_y = !of_z && !of_x;
 
-    // The sides of the coordinate planes that the straddled one, the base and the apex are on.
+    // The sides of the coordinate planes on which the straddled coordinate, the base and the apex lie.
     bool x_side = unitvec_is_negative(v.x);
     bool y_side = unitvec_is_negative(v.y);
     bool z_side = unitvec_is_negative(v.z);
@@ -270,8 +271,8 @@ uint unitvec_ico_encode(vec3 v, UnitvecIcoLattice lattice) {
     bool has_y = is_other ? of_y : of_x;
     float across = has_x ? i.x : (has_y ? i.y : i.z);
     bool is_second = apex_side && depth > 0.5;
-    // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their line
-    // 6 n + 18 are left.
+    // The numbers of lines and columns have 2^23 added. Lines of octants, which are shorter, begin where 18 codes of
+    // their line 6 n + 18 are left.
     float octant_rows = straddled_side ? UNITVEC_2_23 + (7.0 * n + 15.0) : UNITVEC_2_23 + (6.0 * n + 17.0);
     float first_row = is_octant ? octant_rows : UNITVEC_2_23;
     first_row = of_x ? UNITVEC_2_23 + 4.0 * n : first_row;

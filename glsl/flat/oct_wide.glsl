@@ -7,8 +7,8 @@
 //   oct48_encode(v), oct48_decode(code)      codes as uvec2, low word first
 //   oct48p_encode(v), oct52p_encode(v), ...  precise encoders
 //
-// Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: x in the low 24 or 26
-// bits, y in those above, two's complement snorm. Positions are sums of two floats, since one does not hold them;
+// Any v will do: length does not matter, and +Z stands in for vectors without a direction. Layout: x in the low 24 or
+// 26 bits, y in those above, two's complement snorm. Positions are sums of two floats, since one does not hold them;
 // decoded components are the floats nearest to the exact ones. Without `precise` (see arith.glsl) a compiler may undo
 // that.
 
@@ -183,7 +183,7 @@ int unitvec_oct_wide_max(uint bits) {
     return int(unitvec_mask(bits - 1u));
 }
 
-// Where v, which has a direction, lies in the positive octant, after mirroring.
+// The place of v, which has a direction, in the positive octant, after mirroring.
 UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
     vec3 scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
     vec2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
@@ -214,7 +214,7 @@ vec3 unitvec_oct_wide_decode_octant(ivec3 p, uint bits) {
 }
 
 // Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the
-// vector itself costs least, so that what was decoded once keeps its code's vector.
+// vector itself costs least, so that a decoded vector keeps its code's vector.
 float unitvec_oct_wide_cost(UnitvecOctWidePosition p, ivec2 corner, uint bits) {
     UNITVEC_PRECISE vec2 d = vec2(corner) - p.fraction;
     UNITVEC_PRECISE float along = d.x * (p.part.x - p.part.z) + d.y * (p.part.y - p.part.z);
@@ -280,7 +280,7 @@ vec3 unitvec_oct_wide_decode(uvec2 code, uint bits) {
     int z = m - p.x - p.y;
     p = z < 0 ? m - p.yx : p;
     vec3 v = unitvec_oct_wide_decode_octant(ivec3(p, abs(z)), bits);
-    // Not where a component is 0, which would become -0.
+    // Components of 0 are not negated: they would become -0.
     bool left = x < 0 && p.x > 0;
     bool down = y < 0 && p.y > 0;
     return vec3(unitvec_negate_if(left, v.x), unitvec_negate_if(down, v.y), unitvec_negate_if(z < 0, v.z));

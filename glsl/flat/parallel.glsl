@@ -7,10 +7,10 @@
 //
 //   xyonly16_encode(v), xyonly16_decode(code), ...      uint codes; uvec2, low word first, at 48 bits
 //
-// Any v: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for what has no direction.
-// Layout: the first component in the low bits, then the second, snorm in two's complement, then the sign of z, or the
-// sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust crate's module
-// `parallel`, whose every operation these repeat.
+// Any v will do: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for vectors
+// without a direction. Layout: the first component in the low bits, then the second, snorm in two's complement, then
+// the sign of z, or the sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust
+// crate's module `parallel`, whose every operation these repeat.
 
 #ifndef UNITVEC_PARALLEL_GLSL
 #define UNITVEC_PARALLEL_GLSL
@@ -202,7 +202,7 @@ UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     return plane;
 }
 
-// e in units of the plane, without a division of floats, so that all devices agree on what is inside.
+// e in units of the plane, without a division of floats, so that all devices agree on which points are inside.
 vec2 unitvec_parallel_parts(UnitvecParallelPlane plane, vec2 e) {
     vec2 reciprocal = vec2(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
     UNITVEC_PRECISE vec2 in_sextant = e * (reciprocal * 0.70710677);
@@ -222,7 +222,7 @@ bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, vec2 e) {
     return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
 }
 
-// e with the component along which the border is sooner reached lessened by `by` steps.
+// e with `by` steps less in the component along which the border is reached sooner.
 vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
     vec2 p = unitvec_parallel_parts(plane, e);
     UNITVEC_PRECISE float x = p.x * plane.steps.y;
@@ -233,8 +233,8 @@ vec2 unitvec_parallel_inwards(UnitvecParallelPlane plane, vec2 e, float by) {
     return along_x ? vec2(less.x, e.y) : vec2(e.x, less.y);
 }
 
-// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
-// above it.
+// The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1,
+// which nowhere is above it.
 float unitvec_parallel_onto_border(float extent) {
     UNITVEC_PRECISE float factor = 1.4999995 - 0.5 * extent;
     return factor;
@@ -261,7 +261,8 @@ vec2 unitvec_parallel_point(UnitvecParallelPlane plane, vec2 e) {
     return unitvec_parallel_parts(plane, chosen);
 }
 
-// v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
+// v, which has a direction, at unit length; only scaled by a power of two, or not at all, where that is of unit length
+// to within 2^-21.
 vec3 unitvec_parallel_unit(vec3 v) {
     UNITVEC_PRECISE float raised = unitvec_l1_norm(v) * 1.1;
     UNITVEC_PRECISE vec3 scaled = v * unitvec_scale_to_one(raised);
@@ -318,7 +319,7 @@ vec3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, vec2 e, bool negati
         unitvec_parallel_third(p)));
 }
 
-// v with what is below the equator moved up to it, and at unit length.
+// v at unit length, moved up to the equator if below it.
 vec3 unitvec_parallel_upper_unit(vec3 v) {
     return unitvec_parallel_unit(unitvec_upper_or_z(v));
 }

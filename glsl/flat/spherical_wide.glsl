@@ -6,10 +6,10 @@
 //
 //   spherical48_encode(v), spherical48_decode(code)      codes as uvec2, low word first
 //
-// Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: round((2 theta / pi - 1) m)
-// in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24, periodic; both in two's
-// complement. Sines and cosines are sums of two floats, since one is too coarse. Without `precise` (see arith.glsl) a
-// compiler may undo that.
+// Any v will do: length does not matter, and +Z stands in for vectors without a direction. Layout:
+// round((2 theta / pi - 1) m) in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24,
+// periodic; both in two's complement. Sines and cosines are sums of two floats, since one is too coarse. Without
+// `precise` (see arith.glsl) a compiler may undo that.
 
 #ifndef UNITVEC_SPHERICAL_WIDE_GLSL
 #define UNITVEC_SPHERICAL_WIDE_GLSL
@@ -162,8 +162,8 @@ float unitvec_atan_octant_ratio(float y, float x) {
 }
 #endif
 
-// What an angle is counted in: steps in a quarter turn; the size of a step in half turns, cut down to a power of two;
-// what was cut off, as a part of that.
+// The unit of an angle: steps in a quarter turn; the size of a step in half turns, cut down to a power of two; the part
+// that was cut off, relative to that.
 struct UnitvecSphericalWideSteps {
     int in_quarter;
     float size;
@@ -176,11 +176,11 @@ const UnitvecSphericalWideSteps UNITVEC_SPHERICAL_WIDE_THETA =
 const UnitvecSphericalWideSteps UNITVEC_SPHERICAL_WIDE_PHI =
     UnitvecSphericalWideSteps(4194304, 1.1920928955078125e-7, 0.0);
 
-// 2^-40: a vector of about unit length that is nearer to the z axis is that of a pole.
+// 2^-40: a vector of about unit length that is nearer to the z axis counts as a pole.
 const float UNITVEC_SPHERICAL_WIDE_POLAR = 9.094947017729282e-13;
 
-// Numbers as sums of two floats are vec2: the second is what the first lacks. This one is a + b + low, where a is 0 or
-// no less than b in magnitude, and low is far less.
+// Numbers as sums of two floats are vec2: the second is the part that the first lacks. This one is a + b + low, where a
+// is 0 or no less than b in magnitude, and low is far less.
 vec2 unitvec_spherical_wide_sum(float a, float b, float low) {
     UNITVEC_PRECISE float high = a + b;
     UNITVEC_PRECISE float rest = (b - (high - a)) + low;

@@ -14,11 +14,11 @@
 //   float32x3_to_stereo(v), stereo_to_float32x3(e)       u and v on [-1, 1], and 1 for z < 0, else 0; so for all nine
 //   float32x3_to_stereo_unorm(v), stereo_unorm_to_float32x3(e)    the same with u and v on [0, 1]
 //
-// Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for what has no direction.
-// Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1), above it;
-// the hemisphere (1 for z < 0) highest. Both ends of v have the pattern of -2^(n-1): there, on the equator, the
-// highest bit says which, 1 for +1. Why, and what else is to be known, is in the docs of the Rust crate's module
-// `azimuthal`, whose every operation these functions repeat.
+// Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for vectors without a
+// direction. Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1),
+// above it; the hemisphere (1 for z < 0) highest. Both ends of v have the pattern of -2^(n-1): there, on the equator,
+// the highest bit says which, 1 for +1. The docs of the Rust crate's module `azimuthal`, whose every operation these
+// functions repeat, give the reasons.
 
 #ifndef UNITVEC_AZIMUTHAL_GLSL
 #define UNITVEC_AZIMUTHAL_GLSL
@@ -106,7 +106,7 @@ vec3 unitvec_disk_to_eqdist(vec2 at, float c) {
     return vec3(horizontal, z);
 }
 
-// How far, in steps, lattice points beyond the rim are moved at most.
+// The most that lattice points beyond the rim are moved, in steps.
 const float UNITVEC_AZIMUTHAL_REACH = 0.484375;
 
 // Largest integers of u and v at `bits` bits.
@@ -114,14 +114,14 @@ vec2 unitvec_azimuthal_largest(uint bits) {
     return vec2(unitvec_snorm_max(bits / 2u), float(1u << (bits / 2u - 2u)));
 }
 
-// e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
-// rounded for whole e.
+// e over these largest integers, without a division, so that all devices agree on which points are inside the disk.
+// Correctly rounded for whole e.
 vec2 unitvec_azimuthal_parts(vec2 e, uint bits) {
     float v = e.y * unitvec_exp2(2 - int(bits / 2u));
     return vec2(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
-// True for lattice points e of whose cell the disk covers nothing, or next to nothing.
+// True for lattice points e with cells of which the disk covers nothing, or next to nothing.
 bool unitvec_plain_is_remote(vec2 e, uint bits) {
     vec2 nearest = e - UNITVEC_AZIMUTHAL_REACH;
     vec2 corner = unitvec_azimuthal_parts(nearest, bits);
@@ -151,7 +151,7 @@ vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
     return on_rim;
 }
 
-// Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
+// Disk point of a lattice point of the disk as it is; remote points become the nearer axis.
 vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
     vec2 p = unitvec_azimuthal_parts(e, bits);
     float rim = 1.0 - (p.x * p.x + p.y * p.y);
@@ -163,7 +163,7 @@ vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
     return rim > 0.0 ? vec4(p, 0.0, rim) : vec4(on_rim, 0.0, rest < 0.0 ? rest : 0.0);
 }
 
-// Disk point of a point on the square of the disk as it is; what is beyond the rim is moved to it.
+// Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 vec4 unitvec_plain_square_to_disk(vec2 s) {
     float square = s.x * s.x + s.y * s.y;
     vec2 on_rim = s * (1.0 / sqrt(square));
@@ -213,7 +213,7 @@ float unitvec_azimuthal_signed(bool negative, float x) {
     return x > 0.0 ? unitvec_negate_if(negative, x) : 0.0;
 }
 
-// Where the direction of v lies on the square, without signs.
+// The place of the direction of v on the square, without signs.
 vec2 unitvec_azimuthal_to_square(vec3 v, int projection, int map) {
     vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
     vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)

@@ -6,7 +6,7 @@
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
 //   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
-//   dither_from_key(key)                         an offset from a vertex index, or what else both sides know
+//   dither_from_key(key)                         an offset from a vertex index, or another number that both sides know
 //   dither_from_pixel(pixel)                     from a pixel
 //   dither_from_texel(texel)                     from a texel of a tile of noise in R8G8_UNORM
 //   dither_from_position(position)               from the bits of a position, best in the object's own coordinates
@@ -14,8 +14,8 @@
 // Encoder and decoder need the same offset, in steps of the code's lattice. The encoder rounds the position moved by it, and the
 // decoder moves the lattice point back. Offset (0, 0) gives the code of the fast encoder, and its decoded vector, exactly.
 //
-// All take any input. Components of an offset are clamped to [-1/2, 1/2], and 0 for NaN; of v the length does not matter, and
-// +Z stands in for what has no direction. Layout: that of the codec.
+// All take any input. Components of an offset are clamped to [-1/2, 1/2], and 0 for NaN; of v the length does not
+// matter, and +Z stands in for vectors without a direction. Layout: that of the codec.
 
 #ifndef UNITVEC_DITHER_GLSL
 #define UNITVEC_DITHER_GLSL
@@ -41,7 +41,7 @@ vec2 unitvec_dither_components(uint bits) {
 
 vec2 dither_from_key(uint key) { return unitvec_dither_components(unitvec_dither_hash(key)); }
 
-// Add a frame's number to a component, times some large odd number, to have others in each frame.
+// To have other offsets in each frame, add the frame's number, times some large odd number, to a component.
 vec2 dither_from_pixel(uvec2 pixel) { return dither_from_key(pixel.x ^ unitvec_dither_hash(pixel.y)); }
 
 // The middles of 256 intervals of [-1/2, 1/2].
@@ -50,7 +50,7 @@ vec2 dither_from_texel(vec2 texel) {
     return middle;
 }
 
-// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, are one.
+// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, give the same bits.
 uint unitvec_dither_coordinate(float x) {
     return abs(x) < UNITVEC_MIN_POSITIVE ? 0u : floatBitsToUint(x);
 }
@@ -61,7 +61,7 @@ vec2 dither_from_position(vec3 position) {
     return dither_from_key(xy ^ unitvec_dither_coordinate(position.z));
 }
 
-// An offset's component as the functions take it.
+// An offset's component, clamped to [-1/2, 1/2]; 0 for NaN.
 float unitvec_dither_component(float x) {
     return unitvec_is_nan(x) ? 0.0 : min(max(x, -0.5), 0.5);
 }
@@ -82,7 +82,7 @@ vec2 unitvec_dither_moved_back(vec2 e, vec2 offset, float m) {
     return min(max(moved, -m), m);
 }
 
-// The direction of v, of this L1 norm, at unit length. Without a usable direction, anything.
+// The direction of v, of this L1 norm, at unit length. Unspecified without a usable direction.
 vec3 unitvec_dither_unit(vec3 v, float norm) {
     return unitvec_normalize(unitvec_scaled_to_one(v, norm));
 }
@@ -151,7 +151,7 @@ vec3 unitvec_dither_hemioct_decode(uint code, vec2 offset, uint bits) {
 
 // soct
 
-// The code of u and v of `bits` bits each, and 1 below the equator, else 0. That of +Z where v has no direction.
+// The code of u and v of `bits` bits each, and 1 below the equator, else 0. The code of +Z where v has no direction.
 uvec2 unitvec_dither_soct_parts(vec3 v, vec2 offset, uint bits) {
     float norm = unitvec_l1_norm(v);
     float m = unitvec_snorm_max(bits);
@@ -175,10 +175,10 @@ vec3 unitvec_dither_soct_decode(uint code, vec2 offset, uint bits) {
     return unitvec_dither_soct_direction(code, code << (32u - bits), offset, bits / 2u);
 }
 
-// eaoct: an offset's first is of rings, its second of points on a ring.
+// eaoct: an offset's first component counts rings, its second points on a ring.
 
-// An offset as a half octant has it. Rings count from +Z to -Z and points from +X towards +Y: so the octants' borders, where
-// codes do not tell the octant, are as the inside. e has the octant's signs of x and y.
+// An offset in the sense of a half octant. Rings count from +Z to -Z and points from +X towards +Y: so the octants'
+// borders, where codes do not tell the octant, are like the inside. e has the octant's signs of x and y.
 vec2 unitvec_dither_turned(vec2 offset, vec2 e, bool swapped, bool below) {
     vec2 usable = unitvec_dither_usable(offset);
     uint swap = swapped ? UNITVEC_SIGN_BIT : 0u;
@@ -221,7 +221,7 @@ uint unitvec_dither_eaoct_encode(vec3 v, vec2 offset, uint bits) {
     return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
-// A ring's candidate: its lattice point as the code has it, without the sign of 0.
+// A ring's candidate: its lattice point as in the code, without the sign of 0.
 vec3 unitvec_dither_eaoct_on(float ring, vec3 v, vec3 n, UnitvecEaoctPolar p, vec2 offset, vec2 turned, float m) {
     vec2 e = unitvec_dither_eaoct_point(ring, v, p, turned, m);
     e = vec2(e.x == 0.0 ? 0.0 : e.x, e.y == 0.0 ? 0.0 : e.y);

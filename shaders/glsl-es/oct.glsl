@@ -20,9 +20,9 @@
 // float32x3_to_oct(v) that of oct32 but for at most 3 codes in 1000, which are a step off: it rounds, and the hardware
 // again.
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; other
-// floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24 has
-// the three bytes of listing 5 instead, first byte lowest. With m the snorm's largest integer, codes are the whole
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction or with NaN;
+// other floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24
+// has the three bytes of listing 5 instead, first byte lowest. With m the snorm's largest integer, codes are the whole
 // points of the square [-m, m]^2: its lattice.
 
 #ifndef UNITVEC_OCT_GLSL
@@ -43,15 +43,15 @@ vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
     return vec2(unitvec_with_sign(p.x, v.x), unitvec_with_sign(p.y, v.y));
 }
 
-// Where v, of this L1 norm, lies on the square [-m, m]^2 (listing 1). Below the equator x is folded to m - |y| s, with s =
-// m / norm, which is (|x| + |z|) s.
+// The place of v, of this L1 norm, on the square [-m, m]^2 (listing 1). Below the equator x is folded to m - |y| s,
+// with s = m / norm, which is (|x| + |z|) s.
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
     vec2 p = (abs(v.xy) + below) * (m / norm);
     return unitvec_oct_mirror(v, p);
 }
 
-// q of where the ray of p meets the plane x + y + z = m.
+// q at the point where the ray of p hits the plane x + y + z = m.
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
     float stretch = missing * (1.0 / m);
@@ -127,7 +127,7 @@ vec4 unitvec_oct_nearer(vec4 a, vec4 b) {
     return of_b < of_a ? b : a;
 }
 
-// As unitvec_oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
+// unitvec_oct_nearest_corner for any m: the best of the four corners, as listing 3 finds it.
 vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec2 low = floor(p.xy);
     vec2 high = low + 1.0;
@@ -141,15 +141,15 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     vec3 p = abs(v) * (m / norm);
-    // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
-    // break ties.
+    // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
+    // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
     // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
     vec2 corner = m < 63.0 ? unitvec_oct_searched_corner(p, m) : unitvec_oct_nearest_corner(p, m);
     return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));
 }
 
-// The same for any v, (0, 0) where it has no direction.
+// Lattice point that is nearest in angle to the direction of any v; (0, 0) where it has no direction.
 vec2 unitvec_oct_lattice_precise(vec3 v, float m) {
     float norm = unitvec_l1_norm(v);
     vec2 e = unitvec_oct_precise_point(v, norm, m);
@@ -177,7 +177,7 @@ vec3 oct_to_float32x3(vec2 e) {
     return unitvec_oct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 vec2 float32x3_to_oct_unorm(vec3 v) { return unitvec_biased(float32x3_to_oct(v)); }
 vec3 oct_unorm_to_float32x3(vec2 e) { return oct_to_float32x3(unitvec_unbiased(e)); }
 
@@ -197,7 +197,7 @@ vec3 unitvec_oct_bytes(vec2 f) {
     return bytes;
 }
 
-// The inverse, of whole numbers up to 255.
+// The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 vec2 unitvec_oct_from_bytes(vec3 bytes) {
     float high = floor(bytes.y / 16.0);
     vec2 biased = vec2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
@@ -223,13 +223,13 @@ uvec3 snorm12x2_to_uint8x3(vec2 f) {
     return uvec3(unitvec_whole_to_u32(bytes.x), unitvec_whole_to_u32(bytes.y), unitvec_whole_to_u32(bytes.z));
 }
 
-// The inverse. What is above 255 counts as 255.
+// The inverse of snorm12x2_to_uint8x3. Numbers above 255 count as 255.
 vec2 uint8x3_to_snorm12x2(uvec3 u) {
     uvec3 bytes = min(u, 255u);
     return unitvec_oct_from_bytes(vec3(float(bytes.x), float(bytes.y), float(bytes.z)));
 }
 
-// 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
+// 2^23 + 2047: the low 12 bits of its sum with x from -2047 to 2047 are x + 2047, rounded to the nearest.
 const float UNITVEC_OCT_BIAS = 8390655.0;
 
 // Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
@@ -247,8 +247,7 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
     return min(e, 2047.0);
 }
 
-// Code of the lattice point nearest to e, of two of them the one whose components are even (odd for 24 bits), `bits` bits
-// in all.
+// Code of the lattice point nearest to e; ties go to even components (odd for 24 bits); `bits` bits in all.
 uint unitvec_oct_pack(vec2 e, uint bits) {
     return bits == 24u ? unitvec_oct_pack_unorm8x3(e) : unitvec_nearest_pair(e, bits / 2u);
 }
@@ -257,7 +256,7 @@ vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
 }
 
-// `code`, or that of +Z where this L1 norm gives no direction: to select here takes the fewest operations.
+// `code`, or the code of +Z where this L1 norm gives no direction: selecting here takes the fewest operations.
 uint unitvec_oct_usable_code(float norm, uint code, uint bits) {
     return unitvec_is_usable(norm) ? code : unitvec_oct_pack(vec2(0.0), bits);
 }

@@ -17,8 +17,8 @@
 // They look the lengths up, with the same result, where UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included,
 // as an expression that gives word i of the table, i below 206080: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Decoding gives
-// the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Decoding
+// gives the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
 // the largest component of a whole vector.
 
 #ifndef UNITVEC_BEST_FIT_METAL
@@ -100,7 +100,7 @@ inline float3 unitvec_best_fit_scan(float3 best, float2 u, float longest) {
 }
 
 // The scale that fits best of all, up to 127.25. The rounding at a length is the nearest in its plane, which need not
-// be the nearest in angle, least so near the middle of an octant; scales between whole numbers find what is left.
+// be the nearest in angle, least so near the middle of an octant; scales between whole numbers find the nearer vectors.
 inline float unitvec_best_fit_best_scale(float2 u) {
     float3 best = unitvec_best_fit_scan(unitvec_best_fit_of_length(u, 127.0f), u, 127.0f);
     float end = u.y > UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT ? 111.5f : 123.5f;
@@ -121,7 +121,7 @@ inline uint unitvec_best_fit_pack8(float3 q) {
     return unitvec_signed_code(q.x, 8u) | (unitvec_signed_code(q.y, 8u) << 8u) | (unitvec_signed_code(q.z, 8u) << 16u);
 }
 
-// The low byte of the two's complement of the nearest whole number, the even one of two.
+// The low byte of the two's complement of the nearest whole number; ties go to the even one.
 inline uint unitvec_best_fit_nearest_byte(float x) {
     float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
     return as_type<uint>(sum) & unitvec_mask(8u);
@@ -147,9 +147,9 @@ inline uint unitvec_best_fit_code_at_length(float3 v, float reciprocal, float si
         | (unitvec_best_fit_nearest_byte(p.z) << 16u);
 }
 
-// How far from the direction a length (x) ends, squared and up to a factor (y). As in unitvec_best_fit_of_length, but
-// the vector counts as `size` long, and the square of d x u as dy^2 - least dy dz + (1 + mid - least) dz^2, times a
-// factor.
+// A length (x), and how far from the direction it ends, squared and up to a factor (y). As in
+// unitvec_best_fit_of_length, but the vector counts as `size` long, and the square of d x u as
+// dy^2 - least dy dz + (1 + mid - least) dz^2, times a factor.
 inline float2 unitvec_best_fit_candidate(float2 u, float weight, float size) {
     float2 p = u * size;
     float2 d = unitvec_nearest_whole(p) - p;
@@ -189,7 +189,7 @@ inline float unitvec_best_fit_sine(float2 u, float size) {
     return sine;
 }
 
-// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
+// `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 inline float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
     float columns = float(cell) + (third + 0.5f) / max(third, 3.0f);
@@ -202,9 +202,9 @@ inline float2 unitvec_best_fit_sample(uint2 cell, int i) {
     return float2(unitvec_best_fit_sample_part(cell.x, i / 3), unitvec_best_fit_sample_part(cell.y, i % 3));
 }
 
-// The lengths of a cell, each the one that leaves least of the mean error of the ones before; the longest of equals.
+// The lengths of a cell, each the one that leaves least of the mean error of those before it; the longest of equals.
 inline float4 unitvec_best_fit_cell_lengths(uint2 cell) {
-    // What the lengths so far leave: no length, more than any.
+    // The errors that the lengths so far leave: with no length, more than any.
     float left[9];
     for (int i = 0; i < 9; i += 1) {
         left[i] = 1.0f;

@@ -4,7 +4,7 @@
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
 //   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
-//   dither_from_key(key)                         an offset from a vertex index, or what else both sides know
+//   dither_from_key(key)                         an offset from a vertex index, or another number that both sides know
 //   dither_from_pixel(pixel)                     from a pixel
 //   dither_from_texel(texel)                     from a texel of a tile of noise in R8G8_UNORM
 //   dither_from_position(position)               from the bits of a position, best in the object's own coordinates
@@ -12,8 +12,8 @@
 // Encoder and decoder need the same offset, in steps of the code's lattice. The encoder rounds the position moved by it, and the
 // decoder moves the lattice point back. Offset (0, 0) gives the code of the fast encoder, and its decoded vector, exactly.
 //
-// All take any input. Components of an offset are clamped to [-1/2, 1/2], and 0 for NaN; of v the length does not matter, and
-// +Z stands in for what has no direction. Layout: that of the codec.
+// All take any input. Components of an offset are clamped to [-1/2, 1/2], and 0 for NaN; of v the length does not
+// matter, and +Z stands in for vectors without a direction. Layout: that of the codec.
 
 #ifndef UNITVEC_DITHER_METAL
 #define UNITVEC_DITHER_METAL
@@ -39,7 +39,7 @@ inline float2 unitvec_dither_components(uint bits) {
 
 inline float2 dither_from_key(uint key) { return unitvec_dither_components(unitvec_dither_hash(key)); }
 
-// Add a frame's number to a component, times some large odd number, to have others in each frame.
+// To have other offsets in each frame, add the frame's number, times some large odd number, to a component.
 inline float2 dither_from_pixel(uint2 pixel) { return dither_from_key(pixel.x ^ unitvec_dither_hash(pixel.y)); }
 
 // The middles of 256 intervals of [-1/2, 1/2].
@@ -48,7 +48,7 @@ inline float2 dither_from_texel(float2 texel) {
     return middle;
 }
 
-// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, are one.
+// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, give the same bits.
 inline uint unitvec_dither_coordinate(float x) {
     return abs(x) < UNITVEC_MIN_POSITIVE ? 0u : as_type<uint>(x);
 }
@@ -59,7 +59,7 @@ inline float2 dither_from_position(float3 position) {
     return dither_from_key(xy ^ unitvec_dither_coordinate(position.z));
 }
 
-// An offset's component as the functions take it.
+// An offset's component, clamped to [-1/2, 1/2]; 0 for NaN.
 inline float unitvec_dither_component(float x) {
     return unitvec_is_nan(x) ? 0.0f : min(max(x, -0.5f), 0.5f);
 }
@@ -80,7 +80,7 @@ inline float2 unitvec_dither_moved_back(float2 e, float2 offset, float m) {
     return min(max(moved, float2(-m)), float2(m));
 }
 
-// The direction of v, of this L1 norm, at unit length. Without a usable direction, anything.
+// The direction of v, of this L1 norm, at unit length. Unspecified without a usable direction.
 inline float3 unitvec_dither_unit(float3 v, float norm) {
     return unitvec_normalize(unitvec_scaled_to_one(v, norm));
 }
@@ -149,7 +149,7 @@ inline float3 unitvec_dither_hemioct_decode(uint code, float2 offset, uint bits)
 
 // soct
 
-// The code of u and v of `bits` bits each, and 1 below the equator, else 0. That of +Z where v has no direction.
+// The code of u and v of `bits` bits each, and 1 below the equator, else 0. The code of +Z where v has no direction.
 inline uint2 unitvec_dither_soct_parts(float3 v, float2 offset, uint bits) {
     float norm = unitvec_l1_norm(v);
     float m = unitvec_snorm_max(bits);
@@ -173,10 +173,10 @@ inline float3 unitvec_dither_soct_decode(uint code, float2 offset, uint bits) {
     return unitvec_dither_soct_direction(code, code << (32u - bits), offset, bits / 2u);
 }
 
-// eaoct: an offset's first is of rings, its second of points on a ring.
+// eaoct: an offset's first component counts rings, its second points on a ring.
 
-// An offset as a half octant has it. Rings count from +Z to -Z and points from +X towards +Y: so the octants' borders, where
-// codes do not tell the octant, are as the inside. e has the octant's signs of x and y.
+// An offset in the sense of a half octant. Rings count from +Z to -Z and points from +X towards +Y: so the octants'
+// borders, where codes do not tell the octant, are like the inside. e has the octant's signs of x and y.
 inline float2 unitvec_dither_turned(float2 offset, float2 e, bool swapped, bool below) {
     float2 usable = unitvec_dither_usable(offset);
     uint swap = swapped ? UNITVEC_SIGN_BIT : 0u;
@@ -219,7 +219,7 @@ inline uint unitvec_dither_eaoct_encode(float3 v, float2 offset, uint bits) {
     return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
-// A ring's candidate: its lattice point as the code has it, without the sign of 0.
+// A ring's candidate: its lattice point as in the code, without the sign of 0.
 inline float3 unitvec_dither_eaoct_on(float ring, float3 v, float3 n, UnitvecEaoctPolar p, float2 offset, float2 turned,
     float m) {
     float2 e = unitvec_dither_eaoct_point(ring, v, p, turned, m);

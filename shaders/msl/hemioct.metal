@@ -9,21 +9,21 @@
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Below the equator z counts as 0, and +Z stands in for what has no direction, or NaN in it; a pair
-// is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
+// All take any input. Below the equator z counts as 0, and +Z stands in for vectors without a direction or with NaN; a
+// pair is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
 
 #ifndef UNITVEC_HEMIOCT_METAL
 #define UNITVEC_HEMIOCT_METAL
 
 #include "arith.metal"
 
-// Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
+// The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 inline float2 unitvec_hemioct_position(float3 v, float norm, float m) {
     float2 e = float2(v.x + v.y, v.x - v.y) * (m / norm);
     return e;
 }
 
-// The L1 norms of v, and of v with what is below the equator moved up to it.
+// The L1 norms of v, and of v moved up to the equator if below it.
 inline float2 unitvec_hemioct_norms(float3 v) {
     float across = abs(v.x) + abs(v.y);
     float2 norms = float2(across + abs(v.z), across + max(v.z, 0.0f));
@@ -44,7 +44,8 @@ inline float3 unitvec_hemioct_from_lattice(float2 e, float m) {
     return unitvec_normalize(float3(p, z));
 }
 
-// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for what has no direction, or none above the equator.
+// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one
+// above the equator.
 inline float2 float32x3_to_hemioct(float3 v) {
     float2 norms = unitvec_hemioct_norms(v);
     float2 e = unitvec_hemioct_position(v, norms.y, 1.0f);
@@ -56,7 +57,7 @@ inline float3 hemioct_to_float32x3(float2 e) {
     return unitvec_hemioct_from_lattice(unitvec_snorm_clamp(e), 1.0f);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 inline float2 float32x3_to_hemioct_unorm(float3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
 inline float3 hemioct_unorm_to_float32x3(float2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 

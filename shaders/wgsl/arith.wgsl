@@ -21,8 +21,8 @@
 //   unitvec_sin_cos(x), unitvec_sin, unitvec_cos, unitvec_atan2, unitvec_asin, unitvec_acos    in radians
 //
 // Angles are in half turns of pi radians: reduction to the first octant is exact, the axes and diagonals are exact, and
-// -1 to 1 is what an snorm holds. Magnitudes below 2^-100 count as 0; no result is -0 or denormal. The Rust crate's
-// documentation has the errors, and what becomes of bad input.
+// -1 to 1 is the range of an snorm. Magnitudes below 2^-100 count as 0; no result is -0 or denormal. The Rust crate's
+// documentation has the errors, and the results for bad input.
 
 // The least normal number, 2^-126.
 const UNITVEC_MIN_POSITIVE: f32 = 1.1754943508222875e-38;
@@ -58,13 +58,13 @@ fn unitvec_flip_sign(x: f32, sign_bit: u32) -> f32 {
 
 // round: rounding to whole numbers, and whole numbers as integers.
 
-// Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
+// Its sums with numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
 const UNITVEC_ONE_AND_A_HALF_2_23: f32 = 12582912.0;
 
-// Sums of it and numbers of 0 to 2^23 are whole; their low 23 bits are the number.
+// Its sums with numbers of 0 to 2^23 are whole; their low 23 bits are the number.
 const UNITVEC_2_23: f32 = 8388608.0;
 
-// The integer part of a number from 0 to 2^31. By way of int, for which more processors have an instruction.
+// The integer part of a number from 0 to 2^31. It goes through int, for which more processors have an instruction.
 fn unitvec_whole_to_u32(whole: f32) -> u32 {
     return u32(i32(whole));
 }
@@ -79,7 +79,7 @@ fn unitvec_nearest_whole(x: vec2f) -> vec2f {
 
 // 2^-100: angles and parts of a vector of about unit length that are less count as 0.
 const UNITVEC_NEGLIGIBLE: f32 = 7.888609052210118e-31;
-// 2^100: what is larger has no meaning as an angle or a part.
+// 2^100: larger numbers have no meaning as an angle or a part.
 const UNITVEC_ENORMOUS: f32 = 1.2676506002282294e30;
 
 // 2 to the power `exponent`, -126 to 127.
@@ -99,7 +99,7 @@ fn unitvec_scale_to_one(l1_norm: f32) -> f32 {
     return bitcast<f32>((254u << 23u) - (bitcast<u32>(l1_norm) & 0x7f800000u));
 }
 
-// x, or 0 where that is a denormal, which some devices flush.
+// x, or 0 where x is a denormal, which some devices flush.
 fn unitvec_without_denormal(x: f32) -> f32 {
     return select(x, 0.0, abs(x) < UNITVEC_MIN_POSITIVE);
 }
@@ -185,30 +185,30 @@ fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
-// may, divide once and multiply by the quotient.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
+// may otherwise divide once and multiply by the quotient.
 fn unitvec_divisors(x: f32) -> vec3f {
     return vec3f(x);
 }
 
-// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
+// unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
 fn unitvec_snorm_quotients(e: vec3f, xy_bits: u32, z_bits: u32) -> vec3f {
     return vec3f(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));
 }
 
-// By comparing integers: see unitvec_is_within.
+// True for NaN, by comparing integers: see unitvec_is_within.
 fn unitvec_is_nan(x: f32) -> bool {
     return (bitcast<u32>(x) & 0x7fffffffu) > 0x7f800000u;
 }
 
-// Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
+// Eq. 1, for up to 23 bits and r that is not NaN; NaN gives any code. Ties go to the even integer.
 fn unitvec_unorm_code(r: f32, bits: u32) -> u32 {
     let sum = min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits) + UNITVEC_2_23;
     return bitcast<u32>(sum) & unitvec_mask(bits);
 }
 
-// The same for any r: NaN gives 0.
+// Eq. 1 for any r: NaN gives 0.
 fn unitvec_unorm_encode(r: f32, bits: u32) -> u32 {
     return select(unitvec_unorm_code(r, bits), 0u, unitvec_is_nan(r));
 }
@@ -218,14 +218,14 @@ fn unitvec_unorm_decode(code: u32, bits: u32) -> f32 {
     return unitvec_snorm_quotient(f32(code & unitvec_mask(bits)), bits + 1u);
 }
 
-// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN; NaN gives any
 // code. Ties go to the even integer.
 fn unitvec_snorm_code(r: f32, bits: u32) -> u32 {
     let position = min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits);
     return unitvec_nearest_code(position, bits);
 }
 
-// The same for any r: NaN gives 0.
+// unitvec_snorm_code for any r: NaN gives 0.
 fn unitvec_snorm_encode(r: f32, bits: u32) -> u32 {
     return select(unitvec_snorm_code(r, bits), 0u, unitvec_is_nan(r));
 }
@@ -236,7 +236,7 @@ fn unitvec_snorm_field(code: u32, first: u32, bits: u32) -> f32 {
     return max(f32(unitvec_signed_field(code, first, bits)), -unitvec_snorm_max(bits));
 }
 
-// That of the low `bits` bits.
+// Integer of the snorm in the low `bits` bits, with -2^(bits-1) taken as -(2^(bits-1) - 1).
 fn unitvec_snorm_integer(code: u32, bits: u32) -> f32 {
     return unitvec_snorm_field(code, 0u, bits);
 }
@@ -246,24 +246,24 @@ fn unitvec_snorm_integers(code: u32, bits: u32) -> vec2f {
     return vec2f(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 
-// Both clamped to [-1, 1]; 0 where one is NaN.
+// Both components clamped to [-1, 1]; 0 where one is NaN.
 fn unitvec_snorm_clamp(e: vec2f) -> vec2f {
     return select(clamp(e, vec2f(-1.0), vec2f(1.0)), vec2f(0.0), unitvec_is_nan(abs(e.x) + abs(e.y)));
 }
 
-// [-1, 1] on [0, 1], for a UNORM format.
+// Maps [-1, 1] to [0, 1], for a UNORM format.
 fn unitvec_biased(e: vec2f) -> vec2f {
     let on_unorm = e * 0.5 + 0.5;
     return on_unorm;
 }
 
-// The inverse.
+// The inverse of unitvec_biased.
 fn unitvec_unbiased(e: vec2f) -> vec2f {
     let on_snorm = e * 2.0 - 1.0;
     return on_snorm;
 }
 
-// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+// True for a number that stands for a set bit: 1/2 and more. False for NaN.
 fn unitvec_is_set(x: f32) -> bool {
     return x >= 0.5 && !unitvec_is_nan(x);
 }
@@ -275,7 +275,7 @@ fn unitvec_snorm_decode(code: u32, bits: u32) -> f32 {
 
 // half: half floats (IEEE 754 binary16), converted with integers.
 
-// The half of 65504, the largest, and that of 1.0.
+// The halves of 65504, the largest, and of 1.0.
 const UNITVEC_HALF_MAX: u32 = 0x7bffu;
 const UNITVEC_HALF_ONE: u32 = 0x3c00u;
 
@@ -299,7 +299,7 @@ fn unitvec_half_encode_magnitude(x: f32) -> u32 {
     return select(rounded, UNITVEC_HALF_MAX, bits >= 0x477ff000u);
 }
 
-// The half nearest to x, ties to even. What is too large gives +-65504, infinity and NaN too; 0 is +0, of either sign.
+// The half nearest to x, ties to even. Larger magnitudes, infinity and NaN give +-65504; 0 of either sign gives +0.
 fn unitvec_half_encode(x: f32) -> u32 {
     let magnitude = unitvec_half_encode_magnitude(x);
     return magnitude | select(0u, 0x8000u, unitvec_is_negative(x) && magnitude != 0u);
@@ -338,7 +338,7 @@ fn unitvec_horizontal_length(v: vec3f) -> f32 {
     return distance_from_z;
 }
 
-// face: the faces of a cube, which one a direction meets, and the components as it has them.
+// face: the faces of a cube, the one in a direction, and the components in its order.
 
 // Twice the axis of the component of largest magnitude, the last one if several are equal, and 1 if it is negative.
 fn unitvec_face_of(v: vec3f) -> u32 {
@@ -356,7 +356,7 @@ fn unitvec_to_face(v: vec3f, face: u32) -> vec3f {
     return select(select(v.zxy, v.yzx, axis == 0u), v, axis >= 2u);
 }
 
-// The inverse. Faces 6 and 7 count as 4 and 5.
+// The inverse of unitvec_to_face. Faces 6 and 7 count as 4 and 5.
 fn unitvec_from_face(p: vec3f, face: u32) -> vec3f {
     let axis = face >> 1u;
     return select(select(p.yzx, p.zxy, axis == 0u), p, axis >= 2u);
@@ -365,12 +365,12 @@ fn unitvec_from_face(p: vec3f, face: u32) -> vec3f {
 // two_float: sums, products and quotients as two floats, and unit vectors as exact as floats are, without fused
 // multiplication.
 
-// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
+// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is the rest.
 fn unitvec_upper_half(x: f32) -> f32 {
     return bitcast<f32>(bitcast<u32>(x) & 0xfffff000u);
 }
 
-// a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
+// a + b, rounded, and the remainder, exactly (Knuth 1969).
 fn unitvec_two_sum(a: f32, b: f32) -> vec2f {
     let sum = a + b;
     let b_in_sum = sum - a;
@@ -378,7 +378,7 @@ fn unitvec_two_sum(a: f32, b: f32) -> vec2f {
     return vec2f(sum, rest);
 }
 
-// What the rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
+// The remainder that rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
 fn unitvec_product_rest(a: f32, b: f32, product: f32) -> f32 {
     let a_upper = unitvec_upper_half(a);
     let b_upper = unitvec_upper_half(b);
@@ -606,7 +606,7 @@ fn unitvec_atan2_half_turns(y_in: f32, x_in: f32) -> f32 {
     return unitvec_negate_positive(unitvec_is_negative(y), angle);
 }
 
-// |x|, at most 1; of NaN 1.
+// |x|, at most 1; 1 for NaN.
 fn unitvec_clamped_magnitude(x: f32) -> f32 {
     let a = abs(x);
     return select(1.0, a, bitcast<u32>(a) < 0x3f800000u);
@@ -686,12 +686,12 @@ fn unitvec_acos(x: f32) -> f32 {
     return angle;
 }
 
-// direction: what counts as a direction.
+// direction: the rule for usable directions.
 
-// Least L1 norm that a direction is taken from, 2^-64: far enough above the denormals that whether a device flushes
-// them changes no code.
+// Least L1 norm of a usable direction, 2^-64: far enough above the denormals that whether a device flushes them changes
+// no code.
 const UNITVEC_MIN_NORM: f32 = 5.421010862427522e-20;
-// L1 norms from 2^100 on do not give a direction.
+// L1 norms from 2^100 on give no direction.
 const UNITVEC_MAX_NORM: f32 = 1.2676506002282294e30;
 
 fn unitvec_l1_norm(v: vec3f) -> f32 {
@@ -709,20 +709,22 @@ fn unitvec_or_z(v: vec3f) -> vec3f {
     return select(vec3f(0.0, 0.0, 1.0), v, unitvec_is_usable(unitvec_l1_norm(v)));
 }
 
-// v with what is below the equator moved up to it, or +Z where that has no usable direction.
+// v, moved up to the equator if below it, or +Z where that has no usable direction.
 fn unitvec_upper_or_z(v_in: vec3f) -> vec3f {
     var v = v_in;
     v = unitvec_or_z(v);
     return unitvec_or_z(vec3f(v.xy, select(v.z, 0.0, unitvec_is_negative(v.z))));
 }
 
-// angles: what the codecs of longitude and latitude or height share; the Rust crate has it in their folder.
+// angles: functions that the codecs of longitude and latitude or height share; the Rust crate has them in the codecs'
+// folder.
 
-// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+// 2^-40 and 2^-61, the least values that x and y count as, beside an L1 norm of 1 to 2: no scaled denormal is more.
 const UNITVEC_ANGLES_LEAST_X: f32 = 9.094947017729282e-13;
 const UNITVEC_ANGLES_LEAST_Y: f32 = 4.336808689942018e-19;
 
-// The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Without a usable direction, anything.
+// The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Unspecified without a usable
+// direction.
 fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
     let p = abs(v) * unitvec_scale_to_one(norm);
     return vec3f(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
@@ -736,14 +738,15 @@ fn unitvec_angles_quarter(y: f32, x: f32) -> f32 {
     return select(part, rest, y > x);
 }
 
-// The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
+// The angle of a vector from +X in quarter turns, 0 to 2. x and y are its magnitudes; it is on the side of +X or, if
+// `left`, of -X.
 fn unitvec_angles_half_turn(y: f32, x: f32, left: bool) -> f32 {
     let angle = unitvec_angles_quarter(y, x);
     let rest = 2.0 - angle;
     return select(angle, rest, left);
 }
 
-// The azimuth of v, in quarter turns, -2 to 2. p is what unitvec_angles_scaled makes of it.
+// The azimuth of v, in quarter turns, -2 to 2. p is unitvec_angles_scaled of v.
 fn unitvec_angles_azimuth(v: vec3f, p: vec3f) -> f32 {
     let angle = unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x));
     return unitvec_negate_if(unitvec_is_negative(v.y), angle);

@@ -14,11 +14,11 @@
 //   float32x3_to_stereo(v), stereo_to_float32x3(e)       u and v on [-1, 1], and 1 for z < 0, else 0; so for all nine
 //   float32x3_to_stereo_unorm(v), stereo_unorm_to_float32x3(e)    the same with u and v on [0, 1]
 //
-// Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for what has no direction.
-// Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1), above it;
-// the hemisphere (1 for z < 0) highest. Both ends of v have the pattern of -2^(n-1): there, on the equator, the
-// highest bit says which, 1 for +1. Why, and what else is to be known, is in the docs of the Rust crate's module
-// `azimuthal`, whose every operation these functions repeat.
+// Each with 16, 20, 22, 24 and 32. Any v will do: length does not matter, and +Z stands in for vectors without a
+// direction. Layout: u, snorm of half the bits in two's complement, lowest; v, one bit less, n, in steps of 2^-(n-1),
+// above it; the hemisphere (1 for z < 0) highest. Both ends of v have the pattern of -2^(n-1): there, on the equator,
+// the highest bit says which, 1 for +1. The docs of the Rust crate's module `azimuthal`, whose every operation these
+// functions repeat, give the reasons.
 
 // The projections, and the maps of the disk to the square.
 const UNITVEC_STEREO: i32 = 0;
@@ -100,7 +100,7 @@ fn unitvec_disk_to_eqdist(at: vec2f, c: f32) -> vec3f {
     return vec3f(horizontal, z);
 }
 
-// How far, in steps, lattice points beyond the rim are moved at most.
+// The most that lattice points beyond the rim are moved, in steps.
 const UNITVEC_AZIMUTHAL_REACH: f32 = 0.484375;
 
 // Largest integers of u and v at `bits` bits.
@@ -108,14 +108,14 @@ fn unitvec_azimuthal_largest(bits: u32) -> vec2f {
     return vec2f(unitvec_snorm_max(bits / 2u), f32(1u << (bits / 2u - 2u)));
 }
 
-// e divided by them, the same on every device, since nothing is divided: so all agree on what is inside the disk. Correctly
-// rounded for whole e.
+// e over these largest integers, without a division, so that all devices agree on which points are inside the disk.
+// Correctly rounded for whole e.
 fn unitvec_azimuthal_parts(e: vec2f, bits: u32) -> vec2f {
     let v = e.y * unitvec_exp2(2 - i32(bits / 2u));
     return vec2f(unitvec_snorm_part(e.x, bits / 2u), v);
 }
 
-// True for lattice points e of whose cell the disk covers nothing, or next to nothing.
+// True for lattice points e with cells of which the disk covers nothing, or next to nothing.
 fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
     let nearest = e - UNITVEC_AZIMUTHAL_REACH;
     let corner = unitvec_azimuthal_parts(nearest, bits);
@@ -145,7 +145,7 @@ fn unitvec_plain_move_to_rim(p: vec2f, m: vec2f, excess: f32) -> vec2f {
     return on_rim;
 }
 
-// Disk point of a lattice point of the disk as it is; remote ones are the nearer axis.
+// Disk point of a lattice point of the disk as it is; remote points become the nearer axis.
 fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
     let p = unitvec_azimuthal_parts(e, bits);
     let rim = 1.0 - (p.x * p.x + p.y * p.y);
@@ -157,7 +157,7 @@ fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
     return select(vec4f(on_rim, 0.0, select(0.0, rest, rest < 0.0)), vec4f(p, 0.0, rim), rim > 0.0);
 }
 
-// Disk point of a point on the square of the disk as it is; what is beyond the rim is moved to it.
+// Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 fn unitvec_plain_square_to_disk(s: vec2f) -> vec4f {
     let square = s.x * s.x + s.y * s.y;
     let on_rim = s * (1.0 / sqrt(square));
@@ -207,7 +207,7 @@ fn unitvec_azimuthal_signed(negative: bool, x: f32) -> f32 {
     return select(0.0, unitvec_negate_if(negative, x), x > 0.0);
 }
 
-// Where the direction of v lies on the square, without signs.
+// The place of the direction of v on the square, without signs.
 fn unitvec_azimuthal_to_square(v: vec3f, projection: i32, map: i32) -> vec2f {
     let octant = abs(v) * (1.0 / unitvec_l1_norm(v));
     let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),

@@ -11,11 +11,11 @@
 //   cylindrical_to_float32x3(e)                              the direction of such a pair
 //   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
-// and (0, 0) where one is NaN. Layout: phi /
-// pi in the low half, z in the high half, two's complement snorm.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction. A pair is
+// clamped to [-1, 1], and (0, 0) where one is NaN. Layout: phi / pi in the low half, z in the high half, two's
+// complement snorm.
 
-// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+// The z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
 fn unitvec_cylindrical_height(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
@@ -43,7 +43,7 @@ fn unitvec_cylindrical_from_lattice(e: vec2f, m: f32) -> vec3f {
     return unitvec_angles_around_z(radius, z, select(0.0, quarters, radius > 0.0));
 }
 
-// Unquantised: phi / pi and z, both on [-1, 1].
+// The unquantised phi / pi and z, both on [-1, 1].
 fn float32x3_to_cylindrical(v: vec3f) -> vec2f {
     let height = unitvec_cylindrical_height(v);
     let z = max(min(height.x, 1.0), -1.0);
@@ -51,12 +51,12 @@ fn float32x3_to_cylindrical(v: vec3f) -> vec2f {
     return vec2f(select(0.0, turn, abs(z) < 1.0), z);
 }
 
-// The direction of such a pair.
+// The direction of phi / pi and z, both on [-1, 1].
 fn cylindrical_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 fn float32x3_to_cylindrical_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_cylindrical(v)); }
 fn cylindrical_unorm_to_float32x3(e: vec2f) -> vec3f { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 

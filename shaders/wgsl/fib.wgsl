@@ -8,9 +8,9 @@
 //
 //   fib16_encode(v), fib16_decode(code)      also fib24, 32
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout: the code
-// is the number i of a point, counted from +Z to -Z: with N = 2^bits, its height is 1 - (2i + 1) / N and its azimuth
-// frac(0.618... i) of a turn. The encoder finds the nearest point. No axis is a point.
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout: the
+// code is the number i of a point, counted from +Z to -Z: with N = 2^bits, its height is 1 - (2i + 1) / N and its
+// azimuth frac(0.618... i) of a turn. The encoder finds the nearest point. No axis is a point.
 
 // (sqrt(5) - 1) / 2 in 64 bits, rounded.
 const UNITVEC_FIB_GOLDEN_HIGH: u32 = 0x9e3779b9u;
@@ -23,12 +23,12 @@ const UNITVEC_CHORD_2: f32 = 85.35731;
 const UNITVEC_CHORD_3: f32 = -59.191452;
 const UNITVEC_CHORD_4: f32 = 21.72156;
 
-// Added to the numbers of points so that those of a cell beside a pole are not negative; what it adds to the azimuth.
+// Added to the numbers of points so that those of a cell beside a pole are not negative; the azimuth that this adds.
 const UNITVEC_FIB_SHIFT: u32 = 64u;
 const UNITVEC_FIB_SHIFT_TURN: u32 = 0x8dde6e5fu;
 
-// A direction beside the points, in the hemisphere z >= 0: 1 - z, z, 1 - z^2, and where it is among the numbers of the
-// points: a whole number, and what to add.
+// A direction beside the points, in the hemisphere z >= 0: 1 - z, z, 1 - z^2, and its place among the numbers of the
+// points: a whole number, and a fraction to add.
 struct UnitvecFibPlace {
     depth: f32,
     height: f32,
@@ -37,8 +37,7 @@ struct UnitvecFibPlace {
     fraction: f32,
 }
 
-// Two steps of the lattice, by the k-th Fibonacci number and the next: the numbers, how far they go around, and
-// whether k is even.
+// Two steps of the lattice, by the k-th Fibonacci number and the next: the numbers, their turns, and whether k is even.
 struct UnitvecFibBasis {
     step_size: f32,
     next_step: f32,
@@ -47,7 +46,7 @@ struct UnitvecFibBasis {
     is_even: bool,
 }
 
-// A point, and a measure of its distance from what was sought.
+// A point, and a measure of its distance from the place sought.
 struct UnitvecFibCandidate {
     i: u32,
     cost: f32,
@@ -69,7 +68,7 @@ fn unitvec_fib_turn(i: u32) -> u32 {
     return i * UNITVEC_FIB_GOLDEN_HIGH + high;
 }
 
-// The same for i below 2^17.
+// unitvec_fib_turn for i below 2^17.
 fn unitvec_fib_turn_of_step(i: u32) -> u32 {
     return i * UNITVEC_FIB_GOLDEN_HIGH + (((i & 0x1ffffu) * (UNITVEC_FIB_GOLDEN_LOW >> 17u)) >> 15u);
 }
@@ -79,7 +78,7 @@ fn unitvec_fib_signed_turn(turn: u32) -> f32 {
     return signed_turn;
 }
 
-// Integer part of a number from 0 to 2^31, and what is left.
+// Integer part of a number from 0 to 2^31, and the rest.
 fn unitvec_fib_split(x: f32, rest: ptr<function, f32>) -> u32 {
     let whole = i32(x);
     let left = x - f32(whole);

@@ -20,9 +20,9 @@
 // float32x3_to_oct(v) that of oct32 but for at most 3 codes in 1000, which are a step off: it rounds, and the hardware
 // again.
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; other
-// floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24 has
-// the three bytes of listing 5 instead, first byte lowest. With m the snorm's largest integer, codes are the whole
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction or with NaN;
+// other floats are clamped to their range. Layout: x in the low half, y in the high half, two's complement snorm; oct24
+// has the three bytes of listing 5 instead, first byte lowest. With m the snorm's largest integer, codes are the whole
 // points of the square [-m, m]^2: its lattice.
 
 // Moves a point of the positive octant, scaled to x + y + z = m, to where the lower half of the octahedron is folded
@@ -37,15 +37,15 @@ fn unitvec_oct_mirror(v: vec3f, p: vec2f) -> vec2f {
     return vec2f(unitvec_with_sign(p.x, v.x), unitvec_with_sign(p.y, v.y));
 }
 
-// Where v, of this L1 norm, lies on the square [-m, m]^2 (listing 1). Below the equator x is folded to m - |y| s, with s =
-// m / norm, which is (|x| + |z|) s.
+// The place of v, of this L1 norm, on the square [-m, m]^2 (listing 1). Below the equator x is folded to m - |y| s,
+// with s = m / norm, which is (|x| + |z|) s.
 fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
     let below = max(-v.z, 0.0);
     let p = (abs(v.xy) + below) * (m / norm);
     return unitvec_oct_mirror(v, p);
 }
 
-// q of where the ray of p meets the plane x + y + z = m.
+// q at the point where the ray of p hits the plane x + y + z = m.
 fn unitvec_oct_projected(q: vec2f, p: vec3f, middle: vec2f, m: f32) -> vec2f {
     let missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
     let stretch = missing * (1.0 / m);
@@ -121,7 +121,7 @@ fn unitvec_oct_nearer(a: vec4f, b: vec4f) -> vec4f {
     return select(a, b, of_b < of_a);
 }
 
-// As unitvec_oct_nearest_corner, for any m: the best of the four corners, as listing 3 finds it.
+// unitvec_oct_nearest_corner for any m: the best of the four corners, as listing 3 finds it.
 fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
     let low = floor(p.xy);
     let high = low + 1.0;
@@ -135,15 +135,15 @@ fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 fn unitvec_oct_precise_point(v: vec3f, norm: f32, m: f32) -> vec2f {
     var p = abs(v) * (m / norm);
-    // 2^-26 of the norm: what unitvec_oct_projected takes from denormals, which are less and which some devices flush, would
-    // break ties.
+    // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
+    // would break ties.
     if m >= 65536.0 { p = max(p, vec3f(m * 1.490116119384765625e-8)); }
     // Squares of fewer steps than 63 (up to 12 bits) are too coarse for unitvec_oct_weighed.
     let corner = select(unitvec_oct_nearest_corner(p, m), unitvec_oct_searched_corner(p, m), m < 63.0);
     return unitvec_oct_mirror(v, unitvec_oct_fold(v.z, corner, m));
 }
 
-// The same for any v, (0, 0) where it has no direction.
+// Lattice point that is nearest in angle to the direction of any v; (0, 0) where it has no direction.
 fn unitvec_oct_lattice_precise(v: vec3f, m: f32) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let e = unitvec_oct_precise_point(v, norm, m);
@@ -171,7 +171,7 @@ fn oct_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_oct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 fn float32x3_to_oct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_oct(v)); }
 fn oct_unorm_to_float32x3(e: vec2f) -> vec3f { return oct_to_float32x3(unitvec_unbiased(e)); }
 
@@ -191,7 +191,7 @@ fn unitvec_oct_bytes(f: vec2f) -> vec3f {
     return bytes;
 }
 
-// The inverse, of whole numbers up to 255.
+// The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 fn unitvec_oct_from_bytes(bytes: vec3f) -> vec2f {
     let high = floor(bytes.y / 16.0);
     let biased = vec2f(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
@@ -217,13 +217,13 @@ fn snorm12x2_to_uint8x3(f: vec2f) -> vec3u {
     return vec3u(unitvec_whole_to_u32(bytes.x), unitvec_whole_to_u32(bytes.y), unitvec_whole_to_u32(bytes.z));
 }
 
-// The inverse. What is above 255 counts as 255.
+// The inverse of snorm12x2_to_uint8x3. Numbers above 255 count as 255.
 fn uint8x3_to_snorm12x2(u: vec3u) -> vec2f {
     let bytes = min(u, vec3u(255u));
     return unitvec_oct_from_bytes(vec3f(f32(bytes.x), f32(bytes.y), f32(bytes.z)));
 }
 
-// 2^23 + 2047: of its sum with x from -2047 to 2047 the low 12 bits are x + 2047, to the nearest.
+// 2^23 + 2047: the low 12 bits of its sum with x from -2047 to 2047 are x + 2047, rounded to the nearest.
 const UNITVEC_OCT_BIAS: f32 = 8390655.0;
 
 // Code of the lattice point nearest to e, with m = 2047: the bytes of listing 5, the first in the low bits.
@@ -241,8 +241,7 @@ fn unitvec_oct_unpack_unorm8x3(code: u32) -> vec2f {
     return min(e, vec2f(2047.0));
 }
 
-// Code of the lattice point nearest to e, of two of them the one whose components are even (odd for 24 bits), `bits` bits
-// in all.
+// Code of the lattice point nearest to e; ties go to even components (odd for 24 bits); `bits` bits in all.
 fn unitvec_oct_pack(e: vec2f, bits: u32) -> u32 {
     return select(unitvec_nearest_pair(e, bits / 2u), unitvec_oct_pack_unorm8x3(e), bits == 24u);
 }
@@ -251,7 +250,7 @@ fn unitvec_oct_unpack(code: u32, bits: u32) -> vec2f {
     return select(unitvec_snorm_integers(code, bits / 2u), unitvec_oct_unpack_unorm8x3(code), bits == 24u);
 }
 
-// `code`, or that of +Z where this L1 norm gives no direction: to select here takes the fewest operations.
+// `code`, or the code of +Z where this L1 norm gives no direction: selecting here takes the fewest operations.
 fn unitvec_oct_usable_code(norm: f32, code: u32, bits: u32) -> u32 {
     return select(unitvec_oct_pack(vec2f(0.0), bits), code, unitvec_is_usable(norm));
 }

@@ -9,8 +9,8 @@
 //   oct48_encode(v), oct48_decode(code)      codes as vec2u, low word first
 //   oct48p_encode(v), oct52p_encode(v), ...  precise encoders
 //
-// Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: x in the low 24 or 26
-// bits, y in those above, two's complement snorm. Positions are sums of two floats, since one does not hold them;
+// Any v will do: length does not matter, and +Z stands in for vectors without a direction. Layout: x in the low 24 or
+// 26 bits, y in those above, two's complement snorm. Positions are sums of two floats, since one does not hold them;
 // decoded components are the floats nearest to the exact ones. Without `precise` (see arith.wgsl) a compiler may undo
 // that.
 
@@ -29,7 +29,7 @@ fn unitvec_oct_wide_max(bits: u32) -> i32 {
     return i32(unitvec_mask(bits - 1u));
 }
 
-// Where v, which has a direction, lies in the positive octant, after mirroring.
+// The place of v, which has a direction, in the positive octant, after mirroring.
 fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
     let scaled = abs(unitvec_scaled_to_one(v, unitvec_l1_norm(v)));
     let sum_xy = unitvec_two_sum(scaled.x, scaled.y);
@@ -60,7 +60,7 @@ fn unitvec_oct_wide_decode_octant(p: vec3i, bits: u32) -> vec3f {
 }
 
 // Measure of the angle of p's corner at `corner`, (0, 0) to (1, 1), from p. At 52 bits a corner that decodes to the
-// vector itself costs least, so that what was decoded once keeps its code's vector.
+// vector itself costs least, so that a decoded vector keeps its code's vector.
 fn unitvec_oct_wide_cost(p: UnitvecOctWidePosition, corner: vec2i, bits: u32) -> f32 {
     let d = vec2f(corner) - p.fraction;
     let along = d.x * (p.part.x - p.part.z) + d.y * (p.part.y - p.part.z);
@@ -128,7 +128,7 @@ fn unitvec_oct_wide_decode(code: vec2u, bits: u32) -> vec3f {
     let z = m - p.x - p.y;
     p = select(p, m - p.yx, z < 0);
     let v = unitvec_oct_wide_decode_octant(vec3i(p, abs(z)), bits);
-    // Not where a component is 0, which would become -0.
+    // Components of 0 are not negated: they would become -0.
     let left = x < 0 && p.x > 0;
     let down = y < 0 && p.y > 0;
     return vec3f(unitvec_negate_if(left, v.x), unitvec_negate_if(down, v.y), unitvec_negate_if(z < 0, v.z));

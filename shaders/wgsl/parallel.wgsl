@@ -9,10 +9,10 @@
 //
 //   xyonly16_encode(v), xyonly16_decode(code), ...      u32 codes; vec2u, low word first, at 48 bits
 //
-// Any v: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for what has no direction.
-// Layout: the first component in the low bits, then the second, snorm in two's complement, then the sign of z, or the
-// sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust crate's module
-// `parallel`, whose every operation these repeat.
+// Any v will do: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for vectors
+// without a direction. Layout: the first component in the low bits, then the second, snorm in two's complement, then
+// the sign of z, or the sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust
+// crate's module `parallel`, whose every operation these repeat.
 
 const UNITVEC_PARALLEL_INSET: f32 = 0.4375;
 // 1 - 2^-21: the extent of a sextant, which leaves room for the rounding of the largest component.
@@ -44,7 +44,7 @@ fn unitvec_parallel_sextant(u_bits: u32, v_bits: u32) -> UnitvecParallelPlane {
     return plane;
 }
 
-// e in units of the plane, without a division of floats, so that all devices agree on what is inside.
+// e in units of the plane, without a division of floats, so that all devices agree on which points are inside.
 fn unitvec_parallel_parts(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
     let reciprocal = vec2f(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
     let in_sextant = e * (reciprocal * 0.70710677);
@@ -64,7 +64,7 @@ fn unitvec_parallel_is_outside(plane: UnitvecParallelPlane, e: vec2f) -> bool {
     return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
 }
 
-// e with the component along which the border is sooner reached lessened by `by` steps.
+// e with `by` steps less in the component along which the border is reached sooner.
 fn unitvec_parallel_inwards(plane: UnitvecParallelPlane, e: vec2f, by: f32) -> vec2f {
     let p = unitvec_parallel_parts(plane, e);
     let x = p.x * plane.steps.y;
@@ -75,8 +75,8 @@ fn unitvec_parallel_inwards(plane: UnitvecParallelPlane, e: vec2f, by: f32) -> v
     return select(vec2f(e.x, less.y), vec2f(less.x, e.y), along_x);
 }
 
-// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
-// above it.
+// The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1,
+// which nowhere is above it.
 fn unitvec_parallel_onto_border(extent: f32) -> f32 {
     let factor = 1.4999995 - 0.5 * extent;
     return factor;
@@ -103,7 +103,8 @@ fn unitvec_parallel_point(plane: UnitvecParallelPlane, e: vec2f) -> vec2f {
     return unitvec_parallel_parts(plane, chosen);
 }
 
-// v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
+// v, which has a direction, at unit length; only scaled by a power of two, or not at all, where that is of unit length
+// to within 2^-21.
 fn unitvec_parallel_unit(v: vec3f) -> vec3f {
     let raised = unitvec_l1_norm(v) * 1.1;
     let scaled = v * unitvec_scale_to_one(raised);
@@ -160,7 +161,7 @@ fn unitvec_parallel_from_plane(plane: UnitvecParallelPlane, e: vec2f, negative: 
         unitvec_parallel_third(p)));
 }
 
-// v with what is below the equator moved up to it, and at unit length.
+// v at unit length, moved up to the equator if below it.
 fn unitvec_parallel_upper_unit(v: vec3f) -> vec3f {
     return unitvec_parallel_unit(unitvec_upper_or_z(v));
 }

@@ -11,10 +11,10 @@
 //                                                1 for z < 0, else 0
 //   float32x3_to_soct_unorm(v), soct_unorm_to_float32x3(e)    the same with u and v on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it. u and v are
-// clamped, 0 where one is NaN, and below the equator is where the third is 1/2 or more. Layout: u = x + y
-// and v = x - y of (x, y, |z|) in two's complement snorm as in hemioct.wgsl, u lowest, and above them 1 for z < 0. Of
-// the 33 bits the sign is bit 0 of the second word.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction or with NaN. u
+// and v are clamped, 0 where one is NaN, and below the equator is where the third is 1/2 or more. Layout: u = x + y and
+// v = x - y of (x, y, |z|) in two's complement snorm as in hemioct.wgsl, u lowest, and above them 1 for z < 0. Of the
+// 33 bits the sign is bit 0 of the second word.
 
 // The code of u and v, of `bits` bits each, of the direction of v of this L1 norm.
 fn unitvec_soct_pair(v: vec3f, norm: f32, bits: u32) -> u32 {
@@ -30,12 +30,12 @@ fn unitvec_soct_from_lattice(e: vec2f, sign_bit: u32, m: f32) -> vec3f {
     return unitvec_normalize(v);
 }
 
-// The same of the code of u and v, of `bits` bits each.
+// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31.
 fn unitvec_soct_from_parts(code: u32, sign_bit: u32, bits: u32) -> vec3f {
     return unitvec_soct_from_lattice(unitvec_snorm_integers(code, bits), sign_bit, unitvec_snorm_max(bits));
 }
 
-// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+// The unquantised projection: u and v on [-1, 1], and 1 for z < 0, else 0.
 fn float32x3_to_soct(v: vec3f) -> vec3f {
     let norm = unitvec_l1_norm(v);
     let e = vec3f(unitvec_hemioct_position(v, norm, 1.0), select(0.0, 1.0, unitvec_is_negative(v.z)));
@@ -48,7 +48,7 @@ fn soct_to_float32x3(e: vec3f) -> vec3f {
     return unitvec_soct_from_lattice(unitvec_snorm_clamp(e.xy), sign_bit, 1.0);
 }
 
-// The same with u and v biased on [0, 1], for a UNORM format.
+// Variants with u and v on [0, 1], for a UNORM format.
 fn float32x3_to_soct_unorm(v: vec3f) -> vec3f {
     let e = float32x3_to_soct(v);
     return vec3f(unitvec_biased(e.xy), e.z);

@@ -11,11 +11,10 @@
 //   spherical_to_float32x3(e)                            the direction of such a pair
 //   float32x3_to_spherical_unorm(v), spherical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
-// and (0, 0) where one is NaN. An snorm format that holds such a pair has another code than these: its phi has a step less.
-// Layout, with b
-// half the bits and m = 2^(b-1) - 1: round((2 theta / pi - 1) m) in the low half, theta from +Z; round(phi / pi
-// 2^(b-1)) in the high half, periodic; both in two's complement.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction. A pair is
+// clamped to [-1, 1], and (0, 0) where one is NaN. An snorm format that holds such a pair has another code than these:
+// its phi has a step less. Layout, with b half the bits and m = 2^(b-1) - 1: round((2 theta / pi - 1) m) in the low
+// half, theta from +Z; round(phi / pi 2^(b-1)) in the high half, periodic; both in two's complement.
 
 // The latitude and the azimuth of the direction of v in quarter turns.
 fn unitvec_spherical_angles(v: vec3f) -> vec2f {
@@ -46,25 +45,25 @@ fn unitvec_spherical_from_lattice(e: vec2f, m: f32, half_turn: f32) -> vec3f {
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), select(0.0, quarters, latitude < 1.0));
 }
 
-// The angles, unquantised: 2 theta / pi - 1 and phi / pi, both on [-1, 1].
+// The unquantised angles: 2 theta / pi - 1 and phi / pi, both on [-1, 1].
 fn float32x3_to_spherical(v: vec3f) -> vec2f {
     let angles = unitvec_spherical_angles(v);
     let turn = 0.5 * angles.y;
     return vec2f(-angles.x, select(0.0, turn, abs(angles.x) < 1.0));
 }
 
-// 2^-26. Angles of theta that are less differ from the equator by less than the decoder rounds: without them no zero of z gets a
-// sign.
+// 2^-26. An angle of theta that is less differs from the equator by less than the decoder rounds, and counts as 0: else
+// a zero of z could get a sign.
 const UNITVEC_SPHERICAL_LEAST: f32 = 1.4901161193847656e-8;
 
-// The direction of such a pair.
+// The direction of 2 theta / pi - 1 and phi / pi, both on [-1, 1].
 fn spherical_to_float32x3(e: vec2f) -> vec3f {
     let angles = unitvec_snorm_clamp(e);
     let theta = select(0.0, angles.x, abs(angles.x) > UNITVEC_SPHERICAL_LEAST);
     return unitvec_spherical_from_lattice(vec2f(theta, angles.y), 1.0, 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 fn float32x3_to_spherical_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_spherical(v)); }
 fn spherical_unorm_to_float32x3(e: vec2f) -> vec3f { return spherical_to_float32x3(unitvec_unbiased(e)); }
 

@@ -8,13 +8,13 @@
 //
 //   spherical48_encode(v), spherical48_decode(code)      codes as vec2u, low word first
 //
-// Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: round((2 theta / pi - 1) m)
-// in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24, periodic; both in two's
-// complement. Sines and cosines are sums of two floats, since one is too coarse. Without `precise` (see arith.wgsl) a
-// compiler may undo that.
+// Any v will do: length does not matter, and +Z stands in for vectors without a direction. Layout:
+// round((2 theta / pi - 1) m) in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24,
+// periodic; both in two's complement. Sines and cosines are sums of two floats, since one is too coarse. Without
+// `precise` (see arith.wgsl) a compiler may undo that.
 
-// What an angle is counted in: steps in a quarter turn; the size of a step in half turns, cut down to a power of two;
-// what was cut off, as a part of that.
+// The unit of an angle: steps in a quarter turn; the size of a step in half turns, cut down to a power of two; the part
+// that was cut off, relative to that.
 struct UnitvecSphericalWideSteps {
     in_quarter: i32,
     size: f32,
@@ -27,11 +27,11 @@ const UNITVEC_SPHERICAL_WIDE_THETA: UnitvecSphericalWideSteps =
 const UNITVEC_SPHERICAL_WIDE_PHI: UnitvecSphericalWideSteps =
     UnitvecSphericalWideSteps(4194304, 1.1920928955078125e-7, 0.0);
 
-// 2^-40: a vector of about unit length that is nearer to the z axis is that of a pole.
+// 2^-40: a vector of about unit length that is nearer to the z axis counts as a pole.
 const UNITVEC_SPHERICAL_WIDE_POLAR: f32 = 9.094947017729282e-13;
 
-// Numbers as sums of two floats are vec2f: the second is what the first lacks. This one is a + b + low, where a is 0 or
-// no less than b in magnitude, and low is far less.
+// Numbers as sums of two floats are vec2f: the second is the part that the first lacks. This one is a + b + low, where a
+// is 0 or no less than b in magnitude, and low is far less.
 fn unitvec_spherical_wide_sum(a: f32, b: f32, low: f32) -> vec2f {
     let high = a + b;
     let rest = (b - (high - a)) + low;

@@ -22,8 +22,8 @@
 //   unitvec_sin_cos(x), unitvec_sin, unitvec_cos, unitvec_atan2, unitvec_asin, unitvec_acos    in radians
 //
 // Angles are in half turns of pi radians: reduction to the first octant is exact, the axes and diagonals are exact, and
-// -1 to 1 is what an snorm holds. Magnitudes below 2^-100 count as 0; no result is -0 or denormal. The Rust crate's
-// documentation has the errors, and what becomes of bad input.
+// -1 to 1 is the range of an snorm. Magnitudes below 2^-100 count as 0; no result is -0 or denormal. The Rust crate's
+// documentation has the errors, and the results for bad input.
 
 #ifndef UNITVEC_ARITH_GLSL
 #define UNITVEC_ARITH_GLSL
@@ -68,13 +68,13 @@ float unitvec_flip_sign(float x, uint sign_bit) {
 
 // round: rounding to whole numbers, and whole numbers as integers.
 
-// Sums of it and numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
+// Its sums with numbers of at most 2^22 are whole; their low 22 bits are the two's complement.
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 
-// Sums of it and numbers of 0 to 2^23 are whole; their low 23 bits are the number.
+// Its sums with numbers of 0 to 2^23 are whole; their low 23 bits are the number.
 const float UNITVEC_2_23 = 8388608.0;
 
-// The integer part of a number from 0 to 2^31. By way of int, for which more processors have an instruction.
+// The integer part of a number from 0 to 2^31. It goes through int, for which more processors have an instruction.
 uint unitvec_whole_to_u32(float whole) {
     return uint(int(whole));
 }
@@ -89,7 +89,7 @@ vec2 unitvec_nearest_whole(vec2 x) {
 
 // 2^-100: angles and parts of a vector of about unit length that are less count as 0.
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
-// 2^100: what is larger has no meaning as an angle or a part.
+// 2^100: larger numbers have no meaning as an angle or a part.
 const float UNITVEC_ENORMOUS = 1.2676506002282294e30;
 
 // 2 to the power `exponent`, -126 to 127.
@@ -109,7 +109,7 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 
-// x, or 0 where that is a denormal, which some devices flush.
+// x, or 0 where x is a denormal, which some devices flush.
 float unitvec_without_denormal(float x) {
     return abs(x) < UNITVEC_MIN_POSITIVE ? 0.0 : x;
 }
@@ -194,30 +194,30 @@ float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
 }
 
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers that
-// may, divide once and multiply by the quotient.
+// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
+// may otherwise divide once and multiply by the quotient.
 vec3 unitvec_divisors(float x) {
     return vec3(x, min(x, 1e38), max(x, 1e-38));
 }
 
-// unitvec_snorm_quotient of vectors, of xy_bits and of z_bits.
+// unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
 vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
     return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
         unitvec_snorm_quotient(e.z, z_bits));
 }
 
-// By comparing integers: see unitvec_is_within.
+// True for NaN, by comparing integers: see unitvec_is_within.
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 
-// Eq. 1, for up to 23 bits and r that is not NaN, which gives any code. Ties go to the even integer.
+// Eq. 1, for up to 23 bits and r that is not NaN; NaN gives any code. Ties go to the even integer.
 uint unitvec_unorm_code(float r, uint bits) {
     float sum = min(min(min(max(r, 0.0), 1.0) * unitvec_unorm_max(bits), UNITVEC_HUGE) + UNITVEC_2_23, UNITVEC_HUGE);
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 
-// The same for any r: NaN gives 0.
+// Eq. 1 for any r: NaN gives 0.
 uint unitvec_unorm_encode(float r, uint bits) {
     return unitvec_is_nan(r) ? 0u : unitvec_unorm_code(r, bits);
 }
@@ -227,14 +227,14 @@ float unitvec_unorm_decode(uint code, uint bits) {
     return unitvec_snorm_quotient(float(code & unitvec_mask(bits)), bits + 1u);
 }
 
-// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN, which gives any
+// round(clamp(r, -1, 1) (2^(bits-1) - 1)) in two's complement, for up to 22 bits and r that is not NaN; NaN gives any
 // code. Ties go to the even integer.
 uint unitvec_snorm_code(float r, uint bits) {
     float position = min(min(max(r, -1.0), 1.0) * unitvec_snorm_max(bits), UNITVEC_HUGE);
     return unitvec_nearest_code(position, bits);
 }
 
-// The same for any r: NaN gives 0.
+// unitvec_snorm_code for any r: NaN gives 0.
 uint unitvec_snorm_encode(float r, uint bits) {
     return unitvec_is_nan(r) ? 0u : unitvec_snorm_code(r, bits);
 }
@@ -245,7 +245,7 @@ float unitvec_snorm_field(uint code, uint first, uint bits) {
     return max(float(unitvec_signed_field(code, first, bits)), -unitvec_snorm_max(bits));
 }
 
-// That of the low `bits` bits.
+// Integer of the snorm in the low `bits` bits, with -2^(bits-1) taken as -(2^(bits-1) - 1).
 float unitvec_snorm_integer(uint code, uint bits) {
     return unitvec_snorm_field(code, 0u, bits);
 }
@@ -255,24 +255,24 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 
-// Both clamped to [-1, 1]; 0 where one is NaN.
+// Both components clamped to [-1, 1]; 0 where one is NaN.
 vec2 unitvec_snorm_clamp(vec2 e) {
     return unitvec_is_nan(abs(e.x) + abs(e.y)) ? vec2(0.0) : clamp(e, -1.0, 1.0);
 }
 
-// [-1, 1] on [0, 1], for a UNORM format.
+// Maps [-1, 1] to [0, 1], for a UNORM format.
 vec2 unitvec_biased(vec2 e) {
     vec2 on_unorm = min(e * 0.5 + 0.5, UNITVEC_HUGE);
     return on_unorm;
 }
 
-// The inverse.
+// The inverse of unitvec_biased.
 vec2 unitvec_unbiased(vec2 e) {
     vec2 on_snorm = min(e * 2.0 - 1.0, UNITVEC_HUGE);
     return on_snorm;
 }
 
-// True for a bit in a format of numbers: 1/2 and more. False for NaN.
+// True for a number that stands for a set bit: 1/2 and more. False for NaN.
 bool unitvec_is_set(float x) {
     return x >= 0.5 && !unitvec_is_nan(x);
 }
@@ -284,7 +284,7 @@ float unitvec_snorm_decode(uint code, uint bits) {
 
 // half: half floats (IEEE 754 binary16), converted with integers.
 
-// The half of 65504, the largest, and that of 1.0.
+// The halves of 65504, the largest, and of 1.0.
 const uint UNITVEC_HALF_MAX = 0x7bffu;
 const uint UNITVEC_HALF_ONE = 0x3c00u;
 
@@ -308,7 +308,7 @@ uint unitvec_half_encode_magnitude(float x) {
     return bits >= 0x477ff000u ? UNITVEC_HALF_MAX : rounded;
 }
 
-// The half nearest to x, ties to even. What is too large gives +-65504, infinity and NaN too; 0 is +0, of either sign.
+// The half nearest to x, ties to even. Larger magnitudes, infinity and NaN give +-65504; 0 of either sign gives +0.
 uint unitvec_half_encode(float x) {
     uint magnitude = unitvec_half_encode_magnitude(x);
     return magnitude | (unitvec_is_negative(x) && magnitude != 0u ? 0x8000u : 0u);
@@ -349,7 +349,7 @@ float unitvec_horizontal_length(vec3 v) {
     return distance_from_z;
 }
 
-// face: the faces of a cube, which one a direction meets, and the components as it has them.
+// face: the faces of a cube, the one in a direction, and the components in its order.
 
 // Twice the axis of the component of largest magnitude, the last one if several are equal, and 1 if it is negative.
 uint unitvec_face_of(vec3 v) {
@@ -367,7 +367,7 @@ vec3 unitvec_to_face(vec3 v, uint face) {
     return axis >= 2u ? v : (axis == 0u ? v.yzx : v.zxy);
 }
 
-// The inverse. Faces 6 and 7 count as 4 and 5.
+// The inverse of unitvec_to_face. Faces 6 and 7 count as 4 and 5.
 vec3 unitvec_from_face(vec3 p, uint face) {
     uint axis = face >> 1u;
     return axis >= 2u ? p : (axis == 0u ? p.zxy : p.yzx);
@@ -376,12 +376,12 @@ vec3 unitvec_from_face(vec3 p, uint face) {
 // two_float: sums, products and quotients as two floats, and unit vectors as exact as floats are, without fused
 // multiplication.
 
-// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is what they leave.
+// x without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is the rest.
 float unitvec_upper_half(float x) {
     return uintBitsToFloat(floatBitsToUint(x) & 0xfffff000u);
 }
 
-// a + b, rounded, and what the rounding took from it, exactly (Knuth 1969).
+// a + b, rounded, and the remainder, exactly (Knuth 1969).
 vec2 unitvec_two_sum(float a, float b) {
     float sum = min(a + b, UNITVEC_HUGE);
     float b_in_sum = min(sum - a, UNITVEC_HUGE);
@@ -390,7 +390,7 @@ vec2 unitvec_two_sum(float a, float b) {
     return vec2(sum, rest);
 }
 
-// What the rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
+// The remainder that rounding takes from the product of a and b, exactly (Dekker 1971): a b - product.
 float unitvec_product_rest(float a, float b, float product) {
     float a_upper = unitvec_upper_half(a);
     float b_upper = unitvec_upper_half(b);
@@ -642,7 +642,7 @@ float unitvec_atan2_half_turns(float y, float x) {
     return unitvec_negate_positive(unitvec_is_negative(y), angle);
 }
 
-// |x|, at most 1; of NaN 1.
+// |x|, at most 1; 1 for NaN.
 float unitvec_clamped_magnitude(float x) {
     float a = abs(x);
     return floatBitsToUint(a) < 0x3f800000u ? a : 1.0;
@@ -728,12 +728,12 @@ float unitvec_acos(float x) {
     return angle;
 }
 
-// direction: what counts as a direction.
+// direction: the rule for usable directions.
 
-// Least L1 norm that a direction is taken from, 2^-64: far enough above the denormals that whether a device flushes
-// them changes no code.
+// Least L1 norm of a usable direction, 2^-64: far enough above the denormals that whether a device flushes them changes
+// no code.
 const float UNITVEC_MIN_NORM = 5.421010862427522e-20;
-// L1 norms from 2^100 on do not give a direction.
+// L1 norms from 2^100 on give no direction.
 const float UNITVEC_MAX_NORM = 1.2676506002282294e30;
 
 float unitvec_l1_norm(vec3 v) {
@@ -751,19 +751,21 @@ vec3 unitvec_or_z(vec3 v) {
     return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 
-// v with what is below the equator moved up to it, or +Z where that has no usable direction.
+// v, moved up to the equator if below it, or +Z where that has no usable direction.
 vec3 unitvec_upper_or_z(vec3 v) {
     v = unitvec_or_z(v);
     return unitvec_or_z(vec3(v.xy, unitvec_is_negative(v.z) ? 0.0 : v.z));
 }
 
-// angles: what the codecs of longitude and latitude or height share; the Rust crate has it in their folder.
+// angles: functions that the codecs of longitude and latitude or height share; the Rust crate has them in the codecs'
+// folder.
 
-// 2^-40 and 2^-61, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+// 2^-40 and 2^-61, the least values that x and y count as, beside an L1 norm of 1 to 2: no scaled denormal is more.
 const float UNITVEC_ANGLES_LEAST_X = 9.094947017729282e-13;
 const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
 
-// The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Without a usable direction, anything.
+// The magnitudes of v's components, scaled by a power of two to an L1 norm of 1 to 2. Unspecified without a usable
+// direction.
 vec3 unitvec_angles_scaled(vec3 v, float norm) {
     vec3 p = min(abs(v) * unitvec_scale_to_one(norm), UNITVEC_HUGE);
     return vec3(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
@@ -777,14 +779,15 @@ float unitvec_angles_quarter(float y, float x) {
     return y > x ? rest : part;
 }
 
-// The same, 0 to 2, if x is that of a vector on the side of +X or, if `left`, of -X.
+// The angle of a vector from +X in quarter turns, 0 to 2. x and y are its magnitudes; it is on the side of +X or, if
+// `left`, of -X.
 float unitvec_angles_half_turn(float y, float x, bool left) {
     float angle = unitvec_angles_quarter(y, x);
     float rest = min(2.0 - angle, UNITVEC_HUGE);
     return left ? rest : angle;
 }
 
-// The azimuth of v, in quarter turns, -2 to 2. p is what unitvec_angles_scaled makes of it.
+// The azimuth of v, in quarter turns, -2 to 2. p is unitvec_angles_scaled of v.
 float unitvec_angles_azimuth(vec3 v, vec3 p) {
     float angle = unitvec_angles_half_turn(p.y, p.x, unitvec_is_negative(v.x));
     return unitvec_negate_if(unitvec_is_negative(v.y), angle);

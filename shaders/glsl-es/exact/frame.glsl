@@ -14,10 +14,10 @@
 //   frame32_decode(code, out normal, out tangent)    tangent.w is +1 or -1
 //   frame64_encode(normal, tangent), ...             codes as uvec2, low word first
 //
-// The bitangent is tangent.w * cross(normal, tangent.xyz), as glTF has it. Any vectors will do: lengths do not matter;
-// +Z stands in for a normal that has no direction, the first vector of the basis for a tangent that has none in the
-// plane of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm;
-// then 9 (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
+// The bitangent is tangent.w * cross(normal, tangent.xyz), as in glTF. Any vectors will do: lengths do not matter; +Z
+// stands in for a normal that has no direction, the first vector of the basis for a tangent that has none in the plane
+// of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm; then 9
+// (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
 
 #ifndef UNITVEC_FRAME_GLSL
 #define UNITVEC_FRAME_GLSL
@@ -31,7 +31,7 @@ const float UNITVEC_WARP_0 = 0.787353515625;
 const float UNITVEC_WARP_1 = 0.15234375;
 const float UNITVEC_WARP_2 = 0.060302734375;
 
-// The inverse, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
 const float UNITVEC_UNWARP_0 = 0.27020066;
 const float UNITVEC_UNWARP_1 = -0.13198552;
 const float UNITVEC_UNWARP_2 = 0.0392082;
@@ -57,7 +57,7 @@ float unitvec_frame_warp(float v) {
     return w;
 }
 
-// The inverse; for more than 9 bits of angle, with a step of Newton's method.
+// The inverse of unitvec_frame_warp; for more than 9 bits of angle, with a step of Newton's method.
 float unitvec_frame_unwarp(float w, uint angle_bits) {
     float u = min(w * w, UNITVEC_HUGE);
     float v = min(w + min(w * min(min(1.0 - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0

@@ -14,8 +14,8 @@
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Below the equator z counts as 0, and +Z stands in for what has no direction, or NaN in it; a pair
-// is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
+// All take any input. Below the equator z counts as 0, and +Z stands in for vectors without a direction or with NaN; a
+// pair is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
 
 #ifndef UNITVEC_HEMIOCT_GLSL
 #define UNITVEC_HEMIOCT_GLSL
@@ -23,14 +23,14 @@
 precision highp float;
 precision highp int;
 
-// Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
+// The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
     vec2 e = min(vec2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
         UNITVEC_HUGE);
     return e;
 }
 
-// The L1 norms of v, and of v with what is below the equator moved up to it.
+// The L1 norms of v, and of v moved up to the equator if below it.
 vec2 unitvec_hemioct_norms(vec3 v) {
     float across = min(abs(v.x) + abs(v.y), UNITVEC_HUGE);
     vec2 norms = vec2(min(across + abs(v.z), UNITVEC_HUGE), min(across + max(v.z, 0.0), UNITVEC_HUGE));
@@ -51,7 +51,8 @@ vec3 unitvec_hemioct_from_lattice(vec2 e, float m) {
     return unitvec_normalize(vec3(p, z));
 }
 
-// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for what has no direction, or none above the equator.
+// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one
+// above the equator.
 vec2 float32x3_to_hemioct(vec3 v) {
     vec2 norms = unitvec_hemioct_norms(v);
     vec2 e = unitvec_hemioct_position(v, norms.y, 1.0);
@@ -63,7 +64,7 @@ vec3 hemioct_to_float32x3(vec2 e) {
     return unitvec_hemioct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 vec2 float32x3_to_hemioct_unorm(vec3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
 vec3 hemioct_unorm_to_float32x3(vec2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 

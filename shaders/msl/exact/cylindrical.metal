@@ -12,16 +12,16 @@
 //   cylindrical_to_float32x3(e)                              the direction of such a pair
 //   float32x3_to_cylindrical_unorm(v), cylindrical_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction. A pair is clamped to [-1, 1],
-// and (0, 0) where one is NaN. Layout: phi /
-// pi in the low half, z in the high half, two's complement snorm.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction. A pair is
+// clamped to [-1, 1], and (0, 0) where one is NaN. Layout: phi / pi in the low half, z in the high half, two's
+// complement snorm.
 
 #ifndef UNITVEC_CYLINDRICAL_METAL
 #define UNITVEC_CYLINDRICAL_METAL
 
 #include "arith.metal"
 
-// z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
+// The z of the direction of v, which an inexact reciprocal may take beyond 1, and its azimuth in quarter turns.
 inline float2 unitvec_cylindrical_height(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
@@ -50,7 +50,7 @@ inline float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
     return unitvec_angles_around_z(radius, z, radius > 0.0f ? quarters : 0.0f);
 }
 
-// Unquantised: phi / pi and z, both on [-1, 1].
+// The unquantised phi / pi and z, both on [-1, 1].
 inline float2 float32x3_to_cylindrical(float3 v) {
     float2 height = unitvec_cylindrical_height(v);
     float z = max(min(height.x, 1.0f), -1.0f);
@@ -58,12 +58,12 @@ inline float2 float32x3_to_cylindrical(float3 v) {
     return float2(abs(z) < 1.0f ? turn : 0.0f, z);
 }
 
-// The direction of such a pair.
+// The direction of phi / pi and z, both on [-1, 1].
 inline float3 cylindrical_to_float32x3(float2 e) {
     return unitvec_cylindrical_from_lattice(unitvec_snorm_clamp(e), 1.0f);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 inline float2 float32x3_to_cylindrical_unorm(float3 v) { return unitvec_biased(float32x3_to_cylindrical(v)); }
 inline float3 cylindrical_unorm_to_float32x3(float2 e) { return cylindrical_to_float32x3(unitvec_unbiased(e)); }
 

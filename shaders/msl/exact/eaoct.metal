@@ -14,17 +14,17 @@
 //   eaoct_to_float32x3(e)                        the direction of such a pair
 //   float32x3_to_eaoct_unorm(v), eaoct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; a pair
-// is clamped to [-1, 1]. Layout: that of oct.metal. With m the snorm's largest integer, the lattice points of an octant
-// lie on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m, has the
-// points 0 to s at equal distances.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction or with NaN; a
+// pair is clamped to [-1, 1]. Layout: that of oct.metal. With m the snorm's largest integer, the lattice points of an
+// octant lie on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m,
+// has the points 0 to s at equal distances.
 
 #ifndef UNITVEC_EAOCT_METAL
 #define UNITVEC_EAOCT_METAL
 
 #include "oct.metal"
 
-// 2^-26, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+// 2^-26, the least value that x and y count as, beside an L1 norm of 1 to 2: no scaled denormal is more.
 constant float UNITVEC_EAOCT_LEAST = 1.4901161193847656e-8f;
 
 // A direction of the positive octant, mirrored so that phi is at most 1/2.
@@ -35,7 +35,7 @@ struct UnitvecEaoctPolar {
 };
 
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
-// Without a usable direction, anything.
+// Unspecified without a usable direction.
 inline UnitvecEaoctPolar unitvec_eaoct_polar(float3 v, float norm) {
     float3 p = min(abs(v) * unitvec_scale_to_one(norm), float3(UNITVEC_HUGE));
     float x = max(p.x, UNITVEC_EAOCT_LEAST);
@@ -52,8 +52,8 @@ inline UnitvecEaoctPolar unitvec_eaoct_polar(float3 v, float norm) {
     return polar;
 }
 
-// Moves a lattice point of that half octant to where the direction of v is. With m the largest coordinate, (x, y) is folded
-// out to (m - y, m - x), which is as far away along both axes.
+// Moves a lattice point of that half octant to the half octant of the direction of v. With m the largest coordinate,
+// (x, y) is folded out to (m - y, m - x), which is as far away along both axes.
 inline float2 unitvec_eaoct_unfolded(float3 v, bool swapped, float ring, float place, float m) {
     float other = min(ring - place, UNITVEC_HUGE);
     float x = swapped ? place : other;
@@ -64,7 +64,7 @@ inline float2 unitvec_eaoct_unfolded(float3 v, bool swapped, float ring, float p
     return float2(unitvec_with_sign(e.x, v.x), unitvec_with_sign(e.y, v.y));
 }
 
-// Lattice point of the direction of v: on the nearest ring the nearest point. Without a usable direction, anything.
+// Lattice point of the direction of v: on the nearest ring the nearest point. Unspecified without a usable direction.
 inline float2 unitvec_eaoct_lattice(float3 v, float norm, float m) {
     UnitvecEaoctPolar p = unitvec_eaoct_polar(v, norm);
     float steps = min(min(p.radius * m, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
@@ -106,7 +106,7 @@ inline float2 unitvec_eaoct_lattice_precise(float3 v, float norm, float m) {
     return unitvec_eaoct_unfolded(v, p.swapped, nearest.x, nearest.y, m);
 }
 
-// Where a lattice point is: on ring `ring`, the one of number `place`, mirrored so that this is at most half of `ring`. `above`
+// The place of a lattice point: number `place` on ring `ring`, mirrored so that this is at most half of `ring`. `above`
 // is negative below the equator.
 struct UnitvecEaoctRing {
     float ring;
@@ -164,7 +164,7 @@ inline float3 eaoct_to_float32x3(float2 e) {
     return unitvec_eaoct_from_lattice(unitvec_snorm_clamp(e), 1.0f);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 inline float2 float32x3_to_eaoct_unorm(float3 v) { return unitvec_biased(float32x3_to_eaoct(v)); }
 inline float3 eaoct_unorm_to_float32x3(float2 e) { return eaoct_to_float32x3(unitvec_unbiased(e)); }
 

@@ -10,8 +10,8 @@
 //   latlong16_encode(v), latlong16_decode(code)      plain grid; also latlong24, 32
 //   latlong16d_encode(v), latlong16d_decode(code)    nearly square patches; also latlong24d, 32d
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout of the
-// grid: the patch in the low half, from +X towards +Y; the ring in the high half, from +Z. Layout of the others:
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout of
+// the grid: the patch in the low half, from +X towards +Y; the ring in the high half, from +Z. Layout of the others:
 // the index in the low b - 3 bits, the quarter turn from +X in the next two, the hemisphere (1 for z < 0) in the
 // highest.
 
@@ -64,7 +64,7 @@ constant UnitvecLatlongRings UNITVEC_LATLONG_RINGS_24 = { 1782.0f, float3(0.8136
 constant UnitvecLatlongRings UNITVEC_LATLONG_RINGS_32 = { 29225.0f, float3(0.7753543f, -1.8601036e-10f, 1.6516002e-20f),
     float4(1.135677f, 1.7468939e-10f, 8.533958e-20f, 1.2860357e-30f), 8.5294734e-38f, 0.4510315f };
 
-// Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
+// The start of ring i, 0 to n + 1, given h = i - 1/2: S(i) is the whole part.
 inline float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
     float u = min(h * h, UNITVEC_HUGE);
     float s = min(min(u * min(rings.a.x + min(u * min(rings.a.y + min(u * rings.a.z, UNITVEC_HUGE), UNITVEC_HUGE),
@@ -73,7 +73,7 @@ inline float unitvec_latlong_border(UnitvecLatlongRings rings, float h) {
     return s;
 }
 
-// From i to i + 2 for the indices of ring i.
+// A number from i to i + 2 for the indices of ring i.
 inline float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float low = min(rings.q.x + min(index * rings.q.y, UNITVEC_HUGE), UNITVEC_HUGE);
     float both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_HUGE), UNITVEC_HUGE)

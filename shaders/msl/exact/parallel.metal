@@ -10,10 +10,10 @@
 //
 //   xyonly16_encode(v), xyonly16_decode(code), ...      uint codes; uint2, low word first, at 48 bits
 //
-// Any v: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for what has no direction.
-// Layout: the first component in the low bits, then the second, snorm in two's complement, then the sign of z, or the
-// sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust crate's module
-// `parallel`, whose every operation these repeat.
+// Any v will do: length does not matter, below the equator z counts as 0 for xyonly, and +Z stands in for vectors
+// without a direction. Layout: the first component in the low bits, then the second, snorm in two's complement, then
+// the sign of z, or the sextant: twice the axis, and 1 if negative. Points outside the disk or sextant: see the Rust
+// crate's module `parallel`, whose every operation these repeat.
 
 #ifndef UNITVEC_PARALLEL_METAL
 #define UNITVEC_PARALLEL_METAL
@@ -50,7 +50,7 @@ inline UnitvecParallelPlane unitvec_parallel_sextant(uint u_bits, uint v_bits) {
     return plane;
 }
 
-// e in units of the plane, without a division of floats, so that all devices agree on what is inside.
+// e in units of the plane, without a division of floats, so that all devices agree on which points are inside.
 inline float2 unitvec_parallel_parts(UnitvecParallelPlane plane, float2 e) {
     float2 reciprocal = float2(unitvec_snorm_reciprocal(plane.bits.x), unitvec_snorm_reciprocal(plane.bits.y));
     float2 in_sextant = min(e * min(reciprocal * 0.70710677f, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
@@ -70,7 +70,7 @@ inline bool unitvec_parallel_is_outside(UnitvecParallelPlane plane, float2 e) {
     return unitvec_parallel_extent(plane, unitvec_parallel_parts(plane, e)) > plane.limit;
 }
 
-// e with the component along which the border is sooner reached lessened by `by` steps.
+// e with `by` steps less in the component along which the border is reached sooner.
 inline float2 unitvec_parallel_inwards(UnitvecParallelPlane plane, float2 e, float by) {
     float2 p = unitvec_parallel_parts(plane, e);
     float x = min(p.x * plane.steps.y, UNITVEC_HUGE);
@@ -81,8 +81,8 @@ inline float2 unitvec_parallel_inwards(UnitvecParallelPlane plane, float2 e, flo
     return along_x ? float2(less.x, e.y) : float2(e.x, less.y);
 }
 
-// What takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1, which nowhere is
-// above it.
+// The factor that takes a point of this extent, from 1 on, inside, by 2^-21: the tangent of 1 / sqrt(extent) at 1,
+// which nowhere is above it.
 inline float unitvec_parallel_onto_border(float extent) {
     float factor = min(1.4999995f - 0.5f * extent, UNITVEC_HUGE);
     return factor;
@@ -109,7 +109,8 @@ inline float2 unitvec_parallel_point(UnitvecParallelPlane plane, float2 e) {
     return unitvec_parallel_parts(plane, chosen);
 }
 
-// v, which has a direction, at unit length; as it is, or times a power of two, where that is so to within 2^-21.
+// v, which has a direction, at unit length; only scaled by a power of two, or not at all, where that is of unit length
+// to within 2^-21.
 inline float3 unitvec_parallel_unit(float3 v) {
     float raised = min(unitvec_l1_norm(v) * 1.1f, UNITVEC_HUGE);
     float3 scaled = min(v * unitvec_scale_to_one(raised), float3(UNITVEC_HUGE));
@@ -167,7 +168,7 @@ inline float3 unitvec_parallel_from_plane(UnitvecParallelPlane plane, float2 e, 
         unitvec_parallel_third(p)));
 }
 
-// v with what is below the equator moved up to it, and at unit length.
+// v at unit length, moved up to the equator if below it.
 inline float3 unitvec_parallel_upper_unit(float3 v) {
     return unitvec_parallel_unit(unitvec_upper_or_z(v));
 }

@@ -12,10 +12,10 @@
 //                                                1 for z < 0, else 0
 //   float32x3_to_soct_unorm(v), soct_unorm_to_float32x3(e)    the same with u and v on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it. u and v are
-// clamped, 0 where one is NaN, and below the equator is where the third is 1/2 or more. Layout: u = x + y
-// and v = x - y of (x, y, |z|) in two's complement snorm as in hemioct.metal, u lowest, and above them 1 for z < 0. Of
-// the 33 bits the sign is bit 0 of the second word.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction or with NaN. u
+// and v are clamped, 0 where one is NaN, and below the equator is where the third is 1/2 or more. Layout: u = x + y and
+// v = x - y of (x, y, |z|) in two's complement snorm as in hemioct.metal, u lowest, and above them 1 for z < 0. Of the
+// 33 bits the sign is bit 0 of the second word.
 
 #ifndef UNITVEC_SOCT_METAL
 #define UNITVEC_SOCT_METAL
@@ -37,12 +37,12 @@ inline float3 unitvec_soct_from_lattice(float2 e, uint sign_bit, float m) {
     return unitvec_normalize(v);
 }
 
-// The same of the code of u and v, of `bits` bits each.
+// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31.
 inline float3 unitvec_soct_from_parts(uint code, uint sign_bit, uint bits) {
     return unitvec_soct_from_lattice(unitvec_snorm_integers(code, bits), sign_bit, unitvec_snorm_max(bits));
 }
 
-// The projection, unquantised: u and v on [-1, 1], and 1 for z < 0, else 0.
+// The unquantised projection: u and v on [-1, 1], and 1 for z < 0, else 0.
 inline float3 float32x3_to_soct(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 e = float3(unitvec_hemioct_position(v, norm, 1.0f), unitvec_is_negative(v.z) ? 1.0f : 0.0f);
@@ -55,7 +55,7 @@ inline float3 soct_to_float32x3(float3 e) {
     return unitvec_soct_from_lattice(unitvec_snorm_clamp(e.xy), sign_bit, 1.0f);
 }
 
-// The same with u and v biased on [0, 1], for a UNORM format.
+// Variants with u and v on [0, 1], for a UNORM format.
 inline float3 float32x3_to_soct_unorm(float3 v) {
     float3 e = float32x3_to_soct(v);
     return float3(unitvec_biased(e.xy), e.z);

@@ -9,18 +9,18 @@
 //
 //   spherical48_encode(v), spherical48_decode(code)      codes as uint2, low word first
 //
-// Any v will do: length does not matter, and +Z stands in for what has no direction. Layout: round((2 theta / pi - 1) m)
-// in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24, periodic; both in two's
-// complement. Sines and cosines are sums of two floats, since one is too coarse. Without `precise` (see arith.metal) a
-// compiler may undo that.
+// Any v will do: length does not matter, and +Z stands in for vectors without a direction. Layout:
+// round((2 theta / pi - 1) m) in the low 24 bits, m = 2^23 - 1, theta from +Z; round(phi / pi 2^23) in the next 24,
+// periodic; both in two's complement. Sines and cosines are sums of two floats, since one is too coarse. Without
+// `precise` (see arith.metal) a compiler may undo that.
 
 #ifndef UNITVEC_SPHERICAL_WIDE_METAL
 #define UNITVEC_SPHERICAL_WIDE_METAL
 
 #include "arith.metal"
 
-// What an angle is counted in: steps in a quarter turn; the size of a step in half turns, cut down to a power of two;
-// what was cut off, as a part of that.
+// The unit of an angle: steps in a quarter turn; the size of a step in half turns, cut down to a power of two; the part
+// that was cut off, relative to that.
 struct UnitvecSphericalWideSteps {
     int in_quarter;
     float size;
@@ -32,11 +32,11 @@ constant UnitvecSphericalWideSteps UNITVEC_SPHERICAL_WIDE_THETA =
     { 8388607, 5.9604644775390625e-8f, 1.1920928955078125e-7f };
 constant UnitvecSphericalWideSteps UNITVEC_SPHERICAL_WIDE_PHI = { 4194304, 1.1920928955078125e-7f, 0.0f };
 
-// 2^-40: a vector of about unit length that is nearer to the z axis is that of a pole.
+// 2^-40: a vector of about unit length that is nearer to the z axis counts as a pole.
 constant float UNITVEC_SPHERICAL_WIDE_POLAR = 9.094947017729282e-13f;
 
-// Numbers as sums of two floats are float2: the second is what the first lacks. This one is a + b + low, where a is 0 or
-// no less than b in magnitude, and low is far less.
+// Numbers as sums of two floats are float2: the second is the part that the first lacks. This one is a + b + low, where a
+// is 0 or no less than b in magnitude, and low is far less.
 inline float2 unitvec_spherical_wide_sum(float a, float b, float low) {
     float high = min(a + b, UNITVEC_HUGE);
     float rest = min(min(b - min(high - a, UNITVEC_HUGE), UNITVEC_HUGE) + low, UNITVEC_HUGE);

@@ -19,8 +19,8 @@
 // the table. They round by adding 1.5 2^23; without `precise` (see arith.wgsl) a compiler may undo that in the choice of a
 // length, which then is a cell's first.
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Decoding gives
-// the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Decoding
+// gives the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
 // the largest component of a whole vector.
 
 // Cells from 0 to 1: a little less than the table's 640 columns, so that 1 itself is in the last.
@@ -102,7 +102,7 @@ fn unitvec_best_fit_scan(best_in: vec3f, u: vec2f, longest: f32) -> vec3f {
 }
 
 // The scale that fits best of all, up to 127.25. The rounding at a length is the nearest in its plane, which need not
-// be the nearest in angle, least so near the middle of an octant; scales between whole numbers find what is left.
+// be the nearest in angle, least so near the middle of an octant; scales between whole numbers find the nearer vectors.
 fn unitvec_best_fit_best_scale(u: vec2f) -> f32 {
     var best = unitvec_best_fit_scan(unitvec_best_fit_of_length(u, 127.0), u, 127.0);
     let end = select(123.5, 111.5, u.y > UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT);
@@ -123,7 +123,7 @@ fn unitvec_best_fit_pack8(q: vec3f) -> u32 {
     return unitvec_signed_code(q.x, 8u) | (unitvec_signed_code(q.y, 8u) << 8u) | (unitvec_signed_code(q.z, 8u) << 16u);
 }
 
-// The low byte of the two's complement of the nearest whole number, the even one of two.
+// The low byte of the two's complement of the nearest whole number; ties go to the even one.
 fn unitvec_best_fit_nearest_byte(x: f32) -> u32 {
     let sum = min(x + UNITVEC_ONE_AND_A_HALF_2_23, UNITVEC_HUGE);
     return bitcast<u32>(sum) & unitvec_mask(8u);
@@ -149,9 +149,9 @@ fn unitvec_best_fit_code_at_length(v: vec3f, reciprocal: f32, size: f32) -> u32 
         | (unitvec_best_fit_nearest_byte(p.z) << 16u);
 }
 
-// How far from the direction a length (x) ends, squared and up to a factor (y). As in unitvec_best_fit_of_length, but
-// the vector counts as `size` long, and the square of d x u as dy^2 - least dy dz + (1 + mid - least) dz^2, times a
-// factor.
+// A length (x), and how far from the direction it ends, squared and up to a factor (y). As in
+// unitvec_best_fit_of_length, but the vector counts as `size` long, and the square of d x u as
+// dy^2 - least dy dz + (1 + mid - least) dz^2, times a factor.
 fn unitvec_best_fit_candidate(u: vec2f, weight: f32, size: f32) -> vec2f {
     let p = min(u * size, vec2f(UNITVEC_HUGE));
     let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_HUGE));
@@ -194,7 +194,7 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     return sine;
 }
 
-// `max` with what is always less leaves compilers no constant to divide by, which some turn into a product.
+// `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
     let third = f32(i);
     let columns = min(f32(cell) + min(min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE), UNITVEC_HUGE);
@@ -207,9 +207,9 @@ fn unitvec_best_fit_sample(cell: vec2u, i: i32) -> vec2f {
     return vec2f(unitvec_best_fit_sample_part(cell.x, i / 3), unitvec_best_fit_sample_part(cell.y, i % 3));
 }
 
-// The lengths of a cell, each the one that leaves least of the mean error of the ones before; the longest of equals.
+// The lengths of a cell, each the one that leaves least of the mean error of those before it; the longest of equals.
 fn unitvec_best_fit_cell_lengths(cell: vec2u) -> vec4f {
-    // What the lengths so far leave: no length, more than any.
+    // The errors that the lengths so far leave: with no length, more than any.
     var left: array<f32, 9>;
     for (var i = 0; i < 9; i += 1) {
         left[i] = 1.0;

@@ -9,7 +9,7 @@
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
 //   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
-//   dither_from_key(key)                         an offset from a vertex index, or what else both sides know
+//   dither_from_key(key)                         an offset from a vertex index, or another number that both sides know
 //   dither_from_pixel(pixel)                     from a pixel
 //   dither_from_texel(texel)                     from a texel of a tile of noise in R8G8_UNORM
 //   dither_from_position(position)               from the bits of a position, best in the object's own coordinates
@@ -17,8 +17,8 @@
 // Encoder and decoder need the same offset, in steps of the code's lattice. The encoder rounds the position moved by it, and the
 // decoder moves the lattice point back. Offset (0, 0) gives the code of the fast encoder, and its decoded vector, exactly.
 //
-// All take any input. Components of an offset are clamped to [-1/2, 1/2], and 0 for NaN; of v the length does not matter, and
-// +Z stands in for what has no direction. Layout: that of the codec.
+// All take any input. Components of an offset are clamped to [-1/2, 1/2], and 0 for NaN; of v the length does not
+// matter, and +Z stands in for vectors without a direction. Layout: that of the codec.
 
 // Every bit of the result depends on every bit of x. The multipliers are those of C. Wellons' "lowbias32". The sum makes 0 a key
 // as good as others.
@@ -39,7 +39,7 @@ fn unitvec_dither_components(bits: u32) -> vec2f {
 
 fn dither_from_key(key: u32) -> vec2f { return unitvec_dither_components(unitvec_dither_hash(key)); }
 
-// Add a frame's number to a component, times some large odd number, to have others in each frame.
+// To have other offsets in each frame, add the frame's number, times some large odd number, to a component.
 fn dither_from_pixel(pixel: vec2u) -> vec2f { return dither_from_key(pixel.x ^ unitvec_dither_hash(pixel.y)); }
 
 // The middles of 256 intervals of [-1/2, 1/2].
@@ -48,7 +48,7 @@ fn dither_from_texel(texel: vec2f) -> vec2f {
     return middle;
 }
 
-// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, are one.
+// The bits of a coordinate; zeros of both signs and denormals, which some devices flush, give the same bits.
 fn unitvec_dither_coordinate(x: f32) -> u32 {
     return select(bitcast<u32>(x), 0u, abs(x) < UNITVEC_MIN_POSITIVE);
 }
@@ -59,7 +59,7 @@ fn dither_from_position(position: vec3f) -> vec2f {
     return dither_from_key(xy ^ unitvec_dither_coordinate(position.z));
 }
 
-// An offset's component as the functions take it.
+// An offset's component, clamped to [-1/2, 1/2]; 0 for NaN.
 fn unitvec_dither_component(x: f32) -> f32 {
     return select(min(max(x, -0.5), 0.5), 0.0, unitvec_is_nan(x));
 }
@@ -80,7 +80,7 @@ fn unitvec_dither_moved_back(e: vec2f, offset: vec2f, m: f32) -> vec2f {
     return min(max(moved, vec2f(-m)), vec2f(m));
 }
 
-// The direction of v, of this L1 norm, at unit length. Without a usable direction, anything.
+// The direction of v, of this L1 norm, at unit length. Unspecified without a usable direction.
 fn unitvec_dither_unit(v: vec3f, norm: f32) -> vec3f {
     return unitvec_normalize(unitvec_scaled_to_one(v, norm));
 }
@@ -149,7 +149,7 @@ fn unitvec_dither_hemioct_decode(code: u32, offset: vec2f, bits: u32) -> vec3f {
 
 // soct
 
-// The code of u and v of `bits` bits each, and 1 below the equator, else 0. That of +Z where v has no direction.
+// The code of u and v of `bits` bits each, and 1 below the equator, else 0. The code of +Z where v has no direction.
 fn unitvec_dither_soct_parts(v: vec3f, offset: vec2f, bits: u32) -> vec2u {
     let norm = unitvec_l1_norm(v);
     let m = unitvec_snorm_max(bits);
@@ -173,10 +173,10 @@ fn unitvec_dither_soct_decode(code: u32, offset: vec2f, bits: u32) -> vec3f {
     return unitvec_dither_soct_direction(code, code << (32u - bits), offset, bits / 2u);
 }
 
-// eaoct: an offset's first is of rings, its second of points on a ring.
+// eaoct: an offset's first component counts rings, its second points on a ring.
 
-// An offset as a half octant has it. Rings count from +Z to -Z and points from +X towards +Y: so the octants' borders, where
-// codes do not tell the octant, are as the inside. e has the octant's signs of x and y.
+// An offset in the sense of a half octant. Rings count from +Z to -Z and points from +X towards +Y: so the octants'
+// borders, where codes do not tell the octant, are like the inside. e has the octant's signs of x and y.
 fn unitvec_dither_turned(offset: vec2f, e: vec2f, swapped: bool, below: bool) -> vec2f {
     let usable = unitvec_dither_usable(offset);
     let swap = select(0u, UNITVEC_SIGN_BIT, swapped);
@@ -219,7 +219,7 @@ fn unitvec_dither_eaoct_encode(v: vec3f, offset: vec2f, bits: u32) -> u32 {
     return unitvec_oct_usable_code(norm, unitvec_oct_pack(e, bits), bits);
 }
 
-// A ring's candidate: its lattice point as the code has it, without the sign of 0.
+// A ring's candidate: its lattice point as in the code, without the sign of 0.
 fn unitvec_dither_eaoct_on(ring: f32, v: vec3f, n: vec3f, p: UnitvecEaoctPolar, offset: vec2f, turned: vec2f,
     m: f32) -> vec3f {
     var e = unitvec_dither_eaoct_point(ring, v, p, turned, m);

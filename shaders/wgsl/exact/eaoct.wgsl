@@ -16,12 +16,12 @@
 //   eaoct_to_float32x3(e)                        the direction of such a pair
 //   float32x3_to_eaoct_unorm(v), eaoct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Of v the length does not matter, and +Z stands in for what has no direction, or NaN in it; a pair
-// is clamped to [-1, 1]. Layout: that of oct.wgsl. With m the snorm's largest integer, the lattice points of an octant
-// lie on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m, has the
-// points 0 to s at equal distances.
+// All take any input. Of v the length does not matter, and +Z stands in for vectors without a direction or with NaN; a
+// pair is clamped to [-1, 1]. Layout: that of oct.wgsl. With m the snorm's largest integer, the lattice points of an
+// octant lie on circles of latitude, the rings: ring s, 0 (the pole) to m (the equator), at r = sqrt(1 - |z|) = s / m,
+// has the points 0 to s at equal distances.
 
-// 2^-26, what x and y are at least taken for, beside an L1 norm of 1 to 2: no denormal, scaled, is more.
+// 2^-26, the least value that x and y count as, beside an L1 norm of 1 to 2: no scaled denormal is more.
 const UNITVEC_EAOCT_LEAST: f32 = 1.4901161193847656e-8;
 
 // A direction of the positive octant, mirrored so that phi is at most 1/2.
@@ -32,7 +32,7 @@ struct UnitvecEaoctPolar {
 }
 
 // r and phi (in quarter turns) of the direction of v, scaled by a power of two, exactly, to an L1 norm of 1 to 2.
-// Without a usable direction, anything.
+// Unspecified without a usable direction.
 fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
     let p = min(abs(v) * unitvec_scale_to_one(norm), vec3f(UNITVEC_HUGE));
     let x = max(p.x, UNITVEC_EAOCT_LEAST);
@@ -49,8 +49,8 @@ fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
     return polar;
 }
 
-// Moves a lattice point of that half octant to where the direction of v is. With m the largest coordinate, (x, y) is folded
-// out to (m - y, m - x), which is as far away along both axes.
+// Moves a lattice point of that half octant to the half octant of the direction of v. With m the largest coordinate,
+// (x, y) is folded out to (m - y, m - x), which is as far away along both axes.
 fn unitvec_eaoct_unfolded(v: vec3f, swapped: bool, ring: f32, place: f32, m: f32) -> vec2f {
     let other = min(ring - place, UNITVEC_HUGE);
     let x = select(other, place, swapped);
@@ -61,7 +61,7 @@ fn unitvec_eaoct_unfolded(v: vec3f, swapped: bool, ring: f32, place: f32, m: f32
     return vec2f(unitvec_with_sign(e.x, v.x), unitvec_with_sign(e.y, v.y));
 }
 
-// Lattice point of the direction of v: on the nearest ring the nearest point. Without a usable direction, anything.
+// Lattice point of the direction of v: on the nearest ring the nearest point. Unspecified without a usable direction.
 fn unitvec_eaoct_lattice(v: vec3f, norm: f32, m: f32) -> vec2f {
     let p = unitvec_eaoct_polar(v, norm);
     let steps = min(min(p.radius * m, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -103,7 +103,7 @@ fn unitvec_eaoct_lattice_precise(v: vec3f, norm: f32, m: f32) -> vec2f {
     return unitvec_eaoct_unfolded(v, p.swapped, nearest.x, nearest.y, m);
 }
 
-// Where a lattice point is: on ring `ring`, the one of number `place`, mirrored so that this is at most half of `ring`. `above`
+// The place of a lattice point: number `place` on ring `ring`, mirrored so that this is at most half of `ring`. `above`
 // is negative below the equator.
 struct UnitvecEaoctRing {
     ring: f32,
@@ -161,7 +161,7 @@ fn eaoct_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_eaoct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 fn float32x3_to_eaoct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_eaoct(v)); }
 fn eaoct_unorm_to_float32x3(e: vec2f) -> vec3f { return eaoct_to_float32x3(unitvec_unbiased(e)); }
 

@@ -14,10 +14,10 @@
 //   frame32_decode(code, &normal, &tangent)          tangent.w is +1 or -1
 //   frame64_encode(normal, tangent), ...             codes as vec2u, low word first
 //
-// The bitangent is tangent.w * cross(normal, tangent.xyz), as glTF has it. Any vectors will do: lengths do not matter;
-// +Z stands in for a normal that has no direction, the first vector of the basis for a tangent that has none in the
-// plane of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm;
-// then 9 (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
+// The bitangent is tangent.w * cross(normal, tangent.xyz), as in glTF. Any vectors will do: lengths do not matter; +Z
+// stands in for a normal that has no direction, the first vector of the basis for a tangent that has none in the plane
+// of the decoded normal. Layout: the normal's x in the low 11 (21) bits, y in the next, two's complement snorm; then 9
+// (21) bits of the tangent's angle about the decoded normal; at the top 1 for a handedness of -1.
 
 // With a, b, c the constants, w = v (a + b v^2 + c v^4), near tan(pi v / 4): equal steps of v are angles of
 // atan(w) that are equal but for 0.26 %. The sum of the three is 1.
@@ -25,7 +25,7 @@ const UNITVEC_WARP_0: f32 = 0.787353515625;
 const UNITVEC_WARP_1: f32 = 0.15234375;
 const UNITVEC_WARP_2: f32 = 0.060302734375;
 
-// The inverse, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
+// The inverse of this stretching, v = w + w (1 - u) (a + u (b + u c)) with u = w^2: within 3.0e-5.
 const UNITVEC_UNWARP_0: f32 = 0.27020066;
 const UNITVEC_UNWARP_1: f32 = -0.13198552;
 const UNITVEC_UNWARP_2: f32 = 0.0392082;
@@ -51,7 +51,7 @@ fn unitvec_frame_warp(v: f32) -> f32 {
     return w;
 }
 
-// The inverse; for more than 9 bits of angle, with a step of Newton's method.
+// The inverse of unitvec_frame_warp; for more than 9 bits of angle, with a step of Newton's method.
 fn unitvec_frame_unwarp(w: f32, angle_bits: u32) -> f32 {
     let u = min(w * w, UNITVEC_HUGE);
     let v = min(w + min(w * min(min(1.0 - u, UNITVEC_HUGE) * min(UNITVEC_UNWARP_0

@@ -14,17 +14,17 @@
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
 //
-// All take any input. Below the equator z counts as 0, and +Z stands in for what has no direction, or NaN in it; a pair
-// is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
+// All take any input. Below the equator z counts as 0, and +Z stands in for vectors without a direction or with NaN; a
+// pair is clamped to [-1, 1]. Layout: u = x + y in the low half, v = x - y in the high half, two's complement snorm.
 
-// Where (v.x, v.y) lies on the square [-m, m]^2 (listing 6), `norm` the L1 norm of the vector with z >= 0.
+// The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 fn unitvec_hemioct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
     let e = min(vec2f(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
         vec2f(UNITVEC_HUGE));
     return e;
 }
 
-// The L1 norms of v, and of v with what is below the equator moved up to it.
+// The L1 norms of v, and of v moved up to the equator if below it.
 fn unitvec_hemioct_norms(v: vec3f) -> vec2f {
     let across = min(abs(v.x) + abs(v.y), UNITVEC_HUGE);
     let norms = vec2f(min(across + abs(v.z), UNITVEC_HUGE), min(across + max(v.z, 0.0), UNITVEC_HUGE));
@@ -45,7 +45,8 @@ fn unitvec_hemioct_from_lattice(e: vec2f, m: f32) -> vec3f {
     return unitvec_normalize(vec3f(p, z));
 }
 
-// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for what has no direction, or none above the equator.
+// Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one
+// above the equator.
 fn float32x3_to_hemioct(v: vec3f) -> vec2f {
     let norms = unitvec_hemioct_norms(v);
     let e = unitvec_hemioct_position(v, norms.y, 1.0);
@@ -57,7 +58,7 @@ fn hemioct_to_float32x3(e: vec2f) -> vec3f {
     return unitvec_hemioct_from_lattice(unitvec_snorm_clamp(e), 1.0);
 }
 
-// The same for a UNORM format, biased on [0, 1], whose values cannot be its middle.
+// Variants with values on [0, 1], for a UNORM format, which cannot hold the middle exactly.
 fn float32x3_to_hemioct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_hemioct(v)); }
 fn hemioct_unorm_to_float32x3(e: vec2f) -> vec3f { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 

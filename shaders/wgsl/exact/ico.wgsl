@@ -11,9 +11,10 @@
 //
 //   ico16_encode(v), ico16_decode(code)      integer codes; also ico24, ico32
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. A lattice point has
-// a whole number i for each vertex of a face, of the sum n, and is the sum of i (N - i) times the vertex. Layout: the Rust
-// crate's module `ico` says which face, row and column a code is of; past the last code all decode as that does.
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. A lattice
+// point has a whole number i for each vertex of a face, of the sum n, and is the sum of i (N - i) times the vertex.
+// Layout: the Rust crate's module `ico` says which face, row and column a code is of; past the last code all decode
+// like the last.
 //
 // A vec3f of numbers for a face's vertices has: in z that of the apex, in x that of the base's end on the straddled
 // coordinate's positive side, in y that of the other end. On the face of the positive octant they are (0, 1, p),
@@ -22,14 +23,14 @@
 // The golden ratio and its reciprocal.
 const UNITVEC_ICO_GOLDEN: f32 = 1.618034;
 const UNITVEC_ICO_GOLDEN_LESS_1: f32 = 0.618034;
-// What reflection adds to the sum of the flat coordinates, for a coordinate of -1.
+// The number that reflection adds to the sum of the flat coordinates, for a coordinate of -1.
 const UNITVEC_ICO_ADDED_BY_REFLECTION: f32 = 0.763932;
 
-// Of the cubic that the inverse of the warp starts from.
+// Coefficients of the cubic that approximates the inverse warp.
 const UNITVEC_ICO_INVERSE_0: f32 = 0.214316;
 const UNITVEC_ICO_INVERSE_1: f32 = -0.121124;
 const UNITVEC_ICO_INVERSE_2: f32 = 0.117389;
-// UNITVEC_ICO_INVERSE_2 times 1/2, and 1; times 3/2; and times 3.
+// 1 + i / 2, 3/2 i and 3 i, where i is UNITVEC_ICO_INVERSE_2.
 const UNITVEC_ICO_INVERSE_3: f32 = 1.0586945;
 const UNITVEC_ICO_INVERSE_4: f32 = 0.1760835;
 const UNITVEC_ICO_INVERSE_5: f32 = 0.352167;
@@ -91,7 +92,7 @@ fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3
     let t = min(p * min(1.0 / p_sum, UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
     let t_squared = min(t * t, vec3f(UNITVEC_HUGE));
     let squares = unitvec_ico_sum(t_squared);
-    // The cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
+    // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
     let b_1 = min(min(UNITVEC_ICO_INVERSE_0 * n, UNITVEC_HUGE)
         + min(min(UNITVEC_ICO_INVERSE_1 * n, UNITVEC_HUGE) * squares, UNITVEC_HUGE), UNITVEC_HUGE);
     let b_0 = min(min(min(UNITVEC_ICO_INVERSE_3 * n, UNITVEC_HUGE)
@@ -135,7 +136,7 @@ fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3
     let square = min(s_0 + min(min(s_1 * t, vec3f(UNITVEC_HUGE))
         + min(lattice.squares_tt * t_squared, vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
 
-    // The squares of the distances from the corners, less the same of each.
+    // The squares of the distances from the corners, each less the same number.
     let from_corner = min(min(in_x * square.z, UNITVEC_HUGE) + min(in_z * square.x, UNITVEC_HUGE), UNITVEC_HUGE);
     let from_x = min(min(in_corner * square.z, UNITVEC_HUGE) + min(in_z * square.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let from_z = min(min(in_corner * square.x, UNITVEC_HUGE) + min(in_x * square.y, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -157,15 +158,15 @@ fn unitvec_ico_encode(v: vec3f, lattice: UnitvecIcoLattice) -> u32 {
     let norm_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * norm, UNITVEC_HUGE);
     let flat_part = min(min(norm_part + a.zyx, vec3f(UNITVEC_HUGE))
         - min(UNITVEC_ICO_GOLDEN * a.xzy, vec3f(UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
-    // By reflection: the vertices across a side have the sum of the side's two, divided by p.
+    // By reflection: the vertices across a side have the sum of the side's two vertices, divided by p.
     let beyond = min(min(flat_part.z, min(flat_part.x, flat_part.y)), 0.0);
     let shared_part = min(UNITVEC_ICO_GOLDEN_LESS_1 * beyond, UNITVEC_HUGE);
     let sum = min(2.0 * norm_part - min(UNITVEC_ICO_ADDED_BY_REFLECTION * beyond, UNITVEC_HUGE), UNITVEC_HUGE);
     let on_side = min(flat_part + shared_part, vec3f(UNITVEC_HUGE));
     let i = unitvec_ico_nearest(max(on_side, -flat_part), sum, lattice);
 
-    // The face that has the point: that across the least number's side, unless the least is more than 0. Of two, where
-    // they are equal, it is the one whose base ends there.
+    // The face that has the point: the one across the least number's side, unless the least is more than 0. Where two
+    // are equal, it is the face whose base ends there.
     let x = unitvec_with_sign(i.x, flat_part.x);
     let y = unitvec_with_sign(i.y, flat_part.y);
     let z = unitvec_with_sign(i.z, flat_part.z);
@@ -175,7 +176,7 @@ fn unitvec_ico_encode(v: vec3f, lattice: UnitvecIcoLattice) -> u32 {
     let of_x = !is_octant && z < y && !x_less;
     let of_y = !of_z && !of_x;
 
-    // The sides of the coordinate planes that the straddled one, the base and the apex are on.
+    // The sides of the coordinate planes on which the straddled coordinate, the base and the apex lie.
     let x_side = unitvec_is_negative(v.x);
     let y_side = unitvec_is_negative(v.y);
     let z_side = unitvec_is_negative(v.z);
@@ -190,8 +191,8 @@ fn unitvec_ico_encode(v: vec3f, lattice: UnitvecIcoLattice) -> u32 {
     let has_y = select(of_x, of_y, is_other);
     let across = select(select(i.z, i.y, has_y), i.x, has_x);
     let is_second = apex_side && depth > 0.5;
-    // What counts lines and columns has 2^23 added. Lines of octants, which are shorter, begin where 18 codes of their line
-    // 6 n + 18 are left.
+    // The numbers of lines and columns have 2^23 added. Lines of octants, which are shorter, begin where 18 codes of
+    // their line 6 n + 18 are left.
     let octant_rows = select(UNITVEC_2_23 + (6.0 * n + 17.0), UNITVEC_2_23 + (7.0 * n + 15.0), straddled_side);
     var first_row = select(UNITVEC_2_23, octant_rows, is_octant);
     first_row = select(first_row, UNITVEC_2_23 + 4.0 * n, of_x);

@@ -12,8 +12,8 @@
 //   latlong16_encode(v), latlong16_decode(code)      plain grid; also latlong24, 32
 //   latlong16d_encode(v), latlong16d_decode(code)    nearly square patches; also latlong24d, 32d
 //
-// The code functions take any v: length does not matter, and +Z stands in for what has no direction. Layout of the
-// grid: the patch in the low half, from +X towards +Y; the ring in the high half, from +Z. Layout of the others:
+// The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Layout of
+// the grid: the patch in the low half, from +X towards +Y; the ring in the high half, from +Z. Layout of the others:
 // the index in the low b - 3 bits, the quarter turn from +X in the next two, the hemisphere (1 for z < 0) in the
 // highest.
 
@@ -63,7 +63,7 @@ const UNITVEC_LATLONG_RINGS_32: UnitvecLatlongRings = UnitvecLatlongRings(29225.
     vec3f(0.7753543, -1.8601036e-10, 1.6516002e-20), vec4f(1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30),
     8.5294734e-38, 0.4510315);
 
-// Where ring i, 0 to n + 1, begins, given h = i - 1/2: S(i) is the whole part.
+// The start of ring i, 0 to n + 1, given h = i - 1/2: S(i) is the whole part.
 fn unitvec_latlong_border(rings: UnitvecLatlongRings, h: f32) -> f32 {
     let u = min(h * h, UNITVEC_HUGE);
     let s = min(min(u * min(rings.a.x + min(u * min(rings.a.y + min(u * rings.a.z, UNITVEC_HUGE), UNITVEC_HUGE),
@@ -72,7 +72,7 @@ fn unitvec_latlong_border(rings: UnitvecLatlongRings, h: f32) -> f32 {
     return s;
 }
 
-// From i to i + 2 for the indices of ring i.
+// A number from i to i + 2 for the indices of ring i.
 fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
     let low = min(rings.q.x + min(index * rings.q.y, UNITVEC_HUGE), UNITVEC_HUGE);
     let both_high = min(min(rings.q.z + min(index * rings.q.w, UNITVEC_HUGE), UNITVEC_HUGE)
