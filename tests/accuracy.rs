@@ -32,6 +32,12 @@ fn measured(table: &'static str) -> &'static [Value] {
     cell.get_or_init(|| rows(&["--seed", "6", "--table", table]))
 }
 
+/// The rows of Meyer's table, with float64 intermediates asked for.
+fn meyers() -> &'static [Value] {
+    static ROWS: OnceLock<Vec<Value>> = OnceLock::new();
+    ROWS.get_or_init(|| rows(&["--table", "meyer", "--count", "1000", "--float64"]))
+}
+
 /// How far a maximum may be above the survey's.
 ///
 /// The worst directions of the equal-area maps lie in a few cells at the disk's rim, which 10^6 directions hit or miss:
@@ -67,7 +73,7 @@ fn layout(method: &str) -> f64 {
 /// SC, whose angles have a bit more here, nor for three floats, whose worst cells few vectors hit.
 #[test]
 fn meyers_bounds_hold() {
-    let rows = rows(&["--table", "meyer", "--count", "1000"]);
+    let rows = meyers();
     for method in METHODS {
         let found = rows.iter().filter(|row| row["survey_name"] == method.name).count();
         let widths = WIDTHS.iter().filter(|bits| method.codec(**bits).is_some()).count();
@@ -165,10 +171,12 @@ fn rows_are_written_as_csv() {
 /// no maximum is larger by more: f32 loses next to nothing.
 #[test]
 fn float64_intermediates_change_little() {
-    let rows = rows(&["--table", "all", "--count", "20000", "--float64"]);
+    let of_tables =
+        ["1", "3", "beyond"].map(|table| rows(&["--table", table, "--count", "20000", "--float64"]));
+    let rows: Vec<&Value> = of_tables.iter().flatten().chain(meyers()).collect();
     // Of more than 32 bits, the rounding of decoded vectors to f32 counts.
     let is_measured = |row: &&Value| row["float64_mean_deg"].is_number() && number(row, "bits") <= 32.0;
-    let measured: Vec<&Value> = rows.iter().filter(is_measured).collect();
+    let measured: Vec<&Value> = rows.into_iter().filter(is_measured).collect();
     let ids: BTreeSet<&str> = measured.iter().filter_map(|row| row["id"].as_str()).collect();
     // All but Meyer's table, as `--help` says.
     let survey =

@@ -30,12 +30,12 @@ fn options(count: usize) -> Options {
     Options { count, seed: 7, normals: bunny.normals, all_codes_up_to: 16 }
 }
 
-/// 2^18 random directions, the mesh, special and tied input, and all codes of up to 16 bits, for every codec.
-/// `cargo xtask conform --exhaustive` does the same with more.
+/// 2^16 random directions, the mesh, special and tied input, and all codes of up to 16 bits, for every codec.
+/// `cargo xtask conform` does the same with more.
 #[test]
 fn the_three_agree_to_the_bit() {
     let device = lavapipe();
-    let options = options(1 << 18);
+    let options = options(1 << 16);
     assert!(options.normals.len() > 1000);
     let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
     let work: u64 = plans.iter().map(Plan::work).sum();
@@ -51,7 +51,7 @@ fn the_three_agree_to_the_bit() {
     assert_eq!(ids, CODECS.iter().map(|format| format.id).collect::<Vec<_>>());
     for row in &rows {
         assert!(row.agrees(), "{row:#?}");
-        assert!(row.codes >= if row.bits <= 16 { 1 << row.bits } else { 1 << 18 }, "{row:#?}");
+        assert!(row.codes >= if row.bits <= 16 { 1 << row.bits } else { 1 << 16 }, "{row:#?}");
         let errors: Vec<f64> = [row.max_deg].into_iter().chain(row.tangent_max_deg).collect();
         let bounds = find(row.id).unwrap().max_errors_deg;
         assert_eq!(errors.len(), bounds.len(), "{row:#?}");

@@ -1,8 +1,12 @@
-//! All 2^32 codes of the 32-bit codecs: `cargo xtask test --exhaustive` runs these, minutes a codec on 2 cores.
+//! All codes of codecs that the suite takes a part of, up to the 2^32 of 32 bits: `cargo xtask test --exhaustive` runs these, minutes
+//! a codec of 32 bits on 2 cores.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 use unitvec_catalogue::{AnyCodec, vectors};
+use unitvec_tests::checks::{assert_decodes, assert_stable};
+use unitvec_tests::expected;
+use unitvec_tests::tested::Tested;
 
 const CHUNK: u64 = 1 << 16;
 
@@ -29,6 +33,25 @@ fn every_code_of_32_bits_keeps_the_contract() {
             }
         });
         println!("{}: 2^32 codes in {} s", codec.id, started.elapsed().as_secs());
+    }
+}
+
+/// Each code of up to 24 bits decodes to the reference's vector and comes back as the same one: as far as
+/// [`expected::every_code_decoded`] and [`expected::every_code_returned`] go.
+#[test]
+#[ignore = "a minute; cargo xtask test --exhaustive"]
+fn every_code_of_up_to_24_bits_is_the_oracles() {
+    for codec in Tested::all() {
+        let [decoded, returned] = [expected::every_code_decoded(codec), expected::every_code_returned(codec)];
+        std::thread::scope(|scope| {
+            if codec.bits <= decoded {
+                scope
+                    .spawn(|| assert_decodes(codec, codec.codes(1, decoded), expected::settled_share(codec)));
+            }
+            if codec.bits <= returned && expected::is_stable(codec) {
+                assert_stable(codec, codec.codes(2, returned));
+            }
+        });
     }
 }
 

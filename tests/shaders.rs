@@ -20,12 +20,12 @@ fn backends(device: &Arc<Device>, edition: Edition) -> Backends {
     backends
 }
 
-/// 2^16 random directions, special and tied input, and 2^16 codes of every codec: the exact edition of WGSL, and HLSL, give the
-/// CPU's bits.
+/// 2^14 random directions, special and tied input, all codes of up to 16 bits and 2^14 of more, of every codec: the exact edition
+/// of WGSL, and HLSL, give the CPU's bits.
 #[test]
 fn hlsl_and_exact_wgsl_agree_to_the_bit() {
     let device = lavapipe();
-    let options = Options { count: 1 << 16, seed: 15, normals: Vec::new(), all_codes_up_to: 16 };
+    let options = Options { count: 1 << 14, seed: 15, normals: Vec::new(), all_codes_up_to: 16 };
     for edition in [Edition::Plain, Edition::Exact] {
         let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
         let mut codecs = 0;
@@ -73,12 +73,12 @@ fn the_text_of_each_codec_compiles() {
             (Language::Wgsl, Edition::Plain),
             (Language::Wgsl, Edition::Exact),
         ] {
+            // Compilers check all functions of a text, whichever of them the entry point calls. The decoder's kernel is
+            // compiled, and run, by the test above.
             let functions = text(&[format], language, edition, "test").unwrap();
-            for operation in Operation::ALL {
-                let whole = functions.clone() + &kernel::kernel(language, format, operation);
-                let module = compile(language, format.id, &whole);
-                assert!(module.is_ok(), "{} in {language}: {:?}", format.id, module.err());
-            }
+            let whole = functions + &kernel::kernel(language, format, Operation::Encode);
+            let module = compile(language, format.id, &whole);
+            assert!(module.is_ok(), "{} in {language}: {:?}", format.id, module.err());
         }
     }
 }

@@ -3,6 +3,7 @@
 use base64::Engine;
 use serde_json::Value;
 use std::process::Output;
+use std::sync::OnceLock;
 use unitvec_catalogue::{frames, vectors};
 use unitvec_tests::program::{command, stderr};
 use unitvec_tests::repository;
@@ -15,14 +16,23 @@ fn report(arguments: &[&str], place: &tempfile::TempDir) -> Output {
         .unwrap()
 }
 
+/// The page without anything given, made once for all tests: it measures every codec.
+fn plain() -> &'static str {
+    static PAGE: OnceLock<String> = OnceLock::new();
+    PAGE.get_or_init(|| page(&[]))
+}
+
+fn page(arguments: &[&str]) -> String {
+    let place = tempfile::tempdir().unwrap();
+    let output = report(arguments, &place);
+    assert!(output.status.success(), "{}", stderr(&output));
+    std::fs::read_to_string(place.path().join("report.html")).unwrap()
+}
+
 /// The page loads nothing, what it embeds is whole, and every codec has a row and is in the data that the filter reads.
 #[test]
 fn the_page_is_whole() {
-    let place = tempfile::tempdir().unwrap();
-    let output = report(&[], &place);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let page = std::fs::read_to_string(place.path().join("report.html")).unwrap();
-
+    let page = plain();
     let embedded: Vec<&str> = page.split("data:").skip(1).filter(|uri| uri.starts_with("image/")).collect();
     assert!(embedded.len() >= 6, "{}", embedded.len());
     for uri in embedded {
@@ -62,21 +72,21 @@ fn the_page_is_whole() {
 /// Without a device the page says what is missing and what to run; given files are shown.
 #[test]
 fn the_page_says_what_it_lacks() {
-    let place = tempfile::tempdir().unwrap();
-    let page = |arguments: &[&str]| {
-        let output = report(arguments, &place);
-        assert!(output.status.success(), "{}", stderr(&output));
-        std::fs::read_to_string(place.path().join("report.html")).unwrap()
-    };
     let (viewer, no_slider) = ("<div class=\"viewer\"", "id=\"no-slider\"");
-    let without = page(&[]);
+    let without = plain();
     assert!(without.contains(no_slider) && !without.contains(viewer));
     assert!(without.contains("<code>unitvec report</code>"));
     assert!(without.contains("No Vulkan device was used. Whether codes go through"));
 
+    let place = tempfile::tempdir().unwrap();
+    let file = place.path().join("pipeline.json");
+    let run = ["conform", "--pipeline", "--codec", "oct16", "--codec", "snorm8x3", "--count", "16", "--json"];
+    let output = command(run).arg(&file).output().unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+
     // The small figures are sheets, whose parts the page slides between.
     let small = repository().join("docs/figures");
-    let with = page(&["--figures", small.to_str().unwrap()]);
+    let with = page(&["--figures", small.to_str().unwrap(), "--pipeline", file.to_str().unwrap()]);
     assert!(with.contains(viewer) && !with.contains(no_slider));
     let (_, pictures) = with.split_once("<script type=\"application/json\">").unwrap();
     let pictures: Value = serde_json::from_str(pictures.split_once("</script>").unwrap().0).unwrap();
@@ -86,11 +96,6 @@ fn the_page_says_what_it_lacks() {
             && (name.ends_with("/float") || one["words"].as_str().unwrap().contains("SSIM"))
     }));
 
-    let file = place.path().join("pipeline.json");
-    let run = ["conform", "--pipeline", "--codec", "oct16", "--codec", "snorm8x3", "--count", "16", "--json"];
-    let output = command(run).arg(&file).output().unwrap();
-    assert!(output.status.success(), "{}", stderr(&output));
-    let with = page(&["--pipeline", file.to_str().unwrap()]);
     let (_, section) = with.split_once("id=\"pipeline\">").unwrap();
     assert!(section.contains("agree with the CPU to the bit: 2 codecs"), "{section}");
     assert!(section.contains("<dt>R8G8_SNORM</dt><dd>rounded to nearest"), "{section}");

@@ -4,7 +4,8 @@ use crate::tested::Tested;
 use glam::Vec3;
 use unitvec_oracle::{Summary, survey};
 
-/// Up to how many bits every code is decoded and compared with the reference's vector: as far as its speed allows.
+/// Up to how many bits `cargo xtask test --exhaustive` decodes every code and compares it with the reference's vector: as far as
+/// the reference's speed allows.
 pub fn every_code_decoded(codec: &Tested) -> u32 {
     match codec.family {
         "oct" | "hemioct" => 24,
@@ -13,7 +14,7 @@ pub fn every_code_decoded(codec: &Tested) -> u32 {
     }
 }
 
-/// Up to how many bits every code is decoded, encoded and decoded.
+/// Up to how many bits `cargo xtask test --exhaustive` decodes, encodes and decodes every code.
 pub fn every_code_returned(codec: &Tested) -> u32 {
     every_code_decoded(codec).max(22)
 }

@@ -59,7 +59,7 @@ mod tests {
     use rspirv::spirv::{Decoration, ExecutionModel, Op, StorageClass, Word};
     use std::collections::{BTreeMap, BTreeSet};
     use unitvec_catalogue::{AnyCodec, CODECS, find};
-    use unitvec_catalogue::{Format, find_format, formats};
+    use unitvec_catalogue::{AnyCodec, CODECS, find};
 
     /// What an entry point takes and gives: types by location, textures by binding in set 0, bytes of push constants.
     #[derive(Debug, Default, PartialEq)]

@@ -8,6 +8,8 @@ mod glslang;
 mod glslang;
 
 use glslang::Glslang;
+use std::collections::HashMap;
+use std::sync::{LazyLock, Mutex, PoisonError};
 use unitvec_catalogue::{AnyCodec, Element, Operation};
 use unitvec_manifest as manifest;
 
@@ -78,6 +80,10 @@ struct Source<'a> {
 /// Name of the entry point of all GLSL kernels.
 pub const ENTRY_POINT: &str = "main";
 
+/// Kernels of codecs that this process has compiled. glslang takes about a tenth of a second for each, and several devices,
+/// threads and tests want the same ones.
+static KERNELS: LazyLock<Mutex<HashMap<(&str, Operation), Vec<u8>>>> = LazyLock::new(Mutex::default);
+
 /// A GLSL compiler.
 pub struct Compiler(Glslang);
 
@@ -90,13 +96,20 @@ impl Compiler {
         Glslang::new().map(Self)
     }
 
-    /// The SPIR-V of a codec's kernel, optimised; its entry point is [`ENTRY_POINT`].
+    /// The SPIR-V of a codec's kernel, optimised; its entry point is [`ENTRY_POINT`]. A process compiles each kernel once.
     ///
     /// # Errors
     /// [`Error::NoSource`] or [`Error::Rejected`].
     pub fn kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
-        let function = format.function(operation);
-        self.kernel_file(&format!("{operation}.comp"), &function, &macros(format, operation, &function))
+        let (key, kernels) =
+            ((format.id, operation), || KERNELS.lock().unwrap_or_else(PoisonError::into_inner));
+        if let Some(module) = kernels().get(&key) {
+            return Ok(module.clone());
+        }
+        let (file, function) = (format!("{operation}.comp"), format.function(operation));
+        let module = self.kernel_file(&file, &function, &macros(format, operation, &function))?;
+        kernels().insert(key, module.clone());
+        Ok(module)
     }
 
     /// The SPIR-V of a kernel of `glsl/kernels/` around another function with this format, optimised, with macros besides

@@ -17,7 +17,6 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::{env, fs};
 use unitvec_catalogue::{CODECS, Operation, best_fit_table};
-use unitvec_files as output;
 use unitvec_link as link;
 use unitvec_manifest as manifest;
 use unitvec_manifest::Manifest;
@@ -72,7 +71,8 @@ fn cost_kernels(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     eprintln!("spirv: optimising {} kernels that measure", kernels.len());
     let files: BTreeMap<_, _> =
         modules(kernels)?.into_iter().map(|module| (module.file, module.bytes)).collect();
-    let functions = formats().flat_map(|format| Operation::ALL.map(|operation| format.function(operation)));
+    let functions =
+        CODECS.iter().flat_map(|format| Operation::ALL.map(|operation| format.function(operation)));
     let baselines = Operation::ALL.map(|operation| format!("baseline_{operation}"));
     for name in functions.chain(baselines) {
         ensure!(files.contains_key(&format!("{name}_cost.spv")), "no kernel measures {name}");

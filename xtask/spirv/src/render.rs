@@ -7,8 +7,7 @@ use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 use unitvec_catalogue::CODECS;
-use unitvec_manifest::render_sources_sha256;
-use unitvec_render::shaders::SOURCES;
+use unitvec_manifest::{RENDER_SOURCES, render_sources_sha256};
 
 /// Where they lie.
 pub const FOLDER: &str = "host/render/shaders/spirv";
