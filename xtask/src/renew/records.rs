@@ -6,7 +6,8 @@
 
 use super::state::matches;
 use crate::{
-    WITH_GLSL, cargo, conform, drivers, languages, processors, program, repository, run, setup, spirv,
+    WITH_GLSL, cargo, conform, drivers, languages, processors, program, repository, run, setup, shaders,
+    spirv,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -142,7 +143,7 @@ pub static RECORDS: &[Record] = &[
             Versions(|| locked(&["unitvec"])),
         ]],
         renew: || {
-            run(&mut cargo(&["run", "--quiet", "--package", "unitvec-languages", "--example", "shaders"]))?;
+            shaders(&[])?;
             bless(&["docs::flat::flattened_files_are_current", "docs::stubs::stubs_are_current"])
         },
         ..FILE
