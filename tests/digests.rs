@@ -20,8 +20,8 @@ fn row<const N: usize>(codec: &AnyCodec) -> String {
     Coder { id, bits, bytes, encode: &encode, decode: &decode }.released(COUNT)
 }
 
-/// Every codec writes and reads what it did when it was released. `BLESS=1` adds the rows of new codecs to the file, and
-/// changes no other.
+/// Every codec writes and reads what it did when it was released. `cargo xtask renew vectors` adds the rows of new codecs
+/// to the file, and changes no other.
 #[test]
 fn codes_are_the_released_ones() {
     let released: BTreeMap<&str, &str> =
@@ -32,7 +32,7 @@ fn codes_are_the_released_ones() {
         if let Some(released) = released.get(id) {
             assert_eq!(released, row, "{id} has changed: this breaks files people have stored");
         } else {
-            assert!(std::env::var_os("BLESS").is_some(), "{id} has no digest: BLESS=1 cargo test digests");
+            assert!(std::env::var_os("BLESS").is_some(), "{id} has no digest: cargo xtask renew vectors");
         }
     }
     if std::env::var_os("BLESS").is_some() {

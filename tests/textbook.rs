@@ -294,7 +294,7 @@ fn outcomes(backend: &mut dyn Backend, format: &AnyCodec) -> Vec<String> {
 
 /// Measures what docs/textbook.md states.
 #[test]
-#[ignore = "`cargo xtask docs --measure` runs it: a minute or two"]
+#[ignore = "`cargo xtask renew textbook` runs it: a minute or two"]
 fn measure() {
     let columns = FIGURES.into_iter().chain(INPUTS.map(|(column, _)| column));
     let mut text = format!("id,source,{}\n", columns.collect::<Vec<_>>().join(","));
@@ -338,7 +338,7 @@ fn committed_figures_are_what_textbooks_do() {
                 let committed = cell(textbook.id, source, column);
                 assert_eq!(
                     committed, fresh,
-                    "{}, {source}, {column}: cargo xtask docs --measure",
+                    "{}, {source}, {column}: cargo xtask renew textbook",
                     textbook.id
                 );
             }

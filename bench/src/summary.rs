@@ -1,4 +1,4 @@
-//! `cargo run -p unitvec-bench --bin summary [FOLDER] > docs/data/slices.json`: the last
+//! `cargo run -p unitvec-bench --bin summary [FOLDER]`, which `cargo xtask renew slices` runs: the last
 //! `cargo bench -p unitvec-bench`, from criterion's folder (`target/criterion`, or below CARGO_TARGET_DIR).
 
 use serde_json::{Value, json};

@@ -1,4 +1,4 @@
-//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi::text`.
+//! The functions of every codec of the list. Generated: `cargo xtask renew c`.
 
 use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};
 

@@ -7,7 +7,7 @@ use unitvec_files::write_file;
 use unitvec_tests::repository;
 
 /// `c/src/codecs.rs` has the functions of every codec of the list, and `c/include/unitvec.h` is what cbindgen makes of the
-/// sources. `BLESS=1` writes both.
+/// sources. `cargo xtask renew c` writes both.
 #[test]
 fn sources_and_header_are_renewed() {
     expect("c/src/codecs.rs", &codecs());
@@ -36,12 +36,12 @@ fn expect(file: &str, text: &str) {
         write_file(&path, text.as_bytes()).unwrap();
     }
     let committed = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(committed == text, "{file} is stale: BLESS=1 cargo test -p unitvec-tests c_abi::text");
+    assert!(committed == text, "{file} is stale: cargo xtask renew c");
 }
 
 /// The functions of every codec. They are written out, since cbindgen does not expand macros.
 fn codecs() -> String {
-    let mut text = "//! The functions of every codec of the list. Generated: `BLESS=1 cargo test -p unitvec-tests c_abi::text`.\n\n\
+    let mut text = "//! The functions of every codec of the list. Generated: `cargo xtask renew c`.\n\n\
                     use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};\n"
         .to_owned();
     for codec in &CODECS {

@@ -38,7 +38,7 @@ fn recorded() -> &'static BTreeMap<(String, String), Errors> {
 /// The committed errors of a codec: `of` is `direction`, or a frame's `normal` or `tangent`.
 pub fn of(id: &str, of: &str) -> Errors {
     let found = recorded().get(&(id.to_owned(), of.to_owned()));
-    *found.unwrap_or_else(|| panic!("{id} is not in docs/data/accuracy.csv: cargo xtask docs --measure"))
+    *found.unwrap_or_else(|| panic!("{id} is not in docs/data/accuracy.csv: cargo xtask renew errors"))
 }
 
 /// The errors over random elements: of directions, or of normals and of tangents.
@@ -49,7 +49,7 @@ fn sampled(codec: &AnyCodec, count: usize, seed: u64) -> Vec<(&'static str, Erro
 
 /// Measures what the docs state. The maximum of vectors is the largest that a search finds.
 #[test]
-#[ignore = "`cargo xtask docs --measure` runs it: a minute or two"]
+#[ignore = "`cargo xtask renew errors` runs it: a minute or two"]
 fn measure() {
     let mut text = String::from("codec,of,mean_deg,max_deg\n");
     let mut add =

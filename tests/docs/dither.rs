@@ -137,7 +137,7 @@ fn measured(id: &str, trip: Trip, source: Source, count: usize) -> Noise {
 
 /// Measures what the docs state.
 #[test]
-#[ignore = "`cargo xtask docs --measure` runs it: a minute or two"]
+#[ignore = "`cargo xtask renew errors` runs it: a minute or two"]
 fn measure() {
     let mut text = String::from("codec,offsets,mean_deg,max_deg,autocorrelation\n");
     for (id, trip) in CODECS {

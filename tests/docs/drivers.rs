@@ -1,4 +1,4 @@
-//! The drivers that `cargo xtask conform --drivers --record` ran, as `docs/data/drivers.tsv` has them.
+//! The drivers that `cargo xtask renew drivers` ran, as `docs/data/drivers.tsv` has them.
 
 use std::collections::BTreeSet;
 use unitvec_tests::repository;

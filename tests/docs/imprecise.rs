@@ -1,5 +1,5 @@
 //! What codecs do on devices that round as badly as Vulkan allows: docs/data/imprecise.csv, which
-//! `unitvec conform imprecise --seeds 8 --csv docs/data/imprecise.csv` writes.
+//! `cargo xtask renew imprecise` writes.
 
 use super::tables::is_shown;
 use std::fmt::Write;

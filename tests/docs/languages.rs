@@ -1,4 +1,4 @@
-//! The compilers of shading languages that `cargo xtask test --languages --record` ran, as `docs/data/languages.csv` has them,
+//! The compilers of shading languages that `cargo xtask renew languages` ran, as `docs/data/languages.csv` has them,
 //! and what barriers cost, as `docs/data/barriers.csv` has it.
 
 use serde::Deserialize;
@@ -100,7 +100,7 @@ fn all_compilers_keep_their_promises() {
     for row in recorded() {
         let name =
             format!("{} {}, {} {}, {}", row.language, row.edition, row.compiler, row.options, row.driver);
-        assert_eq!(row.kernels, 2 * CODECS.len(), "{name}: cargo xtask test --languages --record");
+        assert_eq!(row.kernels, 2 * CODECS.len(), "{name}: cargo xtask renew languages");
         let inputs = if row.promise == "compiled" { (0, 0) } else { (65_536, 4_096) };
         assert_eq!((row.random, row.special), inputs, "{name}");
         let differ = row.codes_differ + row.special_differ + row.elements_differ;

@@ -71,7 +71,7 @@ fn measured((name, _, trip): Row, count: usize) -> [f64; 3] {
 
 /// Measures what the docs state.
 #[test]
-#[ignore = "`cargo xtask docs --measure` runs it"]
+#[ignore = "`cargo xtask renew errors` runs it"]
 fn measure() {
     let mut text = String::from("projection,format,mean_deg,max_deg,axes_deg\n");
     for row in ROWS {

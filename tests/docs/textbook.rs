@@ -53,7 +53,7 @@ fn recorded() -> &'static BTreeMap<[String; 3], String> {
 pub fn cell(id: &str, source: &str, column: &str) -> &'static str {
     let found = recorded().get(&[id, source, column].map(str::to_owned));
     found.unwrap_or_else(|| {
-        panic!("{id}, {source}, {column} is not in docs/data/textbook.csv: cargo xtask docs --measure")
+        panic!("{id}, {source}, {column} is not in docs/data/textbook.csv: cargo xtask renew textbook")
     })
 }
 

@@ -11,7 +11,7 @@ use unitvec_lab::isa::glsl_file;
 use unitvec_tests::program::{command, run, stderr, stdout};
 use unitvec_tests::repository;
 
-/// Names the file of a newer RADV than the system's: `cargo xtask costs --driver` sets it.
+/// Names the file of a newer RADV than the system's: `cargo xtask renew costs` fetches one and sets it.
 const NEWER_DRIVER: &str = "UNITVEC_NEWER_RADV_ICD";
 
 /// What the driver, the system's or the one of this file, makes of all kernels for a GPU.
@@ -193,7 +193,7 @@ fn reports_agree() {
 
 /// Compiles all kernels again, for all generations, and tells which have become dearer.
 #[test]
-#[ignore = "`cargo xtask costs` runs it: a minute or two"]
+#[ignore = "`cargo xtask renew costs` runs it: a minute or two"]
 fn renew() {
     let newer = std::env::var_os(NEWER_DRIVER).map(PathBuf::from);
     let mut left = Vec::new();

@@ -20,8 +20,8 @@ const FORMAT_VERSION: u32 = 1;
 const CASES: usize = 256;
 
 /// The committed files are what the codecs give, each that is missing or has no codec is named, and what they say is right:
-/// the oracle decodes each code to its vector, and each vector is as near to its input as the codec promises. `BLESS=1`
-/// writes files that are missing, if they are right, and changes no other.
+/// the oracle decodes each code to its vector, and each vector is as near to its input as the codec promises.
+/// `cargo xtask renew vectors` writes files that are missing, if they are right, and changes no other.
 #[test]
 fn test_vectors_are_the_released_ones() {
     let folder = repository().join("vectors");
@@ -38,9 +38,7 @@ fn test_vectors_are_the_released_ones() {
                 check(format, &committed);
                 wrong.extend(difference(format.id, &committed, &text));
             }
-            Err(_) => {
-                wrong.push(format!("vectors/{}.json is missing: BLESS=1 cargo test porting", format.id))
-            }
+            Err(_) => wrong.push(format!("vectors/{}.json is missing: cargo xtask renew vectors", format.id)),
         }
     }
     wrong.extend(without_a_codec(&folder));

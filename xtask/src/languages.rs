@@ -20,6 +20,7 @@ const GPU: &str = "navi21";
 const PACKAGE: [&str; 2] = ["--package", "unitvec-language-tests"];
 
 /// A file of a package registry, and what of it is unpacked.
+#[derive(Debug)]
 struct Archive {
     /// Package and version: the name of the folder.
     name: &'static str,
@@ -57,6 +58,11 @@ const DAWN: Archive = Archive {
     members: "package/dist/linux-x64/*",
     file: "package/dist/linux-x64/dawn.node",
 };
+
+/// The compilers that are fetched, for the hash of what the record is of.
+pub fn versions() -> String {
+    format!("{:?}", (DXC, SLANG, DAWN, CHROMIUM, PACKAGED, GPU))
+}
 
 /// Takes the files that match a pattern out of an archive, of whatever kind.
 const UNPACK: &str = "\

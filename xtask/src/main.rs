@@ -1,4 +1,4 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, costs, docs and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, renew and packages, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -7,6 +7,7 @@ mod examples;
 mod languages;
 mod packages;
 mod processors;
+mod renew;
 mod setup;
 
 use std::env;
@@ -20,15 +21,15 @@ usage: cargo xtask <command>
   conform [arguments of `unitvec conform`]   install what is missing, then show that CPU and SPIR-V from Rust, GLSL,
                                              HLSL and WGSL agree to the bit (on lavapipe unless --device says
                                              otherwise); --exhaustive takes all codes of up to 24 bits
-  conform --drivers [--fetch] [--record]     the same on every Vulkan driver of this machine, each by itself, then a table
+  conform --drivers [--fetch]                the same on every Vulkan driver of this machine, each by itself, then a table
        [arguments of `unitvec conform`]      of them; --fetch adds drivers out of Debian's packages, without installing
-                                             any; --record keeps the table for the docs
+                                             any; `renew drivers` keeps the table for the docs
   test [--exhaustive] [--fuzz] [arguments    install what is missing, then run all tests; --exhaustive adds those of all
        of `cargo test`]                      2^32 codes of the 32-bit codecs, minutes a codec; --fuzz adds 10^6 mutated
                                              files, minutes
-  test --languages [--all] [--record]        fetch the compilers of all shading languages, run what they make of the
+  test --languages [--all]                   fetch the compilers of all shading languages, run what they make of the
        [--widest | --codec ID...]            codecs, and compare with the CPU; --all fails where one cannot be had, as
-                                             with CI set; --record writes what the docs say of it
+                                             with CI set; `renew languages` writes what the docs say of it
   setup                                      install what is missing, and nothing else
   spirv [--check] [--render] | --cost |      test the SPIR-V passes, then rebuild spirv/ and the renderer's modules with
         --example                            rust-gpu; --check compares instead, and builds examples/rust-gpu; --render
@@ -39,13 +40,16 @@ usage: cargo xtask <command>
   examples [--all]                           install what is missing, then run the program on wgpu and the page for
                                              browsers of examples/; --all fails where no browser can be had, as with CI set
   processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
-             [--record] [NAME...]            qemu and Node.js, and show that they give the same bits; --exhaustive
+             [NAME...]                       qemu and Node.js, and show that they give the same bits; --exhaustive
                                              takes all input in emulators too, --build-std builds the standard library
-                                             too, --record writes what the docs say of it
-  costs [--driver ICD.json]                  compile the kernels for GPUs of all generations, without one, and write what they
-                                             cost to host/choose/data and the docs; --driver names a newer RADV than the
-                                             system's, which those newer than Mesa's 22.3 need
-  docs [--measure]                           write the tables of README and docs again; --measure measures errors first
+                                             too; `renew processors` writes what the docs say of it
+  renew [NAME...] [--check | --list]         write generated files and repeat recorded runs where they are stale, in order, and
+                                             note it in records.lock; --list names them; --check says which are stale,
+                                             in seconds, and fails if any is. NAME is a record, renewed even if it is
+                                             current, or a group: files (tests fail while one is stale), runs
+                                             (.ci/run repeats stale ones) or timings
+  renew --adopt REASON NAME...               take the files of these records for current without making them again, where
+                                             a change cannot alter them; the lock keeps the reason
   packages                                   build and test each package outside the repository, also with the oldest
                                              dependencies and, with the compiler of `spirv`, without std
 ";
@@ -68,8 +72,7 @@ fn main() -> ExitCode {
         "shaders" => shaders(rest),
         "examples" => examples::run(&repository(), rest),
         "processors" => processors::run(&repository(), rest),
-        "costs" => costs(rest),
-        "docs" => docs(rest),
+        "renew" => renew::run(rest),
         "packages" => setup::run().and_then(|()| packages::run(&repository())),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
@@ -98,14 +101,7 @@ const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
 
 fn conform(arguments: &[String]) -> Result<(), String> {
     let of_drivers = drivers::Options::of(arguments)?;
-    let pending = setup::begin()?;
-    println!("xtask: building; the first build takes minutes");
-    let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
-    let built = run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL));
-    pending.finish().and(built)?;
-    // xtask and unitvec are in the same target folder.
-    let here = env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
-    let unitvec = here.with_file_name("unitvec");
+    let unitvec = program()?;
     if let Some(options) = of_drivers {
         return drivers::run(&options, &unitvec, &repository());
     }
@@ -117,6 +113,18 @@ fn conform(arguments: &[String]) -> Result<(), String> {
         command.args(["--device", "lavapipe"]);
     }
     run(command.args(arguments))
+}
+
+/// Builds `unitvec`, and installs what it needs.
+fn program() -> Result<PathBuf, String> {
+    let pending = setup::begin()?;
+    println!("xtask: building; the first build takes minutes");
+    let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
+    let built = run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL));
+    pending.finish().and(built)?;
+    // xtask and unitvec are in the same target folder.
+    let here = env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
+    Ok(here.with_file_name("unitvec"))
 }
 
 fn test(arguments: &[String]) -> Result<(), String> {
@@ -166,40 +174,6 @@ fn spirv(arguments: &[String]) -> Result<(), String> {
 fn shaders(arguments: &[String]) -> Result<(), String> {
     let write = ["run", "--quiet", "--package", "unitvec-languages", "--example", "shaders", "--"];
     run(cargo(&write).args(arguments))
-}
-
-fn costs(arguments: &[String]) -> Result<(), String> {
-    let driver = match arguments {
-        [] => None,
-        [option, file] if option == "--driver" => Some(file),
-        _ => return Err(format!("unknown arguments\n\n{USAGE}")),
-    };
-    setup::run()?;
-    let mut renew = cargo(&["test", "--package", "unitvec-tests", "--test", "unitvec"]);
-    renew.args(WITH_GLSL).args(["--", "--ignored", "--exact", "--nocapture"]);
-    renew.args(["isa::compiled::renew", "isa::dithered::compiled::renew"]);
-    renew.envs(driver.map(|file| ("UNITVEC_NEWER_RADV_ICD", file)));
-    let renewed = run(&mut renew);
-    // The docs hold what could be renewed.
-    docs(&[]).and(renewed)
-}
-
-fn docs(arguments: &[String]) -> Result<(), String> {
-    let tests = ["test", "--package", "unitvec-tests", "--test", "unitvec"];
-    let pending = setup::begin()?;
-    let built = run(cargo(&tests).args(WITH_GLSL).arg("--no-run"));
-    pending.finish().and(built)?;
-    if arguments.iter().any(|argument| argument == "--measure") {
-        run(cargo(&tests).args(WITH_GLSL).args([
-            "--",
-            "--ignored",
-            "docs::accuracy::measure",
-            "docs::dither::measure",
-            "docs::projected::measure",
-            "textbook::measure",
-        ]))?;
-    }
-    run(cargo(&tests).args(WITH_GLSL).args(["--", "docs::"]).env("BLESS", "1"))
 }
 
 /// The cargo that runs this, in the repository's root.

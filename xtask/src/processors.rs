@@ -15,6 +15,7 @@ const RECORD: &str = "docs/data/processors.csv";
 const WITH_SOURCES: &str = "nightly-2026-07-03";
 
 /// A processor, or one of fewer instructions.
+#[derive(Debug)]
 struct Processor {
     name: &'static str,
     target: &'static str,
@@ -32,7 +33,7 @@ struct Processor {
 }
 
 /// Features of `unitvec`, and of how many vectors and codes each digest is.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 struct Edition {
     features: &'static str,
     count: usize,
@@ -131,6 +132,11 @@ static PROCESSORS: [Processor; 10] = [
     wasm("wasm32", "", &[LIBM]),
     wasm("wasm32 with simd128", "+simd128", &[STD]),
 ];
+
+/// The processors and how they are run, for the hash of what the record is of.
+pub fn versions() -> String {
+    format!("{PROCESSORS:?}")
+}
 
 const MIRI: &str = "x86-64 in Miri";
 

@@ -7,11 +7,8 @@
 mod compiled;
 
 use super::RENEW;
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use unitvec_choose::costs::Report;
-use unitvec_manifest::sha256_hex;
-use unitvec_run::glsl;
 use unitvec_tests::repository;
 
 /// The codecs that stand for the others.
@@ -32,8 +29,6 @@ pub fn row_id(codec: &str, key: &str) -> String {
     format!("{codec} dithered, {key}")
 }
 
-const KERNEL: &str = include_str!("kernel.comp");
-
 fn path() -> PathBuf {
     repository().join("docs/data/dither_costs.json")
 }
@@ -42,26 +37,4 @@ fn path() -> PathBuf {
 pub fn committed() -> Report {
     let json = std::fs::read(path()).unwrap_or_default();
     Report::parse(&path(), &json).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
-}
-
-/// The files that the kernels come from, with the first half of their SHA-256, as in the shipped figures.
-fn sources() -> BTreeMap<String, String> {
-    let hash = |text: &str| sha256_hex(text.as_bytes())[..32].to_owned();
-    let of_library =
-        ["arith", "oct", "hemioct", "soct", "eaoct", "dither"].map(|name| format!("unitvec/{name}.glsl"));
-    let of_kernels = ["group", "words"].map(|name| format!("kernels/{name}.glsl"));
-    let shipped = of_library.iter().chain(&of_kernels);
-    let mut sources: BTreeMap<String, String> =
-        shipped.map(|file| (format!("glsl/{file}"), hash(glsl::source(file).unwrap()))).collect();
-    sources.insert("tests/isa/dithered/kernel.comp".to_owned(), hash(KERNEL));
-    sources
-}
-
-/// The figures are of the functions that are committed with them.
-#[test]
-fn dithered_costs_are_of_these_functions() {
-    let (committed, here) = (committed().sources, sources());
-    let changed: Vec<&String> = here.keys().filter(|file| committed.get(*file) != here.get(*file)).collect();
-    assert!(changed.is_empty(), "{} is of other files than these: {changed:?}; {RENEW}", path().display());
-    assert_eq!(committed.len(), here.len(), "{}; {RENEW}", path().display());
 }

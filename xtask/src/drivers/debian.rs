@@ -8,6 +8,7 @@ use std::time::Duration;
 use std::{env, fs, io, thread};
 
 /// A driver that Debian has packages of.
+#[derive(Debug)]
 pub struct Packaged {
     name: &'static str,
     package: &'static str,
@@ -183,7 +184,7 @@ impl Packaged {
             return Err(format!("the package has no {}", self.library));
         }
         fs::remove_dir_all(&apt.folder).map_err(failed)?;
-        fs::write(folder.join("icd.json"), self.manifest()).map_err(failed)?;
+        fs::write(folder.join("icd.json"), manifest(self.library)).map_err(failed)?;
         fs::write(folder.join("version"), versions).map_err(failed)
     }
 
@@ -193,12 +194,25 @@ impl Packaged {
         });
         lines.collect()
     }
+}
 
-    /// Vulkan's loader takes the path as one from the file's folder.
-    fn manifest(&self) -> String {
-        let icd = format!(r#"{{"library_path": "./unpacked/{}", "api_version": "1.1.0"}}"#, self.library);
-        format!("{{\"file_format_version\": \"1.0.0\", \"ICD\": {icd}}}\n")
-    }
+/// A driver's file for Vulkan's loader, which takes the path as one from the file's folder.
+fn manifest(library: &str) -> String {
+    let icd = format!(r#"{{"library_path": "./unpacked/{library}", "api_version": "1.1.0"}}"#);
+    format!("{{\"file_format_version\": \"1.0.0\", \"ICD\": {icd}}}\n")
+}
+
+/// The file of RADV in Debian's backports, which its package of lavapipe has too. It compiles for GPUs that the system's RADV does
+/// not know.
+pub fn newer_radv(cache: &Path) -> Result<PathBuf, String> {
+    let package = &PACKAGED[0];
+    package.fetch(cache).map_err(|missing| match missing {
+        Missing::NotHere(reason) | Missing::Failed(reason) => reason,
+    })?;
+    let file = package.folder(cache).join("radeon_icd.json");
+    let written = fs::write(&file, manifest("usr/lib/x86_64-linux-gnu/libvulkan_radeon.so"));
+    written.map_err(|error| format!("{}: {error}", file.display()))?;
+    Ok(file)
 }
 
 /// Name and version out of the name of a package's file, where it is the package sought.

@@ -2,6 +2,7 @@
 
 pub mod debian;
 
+pub use debian::newer_radv;
 use debian::{Missing, PACKAGED, Packaged};
 use std::collections::HashSet;
 use std::ffi::{OsStr, OsString};
@@ -21,6 +22,14 @@ const VARIABLES: [&str; 3] = ["VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRI
 
 /// What the docs' table of drivers is made from.
 const RECORD: &str = "docs/data/drivers.tsv";
+
+/// Names the file of a newer RADV than the system's to the tests that renew costs.
+pub const NEWER_RADV: &str = "UNITVEC_NEWER_RADV_ICD";
+
+/// The drivers that are fetched, for the hash of what the record is of.
+pub fn versions() -> String {
+    format!("{PACKAGED:?}")
+}
 
 /// What `--drivers` is asked to do.
 pub struct Options {

@@ -1,0 +1,384 @@
+//! Every generated or recorded file: what it is made of, and how it is made again.
+//!
+//! Inputs are what decides a record: arithmetic, texts and the versions of tools that this repository names; not the whole
+//! program, whose messages would make hours of runs stale. Code that only writes a record is no input where a test
+//! compares the file with it each time: `cargo xtask renew NAME` renews it after a change there.
+
+use super::state::matches;
+use crate::{
+    WITH_GLSL, cargo, conform, drivers, languages, processors, program, repository, run, setup, shaders,
+    spirv,
+};
+use std::ffi::OsString;
+use std::fs;
+use std::process::{Command, Stdio};
+
+/// Something that a hash is of: files by patterns, which are paths with `*` for anything, or versions.
+#[derive(Clone, Copy)]
+pub enum Source {
+    /// Files, whole.
+    Bytes(&'static str),
+    /// Files without comments and empty lines.
+    Code(&'static str),
+    /// The generated parts of files.
+    Parts(&'static str),
+    /// Versions of what is linked, fetched or run.
+    Versions(fn() -> String),
+}
+use Source::{Bytes, Code, Parts, Versions};
+
+/// Who notices that a record is stale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Kind {
+    /// Tests fail.
+    File,
+    /// `.ci/run` runs it.
+    Run,
+    /// Nobody, and it is renewed by name only: times differ from machine to machine.
+    Timing,
+}
+
+impl Kind {
+    pub const ALL: [(&str, Self); 3] =
+        [("files", Self::File), ("runs", Self::Run), ("timings", Self::Timing)];
+}
+
+/// A set of files, or a run, that is renewed at once.
+pub struct Record {
+    pub name: &'static str,
+    pub outputs: &'static [Source],
+    /// What it is made of, for people.
+    pub from: &'static str,
+    pub inputs: &'static [&'static [Source]],
+    pub kind: Kind,
+    /// How long it takes on 2 cores, when everything is built.
+    pub minutes: u32,
+    /// What a machine may lack: without it the record is left stale. Empty where `cargo xtask setup` suffices.
+    pub needs: &'static str,
+    pub renew: fn() -> Result<(), String>,
+}
+
+impl Record {
+    /// True where the record has this file as a whole.
+    pub fn makes(&self, file: &str) -> bool {
+        self.outputs.iter().any(|output| matches!(output, Bytes(pattern) if matches(pattern, file)))
+    }
+}
+
+/// The arithmetic on the CPU, which is also what modules are compiled from.
+const CODECS: &[Source] = &[Code("shader-crate/src/*.rs")];
+/// The arithmetic on GPUs, as compiled. Code of the CPU that the modules do not have is left to conform and the digests, which
+/// hold both together on every run.
+const KERNELS: &[Source] = &[Bytes("spirv/kernels/*")];
+const GLSL: &[Source] = &[Code("glsl/unitvec/* glsl/kernels/*")];
+const RENDER: &[Source] = &[Bytes("host/render*shaders/rust/Cargo.*"), Code("host/render*shaders/rust/*.rs")];
+/// The programs that build the modules and say what is in them. The comments of the manifest's types are in its schema.
+const SPIRV_BUILD: &[Source] = &[
+    Bytes("shader-crate/Cargo.toml"),
+    Code("xtask/spirv/src/*.rs"),
+    Bytes("xtask/spirv/Cargo.toml"),
+    Code("catalogue/src/*.rs"),
+    Bytes("host/*manifest*.rs"),
+    Code("host/*link/*.rs"),
+    Versions(|| {
+        locked(&["glam", "libm", "rspirv", "spirv-builder", "spirv-std", "spirv-tools", "spirv-tools-sys"])
+    }),
+];
+
+/// What most records are like.
+const FILE: Record = Record {
+    name: "",
+    outputs: &[],
+    from: "",
+    inputs: &[],
+    kind: Kind::File,
+    minutes: 1,
+    needs: "",
+    renew: || Ok(()),
+};
+
+/// All records, each after those that it is made of.
+pub static RECORDS: &[Record] = &[
+    Record {
+        name: "modules",
+        outputs: &[Bytes("spirv/*")],
+        from: "`shader-crate/` by rust-gpu and `xtask/spirv/`",
+        inputs: &[CODECS, SPIRV_BUILD],
+        kind: Kind::Run,
+        minutes: 12,
+        needs: "rustup, which installs rust-gpu's nightly",
+        renew: || spirv(&[]),
+    },
+    Record {
+        name: "render-modules",
+        outputs: &[Bytes("host/render*shaders/spirv/*")],
+        from: "the renderer's shaders in Rust, the same way",
+        inputs: &[CODECS, SPIRV_BUILD, RENDER],
+        kind: Kind::Run,
+        needs: "rustup, which installs rust-gpu's nightly",
+        renew: || spirv(&["--render".to_owned()]),
+        ..FILE
+    },
+    Record {
+        name: "rust-gpu-example",
+        from: "`examples/rust-gpu/` with rust-gpu: a build that leaves no file",
+        inputs: &[
+            CODECS,
+            &[Bytes("examples/rust-gpu/Cargo.* shader-crate/Cargo.toml"), Code("examples/rust-gpu/*.rs")],
+        ],
+        kind: Kind::Run,
+        needs: "rustup, which installs rust-gpu's nightly",
+        renew: || spirv(&["--example".to_owned()]),
+        ..FILE
+    },
+    Record {
+        name: "shaders",
+        outputs: &[Bytes("shaders/*/* glsl/flat/*")],
+        from: "`glsl/unitvec/`; of stubs for linking, the list and the version",
+        // Comments are carried over.
+        inputs: &[&[
+            Bytes("glsl/unitvec/*"),
+            Code("languages/src/*.rs shader-crate/src/list.rs"),
+            Bytes("host/*link/stubs.rs"),
+            Versions(|| locked(&["unitvec"])),
+        ]],
+        renew: || {
+            shaders(&[])?;
+            bless(&["docs::flat::flattened_files_are_current", "docs::stubs::stubs_are_current"])
+        },
+        ..FILE
+    },
+    Record {
+        name: "vectors",
+        outputs: &[Bytes("vectors/digests.csv vectors/*.json")],
+        from: "codecs that are new to the list; what is there never changes",
+        // Files of codecs that have one are compared with the arithmetic by tests, and never written.
+        inputs: &[&[Code("shader-crate/src/list.rs")]],
+        renew: || {
+            bless(&["digests::codes_are_the_released_ones", "porting::test_vectors_are_the_released_ones"])
+        },
+        ..FILE
+    },
+    Record {
+        name: "c",
+        outputs: &[Bytes("c/src/codecs.rs c/include/unitvec.h")],
+        from: "the list and its bounds, `c/src/`, `c/cbindgen.toml`",
+        // Comments are in the header.
+        inputs: &[CODECS, &[Bytes("c/src/*.rs c/cbindgen.toml")]],
+        renew: || bless(&["c_abi::text::sources_and_header_are_renewed"]),
+        ..FILE
+    },
+    Record {
+        name: "blue-noise",
+        outputs: &[Bytes("shaders/blue_noise_64x64.rg8")],
+        from: "`bench/src/blue_noise.rs`",
+        inputs: &[&[Code("bench/src/blue_noise.rs")]],
+        minutes: 2,
+        renew: || {
+            let program = ["run", "--release", "--package", "unitvec-bench", "--bin", "blue_noise"];
+            write_output(&mut cargo(&program), "shaders/blue_noise_64x64.rg8")
+        },
+        ..FILE
+    },
+    Record {
+        name: "errors",
+        outputs: &[Bytes("docs/data/accuracy.csv docs/data/dither.csv docs/data/projected.csv")],
+        from: "the codecs, plain, dithered and as projections, on the CPU",
+        // The search for the worst direction, and the sample, decide the last digits.
+        inputs: &[
+            CODECS,
+            &[Code("host/*accuracy/meyer.rs host/*sampling*.rs"), Bytes("shaders/blue_noise_64x64.rg8")],
+        ],
+        minutes: 3,
+        renew: || measure(&["docs::accuracy::measure", "docs::dither::measure", "docs::projected::measure"]),
+        ..FILE
+    },
+    Record {
+        name: "textbook",
+        outputs: &[Bytes("docs/data/textbook.csv")],
+        from: "`glsl/textbook/` on lavapipe, and the codecs",
+        inputs: &[CODECS, &[Code("glsl/textbook/*")]],
+        renew: || measure(&["textbook::measure"]),
+        ..FILE
+    },
+    Record {
+        name: "costs",
+        outputs: &[Bytes(
+            "host/choose/data/costs_gfx* host/choose/data/costs_navi* host/choose/data/costs_polaris* host/choose/data/costs_vega* docs/data/dither_costs.json",
+        )],
+        from: "the modules and the GLSL, by the compilers of Mesa's RADV",
+        inputs: &[KERNELS, GLSL, &[Code("glsl/textbook/* tests/isa/dithered/kernel.comp")]],
+        minutes: 4,
+        needs: "Debian 12 on amd64, for RADV of Mesa 22.3 and 25.0",
+        renew: || {
+            // Any RADV that knows the newest generations serves; without one named, that of Debian's backports is fetched.
+            let newer = match std::env::var_os(drivers::NEWER_RADV) {
+                Some(file) => file,
+                None => drivers::newer_radv(&languages::target(&repository())?.join("drivers"))?.into(),
+            };
+            let tests = ["isa::compiled::renew", "isa::dithered::compiled::renew"];
+            by_tests(&tests, &["--ignored"], (drivers::NEWER_RADV, newer))
+        },
+        ..FILE
+    },
+    Record {
+        name: "lavapipe",
+        outputs: &[Bytes("host/choose/data/costs_lavapipe.json")],
+        from: "a row for each codec of the list; times of the modules on lavapipe, with nothing else running",
+        // A new codec needs its row. Other changes of the modules are no reason to measure on whatever machine this is.
+        inputs: &[&[Code("shader-crate/src/list.rs")]],
+        minutes: 5,
+        renew: || {
+            unitvec(&["bench", "--device", "lavapipe", "--json", "host/choose/data/costs_lavapipe.json"])
+        },
+        ..FILE
+    },
+    Record {
+        name: "slices",
+        outputs: &[Bytes("docs/data/slices.json")],
+        from: "times of slices on the CPU, beside other crates",
+        // Of the arithmetic only what all slices share: a new codec has no row.
+        inputs: &[&[Code("shader-crate/src/slice/*.rs shader-crate/src/arith/*.rs bench/benches/*.rs")]],
+        kind: Kind::Timing,
+        minutes: 6,
+        renew: || {
+            run(&mut cargo(&["bench", "--package", "unitvec-bench"]))?;
+            let summary = ["run", "--package", "unitvec-bench", "--bin", "summary"];
+            write_output(&mut cargo(&summary), "docs/data/slices.json")
+        },
+        ..FILE
+    },
+    Record {
+        name: "agreement",
+        outputs: &[],
+        from: "CPU, modules, GLSL, HLSL and WGSL on lavapipe: a run of `conform --exhaustive`, which leaves no file",
+        inputs: &[CODECS, KERNELS, GLSL, &[Code("shaders/*/*")]],
+        kind: Kind::Run,
+        minutes: 5,
+        renew: || conform(&["--exhaustive".to_owned()]),
+        ..FILE
+    },
+    Record {
+        name: "imprecise",
+        outputs: &[Bytes("docs/data/imprecise.csv")],
+        from: "the modules and the GLSL, rewritten for devices that round badly",
+        inputs: &[KERNELS, GLSL, &[Code("host/*imprecise/*.rs")]],
+        kind: Kind::Run,
+        minutes: 6,
+        renew: || {
+            let file = repository().join("docs/data/imprecise.csv").display().to_string();
+            conform(&["--imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))
+        },
+        ..FILE
+    },
+    Record {
+        name: "drivers",
+        outputs: &[Bytes("docs/data/drivers.tsv")],
+        from: "the modules and the GLSL on other Vulkan drivers",
+        inputs: &[KERNELS, GLSL, &[Versions(drivers::versions)]],
+        kind: Kind::Run,
+        minutes: 15,
+        needs: "Debian 12 on amd64, whose packages of drivers it fetches",
+        renew: || conform(&["--drivers", "--fetch", "--record"].map(str::to_owned)),
+    },
+    Record {
+        name: "languages",
+        outputs: &[Bytes("docs/data/languages.csv docs/data/barriers.csv")],
+        from: "`shaders/` by the compilers of all languages",
+        inputs: &[&[
+            Code("shaders/*/* host/*shader/kernel.rs tests/languages/src/*.rs"),
+            Versions(languages::versions),
+        ]],
+        kind: Kind::Run,
+        minutes: 20,
+        needs: "Debian 12 on amd64, and 500 MB of compilers, which it fetches",
+        renew: || languages::run(&repository(), &["--languages".to_owned(), "--record".to_owned()]),
+    },
+    Record {
+        name: "processors",
+        outputs: &[Bytes("docs/data/processors.csv")],
+        from: "the codecs on other processors, by qemu and Node.js",
+        inputs: &[
+            CODECS,
+            &[Code("tests/processors/*.rs tests/processors/*.mjs"), Versions(processors::versions)],
+        ],
+        kind: Kind::Run,
+        minutes: 10,
+        needs: "Debian's cross compilers, qemu and Node.js, which it installs",
+        renew: || processors::run(&repository(), &["--record".to_owned()]),
+    },
+    Record {
+        name: "figures",
+        outputs: &[Bytes("docs/figures/*")],
+        from: "the codecs, the costs and the renderer, on lavapipe",
+        // What the pictures show. Tests draw them again, and so hold them to the rest of the renderer.
+        inputs: &[
+            KERNELS,
+            &[
+                Bytes("host/render*shaders/spirv/*"),
+                Code("host/*figures/*.rs"),
+                Bytes("host/choose/data/costs_*"),
+            ],
+        ],
+        minutes: 2,
+        renew: || unitvec(&["figures", "--small", "--device", "lavapipe", "--out", "docs/figures"]),
+        ..FILE
+    },
+    Record {
+        name: "tables",
+        outputs: &[Parts("README.md CONTRIBUTING.md docs/*.md shader-crate/src/*.rs"), Bytes("docs/*.svg")],
+        from: "the list, all data above, and this table",
+        inputs: &[CODECS, &[Bytes("docs/data/* host/choose/data/costs_* docs/figures/figures.json")]],
+        renew: || {
+            super::write_contributing()?;
+            bless(&[
+                "docs::generated_parts_are_current",
+                "docs::accuracy::the_chart_is_current",
+                "docs::costs::the_chart_is_current",
+            ])
+        },
+        ..FILE
+    },
+];
+
+/// The packages of these names in `Cargo.lock`.
+fn locked(names: &[&str]) -> String {
+    let lock = fs::read_to_string(repository().join("Cargo.lock")).unwrap_or_default();
+    let name = |package: &str| package.trim_start().lines().next().unwrap_or_default().to_owned();
+    let is_named = |package: &&str| names.iter().any(|known| name(package) == format!("name = \"{known}\""));
+    lock.split("[[package]]").filter(is_named).collect()
+}
+
+/// Has tests of the integration program write the files that they compare.
+fn bless(tests: &[&str]) -> Result<(), String> {
+    by_tests(tests, &[], ("BLESS", "1".into()))
+}
+
+/// Has ignored tests of the integration program measure what others compare.
+fn measure(tests: &[&str]) -> Result<(), String> {
+    by_tests(tests, &["--ignored"], ("BLESS", "1".into()))
+}
+
+fn by_tests(tests: &[&str], arguments: &[&str], variable: (&str, OsString)) -> Result<(), String> {
+    let program = ["test", "--package", "unitvec-tests", "--test", "unitvec"];
+    let pending = setup::begin()?;
+    let built = run(cargo(&program).args(WITH_GLSL).arg("--no-run"));
+    pending.finish().and(built)?;
+    let mut command = cargo(&program);
+    command.args(WITH_GLSL).args(["--", "--exact", "--nocapture"]).args(arguments).args(tests);
+    run(command.env(variable.0, variable.1))
+}
+
+/// Runs `unitvec` in the repository's root.
+fn unitvec(arguments: &[&str]) -> Result<(), String> {
+    run(Command::new(program()?).args(arguments).current_dir(repository()))
+}
+
+/// Writes what a command prints to a file of the repository, if it succeeds.
+fn write_output(command: &mut Command, file: &str) -> Result<(), String> {
+    let output = command.stderr(Stdio::inherit()).output().map_err(|error| format!("{file}: {error}"))?;
+    if !output.status.success() {
+        return Err(format!("what prints {file} ended with {}", output.status));
+    }
+    fs::write(repository().join(file), output.stdout).map_err(|error| format!("{file}: {error}"))
+}
