@@ -17,11 +17,11 @@ pub struct Functions<const N: usize> {
     pub decode_one: fn([u32; 2]) -> [f32; N],
     pub encode_at: EncodeAt<[f32; N]>,
     pub decode_at: DecodeAt<[f32; N]>,
-    /// What encodes slices: `encode_at`, or an encoder by table.
+    /// Slice encoder: `encode_at`, or an encoder by table.
     pub encode: EncodeAt<[f32; N]>,
 }
 
-/// Those of a codec of vectors or of frames.
+/// The functions of a codec of vectors or of frames.
 #[derive(Clone, Copy, Debug)]
 pub enum AnyFunctions {
     Vector(Functions<3>),

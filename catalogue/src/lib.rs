@@ -43,7 +43,7 @@ pub struct AnyCodec {
     pub survey_name: &'static str,
     /// The family: its module in [`unitvec`] and, with `.glsl`, the GLSL include file with its functions.
     pub family: &'static str,
-    /// What it encodes.
+    /// The kind of element that it encodes.
     pub element: Element,
     /// Significant bits of a code.
     pub bits: u32,
@@ -57,7 +57,7 @@ pub struct AnyCodec {
     pub is_unit: bool,
     /// True where the directions of the domain's axes come back exactly. Codecs of frames do not promise it.
     pub exact_axes: bool,
-    /// True where what any device decodes, any other encodes to a code of the same element.
+    /// True where every device encodes any other device's decoded element to a code of the same element.
     pub stable_across_devices: bool,
     /// Upper bounds of the errors over the domain, in degrees: one for each of [`Element::directions`].
     pub max_errors_deg: &'static [f32],
@@ -158,7 +158,7 @@ impl AnyCodec {
     /// Encodes elements, whose floats follow each other, on the CPU, on all cores: little endian, without gaps.
     ///
     /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
+    /// The error of [`count`](Self::count). Nothing is written then.
     pub fn encode_cpu(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
         self.count(elements.len(), codes.len())?;
         with_functions!(self, it => par_encode_with(cast_slice(elements), codes, self.bytes, it.encode))
@@ -167,37 +167,37 @@ impl AnyCodec {
     /// Decodes codes, as [`encode_cpu`](Self::encode_cpu) makes them, on the CPU, on all cores.
     ///
     /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
+    /// The error of [`count`](Self::count). Nothing is written then.
     pub fn decode_cpu(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
         self.count(elements.len(), codes.len())?;
         with_functions!(self, it => par_decode_with(codes, cast_slice_mut(elements), self.bytes, it.decode_at))
     }
 
-    /// As [`encode_cpu`](Self::encode_cpu), on the calling thread alone.
+    /// Encodes as [`encode_cpu`](Self::encode_cpu) does, on the calling thread alone.
     ///
     /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
+    /// The error of [`count`](Self::count). Nothing is written then.
     pub fn encode_here(&self, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
         self.count(elements.len(), codes.len())?;
         with_functions!(self, it => (it.encode)(Level::best(), cast_slice(elements), codes))
     }
 
-    /// As [`decode_cpu`](Self::decode_cpu), on the calling thread alone.
+    /// Decodes as [`decode_cpu`](Self::decode_cpu) does, on the calling thread alone.
     ///
     /// # Errors
-    /// As [`count`](Self::count). Nothing is written then.
+    /// The error of [`count`](Self::count). Nothing is written then.
     pub fn decode_here(&self, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
         self.decode_at(Level::best(), codes, elements)
     }
 
-    /// As [`encode_here`](Self::encode_here), with the instructions of a given level and without a table.
+    /// Encodes as [`encode_here`](Self::encode_here) does, with the instructions of a given level and without a table.
     #[doc(hidden)]
     pub fn encode_at(&self, level: Level, elements: &[f32], codes: &mut [u8]) -> Result<(), LengthMismatch> {
         self.count(elements.len(), codes.len())?;
         with_functions!(self, it => (it.encode_at)(level, cast_slice(elements), codes))
     }
 
-    /// As [`decode_here`](Self::decode_here), with the instructions of a given level.
+    /// Decodes as [`decode_here`](Self::decode_here) does, with the instructions of a given level.
     #[doc(hidden)]
     pub fn decode_at(&self, level: Level, codes: &[u8], elements: &mut [f32]) -> Result<(), LengthMismatch> {
         self.count(elements.len(), codes.len())?;
@@ -255,7 +255,7 @@ impl serde::Serialize for AnyCodec {
     }
 }
 
-/// What is encoded.
+/// The kind of element that a codec encodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum Element {
@@ -266,10 +266,10 @@ pub enum Element {
 }
 
 impl Element {
-    /// Both.
+    /// Both kinds.
     pub const ALL: [Self; 2] = [Self::Vector, Self::Frame];
 
-    /// Its number of f32.
+    /// The number of f32 in an element.
     pub const fn floats(self) -> usize {
         match self {
             Self::Vector => 3,
@@ -277,7 +277,7 @@ impl Element {
         }
     }
 
-    /// Its size as packed f32.
+    /// The element's size as packed f32.
     pub const fn bytes(self) -> usize {
         4 * self.floats()
     }
@@ -299,7 +299,7 @@ impl Element {
     }
 }
 
-/// What a codec does.
+/// An operation of a codec.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
 pub enum Operation {
@@ -310,7 +310,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// Both.
+    /// Both operations.
     pub const ALL: [Self; 2] = [Self::Encode, Self::Decode];
 }
 
@@ -327,7 +327,7 @@ impl std::fmt::Display for Operation {
 #[derive(Clone, Debug, thiserror::Error)]
 #[error("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id))]
 pub struct UnknownCodec {
-    /// What was asked for.
+    /// The identifier asked for.
     pub id: String,
 }
 

@@ -1,4 +1,4 @@
-//! With the feature `glsl`: links what the system's shaderc leaves out, and says so where there is none.
+//! With the feature `glsl`: links the libraries that the system's shaderc leaves out, and says so where there is none.
 //!
 //! Upstream's `libshaderc_combined.a` holds all of glslang and SPIRV-Tools. Debian's does not: its packages
 //! `glslang-dev` and `spirv-tools` have the rest, in libraries that differ from version to version.

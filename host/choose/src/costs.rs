@@ -15,9 +15,9 @@ pub const REFERENCE: &str = "oct32";
 /// A generation of GPUs, and the one that stands for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Generation {
-    /// Its name on the command line.
+    /// The GPU's name on the command line.
     pub name: &'static str,
-    /// Its name in prose.
+    /// The GPU's name in prose.
     pub title: &'static str,
     /// Code name of the GPU.
     pub gpu: &'static str,
@@ -70,7 +70,7 @@ impl Generation {
         format!("host/choose/data/costs_{}.json", self.gpu).into()
     }
 
-    /// Those figures.
+    /// The figures that ship with the program.
     ///
     /// # Errors
     /// [`Error::BadCosts`], which would be a fault of this crate.
@@ -79,7 +79,7 @@ impl Generation {
     }
 }
 
-/// What a kernel was compiled from.
+/// The language that a kernel was compiled from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
@@ -101,7 +101,7 @@ impl fmt::Display for Source {
     }
 }
 
-/// What a compiler made of the kernels.
+/// A compiler's figures for the kernels.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Report {
     /// Device and driver.
@@ -112,16 +112,16 @@ pub struct Report {
     pub rows: Vec<Row>,
 }
 
-/// What it made of one kernel. Figures that the driver does not give are null.
+/// A compiler's figures for one kernel. Those that the driver does not give are null.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// Codec; for a textbook's kernel the codec in the same format.
     pub id: String,
-    /// What the kernel does.
+    /// The kernel's operation.
     pub operation: Operation,
-    /// What it was compiled from.
+    /// The kernel's source language.
     pub source: Source,
-    /// For a textbook's kernel, which one.
+    /// The textbook, for a textbook's kernel.
     #[serde(default)]
     pub textbook: Option<String>,
     /// Instructions of the kernel, which takes four vectors an invocation.
@@ -154,7 +154,7 @@ impl Report {
             .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })
     }
 
-    /// As JSON, a row a line.
+    /// Formats the report as JSON, a row a line.
     pub fn to_json(&self) -> String {
         // Serialising plain structs and strings to memory has no way to fail.
         let json = |value: serde_json::Result<String>| value.unwrap_or_default();
@@ -167,7 +167,7 @@ impl Report {
         )
     }
 
-    /// What was compiled for, and by what: `RDNA 2 (navi21), radv Mesa 22.3.6`.
+    /// The GPU and the compiler: `RDNA 2 (navi21), radv Mesa 22.3.6`.
     pub fn subject(&self) -> String {
         let DeviceInfo { name, driver, .. } = &self.device;
         let stand_in = name.strip_prefix("Null hardware (RADV ").and_then(|name| name.strip_suffix(')'));

@@ -19,9 +19,9 @@ pub enum Error {
     /// Costs to choose by that are not a report of `unitvec bench`.
     #[error("{} is not a report of `unitvec bench --json`: {reason}", .path.display())]
     BadCosts {
-        /// Its path.
+        /// The file's path.
         path: PathBuf,
-        /// What the parser says.
+        /// The parser's message.
         reason: String,
     },
 }

@@ -16,17 +16,17 @@ use unitvec_files::one_line;
 use unitvec_run::backend::{BackendKind, Cpu};
 use unitvec_run::measure::measure;
 
-/// What to take for one purpose.
+/// The recommended codecs for one purpose.
 pub struct Recommendation {
     /// The purpose.
     pub purpose: &'static str,
     /// Identifiers, the first choice first.
     pub codecs: &'static [&'static str],
-    /// How many of them the short table has, that of the README.
+    /// The number of codecs in the short table, which the README has.
     pub in_short: usize,
 }
 
-/// What to take for what.
+/// The recommended codecs by purpose.
 pub const RECOMMENDED: [Recommendation; 8] = [
     recommend("encoded often: G-buffers", &["oct32", "oct24", "oct16"], 1),
     recommend("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], 3),
@@ -47,13 +47,13 @@ const fn recommend(
 }
 
 impl Recommendation {
-    /// Those of the short table.
+    /// The codecs in the short table.
     pub fn short(&self) -> &'static [&'static str] {
         &self.codecs[..self.in_short]
     }
 }
 
-/// What a codec has to do.
+/// The demands on a codec.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
     /// Largest error that is allowed for any direction, degrees.
@@ -62,19 +62,19 @@ pub struct Demand {
     pub mean_error_deg: Option<f64>,
     /// Most bits of a code.
     pub bits: Option<u32>,
-    /// True if an encoder that reads a table will not do.
+    /// True if encoders that read a table are ruled out.
     pub no_table: bool,
     /// True if all directions have z >= 0.
     pub hemisphere: bool,
 }
 
-/// What codecs cost: as multiples of `oct32`'s, of both operations.
+/// Costs of codecs, as multiples of `oct32`'s, for both operations.
 pub struct Costs {
     device: String,
     by_codec: HashMap<String, [f64; 2]>,
 }
 
-/// What [`Costs`] reads of the report of `unitvec bench --json` of a device.
+/// The part that [`Costs`] reads of the report of `unitvec bench --json` on a device.
 #[derive(Deserialize)]
 struct Report {
     device: ReportDevice,
@@ -95,7 +95,7 @@ struct ReportRow {
 }
 
 impl Costs {
-    /// Those of a generation of GPUs, by the name of either, or `lavapipe`'s: they ship with the program.
+    /// The costs on a generation of GPUs, by the name of either, or on `lavapipe`: they ship with the program.
     ///
     /// # Errors
     /// [`Error::UnknownGpu`]; [`Error::BadCosts`], which would be a fault of this crate.
@@ -112,10 +112,10 @@ impl Costs {
         )
     }
 
-    /// Those of a report of `unitvec bench --json`, with `--isa` or without.
+    /// The costs in a report of `unitvec bench --json`, with `--isa` or without.
     ///
     /// # Errors
-    /// [`Error::BadCosts`] if it is not one.
+    /// [`Error::BadCosts`] if the file is no such report.
     pub fn parse(path: &Path, json: &[u8]) -> Result<Self> {
         if let Ok(report) = costs::Report::parse(path, json) {
             return Self::compiled(path, &report);
@@ -123,7 +123,7 @@ impl Costs {
         let report: Report = serde_json::from_slice(json)
             .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })?;
         let ratio = |row: ReportRow| Some((row.id, row.operation, row.alu_ratio_to_oct32?));
-        // Where arithmetic from Rust was not measured, that from GLSL counts.
+        // Where arithmetic from Rust was not measured, arithmetic from GLSL counts.
         let is_measured = |row: &ReportRow| row.alu_ratio_to_oct32.is_some();
         let has = |kind| report.rows.iter().any(|row| row.backend == kind && is_measured(row));
         let kind = if has(BackendKind::Rust) { BackendKind::Rust } else { BackendKind::Glsl };
@@ -131,7 +131,7 @@ impl Costs {
         Ok(Self::new(report.device.name, rows.filter_map(ratio)))
     }
 
-    /// By inverse throughput, of the kernels from GLSL.
+    /// Reads costs as inverse throughput, for the kernels from GLSL.
     fn compiled(path: &Path, report: &costs::Report) -> Result<Self> {
         let rows = report.rows.iter().filter(|row| row.source == costs::Source::Glsl);
         let ratio = |row: &costs::Row| Some((row.id.clone(), row.operation, report.ratio_to_oct32(row)?));
@@ -156,7 +156,7 @@ impl Costs {
         &self.device
     }
 
-    /// What this operation of a codec costs, where it is known.
+    /// The cost of this operation of a codec, where it is known.
     pub fn of(&self, id: &str, operation: Operation) -> Option<f64> {
         self.by_codec.get(id).map(|costs| costs[operation as usize]).filter(|cost| cost.is_finite())
     }
@@ -167,13 +167,13 @@ impl Costs {
 pub struct Candidate {
     /// Codec.
     pub id: &'static str,
-    /// Its bits.
+    /// The codec's bits.
     pub bits: u32,
     /// Bytes of a stored code.
     pub bytes: usize,
     /// Upper bound of its error, degrees.
     pub max_error_deg: f64,
-    /// Its mean error, measured now, degrees.
+    /// The codec's mean error, measured now, in degrees.
     pub mean_error_deg: f64,
     /// Cost of encoding as a multiple of `oct32`'s, where it is known.
     pub encode_cost: Option<f64>,
@@ -217,7 +217,7 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
 }
 
 impl Candidate {
-    /// Of both operations; infinite where it was not measured.
+    /// The cost of both operations; infinite where it was not measured.
     pub fn cost(&self) -> f64 {
         self.encode_cost.zip(self.decode_cost).map_or(f64::INFINITY, |(encode, decode)| encode + decode)
     }

@@ -16,7 +16,7 @@ pub enum Error {
     /// A file or pipe cannot be read.
     #[error("cannot read {}: {source}; check that it exists and may be read", .path.display())]
     Read {
-        /// Its path.
+        /// The file's path.
         path: PathBuf,
         /// Cause.
         source: io::Error,
@@ -24,7 +24,7 @@ pub enum Error {
     /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
     #[error("cannot write {}: {source}; {}", .path.display(), remedy(source))]
     Write {
-        /// Its path.
+        /// The file's path.
         path: PathBuf,
         /// Cause.
         source: io::Error,

@@ -82,7 +82,7 @@ impl Drop for Folder {
     fn drop(&mut self) {
         self.unfinished = None;
         if self.is_new {
-            // Where something else has put a file in it, it stays.
+            // The folder stays where something else has put a file in it.
             let _ = std::fs::remove_dir(&self.path);
         }
     }

@@ -8,7 +8,7 @@ use std::path::Path;
 /// Opens a file, or the standard input for `-`. Returns its length where it is a file.
 ///
 /// # Errors
-/// Those of opening, and one for a folder.
+/// Errors of opening, and one for a folder.
 pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
     if path == Path::new("-") {
         return Ok((Box::new(io::stdin().lock()), None));
@@ -42,7 +42,7 @@ pub fn read_small(path: &Path) -> Result<Vec<u8>> {
 /// Reads a file up to this length. A device or a pipe is refused: it might never end, or never begin.
 ///
 /// # Errors
-/// Those of reading.
+/// Errors of reading.
 pub fn read_start(file: &Path, length: u64) -> io::Result<Vec<u8>> {
     let metadata = file.metadata()?;
     if !metadata.is_file() {

@@ -42,10 +42,10 @@ impl Output {
         Ok(Self { path: path.to_owned(), target, to, is_stdout, is_terminal })
     }
 
-    /// As [`create`](Self::create), for binary data: a terminal would show noise, and might obey it.
+    /// Creates as [`create`](Self::create) does, for binary data: a terminal would show noise, and might obey it.
     ///
     /// # Errors
-    /// As [`create`](Self::create), and [`Error::Terminal`].
+    /// The errors of [`create`](Self::create), and [`Error::Terminal`].
     pub fn create_binary(path: &Path) -> Result<Self> {
         let output = Self::create(path)?;
         if output.is_terminal {
@@ -54,7 +54,7 @@ impl Output {
         Ok(output)
     }
 
-    /// True where it is the standard output, by whatever name.
+    /// True where the output is the standard output, by whatever name.
     pub fn is_stdout(&self) -> bool {
         self.is_stdout
     }
@@ -131,7 +131,7 @@ fn identity(path: &Path) -> Option<PathBuf> {
     path.canonicalize().ok()
 }
 
-/// True for `-` and, where that can be told, for what the standard output is open to.
+/// True for `-` and, where the system shows it, for a path that the standard output is open to.
 fn is_stdout(path: &Path) -> bool {
     path == Path::new("-") || is_open_as_stdout(path)
 }
@@ -148,7 +148,7 @@ fn is_open_as_stdout(_: &Path) -> bool {
     false
 }
 
-/// Where to write, and whether it is a terminal.
+/// Opens the destination, and returns it with whether it is a terminal.
 fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
     if is_stdout {
         let stdout = io::stdout().lock();
@@ -200,7 +200,7 @@ pub fn forget(folder: &Path) {
 /// dropped.
 pub fn remove_unfinished() {
     for path in TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
-        // Those that were finished or dropped are no more; of others there is nobody left to tell.
+        // Files that were finished or dropped are gone; for the others nobody is left to report an error to.
         let _ = if path.is_dir() { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) };
     }
 }

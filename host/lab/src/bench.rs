@@ -1,4 +1,4 @@
-//! What encoding and decoding cost on a device: arithmetic after the survey's method, and how close to memory speed the
+//! Costs of encoding and decoding on a device: arithmetic after the survey's method, and how close to memory speed the
 //! shipped kernels run.
 
 use crate::Result;
@@ -23,7 +23,7 @@ use unitvec_vulkan::{Device, DeviceInfo, Kernel, Runner, Table};
 /// Times that a cost kernel encodes or decodes each vector, as the survey did (section 4.2).
 const REPETITIONS: u32 = 100;
 
-/// How much to measure.
+/// The extent of the measurements.
 pub struct Options {
     /// Vectors of a dispatch.
     pub count: usize,
@@ -49,18 +49,18 @@ pub struct Report {
     pub rows: Vec<Row>,
 }
 
-/// What was measured of one kernel.
+/// The measurements of one kernel.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
     /// Codec.
     pub id: &'static str,
-    /// Its bits.
+    /// The codec's bits.
     pub bits: u32,
-    /// What the kernel does.
+    /// The kernel's operation.
     pub operation: Operation,
-    /// What it was compiled from.
+    /// The kernel's source language.
     pub backend: BackendKind,
-    /// True of the kernel that looks two-byte codes up in a table of their vectors: throughput alone.
+    /// Set for the kernel that looks two-byte codes up in a table of their vectors: throughput alone.
     pub by_table: bool,
     /// Nanoseconds of arithmetic a vector, less the baseline's: the median over the dispatches.
     pub alu_ns_per_vector: Option<f64>,
@@ -116,7 +116,7 @@ impl Bench {
     /// Prepares to measure.
     ///
     /// # Errors
-    /// [`vulkan::Error::MissingFeature`] for a device without timestamps; what the kernels meet.
+    /// [`vulkan::Error::MissingFeature`] for a device without timestamps; any error of the kernels.
     pub fn new(device: &Arc<Device>, modules: Modules, options: Options) -> Result<Self> {
         let mut runner = Runner::new(device, options.count, false)?;
         let best_fit_table = runner.table(bytemuck::cast_slice(catalogue::best_fit_table()))?;
@@ -154,7 +154,7 @@ impl Bench {
     /// Measures both operations of a codec.
     ///
     /// # Errors
-    /// What the kernels meet.
+    /// Any error of the kernels.
     pub fn measure(&mut self, format: &AnyCodec) -> Result<Vec<Row>> {
         let mut rows = Vec::new();
         for operation in Operation::ALL {
@@ -236,7 +236,7 @@ impl Bench {
                 bytemuck::cast_slice(&words).to_vec()
             }
         };
-        // What is compared is side by side: the codec's kernels are next to each other.
+        // Kernels that are compared are side by side: the codec's kernels are next to each other.
         let mut order: Vec<(usize, usize, &Kernel)> = Vec::new();
         for (index, (backend, kernel)) in backends.iter().zip(&kernels).enumerate() {
             let [baseline, reference] = &self.references[&(operation, *backend)];
@@ -327,7 +327,7 @@ impl Bench {
 #[derive(Default)]
 struct Costs {
     codec: Vec<f64>,
-    /// Of [`REFERENCE`], beside it.
+    /// The time of [`REFERENCE`], beside the codec.
     reference: Vec<f64>,
 }
 
@@ -341,11 +341,11 @@ impl Costs {
 /// Vectors a second.
 struct Speeds {
     copy: f64,
-    /// Of each kernel: its backend, and whether it decodes by table.
+    /// Each kernel's backend, whether it decodes by table, and its time.
     kernels: Vec<(BackendKind, bool, f64)>,
 }
 
-/// What is measured, in the order of a [`Bench`]'s sources.
+/// The kernels measured, in the order of a [`Bench`]'s sources.
 const BACKENDS: [BackendKind; 2] = [BackendKind::Rust, BackendKind::Glsl];
 
 /// 0 to n - 1, backwards every other time: so a device that slows down or speeds up does so for all alike.

@@ -1,4 +1,4 @@
-//! What people write today, in `glsl/textbook/`, plainly from the formulas: only to measure the codecs against.
+//! Functions in common use, in `glsl/textbook/`, plainly from the formulas: only to measure the codecs against.
 
 use crate::Result;
 use rayon::prelude::*;
@@ -18,7 +18,7 @@ pub struct Textbook {
     pub codec: &'static str,
     /// Identifier of a finer codec of as many bytes, for those who may change the format or the encoder.
     pub finer: Option<&'static str>,
-    /// What people call it, and where it is from.
+    /// The usual name, and the origin.
     pub title: &'static str,
 }
 
@@ -37,7 +37,7 @@ impl Textbook {
     }
 }
 
-/// All of them, those that are alike together.
+/// All textbook functions, similar ones together.
 pub const TEXTBOOK: &[Textbook] = &[
     named_alike("oct16", Some("oct16p"), "octahedral, two snorm: Cigolle et al. 2014, listings 1 and 2"),
     named_alike("oct24", Some("oct24p"), "octahedral, three bytes: listings 1, 2 and 5"),
@@ -89,7 +89,7 @@ const fn named_alike(id: &'static str, finer: Option<&'static str>, title: &'sta
 /// [format](Textbook::format) says so, reads the [`best_fit_table`].
 ///
 /// # Errors
-/// GLSL that does not compile, or a codec that there is not.
+/// GLSL that does not compile, or an unknown codec.
 pub fn kernel(compiler: &Compiler, textbook: &Textbook, operation: Operation) -> Result<Vec<u8>> {
     let function = textbook.function(operation);
     Ok(compiler.function_kernel(textbook.format()?, operation, &function, &[("TEXTBOOK", "1")])?)

@@ -17,7 +17,7 @@ const STORAGE_FUNCTION: u32 = 7;
 /// Source languages that tools of 2023 know are below; theirs is of no use to them.
 const SOURCE_LANGUAGES: u32 = 7;
 
-/// Where a module's stubs are: what each is to be, by its id.
+/// The signatures of a module's stubs, by id.
 type Stubs = HashMap<u32, Signature>;
 
 /// A module that imports what its stubs stand for, and the names of that.
@@ -62,7 +62,7 @@ fn find_stubs(module: &Module, version: &str) -> Result<Stubs, Error> {
     let own = stubs::marker(version);
     match markers.iter().find(|marker| **marker != own) {
         Some(marker) => {
-            // Which sign `_` stands for is not known; versions have `.` mostly.
+            // `_` stood for some character of the version, most likely a dot.
             let found = marker.trim_start_matches(stubs::MARKER).replace('_', ".");
             return Err(Error::OtherVersion { found: unitvec_files::one_line(found) });
         }
@@ -98,14 +98,14 @@ fn declaration(module: &Module, id: u32, types: &Types) -> Option<Declaration> {
     }
 }
 
-/// What is known of a type.
+/// The known facts about a type.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Known {
     Float,
     Uint,
     Vector(u32, u32),
     Struct(Vec<u32>),
-    /// To a function's variable.
+    /// A pointer to a function's variable.
     Pointer(u32),
     Function(u32, Vec<u32>),
 }
@@ -154,7 +154,7 @@ impl Types {
         }
     }
 
-    /// What a pointer points to; other types themselves.
+    /// The type that a pointer points to; other types themselves.
     fn pointee(&self, id: u32) -> u32 {
         match self.known.get(&id) {
             Some(Known::Pointer(to)) => *to,
@@ -236,7 +236,7 @@ impl Import {
         Instruction::new(op::DECORATE, operands)
     }
 
-    /// What stands for a call of the stub, with this result type, result and arguments.
+    /// The instructions in place of a call of the stub, with this result type, result and arguments.
     fn call(&self, of_type: u32, result: u32, arguments: &[u32], module: &mut Module) -> Vec<Instruction> {
         let (mut lines, mut operands) = (Vec::new(), vec![self.result, result, self.id]);
         for ((argument, is_pointer), of_type) in arguments.iter().zip(&self.by_pointer).zip(&self.parameters)

@@ -38,7 +38,7 @@ pub enum Error {
         /// Version.
         minor: u32,
     },
-    /// It is not for graphics APIs.
+    /// The module is not for graphics APIs.
     #[error(
         "its memory model is not one of shaders (addressing model {addressing}, memory model {memory}); compile it for Vulkan"
     )]
@@ -48,7 +48,7 @@ pub enum Error {
         /// The number of its memory model.
         memory: u32,
     },
-    /// It calls nothing of the library.
+    /// The module calls nothing of the library.
     #[error(
         "it has no stubs of unitvec; include the stubs, call them, and compile with names and without inlining: docs/linking.md \
          has the command lines"
@@ -65,7 +65,7 @@ pub enum Error {
         stubs::VERSION
     )]
     OtherVersion {
-        /// What it says.
+        /// The version that the stubs state.
         found: String,
     },
     /// A stub has other types than its function.
@@ -82,13 +82,13 @@ pub enum Error {
     /// The library in this program is not what it should be.
     #[error("spirv/{LIBRARY} of this program {reason}; `cargo xtask spirv` makes it again, then build anew")]
     BadLibrary {
-        /// What is wrong.
+        /// The fault, in words.
         reason: String,
     },
     /// One of SPIRV-Tools' programs is not there.
     #[error("{tool} cannot be started ({source}); install the Vulkan SDK, or Debian's package spirv-tools")]
     NoTool {
-        /// Its name.
+        /// The tool's name.
         tool: &'static str,
         /// Cause.
         source: io::Error,
@@ -96,9 +96,9 @@ pub enum Error {
     /// One of SPIRV-Tools' programs objects.
     #[error("{tool} refuses it: {said}; is it valid, and is {tool} as new as its compiler?")]
     Refused {
-        /// Its name.
+        /// The tool's name.
         tool: &'static str,
-        /// What it says.
+        /// The tool's message.
         said: String,
     },
     /// A temporary file cannot be used.
@@ -110,7 +110,7 @@ pub enum Error {
 /// link by themselves.
 ///
 /// # Errors
-/// All that [`Error`] says of modules.
+/// Every [`Error`] about modules.
 pub fn imports(spirv: &[u8]) -> Result<(Vec<u8>, Vec<String>), Error> {
     let (module, names) = imports::imports(&parse(spirv)?)?;
     Ok((module.bytes(), names))

@@ -22,7 +22,7 @@ fn part(library: &[u8], module: &Module, names: &[String]) -> Result<Vec<u8>, Er
         found.ok_or_else(|| Error::BadLibrary { reason: format!("does not have {name}") })
     });
     let mut wanted: HashSet<Word> = found.collect::<Result<_, _>>()?;
-    // What is called calls nothing.
+    // The functions called call nothing.
     let called: Vec<Word> =
         library.functions.iter().filter(|function| is_one_of(function, &wanted)).flat_map(calls).collect();
     wanted.extend(called);

@@ -17,7 +17,7 @@ pub enum Type {
     Frame,
 }
 
-/// What a function takes and gives, all by value.
+/// The parameters and the result of a function, all by value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Signature {
     /// `unitvec_oct16_encode`.
@@ -62,7 +62,7 @@ impl std::fmt::Display for Type {
     }
 }
 
-/// As GLSL declares it.
+/// Formats the signature as GLSL declares it.
 impl std::fmt::Display for Signature {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let parameters: Vec<String> =

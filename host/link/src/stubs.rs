@@ -6,7 +6,7 @@ use clap::ValueEnum;
 /// The version of the stubs: this package's.
 pub const VERSION: &str = env!("CARGO_PKG_VERSION");
 
-/// How the name of a [`marker`] begins.
+/// The start of a [`marker`]'s name.
 pub const MARKER: &str = "unitvec_stubs_";
 
 /// A language that stubs are written in.
@@ -33,7 +33,7 @@ impl Language {
         }
     }
 
-    /// How the compiler has to be called for the stubs to stay.
+    /// Advice on calling the compiler so that the stubs stay.
     const fn advice(self) -> &'static str {
         match self {
             Self::Glsl => {
@@ -46,12 +46,12 @@ impl Language {
         }
     }
 
-    /// What keeps a function from being inlined.
+    /// The prefix that keeps a function from being inlined.
     const fn prefix(self) -> &'static str {
         if matches!(self, Self::Slang) { "[noinline] " } else { "" }
     }
 
-    /// What makes front-ends pass by value.
+    /// The prefix that makes front-ends pass by value.
     const fn by_value(self) -> &'static str {
         if matches!(self, Self::Glsl) { "const " } else { "" }
     }

@@ -21,7 +21,7 @@ pub fn link(spirv: &[u8]) -> Result<Vec<u8>, Error> {
     fs::write(&library, library_for(&module, &names)?)?;
     let environment = format!("spv1.{}", module.version.to_le_bytes()[1]);
     run("spirv-link", &[], &[&engine, &library, Path::new("-o"), &linked])?;
-    // What HLSL's front-ends leave to the optimiser where they do not inline.
+    // These passes do what HLSL's front-ends leave to the optimiser where they do not inline.
     let of_environment = format!("--target-env={environment}");
     let arguments = [of_environment.as_str(), "--legalize-hlsl", "-O"];
     run("spirv-opt", &arguments, &[&linked, Path::new("-o"), &optimised])?;

@@ -153,7 +153,7 @@ mod tests {
             (whole[..24].to_vec(), "it is cut short"),
             (whole[..16].to_vec(), "it is cut short"),
             (header(&[MAGIC, 0x0001_0300, 0, 0, 0]), "its bound of ids is 0 or more than Vulkan takes"),
-            // An instruction of no words would be read for ever.
+            // An instruction of no words would be read again and again.
             (header(&[MAGIC, 0x0001_0300, 0, 9, 0, 17]), "it is cut short"),
         ] {
             assert_eq!(Module::parse(&bytes).unwrap_err(), reason);

@@ -1,4 +1,4 @@
-//! Which format a mesh file has.
+//! Formats of mesh files.
 
 use std::path::Path;
 
@@ -14,11 +14,11 @@ pub enum FileFormat {
 }
 
 impl FileFormat {
-    /// As many of a file's first bytes as [`of`](Self::of) should be given. In JSON, `asset` may come late.
+    /// The number of a file's first bytes that [`of`](Self::of) should be given. In JSON, `asset` may come late.
     pub const HEAD: usize = 1 << 20;
 
-    /// The format that the first bytes tell; where they tell none, that of the ending, in any case: obj, ply, gltf, glb.
-    /// So a VRM file, which is a GLB by another name, is read as one.
+    /// The format by the first bytes; where they do not decide, by the ending, in any case: obj, ply, gltf, glb. So a
+    /// VRM file, which is a GLB by another name, is read as one.
     pub fn of(path: &Path, head: &[u8]) -> Option<Self> {
         let is_ply = head.starts_with(b"ply\n") || head.starts_with(b"ply\r");
         let is_gltf = head.starts_with(b"glTF") || is_gltf_json(head);
@@ -40,7 +40,7 @@ impl FileFormat {
         }
     }
 
-    /// The format that a file's ending tells, in any case.
+    /// The format by a file's ending, in any case.
     pub fn of_ending(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "obj" => Some(Self::Obj),
@@ -67,7 +67,7 @@ fn is_gltf_json(head: &[u8]) -> bool {
 mod tests {
     use super::*;
 
-    /// Without telling bytes the ending decides, in any case.
+    /// Bytes that do not decide leave it to the ending, in any case.
     #[test]
     fn endings() {
         let of = |name| FileFormat::of(Path::new(name), b"\0\0\x80\x3f");

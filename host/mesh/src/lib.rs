@@ -43,7 +43,7 @@ pub struct Mesh {
     ///
     /// A computed normal is zero where the vertex has no face, or faces whose areas vanish or cancel.
     pub normals: Vec<[f32; 3]>,
-    /// Where the normals of each primitive of a glTF file lie. One part for OBJ and for PLY.
+    /// The ranges of the normals of each primitive of a glTF file. One part for OBJ and for PLY.
     pub parts: Vec<Part>,
 }
 
@@ -73,11 +73,11 @@ impl Mesh {
 pub struct Frames {
     /// Normal, tangent and handedness of each vertex, as the file has them.
     pub frames: Vec<[f32; 7]>,
-    /// Where the frames of each primitive lie.
+    /// The ranges of the frames of each primitive.
     pub parts: Vec<Part>,
 }
 
-/// Where the vertices of a mesh or primitive lie.
+/// The range of the vertices of a mesh or primitive.
 #[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct Part {
     /// Index of the mesh in the file.
@@ -112,7 +112,7 @@ pub enum MeshError {
     Read {
         /// The mesh file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// The file is damaged, or uses what its parser does not know.
@@ -122,7 +122,7 @@ pub enum MeshError {
         path: PathBuf,
         /// `OBJ`, `PLY` or `glTF`.
         format: &'static str,
-        /// What is wrong, in one line.
+        /// The fault, in one line.
         reason: String,
     },
     /// No normals, and no face to compute them from.
@@ -172,9 +172,9 @@ pub enum MeshError {
         path: PathBuf,
         /// The glTF extension that it requires.
         extension: &'static str,
-        /// What compressed it.
+        /// The compression's name.
         method: &'static str,
-        /// What to do.
+        /// The remedy.
         remedy: String,
     },
     /// A glTF buffer is absent, short or of an unknown kind.
@@ -184,12 +184,12 @@ pub enum MeshError {
         path: PathBuf,
         /// Index of the buffer in the file.
         buffer: usize,
-        /// What is wrong with it, in one line.
+        /// The extension's fault, in one line.
         reason: String,
     },
 }
 
-/// Reads the vertex normals of a mesh file, of the format that [`FileFormat::of`] tells.
+/// Reads the vertex normals of a mesh file; [`FileFormat::of`] determines its format.
 ///
 /// # Errors
 ///
@@ -205,7 +205,7 @@ pub fn read(path: &Path) -> Result<Mesh, MeshError> {
 ///
 /// # Errors
 ///
-/// As [`read`].
+/// The errors of [`read`].
 pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, MeshError> {
     match format {
         FileFormat::Obj => obj::parse(path, bytes),
@@ -214,11 +214,11 @@ pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, Mesh
     }
 }
 
-/// Reads the tangent frames of a mesh file in memory, as [`parse`].
+/// Reads the tangent frames of a mesh file in memory, as [`parse`] does its normals.
 ///
 /// # Errors
 ///
-/// As [`parse`]; [`MeshError::NoTangents`] for a file without tangents.
+/// The errors of [`parse`]; [`MeshError::NoTangents`] for a file without tangents.
 pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Frames, MeshError> {
     match format {
         FileFormat::Gltf => gltf::parse_frames(path, bytes),
@@ -230,7 +230,7 @@ pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Fra
 ///
 /// # Errors
 ///
-/// As [`read`], less those of opening a file.
+/// The errors of [`read`], less those of opening a file.
 pub fn read_obj(name: &Path, text: &[u8]) -> Result<Mesh, MeshError> {
     obj::parse(name, text)
 }
@@ -247,7 +247,7 @@ pub struct Surface {
 ///
 /// # Errors
 ///
-/// As [`read_obj`].
+/// The errors of [`read_obj`].
 pub fn read_obj_surface(name: &Path, text: &[u8]) -> Result<Surface, MeshError> {
     obj::parse_surface(name, text)
 }
@@ -323,7 +323,7 @@ impl Positions {
 struct Sums<'p> {
     path: &'p Path,
     positions: Positions,
-    /// None before the first face.
+    /// Empty before the first face.
     sums: Vec<DVec3>,
 }
 

@@ -47,13 +47,13 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     sums.into_mesh()
 }
 
-/// What follows the header, as far as it is not read.
+/// The data below the header, as far as it is not read.
 #[derive(Clone)]
 struct Payload<'b> {
     path: &'b Path,
     encoding: Encoding,
     rest: &'b [u8],
-    /// Of an ASCII file, counted from 1.
+    /// The line in an ASCII file, counted from 1.
     line: usize,
 }
 
@@ -135,7 +135,7 @@ fn least_bytes(encoding: Encoding, property: &PropertyType) -> usize {
     }
 }
 
-/// Where the normals come from.
+/// The source of the normals.
 #[derive(Clone, Copy, PartialEq)]
 enum Source {
     Normals,

@@ -46,7 +46,7 @@ pub enum Error {
         input::RAW_ENDINGS.join(", .")
     )]
     UnknownInput {
-        /// Its path.
+        /// The file's path.
         path: PathBuf,
     },
     /// Text where raw floats were expected.
@@ -55,7 +55,7 @@ pub enum Error {
         .path.display()
     )]
     TextInput {
-        /// Its path.
+        /// The file's path.
         path: PathBuf,
     },
     /// A backend decoded a vector that has a direction to NaN or infinity.
@@ -66,7 +66,7 @@ pub enum Error {
     NotFinite {
         /// Codec.
         id: &'static str,
-        /// Its place in the file, counted from 0.
+        /// The element's place in the file, counted from 0.
         index: u64,
         /// The file.
         path: PathBuf,

@@ -50,7 +50,7 @@ impl Input {
         self.length.is_none() || RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending))
     }
 
-    /// Refuses what is neither a mesh nor, as far as can be told, raw floats.
+    /// Refuses a file that is neither a mesh nor, as far as its start shows, raw floats.
     fn check(&self) -> Result<()> {
         let path = || self.path.clone();
         match self.mesh {
@@ -60,15 +60,15 @@ impl Input {
         }
     }
 
-    /// Its length in bytes, where it is a file.
+    /// The input's length in bytes, where it is a file.
     pub fn length(&self) -> Option<u64> {
         self.length
     }
 
-    /// Reads all of it as a mesh: `parse` is [`mesh::parse`] or [`mesh::parse_frames`].
+    /// Reads the whole input as a mesh: `parse` is [`mesh::parse`] or [`mesh::parse_frames`].
     ///
     /// # Errors
-    /// [`MeshError::UnknownFormat`] where it is none, and what `parse` meets.
+    /// [`MeshError::UnknownFormat`] where it is none, and any error of `parse`.
     pub fn parse<T>(mut self, parse: fn(&Path, FileFormat, &[u8]) -> Result<T, MeshError>) -> Result<T> {
         let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: self.path.clone() })?;
         let bytes =
@@ -76,7 +76,8 @@ impl Input {
         Ok(parse(&self.path, format, &bytes)?)
     }
 
-    /// The whole of a mesh. What cannot be one is found before it fills the memory: 100 GB of zeros are quickly made.
+    /// Reads a whole mesh. Input that cannot be one is found before it fills the memory: 100 GB of zeros are quickly
+    /// made.
     fn read_all(&mut self, format: FileFormat) -> io::Result<Vec<u8>> {
         /// A GLB has two chunks, whose lengths have 32 bits each.
         const MOST_OF_GLTF: u64 = 1 << 34;
@@ -95,7 +96,7 @@ impl Input {
     /// The number of elements of so many bytes, if it is known.
     ///
     /// # Errors
-    /// [`Error::Truncated`] where the file's length tells that it ends within an element, so that nobody waits to learn it.
+    /// [`Error::Truncated`] where by the file's length it ends within an element, so that nobody waits to learn it.
     pub fn count(&self, bytes: usize, unit: &str) -> Result<Option<u64>> {
         let Some(length) = self.length else { return Ok(None) };
         let (whole, left) = (length / bytes as u64, (length % bytes as u64) as usize);
@@ -123,7 +124,7 @@ pub struct Elements {
     pub floats: Box<dyn Read>,
     /// The number of elements, where it is known.
     pub count: Option<u64>,
-    /// Where those of a mesh lie.
+    /// The ranges of the elements of a mesh's primitives.
     pub parts: Option<Vec<Part>>,
 }
 
@@ -132,8 +133,8 @@ impl Elements {
     /// `raw`, as raw floats in any case.
     ///
     /// # Errors
-    /// [`Error::UnknownInput`] if it is neither, [`Error::TextInput`] if it is text instead of raw floats, and whatever reading
-    /// it meets.
+    /// [`Error::UnknownInput`] if it is neither, [`Error::TextInput`] if it is text instead of raw floats, and any
+    /// error of reading.
     pub fn open(path: &Path, element: Element, raw: bool) -> Result<Self> {
         let input = Input::open(path)?;
         if !raw {
@@ -223,7 +224,7 @@ mod tests {
         assert!(error.to_string().contains("shorter") && read.len() == FileFormat::HEAD + 12, "{error}");
     }
 
-    /// What was looked at is read again, and all after it.
+    /// Bytes that were looked at are read again, and all after them.
     #[test]
     fn the_first_bytes_are_read_again() {
         let folder = tempfile::tempdir().unwrap();

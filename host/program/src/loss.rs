@@ -1,4 +1,4 @@
-//! What the vectors and frames of files lose to codecs: the angles between them and what they are decoded to.
+//! Losses of files' vectors and frames to codecs: the angles between them and the decoded ones.
 
 use crate::stream::{self, Input};
 use crate::{Error, Result};
@@ -17,7 +17,7 @@ pub struct Row {
     pub file: Option<String>,
     /// Codec.
     pub id: &'static str,
-    /// What the errors are of: `vector`, or `normal` and `tangent` of frames.
+    /// The part that the errors are of: `vector`, or `normal` and `tangent` of frames.
     pub part: &'static str,
     /// Bits of a code.
     pub bits: u32,
@@ -48,13 +48,13 @@ pub struct Errors {
 /// A vector and what became of it.
 #[derive(Clone, Debug, Serialize)]
 pub struct Worst {
-    /// Its file.
+    /// The file of the vector.
     pub file: String,
-    /// Its place in the file, counted from 0.
+    /// The vector's place in the file, counted from 0.
     pub index: u64,
     /// The vector.
     pub original: [f32; 3],
-    /// What it is decoded to.
+    /// The decoded vector.
     pub decoded: [f32; 3],
 }
 
@@ -74,12 +74,12 @@ pub struct Meter {
     formats: Vec<&'static AnyCodec>,
     element: Element,
     rows: Vec<Row>,
-    /// For each format, for each part.
+    /// The tallies for each format and each part.
     totals: Vec<Tally>,
 }
 
 impl Meter {
-    /// Of these codecs.
+    /// Prepares to measure the losses to these codecs.
     ///
     /// # Errors
     /// [`Error::Usage`] if some are of vectors and some of frames, or if there are none.
@@ -97,16 +97,16 @@ impl Meter {
         }
     }
 
-    /// What the codecs encode.
+    /// The kind of element that the codecs encode.
     pub fn element(&self) -> Element {
         self.element
     }
 
-    /// Measures the raw vectors or frames of a file. `progress` is told the elements done so far.
+    /// Measures the raw vectors or frames of a file. `progress` receives the number done so far.
     ///
     /// # Errors
-    /// [`Error::Truncated`] if the input ends within an element, [`Error::NotFinite`] if the backend decodes to NaN, and
-    /// whatever reading and the backend meet.
+    /// [`Error::Truncated`] if the input ends within an element, [`Error::NotFinite`] if the backend decodes to NaN,
+    /// and any error of reading and of the backend.
     pub fn measure(
         &mut self,
         backend: &mut dyn Backend,

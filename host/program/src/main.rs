@@ -6,7 +6,7 @@ use clap::Parser;
 use std::io::Write;
 use std::process::ExitCode;
 
-/// What shells report of a program that an interrupt ended.
+/// The status that shells report for a program that an interrupt ended.
 const INTERRUPTED: i32 = 130;
 
 fn main() -> ExitCode {
@@ -19,7 +19,7 @@ fn main() -> ExitCode {
         Ok(code) => code,
         Err(unitvec_host::Error::Files(unitvec_files::Error::ReaderGone)) => ExitCode::SUCCESS,
         Err(error) => {
-            // Where the standard error is closed, the exit status has to do.
+            // Where the standard error is closed, the exit status suffices.
             let _ = writeln!(std::io::stderr(), "unitvec: {}", printable(&error.to_string()));
             ExitCode::from(if error.is_usage() { 2 } else { 1 })
         }

@@ -11,7 +11,7 @@ use unitvec_run::backend::{Backend, CHUNK};
 pub struct Named<'a, S: ?Sized> {
     /// Path, `-` for a standard stream.
     pub path: &'a Path,
-    /// Where the bytes come from or go to.
+    /// The source or the destination of the bytes.
     pub stream: &'a mut S,
 }
 
@@ -22,13 +22,13 @@ impl<'a, S: ?Sized> Named<'a, S> {
     }
 }
 
-/// Where bytes come from.
+/// A source of bytes.
 pub type Input<'a> = Named<'a, dyn Read + 'a>;
 
-/// Where bytes go to.
+/// A destination of bytes.
 pub type Sink<'a> = Named<'a, dyn Write + 'a>;
 
-/// What was encoded.
+/// Counts of the elements encoded.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
     /// Vectors or frames.
@@ -68,7 +68,7 @@ impl Counts {
             .filter(|(vector, _)| has_direction(*vector));
         for (vector, code) in with_direction {
             let is_below = format.domain == Domain::Hemisphere && vector[2] < 0.0;
-            // Of raw components, those of a vector along +Z are 1/2 at least where their code is that of +Z.
+            // A vector along +Z has raw components of 1/2 at least where its code is +Z's.
             let is_small = is_raw && vector.iter().all(|component| component.abs() < 0.5);
             if code == z_code && (is_below || is_small) {
                 self.no_direction += 1;
@@ -106,10 +106,10 @@ fn turned(frames: &[f32]) -> Vec<f32> {
     turned
 }
 
-/// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` is told the elements done so far.
+/// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` receives the number done so far.
 ///
 /// # Errors
-/// [`Error::Truncated`] if the input ends within an element, and whatever reading, encoding or writing meets.
+/// [`Error::Truncated`] if the input ends within an element, and any error of reading, encoding or writing.
 pub fn encode(
     backend: &mut dyn Backend,
     format: &AnyCodec,
@@ -142,11 +142,11 @@ pub fn encode(
     Ok(done)
 }
 
-/// Reads raw vectors or frames until the input ends, and hands on at most [`CHUNK`] of them at a time, with the number of
-/// those before.
+/// Reads raw vectors or frames until the input ends, and hands on at most [`CHUNK`] of them at a time, with the number
+/// of those before.
 ///
 /// # Errors
-/// [`Error::Truncated`] if the input ends within an element, and whatever reading or `each` meets.
+/// [`Error::Truncated`] if the input ends within an element, and any error of reading or of `each`.
 pub fn for_each_chunk(
     mut input: Input<'_>,
     element: Element,
@@ -167,11 +167,11 @@ pub fn for_each_chunk(
     }
 }
 
-/// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory. `progress` is told the
-/// elements done so far. Returns their number.
+/// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory. `progress` receives the
+/// number done so far. Returns their number.
 ///
 /// # Errors
-/// [`Error::Truncated`] if the input ends within a code, and whatever reading, decoding or writing meets.
+/// [`Error::Truncated`] if the input ends within a code, and any error of reading, decoding or writing.
 pub fn decode(
     backend: &mut dyn Backend,
     format: &AnyCodec,
@@ -197,7 +197,7 @@ pub fn decode(
     }
 }
 
-/// From little endian to the byte order of this machine, or back.
+/// Converts from little endian to the byte order of this machine, or back.
 pub(crate) fn swap_if_big_endian(floats: &mut [f32]) {
     if cfg!(target_endian = "big") {
         floats.iter_mut().for_each(|float| *float = f32::from_bits(float.to_bits().swap_bytes()));
@@ -302,7 +302,7 @@ mod tests {
         assert_eq!(count("oct32", &vectors), expected);
         let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[1.0]].concat();
         let frames = [frame(zero, zero), frame(x, nan), frame(zero, x), frame(x, x), frame(x, huge)].concat();
-        // That of (x, x) is parallel to its normal.
+        // The tangent (x, x) is parallel to its normal.
         let expected = Counts { elements: 5, no_direction: 2, no_tangent: 4, below: 0 };
         assert_eq!(count("frame32", &frames), expected);
     }
@@ -344,7 +344,7 @@ mod tests {
         assert_eq!(kept, [true, true, true, false, false, false, false]);
     }
 
-    /// What lies below the equator is counted for codecs of the hemisphere alone.
+    /// Elements below the equator are counted for codecs of the hemisphere alone.
     #[test]
     fn vectors_below_the_equator_are_counted() {
         let vectors = [0.0, 0.6, -0.8, 0.0, 1.0, -0.0, 0.0, f32::NAN, -1.0, 0.0, 0.0, 1.0];

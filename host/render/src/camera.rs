@@ -1,4 +1,4 @@
-//! From where the scene is seen. Right-handed, +Y up; computed in f64, so that the shaders of both languages get the same
+//! The camera of the scene. Right-handed, +Y up; computed in f64, so that the shaders of both languages get the same
 //! floats.
 
 use super::picture::Size;
@@ -11,7 +11,7 @@ pub(super) struct Camera {
     right: DVec3,
     up: DVec3,
     forward: DVec3,
-    /// Of half the picture's height.
+    /// The tangent of half the picture's height.
     tangent: f64,
     size: Size,
 }
@@ -20,7 +20,7 @@ pub(super) struct Camera {
 const NEAR: f64 = 0.5;
 const FAR: f64 = 100.0;
 
-/// What the lighting pass takes of a camera: rays are `forward + right x + up y` at `centre * viewport.xy + viewport.zw`.
+/// A camera as the lighting pass takes it: rays are `forward + right x + up y` at `centre * viewport.xy + viewport.zw`.
 pub(super) struct Rays {
     pub(super) right: [f32; 4],
     pub(super) up: [f32; 4],
@@ -41,8 +41,8 @@ impl Camera {
         f64::from(self.size.width) / f64::from(self.size.height)
     }
 
-    /// To Vulkan's clip space, whose y points down and whose depth goes from 0 to 1. What lies `offset` of a pixel away from a
-    /// pixel's centre is seen there.
+    /// Maps to Vulkan's clip space, whose y points down and whose depth goes from 0 to 1. A point `offset` of a pixel
+    /// away from a pixel's centre is seen there.
     pub(super) fn clip_from_world(&self, offset: [f64; 2]) -> DMat4 {
         let row = |axis: DVec3| axis.extend(-axis.dot(self.eye));
         let depth = row(self.forward);

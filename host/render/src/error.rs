@@ -19,13 +19,13 @@ pub enum Error {
     /// There are shaders in Rust and in GLSL.
     #[error("the renderer has no shaders in {language}; take rust or glsl")]
     NoSuchShaders {
-        /// What was asked for.
+        /// The language asked for.
         language: BackendKind,
     },
     /// A module is not inside the program.
     #[error("the renderer's module {module} is missing; `cargo xtask spirv` builds it")]
     NoModule {
-        /// Its file.
+        /// The module's file.
         module: String,
     },
     /// A codec without an offset.
@@ -37,15 +37,15 @@ pub enum Error {
     /// Points that did not arrive.
     #[error("the device drew {drawn} of {wanted} points, each on a texel of its own: a fault of its driver")]
     NotDrawn {
-        /// Those that were drawn.
+        /// The number of points that were drawn.
         drawn: usize,
-        /// Those there are.
+        /// The number of points in all.
         wanted: usize,
     },
     /// Samples that make no picture.
     #[error("a picture has 1 to {limit} samples in each direction of a pixel, not {samples}")]
     BadSamples {
-        /// What was asked for.
+        /// The number of samples asked for.
         samples: u32,
         /// The most there are.
         limit: u32,
@@ -59,7 +59,7 @@ pub enum Error {
         .path.display()
     )]
     Earlier {
-        /// Their file.
+        /// The figures' file.
         path: PathBuf,
         /// The reason.
         reason: String,
@@ -70,13 +70,13 @@ pub enum Error {
     /// A picture that the report shows.
     #[error("the figures lack {file}; make them again with `unitvec figures`")]
     Lacking {
-        /// Its file.
+        /// The picture's file.
         file: String,
     },
     /// A picture that differs from its description.
     #[error("{file} is not as its figures say: {reason}")]
     Unlike {
-        /// Its file.
+        /// The picture's file.
         file: String,
         /// The difference.
         reason: String,

@@ -37,7 +37,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use unitvec_catalogue::AnyCodec;
 
-/// What objects are made of.
+/// The material of objects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Material {
@@ -54,7 +54,7 @@ impl Material {
     pub const ALL: [Self; 3] = [Self::Lambertian, Self::Glossy, Self::Mirror];
 }
 
-/// What the G-buffer holds.
+/// The normals in the G-buffer.
 #[derive(Clone, Copy, Debug)]
 pub enum Normals {
     /// Normals as three floats.
@@ -65,7 +65,7 @@ pub enum Normals {
     Dithered(&'static AnyCodec, Key),
 }
 
-/// What the offset of a dithered code comes from.
+/// The source of a dithered code's offset.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Key {
@@ -77,7 +77,7 @@ pub enum Key {
     Position,
 }
 
-/// What the vertices' normals are.
+/// The vertices' normals.
 #[derive(Clone, Copy, Debug)]
 pub enum Vertices {
     /// Three floats.
@@ -86,7 +86,7 @@ pub enum Vertices {
     Codec(&'static AnyCodec),
 }
 
-/// What is in the picture.
+/// The scene in the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum View {
     /// All objects.
@@ -102,18 +102,18 @@ pub enum View {
 /// Sides of [`View::Side`], the corners of a tetrahedron.
 pub const SIDES: u8 = 4;
 
-/// What to render.
+/// A picture to render.
 #[derive(Clone, Copy, Debug)]
 pub struct Shot {
-    /// In the G-buffer.
+    /// The normals in the G-buffer.
     pub normals: Normals,
-    /// In the vertex buffers.
+    /// The normals in the vertex buffers.
     pub vertices: Vertices,
-    /// Of all objects.
+    /// The material of all objects.
     pub material: Material,
-    /// What is seen.
+    /// The scene.
     pub view: View,
-    /// How far the sphere of [`View::Turning`] has turned, or the panel of [`View::Panel`].
+    /// The angle by which the sphere of [`View::Turning`] has turned, or the panel of [`View::Panel`].
     pub turn_degrees: f32,
     /// Moves the offsets that belong to the screen from frame to frame; 0 for ones that stay.
     pub seed: u32,

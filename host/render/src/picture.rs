@@ -3,14 +3,14 @@
 /// Pixels of a picture each way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Size {
-    /// From left to right.
+    /// The number of pixels from left to right.
     pub width: u32,
-    /// From top to bottom.
+    /// The number of pixels from top to bottom.
     pub height: u32,
 }
 
 impl Size {
-    /// All of its pixels.
+    /// The number of all pixels.
     pub const fn pixels(self) -> usize {
         self.width as usize * self.height as usize
     }
@@ -23,22 +23,22 @@ impl Size {
 /// A picture of linear colours, which may be brighter than white.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
-    /// Its size.
+    /// The picture's size.
     pub size: Size,
     /// Red, green, blue and 1, row by row from the top.
     pub pixels: Vec<[f32; 4]>,
 }
 
 impl Picture {
-    /// Its pixels as sRGB, three bytes each. What is brighter than white goes to white by degrees, so that highlights keep a
-    /// shape.
+    /// Its pixels as sRGB, three bytes each. Colours brighter than white go to white by degrees, so that highlights
+    /// keep a shape.
     pub fn to_srgb8(&self) -> Vec<u8> {
         let bytes = |pixel: &[f32; 4]| [pixel[0], pixel[1], pixel[2]].map(|linear| srgb8(shoulder(linear)));
         self.pixels.iter().flat_map(bytes).collect()
     }
 }
 
-/// The same up to 0.8, and from there on towards 1, with the same slope.
+/// The identity up to 0.8, and from there on a curve towards 1, with the same slope.
 fn shoulder(linear: f32) -> f64 {
     const KNEE: f64 = 0.8;
     let linear = f64::from(linear).max(0.0);

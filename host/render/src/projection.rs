@@ -9,7 +9,7 @@ use unitvec_catalogue::AnyCodec;
 /// A projection of the shaders, and the same on the CPU.
 #[derive(Debug)]
 pub struct Projection {
-    /// Its module's name: `oct_snorm`, `oct_unorm`, `oct16p_snorm`.
+    /// The module's name: `oct_snorm`, `oct_unorm`, `oct16p_snorm`.
     pub name: &'static str,
     /// The family in the names of its functions.
     family: &'static str,
@@ -23,7 +23,7 @@ pub struct Projection {
 enum Kind {
     Snorm,
     Unorm,
-    /// On the lattice of a codec of these bits, by precise rounding.
+    /// A position on the lattice of a codec of these bits, by precise rounding.
     Precise(u32),
 }
 
@@ -91,7 +91,7 @@ impl Projection {
         [format.id, format.family].iter().find_map(|name| Self::find(&format!("{name}_snorm")))
     }
 
-    /// Its numbers of a vector, on the CPU; the third is alpha's.
+    /// The projection's numbers for a vector, on the CPU; the third is for alpha.
     pub fn project(&self, v: [f32; 3]) -> [f32; 3] {
         (self.project)(v.into()).to_array()
     }
@@ -101,7 +101,7 @@ impl Projection {
         (self.unproject)(e.into()).to_array()
     }
 
-    /// True of numbers on [0, 1].
+    /// True for numbers on [0, 1].
     pub fn is_unorm(&self) -> bool {
         self.kind == Kind::Unorm
     }
@@ -119,7 +119,7 @@ impl Projection {
         }
     }
 
-    /// Its functions in GLSL, by the macro that names them.
+    /// The projection's functions in GLSL, by the macro that names them.
     pub(super) fn macros(&self) -> Vec<(&'static str, String)> {
         let Self { family, kind, .. } = self;
         let unorm = if *kind == Kind::Unorm { "_unorm" } else { "" };

@@ -21,7 +21,7 @@ use unitvec_vulkan::{
 /// The most samples in each direction of a pixel.
 pub const MAX_SAMPLES: u32 = 64;
 
-/// Of the push constants: normals are not rotated, normalised or lit.
+/// Flag of the push constants: normals are not rotated, normalised or lit.
 pub(super) const RAW: u32 = 1;
 
 /// Attachments of the geometry pass besides the code: the normal as it was encoded, and the position in object space with the
@@ -42,7 +42,7 @@ pub struct Renderer {
     pipelines: HashMap<String, Pipeline>,
 }
 
-/// What the geometry pass writes, row by row from the top.
+/// The output of the geometry pass, row by row from the top.
 pub struct Layers {
     /// Texels of the code's format.
     pub codes: Vec<u8>,
@@ -86,7 +86,7 @@ impl Renderer {
     /// [`Device::open_for_graphics`]. `source`: [`BackendKind::Rust`] or [`BackendKind::Glsl`].
     ///
     /// # Errors
-    /// What the device lacks, [`Error::BadSamples`], or a failed call.
+    /// [`Error::BadSamples`], a feature that the device lacks, or a failed call.
     pub fn new(device: &Arc<Device>, source: BackendKind, size: Size, samples: u32) -> Result<Self> {
         if !(1..=MAX_SAMPLES).contains(&samples) {
             return Err(Error::BadSamples { samples, limit: MAX_SAMPLES }.into());
@@ -129,10 +129,10 @@ impl Renderer {
         Ok(Picture { size: self.size, pixels: sums.into_iter().map(|sum| sum.map(|c| c * share)).collect() })
     }
 
-    /// What each pixel of a shot shows of a surface, at its centre; row by row from the top.
+    /// The surface that each pixel of a shot shows at its centre; row by row from the top.
     ///
     /// # Errors
-    /// As [`render`](Self::render).
+    /// The errors of [`render`](Self::render).
     pub fn seen(&mut self, shot: &Shot) -> Result<Vec<Option<Seen>>> {
         self.sample(shot, [0.0; 2])?;
         let target = &self.geometry[&self.variant(shot.normals)?.storage.texel()];
@@ -219,7 +219,7 @@ impl Renderer {
         self.graphics.device()
     }
 
-    /// What holds a codec's codes in the G-buffer. The device is not asked how it rounds 10 bits.
+    /// The storage of a codec's codes in the G-buffer, without a test of how the device rounds 10 bits.
     pub(super) fn storage(&self, format: &AnyCodec) -> Storage {
         Storage::drawn(format, self.device(), false)
     }

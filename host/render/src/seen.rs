@@ -1,18 +1,18 @@
-//! What pixels show of surfaces.
+//! The surfaces that pixels show.
 
 use super::storage::float_texels;
 use glam::Vec3;
 
-/// What a pixel shows of a surface.
+/// The surface that a pixel shows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen {
     /// Number of the object, from 1: its place in [`OBJECTS`](super::OBJECTS).
     pub object: u32,
-    /// Where on the object.
+    /// The point on the object.
     pub position: Vec3,
     /// The normal that was encoded.
     pub normal: Vec3,
-    /// What it came back as.
+    /// The decoded normal.
     pub decoded: Vec3,
 }
 

@@ -61,7 +61,7 @@ mod tests {
     use unitvec_catalogue::{AnyCodec, CODECS, find};
     use unitvec_catalogue::{AnyCodec, CODECS, find};
 
-    /// What an entry point takes and gives: types by location, textures by binding in set 0, bytes of push constants.
+    /// The interface of an entry point: types by location, textures by binding in set 0, bytes of push constants.
     #[derive(Debug, Default, PartialEq)]
     struct Interface {
         is_vertex: bool,

@@ -33,7 +33,7 @@ pub(super) fn faceted() -> Body {
     for [a, b, c] in icosahedron() {
         let [ab, bc, ca] = [a + b, b + c, c + a].map(DVec3::normalize);
         for face in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
-            // From the origin outwards, whichever way round the corners come.
+            // The normal points from the origin outwards, whichever way round the corners come.
             let cross = (face[1] - face[0]).cross(face[2] - face[0]).normalize();
             let normal = cross * cross.dot(face[0]).signum();
             for corner in face {

@@ -1,9 +1,9 @@
-//! What holds codes on the graphics pipeline: attachments, textures and vertex attributes.
+//! Storage of codes on the graphics pipeline: attachments, textures and vertex attributes.
 
 use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::{Device, FormatUse, ImageFormat, bytes_per_texel};
 
-/// How the value of a texel or an attribute holds a code.
+/// The form of a code in the value of a texel or an attribute.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Storage {
     /// The normal itself, without a codec.
@@ -34,7 +34,7 @@ pub enum Storage {
     Float16x2,
     /// Two numbers that the hardware rounds, in a format to choose.
     Pair,
-    /// The same, and 0 or 1 in alpha.
+    /// A pair, and 0 or 1 in alpha.
     PairAndBit,
 }
 
@@ -54,7 +54,7 @@ const STORAGES: [(&str, Storage); 11] = [
 ];
 
 impl Storage {
-    /// That of a codec by its Vulkan format; integers where it has none.
+    /// The storage of a codec by its Vulkan format; integers where it has none.
     pub fn of(format: &AnyCodec) -> Self {
         let named = STORAGES.iter().find(|(name, _)| format.vk_format == Some(name));
         named.map_or(Self::integers(format), |(_, storage)| *storage)
@@ -65,8 +65,8 @@ impl Storage {
         if format.bits > 32 { Self::Uint2 } else { Self::Uint }
     }
 
-    /// What a codec's codes are drawn to: its own format, or integers where the device does not draw to that.
-    /// `keeps_10_bits`: A2B10G10R10_SNORM_PACK32 keeps codes, which software devices round wrong.
+    /// The storage that a codec's codes are drawn to: its own format, or integers where the device does not draw to
+    /// that. `keeps_10_bits`: A2B10G10R10_SNORM_PACK32 keeps codes, which software devices round wrong.
     pub fn drawn(format: &AnyCodec, device: &Device, keeps_10_bits: bool) -> Self {
         let own = Self::of(format);
         let keeps = own != Self::Snorm10x3 || keeps_10_bits;

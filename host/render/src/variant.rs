@@ -11,14 +11,14 @@ use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_run::backend::BackendKind;
 use unitvec_run::glsl;
 
-/// What shaders are compiled for, and what holds it.
+/// The normals that shaders are compiled for, and their storage.
 #[derive(Clone, Copy)]
 pub struct Variant {
     normals: Stored,
     pub(super) storage: Storage,
 }
 
-/// What is stored of normals.
+/// The stored form of normals.
 #[derive(Clone, Copy)]
 enum Stored {
     Float,
@@ -49,7 +49,7 @@ impl Variant {
         Self { normals: Stored::Projected(projection), storage: projection.storage }
     }
 
-    /// Its module's name, and what the names of its entry points begin with: `oct16_dithered`.
+    /// The module's name, with which the names of its entry points begin: `oct16_dithered`.
     pub fn name(&self) -> String {
         match self.normals {
             Stored::Float => "float".to_owned(),
@@ -106,7 +106,7 @@ pub(super) struct Compiled {
     pub(super) entry_point: String,
 }
 
-/// Where shaders come from.
+/// The source of the shaders.
 pub(super) enum Shaders {
     /// The modules that rust-gpu made.
     Rust,

@@ -15,7 +15,7 @@ use unitvec_vulkan::{Device, Kernel, Runner, Table};
 /// Vectors or frames that are processed at a time: 12 or 28 MiB, so that any amount of data streams through.
 pub const CHUNK: usize = 1 << 20;
 
-/// What runs a codec.
+/// The runner of a codec.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum BackendKind {
@@ -32,7 +32,7 @@ pub enum BackendKind {
 }
 
 impl BackendKind {
-    /// Those of this build that run on a Vulkan device: GLSL and HLSL need the compiler that the feature `glsl` brings.
+    /// The backends of this build for Vulkan devices: GLSL and HLSL need the compiler that the feature `glsl` brings.
     pub fn of_devices() -> impl Iterator<Item = Self> {
         let has_glslang = cfg!(feature = "glsl");
         let kinds = [Self::Rust, Self::Glsl, Self::Hlsl, Self::Wgsl].into_iter();
@@ -57,7 +57,7 @@ pub trait Backend {
     /// Encodes up to [`CHUNK`] elements into dense codes.
     ///
     /// # Errors
-    /// What the backend meets: a wrong size, a missing module, a failed Vulkan call.
+    /// Any error of the backend: a wrong size, a missing module, a failed Vulkan call.
     fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()>;
 
     /// Decodes up to [`CHUNK`] dense codes.
@@ -67,11 +67,11 @@ pub trait Backend {
     fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()>;
 }
 
-/// Encodes and decodes the first `count` of elements whose floats follow each other, and hands on each with what it came
-/// back as.
+/// Encodes and decodes the first `count` of elements whose floats follow each other, and hands on each with its decoded
+/// element.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn round_trip(
     backend: &mut dyn Backend,
     codec: &AnyCodec,
@@ -95,7 +95,7 @@ pub fn round_trip(
 /// Encodes elements whose floats follow each other, and decodes the codes.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn round_trip_slice(
     backend: &mut dyn Backend,
     format: &AnyCodec,
@@ -120,7 +120,7 @@ impl Backend for Cpu {
     }
 }
 
-/// Where a GPU backend's kernels come from.
+/// The source of a GPU backend's kernels.
 pub enum KernelSource {
     /// SPIR-V that rust-gpu compiled from the crate.
     Rust(Modules),
@@ -143,7 +143,7 @@ impl KernelSource {
         self.load(runner, &format.function(operation), table, |compiler| compiler.kernel(format, operation))
     }
 
-    /// The same kernel, of a rewritten module.
+    /// The kernel in a rewritten module.
     fn rewritten_kernel(
         &self,
         runner: &Runner,
@@ -158,10 +158,10 @@ impl KernelSource {
         Ok(runner.kernel(&module, entry_point, table)?)
     }
 
-    /// The kernel that decodes two-byte codes by `table`, of the vectors of all codes.
+    /// The kernel that decodes two-byte codes by `table`, which holds the vectors of all codes.
     ///
     /// # Errors
-    /// What loading, compiling or Vulkan meets.
+    /// Any error of loading, compiling or Vulkan.
     pub fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
         self.load(runner, manifest::DECODE_BY_TABLE, Some(table), glsl::Compiler::decode_by_table)
     }

@@ -8,7 +8,7 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 /// An error of a backend. Each message is one line that names the thing and the remedy.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// There is no such codec.
+    /// The codec is unknown.
     #[error(transparent)]
     UnknownCodec(#[from] unitvec_catalogue::UnknownCodec),
     /// A slice function was given the wrong sizes.

@@ -1,5 +1,5 @@
 //! The GLSL kernels, compiled at run time by glslang through shaderc. Without the feature `glsl` there is no compiler:
-//! [`Compiler::new`] says so.
+//! [`Compiler::new`] returns an error.
 
 #[cfg(feature = "glsl")]
 mod glslang;
@@ -22,7 +22,7 @@ pub enum Error {
     /// shaderc could not create a compiler.
     #[error("the GLSL compiler (shaderc) cannot be started: {0}")]
     NoCompiler(String),
-    /// There is no such source file.
+    /// The source file does not exist.
     #[error("there is no file {file}")]
     NoSource {
         /// Path in the repository.
@@ -60,17 +60,17 @@ pub enum Stage {
 
 /// A shader in GLSL that may include files of `glsl/`, and others beside it.
 pub struct Shader<'a> {
-    /// Its stage.
+    /// The shader's stage.
     pub stage: Stage,
-    /// Its name, which includes are relative to.
+    /// The shader's name, which includes are relative to.
     pub file: &'a str,
-    /// Its text.
+    /// The shader's text.
     pub text: &'a str,
     /// Finds the text of an included file that does not lie in `glsl/`.
     pub beside: fn(&str) -> Option<&'static str>,
 }
 
-/// What glslang compiles.
+/// The text that glslang compiles.
 #[cfg_attr(not(feature = "glsl"), expect(dead_code, reason = "only glslang reads them"))]
 struct Source<'a> {
     language: SourceLanguage,

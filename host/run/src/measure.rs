@@ -45,9 +45,9 @@ impl ErrorStats {
 /// Errors of the vectors in elements: of a vector, itself; of a frame, its normal and its tangent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementErrors {
-    /// Of the vectors or normals.
+    /// Errors of the vectors or normals.
     pub normal: ErrorStats,
-    /// Of the tangents; empty for vectors.
+    /// Errors of the tangents; empty for vectors.
     pub tangent: ErrorStats,
 }
 
@@ -83,7 +83,7 @@ pub fn measure(
 mod tests {
     use super::*;
 
-    /// Of 1 and 3 degrees: mean 2, deviation 1, over the root of 2.
+    /// Errors of 1 and 3 degrees: mean 2, deviation 1, over the root of 2.
     #[test]
     fn the_standard_error_of_two() {
         let mut errors = ErrorStats::default();

@@ -7,9 +7,9 @@ use std::{iter, thread, vec};
 /// Maximum number of threads: each has 112 MiB of buffers of its own on the device, and as much for staging.
 const MAX_THREADS: usize = 4;
 
-/// What a thread tells.
+/// A thread's message.
 enum Message<Row, Error> {
-    /// So much work more is done.
+    /// The amount of work done since the last message.
     Done(u64),
     /// The plan of this index is done.
     Row(usize, Result<Box<Row>, Error>),
@@ -20,8 +20,8 @@ enum Message<Row, Error> {
 /// Plans that no thread has begun, by index.
 type Queue<Plan> = Mutex<iter::Enumerate<vec::IntoIter<Plan>>>;
 
-/// Runs all plans. `open` opens the backends of a thread, which `work` runs a plan with; `progress` is told the work done
-/// since it was last called, and `each` the rows, in the plans' order.
+/// Runs all plans. `open` opens the backends of a thread, which `work` runs a plan with; `progress` receives the work
+/// done since the last call, and `each` the rows, in the plans' order.
 ///
 /// # Errors
 /// The first error of a thread or of `each`.
@@ -43,7 +43,7 @@ pub fn run<Plan: Send, Backends, Row: Send, Error: Send>(
         }
         drop(sender);
         let result = collect(receiver, progress, each);
-        // After an error no thread begins another plan.
+        // Threads begin no plan after an error.
         while next(&queue).is_some() {}
         result
     })
@@ -53,7 +53,7 @@ fn next<Plan>(queue: &Queue<Plan>) -> Option<(usize, Plan)> {
     queue.lock().unwrap_or_else(PoisonError::into_inner).next()
 }
 
-/// What a thread does: one plan after the other, whichever is next.
+/// The loop of a thread: one plan after the other, whichever is next.
 fn run_plans<Plan, Backends, Row, Error>(
     queue: &Queue<Plan>,
     open: &impl Fn() -> Result<Backends, Error>,

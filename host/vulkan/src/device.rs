@@ -166,7 +166,7 @@ impl Device {
         Self::open_with(instance, choice, Purpose::Graphics)
     }
 
-    /// Opens a device that can tell what its compiler makes of kernels.
+    /// Opens a device that can report its compiler's statistics of kernels.
     pub(super) fn open_for_statistics(
         instance: &Arc<Instance>,
         choice: &DeviceChoice,
@@ -326,7 +326,7 @@ fn kind(device_type: vk::PhysicalDeviceType) -> DeviceKind {
 }
 
 impl Purpose {
-    /// The kind of work that the queue has to do.
+    /// The kind of work that the queue does.
     fn work(self) -> vk::QueueFlags {
         match self {
             Self::Kernels | Self::Statistics => vk::QueueFlags::COMPUTE,

@@ -36,7 +36,7 @@ pub enum Error {
         /// Feature or limit.
         feature: &'static str,
     },
-    /// The device does not tell what its compiler makes of kernels.
+    /// The device does not report its compiler's statistics of kernels.
     #[error(
         "device `{device}` does not tell what its compiler makes of kernels (it lacks VK_KHR_pipeline_executable_properties); \
          {}ask a compiler of Mesa's, which needs no GPU, with --gpu navi21",

@@ -216,7 +216,7 @@ impl Runner {
         self.elapsed()
     }
 
-    /// A set of the buffers, of which the kernel sees as much as its promise says.
+    /// A set of the buffers, of which the kernel sees as much as its promise allows.
     fn bind(&mut self, kernel: &Kernel, input: usize, output: usize) -> Result<vk::DescriptorSet, Error> {
         let [input, output] = match kernel.promise {
             BufferPromise::ExactSize => [input, output],
@@ -228,7 +228,7 @@ impl Runner {
         let set = unsafe { self.descriptors.renew()? };
         let buffers = [(&self.input.device, input), (&self.output.device, output)];
         for ((buffer, bytes), binding) in buffers.into_iter().chain(table).zip(0..) {
-            // The rest of the last word is bound as well. What lies beyond does not exist for the kernel.
+            // The rest of the last word is bound as well. Anything beyond does not exist for the kernel.
             let range = bytes.next_multiple_of(4).max(4) as u64;
             let buffer = [vk::DescriptorBufferInfo::default().buffer(buffer.raw).range(range)];
             let write = vk::WriteDescriptorSet::default()

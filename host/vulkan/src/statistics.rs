@@ -6,10 +6,10 @@ use ash::{khr, vk};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Numbers that a compiler tells of a kernel, by the names that the driver gives: `Instructions`.
+/// A compiler's statistics of a kernel, by the names that the driver gives: `Instructions`.
 pub type Statistics = HashMap<String, u64>;
 
-/// Compiles kernels and tells what became of them.
+/// Compiles kernels and reports statistics of the result.
 pub struct Inspector {
     functions: khr::pipeline_executable_properties::Device,
     layout: Layout,
@@ -19,7 +19,7 @@ impl Inspector {
     /// Opens a device for inspection.
     ///
     /// # Errors
-    /// The errors of [`Device::open`]; [`Error::NoStatistics`] for a device that does not tell.
+    /// The errors of [`Device::open`]; [`Error::NoStatistics`] for a device that reports none.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Self, Error> {
         let device = Device::open_for_statistics(instance, choice)?;
         let functions = khr::pipeline_executable_properties::Device::new(&instance.raw, &device.raw);
@@ -57,7 +57,7 @@ fn integer(statistic: &vk::PipelineExecutableStatisticKHR<'_>) -> Option<(String
     if statistic.format != vk::PipelineExecutableStatisticFormatKHR::UINT64 {
         return None;
     }
-    // SAFETY: the format says that this member of the union is the one that was written.
+    // SAFETY: the format names this member of the union as the one that was written.
     let value = unsafe { statistic.value.u64 };
     let name = statistic.name_as_c_str().ok()?.to_string_lossy().into_owned();
     Some((name, value))

@@ -1,4 +1,4 @@
-//! What no published table has: our own families, other codecs, and tangent frames.
+//! Rows that no published table has: our own families, other codecs, and tangent frames.
 
 use super::{Published, Row, Table, meyer};
 use crate::Result;
@@ -29,7 +29,7 @@ fn best_published(bits: u32) -> Option<(f64, f64)> {
 /// least mean and the least maximum of the survey's table 1 with as many bits.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn measure_row(backend: &mut dyn Backend, codec: &AnyCodec, count: usize, seed: u64) -> Result<Row> {
     let errors = measure(backend, codec, codec.domain, count, seed)?.normal;
     let (worst, _) = meyer::worst_error(backend, codec, seed)?;
@@ -44,7 +44,7 @@ const PUBLISHED_FRAME: [(f64, f64); 2] = [(0.0272, 0.1136), (0.1691, 0.4485)];
 /// Measures a codec of frames over `count` random ones: a row for the normals and one for the tangents.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn measure_frame(
     backend: &mut dyn Backend,
     codec: &AnyCodec,
@@ -75,9 +75,9 @@ pub fn measure_frame(
     Ok([row("normal", &errors.normal, normal), row("tangent", &errors.tangent, tangent)])
 }
 
-/// Of the rows measured, the codec of this many bits that has a lower maximum than any row of the survey's table 1, as
-/// published and as measured here, and a mean no higher, to three standard errors. Of several, that of the least mean.
-/// The rows have to hold both tables, or else there is none.
+/// Of the rows measured, the codec of this many bits with a lower maximum than any row of the survey's table 1, as
+/// published and as measured here, and a mean no higher, to three standard errors. Of several, the one with the least
+/// mean. `None` unless the rows hold both tables.
 pub fn beats_the_survey(rows: &[Row], bits: u32) -> Option<&Row> {
     let survey: Vec<&Row> = rows.iter().filter(|row| row.table == "1" && row.bits == bits).collect();
     let published = Table::One.published().into_iter().filter(|row| row.bits == bits);

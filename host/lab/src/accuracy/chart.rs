@@ -23,16 +23,16 @@ const SIZE: (u32, u32) = (900, 1100);
 /// Bits from the left end to the right.
 const BITS: std::ops::Range<f64> = 7.0..53.0;
 
-/// The same where errors are multiples of the bound's: wider codes have f32's errors besides their own.
+/// The usual bits where errors are multiples of the bound's: wider codes have f32's errors besides their own.
 const USUAL_BITS: std::ops::Range<f64> = 7.0..34.0;
 
-/// What a panel shows of a row.
+/// The value that a panel shows of a row.
 type Value = fn(&Row) -> Option<f64>;
 
 /// An SVG of three panels: the maximum error in degrees, and the mean and maximum error as multiples of the bound's.
 ///
 /// # Errors
-/// Whatever the plotting library meets.
+/// Any error of the plotting library.
 pub fn svg(rows: &[Row]) -> Result<String, Box<dyn Error>> {
     let mut text = String::new();
     {

@@ -13,7 +13,7 @@ use unitvec_run::sampling;
 /// A method of Meyer's table.
 #[derive(Clone, Copy, Debug)]
 pub struct Method {
-    /// Its name in the table.
+    /// The method's name in the table.
     pub name: &'static str,
     /// Bound of the error in radians at a number of bits, to first order.
     pub bound: fn(f64) -> f64,
@@ -28,7 +28,7 @@ pub const WIDTHS: [u32; 4] = [16, 24, 32, 48];
 /// The methods, in the table's order, with the bounds of its second row.
 ///
 /// FPNV, three floats, stands twice. The table's formula has cells of 2 2^(-b/3), which is fixed point with b / 3 bits;
-/// its figure for 48 bits, 4.60e-4, is that of eq. 3, sqrt(2) / 3 2^-m, with the m = 10 bits of a half float.
+/// its figure for 48 bits, 4.60e-4, follows from eq. 3, sqrt(2) / 3 2^-m, with the m = 10 bits of a half float.
 ///
 /// The bounds take a coordinate's bits to be any number, whole or not. Where PP's b - 1 or SPP's and CM's b - 3 bits are
 /// odd, one coordinate has sqrt(2) times the bound's step and the other 1 / sqrt(2) times, and the error of both is
@@ -79,11 +79,11 @@ const ROUNDS: i32 = 40;
 
 /// The largest error found, in degrees, and the direction that has it.
 ///
-/// First random directions and those within a few cells of the places where a mapping is stretched most: octant middles,
-/// axes, face and edge middles of the cube, the equator. Then the worst are moved about, by steps from two cells down.
+/// The search tries random directions and those within a few cells of where a mapping is stretched most: octant
+/// middles, axes, face and edge middles of the cube, the equator. It then moves the worst by steps from two cells down.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn worst_error(backend: &mut dyn Backend, codec: &AnyCodec, seed: u64) -> Result<(f64, [f32; 3])> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     // Side of a cell if all were equal.
@@ -181,7 +181,7 @@ mod tests {
         }
     }
 
-    /// Where the bound is tight, in the octant's middle, the search comes to within 0.5 % of it, and not above.
+    /// The search comes to within 0.5 % of the bound, and not above, where the bound is tight: in the octant's middle.
     #[test]
     fn the_search_finds_the_worst_place_of_oct16p() {
         let method = METHODS.iter().find(|method| method.name == "ONV_range").unwrap();

@@ -38,7 +38,7 @@ impl Table {
         }
     }
 
-    /// Its rows as published, in the survey's order: by decreasing maximum error.
+    /// The table's rows as published, in the survey's order: by decreasing maximum error.
     pub fn published(self) -> Vec<Published> {
         let text = match self {
             Self::One => survey::TABLE_1,
@@ -135,7 +135,7 @@ pub fn measure_float64(codec: &AnyCodec, domain: Domain, count: usize, seed: u64
 /// Measures a row of a table.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn measure_row(
     backend: &mut dyn Backend,
     table: Table,
@@ -152,7 +152,7 @@ pub fn measure_row(
 /// Measures a row of Meyer's table: mean over `count` random directions, maximum by search.
 ///
 /// # Errors
-/// What the backend meets.
+/// Any error of the backend.
 pub fn measure_meyer_row(
     backend: &mut dyn Backend,
     method: &meyer::Method,

@@ -6,8 +6,8 @@
 //! off by `3 q + 4 r + 3 a` where q quotients, r roots and a arc functions lead to it, none of them steeper than 1 in its
 //! argument, and by 1 more for the sums and products after them, which round other numbers.
 //!
-//! That is a limit to hold results against, not a proof: slopes are mostly far below 1, and that is what pays for the
-//! roundings of a long way.
+//! These are limits to hold results against, not a proof: slopes are mostly far below 1, which pays for the roundings
+//! of a long way.
 
 use super::{Model, Outcome, error_bound};
 use std::f64::consts::PI;
@@ -16,8 +16,8 @@ use unitvec_catalogue::AnyCodec;
 /// 2^-23: a ULP of the numbers from 1 to 2.
 const UNIT: f64 = 1.0 / 8_388_608.0;
 
-/// How many quotients, square roots and arc functions lead to the result whose way is longest. Those of constants count as
-/// well: a device may compute them.
+/// The number of quotients, square roots and arc functions that lead to the result whose way is longest. Those of
+/// constants count as well: a device may compute them.
 #[derive(Clone, Copy, Debug)]
 struct Way {
     quotients: u32,
@@ -37,12 +37,12 @@ impl Way {
     }
 }
 
-/// From what an encoder's bound follows.
+/// The source of an encoder's bound.
 #[derive(Clone, Copy, Debug)]
 enum Encoder {
     /// The way to a coordinate, in whose unit there are half as many steps as codes in a row of the square of all codes.
     Way(Way),
-    /// As [`Way`](Self::Way), but the coordinate is a sum of two floats, of which only the second has the error.
+    /// A [`Way`](Self::Way) whose coordinate is a sum of two floats, of which only the second has the error.
     TwoFloats(Way),
     /// Parts of a step by which a coordinate may be off on either side.
     Steps(f64),
@@ -51,7 +51,7 @@ enum Encoder {
     Choice(Way),
 }
 
-/// From what a decoder's bound follows.
+/// The source of a decoder's bound.
 #[derive(Clone, Copy, Debug)]
 enum Decoder {
     /// The vector is exact but for a factor, which is the inverse of its length.
@@ -60,7 +60,7 @@ enum Decoder {
     Way(Way),
 }
 
-/// What a codec's results may be off by.
+/// The bounds of a codec's errors on a device.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
     encoder: Encoder,
@@ -72,7 +72,7 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Those of a codec.
+    /// The bounds of a codec.
     pub fn of(format: &AnyCodec) -> Self {
         let (encoder, decoder) = derivation(format.family);
         Self {
@@ -117,9 +117,9 @@ impl Bounds {
         }
     }
 
-    /// What speaks against an outcome, in words.
+    /// The objections to an outcome, in words.
     pub(super) fn objections(&self, model: Model, elements: u64, outcome: &Outcome) -> Vec<String> {
-        // What truncation does is told, and not bounded: `unitvec conform` refuses such a device.
+        // The effects of truncation are reported, and not bounded: `unitvec conform` refuses such a device.
         if !model.rounds_to_nearest() {
             return Vec::new();
         }
@@ -163,7 +163,7 @@ impl Bounds {
     }
 }
 
-/// From what the bounds of a family follow.
+/// The sources of a family's bounds.
 fn derivation(family: &str) -> (Encoder, Decoder) {
     use Decoder::Scaled;
     let exact = Way::new(0, 0, 0);

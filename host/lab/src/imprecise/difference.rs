@@ -1,4 +1,4 @@
-//! How results differ from the CPU's.
+//! Differences of results from the CPU's.
 
 use super::Outcome;
 use crate::Result;
@@ -26,7 +26,7 @@ pub fn of_codes(format: &AnyCodec, elements: &[f32], codes: &[u8], expected: &[u
     Ok(((differ.len() / format.element.floats()) as u64, parts.fold(0.0, f64::max)))
 }
 
-/// How decoded elements differ from those expected: their number, components and angles.
+/// The difference of decoded elements from those expected: their number, components and angles.
 pub fn of_elements(format: &AnyCodec, decoded: &[f32], expected: &[f32]) -> Outcome {
     let floats = format.element.floats();
     let differ = decoded.chunks_exact(floats).zip(expected.chunks_exact(floats));

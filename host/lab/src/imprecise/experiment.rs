@@ -1,4 +1,4 @@
-//! What one codec does on devices of each model.
+//! The experiment on one codec with devices of each model.
 
 use super::difference::{bits_differ, of_codes, of_elements};
 use super::{Model, Options, Outcome, Row, merged};
@@ -14,7 +14,7 @@ pub type Gpus = BTreeMap<BackendKind, Gpu>;
 /// Runs one codec with all seeds.
 ///
 /// # Errors
-/// What the devices meet.
+/// Any error of the devices.
 pub fn run(
     format: &'static AnyCodec,
     options: &Options,
@@ -82,7 +82,7 @@ impl Run<'_> {
 
     fn codes(&mut self, codes: &[u64]) -> Result<()> {
         let codes = sampling::stored(codes, self.format.bytes);
-        // Where these are all codes, other seeds had the same.
+        // The first seed decodes all codes where they are few enough; other seeds would repeat it.
         let is_first = self.options.seeds.first() == Some(&self.seed);
         self.decode_on_all(&codes, !is_first && self.format.bits <= self.options.all_codes_up_to)
     }
@@ -160,7 +160,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// On a device of this model; on the CPU without one.
+    /// Encodes on a device of this model; on the CPU without one.
     fn encode(
         &mut self,
         model: Option<Model>,

@@ -1,5 +1,5 @@
-//! What the codecs do on devices that round as badly as Vulkan allows: the kernels' modules, rewritten, on a device that
-//! rounds well.
+//! The codecs on devices that round as badly as Vulkan allows: the kernels' modules, rewritten, on a device that rounds
+//! well.
 
 mod bounds;
 mod difference;
@@ -22,7 +22,7 @@ use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::BackendKind;
 use unitvec_run::workers;
 
-/// What to run.
+/// The extent of the experiment.
 #[derive(Clone, Debug, Serialize)]
 pub struct Options {
     /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded.
@@ -56,19 +56,19 @@ pub struct Row {
     pub elements: u64,
     /// Codes that each device decoded.
     pub codes: u64,
-    /// What devices of each model did.
+    /// Results of the devices of each model.
     pub models: BTreeMap<Model, Outcome>,
     /// Codes that do not come back, by the models of the devices that decode and encode; `exact` is the CPU. Devices that
     /// truncate sums are not among them.
     pub unstable: BTreeMap<String, u64>,
 }
 
-/// What devices of one model did, beside the CPU. Where kernels from Rust and from GLSL differ, the worse of both.
+/// Results of one model's devices compared with the CPU: the worse of both where kernels from Rust and GLSL differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// Random elements with another code than the CPU's.
     pub codes_differ: u64,
-    /// The same of special elements: denormals, infinities, NaN, the ends of ranges, ties.
+    /// Differences in special elements: denormals, infinities, NaN, the ends of ranges, ties.
     pub special_differ: u64,
     /// Largest error of a random element whose code differs, as a part of the codec's error bound.
     pub error: f64,
@@ -81,7 +81,7 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// Both, where they are of different elements.
+    /// Adds results for other elements.
     pub fn add(&mut self, other: Self) {
         self.codes_differ += other.codes_differ;
         self.special_differ += other.special_differ;
@@ -89,7 +89,7 @@ impl Outcome {
         self.raise(other);
     }
 
-    /// The worse of both, where they are of the same elements.
+    /// Merges results for the same elements: the worse of both.
     fn worse(&mut self, other: Self) {
         self.codes_differ = self.codes_differ.max(other.codes_differ);
         self.special_differ = self.special_differ.max(other.special_differ);
@@ -105,7 +105,7 @@ impl Outcome {
 }
 
 impl Row {
-    /// What speaks against this row, in words: counts and differences above their bounds, and codes that do not come back
+    /// The objections to this row, in words: counts and differences above their bounds, and codes that do not come back
     /// where the codec promises it.
     pub fn objections(&self, bounds: &Bounds) -> Vec<String> {
         let outcomes = self.models.iter().flat_map(|(model, outcome)| {
@@ -123,8 +123,8 @@ impl Row {
     }
 }
 
-/// Runs codecs on several threads. `open` opens the devices of a thread; `progress` is told the work done since it was last
-/// called, and `each` the rows, in the codecs' order.
+/// Runs codecs on several threads. `open` opens the devices of a thread; `progress` receives the work done since the
+/// last call, and `each` the rows, in the codecs' order.
 ///
 /// # Errors
 /// The first error of a device or of `each`. Differences are no error: they are in the rows.

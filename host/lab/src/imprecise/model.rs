@@ -1,10 +1,10 @@
-//! What a device may do where Vulkan does not say which of several results is right.
+//! Models of devices where Vulkan allows several results.
 
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// How a device computes. All that a model does not name is as on the CPU.
+/// A device's arithmetic. Whatever a model does not name is as on the CPU.
 ///
 /// Source: Vulkan specification, appendix "Vulkan Environment for SPIR-V", "Precision of Individual Operations" and
 /// "Denormalized values".
@@ -29,7 +29,7 @@ pub enum Model {
 }
 
 impl Model {
-    /// All of them.
+    /// All models.
     pub const ALL: [Self; 7] =
         [Self::Up, Self::Down, Self::UpDown, Self::DownUp, Self::Bits, Self::Flush, Self::Truncate];
 
@@ -38,7 +38,7 @@ impl Model {
         self != Self::Truncate
     }
 
-    /// True for those that round quotients and square roots as the CPU does.
+    /// True for models that round quotients and square roots as the CPU does.
     pub fn divides_exactly(self) -> bool {
         !matches!(self, Self::Up | Self::Down | Self::UpDown | Self::DownUp | Self::Bits)
     }
@@ -55,8 +55,8 @@ impl fmt::Display for Model {
 /// spent already.
 pub const QUOTIENT_ULP: u32 = 2;
 
-/// The same for square roots whose significand is 1 or more. A square root may be off as `1 / inversesqrt(x)` is: by 2 ULP
-/// of the inverse and 2.5 ULP of the quotient. The inverse of a root with the significand s has the significand 2 / s, so
+/// The bound for square roots whose significand is 1 or more. They may be off as `1 / inversesqrt(x)` is: by 2 ULP of
+/// the inverse and 2.5 ULP of the quotient. The inverse of a root with the significand s has the significand 2 / s, so
 /// that 2 ULP of the inverse change the root by s^2 ULP, which is 1 at least. Half a ULP is spent already.
 pub const ROOT_ULP: u32 = 3;
 

@@ -1,4 +1,4 @@
-//! What a table tells of a codec.
+//! A table's summary of a codec.
 
 use super::{Bounds, Model, Outcome, Row};
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ pub struct Summary {
     pub elements: u64,
     /// Codes of these that differ from the CPU's.
     pub codes_differ: u64,
-    /// Their bound, where there is one.
+    /// The bound of the codes that differ, where there is one.
     pub codes_differ_at_most: Option<u64>,
     /// Codes that differ on a device that truncates sums.
     pub codes_differ_truncated: u64,
@@ -20,11 +20,11 @@ pub struct Summary {
     pub codes: u64,
     /// Largest difference of a decoded component from the CPU's, in 2^-24.
     pub component_ulp: f64,
-    /// Its bound.
+    /// The bound of the components' difference.
     pub component_ulp_at_most: f64,
     /// Largest angle between a decoded vector and the CPU's, degrees.
     pub angle_deg: f64,
-    /// Its bound.
+    /// The bound of the angle.
     pub angle_deg_at_most: f64,
     /// Codes that do not come back from the worst pair of devices.
     pub codes_lost: u64,
@@ -33,7 +33,7 @@ pub struct Summary {
 }
 
 impl Summary {
-    /// That of a row.
+    /// Summarises a row.
     pub fn new(row: &Row, bounds: &Bounds) -> Self {
         let worst = |value: fn(&Outcome) -> f64| {
             let nearest = row.models.iter().filter(|(model, _)| model.rounds_to_nearest());

@@ -1,4 +1,4 @@
-//! What the compiler of a GPU's driver makes of the kernels: exact, the same on every machine, and to be had of GPUs that
+//! The output of a GPU driver's compiler for the kernels: exact, the same on every machine, and available for GPUs that
 //! are not there.
 
 pub mod pareto;
@@ -15,10 +15,10 @@ use unitvec_manifest::sha256_hex;
 use unitvec_run::glsl;
 use unitvec_vulkan::{Inspector, Statistics};
 
-/// Compiles the kernels of these codecs, of all sources; `done` hears of each codec that is finished.
+/// Compiles the kernels of these codecs, from all sources; `done` receives each codec that is finished.
 ///
 /// # Errors
-/// What loading and compiling meet; [`glsl::Error::NotBuiltIn`] without the GLSL compiler.
+/// Any error of loading and compiling; [`glsl::Error::NotBuiltIn`] without the GLSL compiler.
 pub fn measure(
     inspector: &Inspector,
     modules: &Modules,
@@ -63,7 +63,7 @@ fn of_codec(inspector: &Inspector, modules: &Modules, format: &AnyCodec) -> Resu
     Ok(rows)
 }
 
-/// A row of what the driver told of a kernel that it compiled for the device of this name; the textbook is that of [`Source::Textbook`].
+/// A row of the driver's statistics of a kernel for the device of this name; [`Source::Textbook`] has a textbook.
 pub fn row(
     id: &str,
     operation: Operation,
@@ -95,14 +95,14 @@ const GROUP: f64 = unitvec_vulkan::GROUP as f64;
 /// make addresses of it. Some kernels have one more or less.
 const SHARED: f64 = 5.0;
 
-/// Vector instructions a vector: by RADV's own count, which newer versions give; else from the inverse throughput T, where
-/// that tells.
+/// Vector instructions a vector: by RADV's own count, which newer versions give; else from the inverse throughput T,
+/// where it shows them.
 ///
-/// On RDNA 1 and 2 a wave of 64 takes two cycles for any vector instruction. The compiler counts three quarters of what
-/// stands in the branch of the invocations that have vectors, so that an instruction for each of four vectors adds
-/// 4 x 2 x 3/4 = 6 to T, and [`SHARED`], three of which stand before the branch, 3 x 2 + 2 x 2 x 3/4 = 9. On GCN some
-/// instructions take four times as long as others: T does not tell how many there are. Nor does it where the latency,
-/// divided among the waves that run at once, limits the kernel.
+/// On RDNA 1 and 2 a wave of 64 takes two cycles for any vector instruction. The compiler counts three quarters of the
+/// instructions in the branch of the invocations that have vectors, so that an instruction for each of four vectors
+/// adds 4 x 2 x 3/4 = 6 to T, and [`SHARED`], three of which stand before the branch, 3 x 2 + 2 x 2 x 3/4 = 9. On GCN
+/// some instructions take four times as long as others: T does not show how many there are. Nor does it where the
+/// latency, divided among the waves that run at once, limits the kernel.
 fn vector_instructions(statistics: &Statistics, device: &str) -> Option<f64> {
     const RDNA: [&str; 9] =
         ["navi10", "navi12", "navi14", "navi21", "navi22", "navi23", "navi24", "vangogh", "rembrandt"];
@@ -142,7 +142,7 @@ pub fn sources(modules: &Modules, formats: &[&'static AnyCodec]) -> Result<BTree
     Ok(sources)
 }
 
-/// True of GLSL that all codecs share, of textbooks', and of a codec's own.
+/// True for GLSL that all codecs share, for textbooks', and for a codec's own.
 fn is_source(path: &str, formats: &[&'static AnyCodec]) -> bool {
     const SHARED: [&str; 6] = [
         "unitvec/arith.glsl",
@@ -170,7 +170,7 @@ mod tests {
         entries.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect()
     }
 
-    /// The driver's own count comes first; T tells on RDNA 2 where latency is not what limits the kernel.
+    /// The driver's own count comes first; T gives the count on RDNA 2 where latency is not the limit.
     #[test]
     fn vector_instructions_are_counted_where_that_can_be() {
         let older = [("Inverse Throughput", 183), ("Latency", 989), ("Subgroups per SIMD", 32)];

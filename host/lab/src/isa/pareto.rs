@@ -24,7 +24,7 @@ const SIZES: [Size; 4] = [
 pub struct Point {
     /// The codec.
     pub codec: &'static AnyCodec,
-    /// Its inverse throughput.
+    /// The codec's inverse throughput.
     pub cost: f64,
     /// Upper bound of its error, degrees.
     pub error_deg: f64,
@@ -42,7 +42,7 @@ pub fn points(report: &Report, operation: Operation) -> Vec<Point> {
     points
 }
 
-/// Those points, of some that are sorted by cost, than which none that costs less is as fine.
+/// The Pareto front of points that are sorted by cost: no point that costs less is as fine.
 pub fn front(points: &[Point]) -> Vec<Point> {
     let mut front: Vec<Point> = Vec::new();
     for point in points {
@@ -61,10 +61,10 @@ const DEGREES: std::ops::Range<f64> = 2e-6..30.0;
 /// Costs with a number below them.
 const COST_LABELS: [f64; 10] = [100.0, 150.0, 200.0, 300.0, 400.0, 600.0, 800.0, 1200.0, 1600.0, 2400.0];
 
-/// An SVG of two panels, of decoding and of encoding.
+/// Draws an SVG of two panels, decoding and encoding.
 ///
 /// # Errors
-/// Whatever the plotting library meets.
+/// Any error of the plotting library.
 pub fn svg(report: &Report) -> Result<String, Box<dyn Error>> {
     let mut text = String::new();
     {

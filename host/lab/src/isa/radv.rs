@@ -1,5 +1,5 @@
-//! Mesa's RADV driver without a GPU: with RADV_FORCE_FAMILY it stands in for any AMD GPU that it knows, and compiles for
-//! it. What it compiles cannot be run.
+//! Mesa's RADV driver without a GPU: with RADV_FORCE_FAMILY it stands in for any AMD GPU that it knows, and compiles
+//! for it. The code cannot be run.
 
 use std::ffi::OsString;
 use std::io;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use unitvec_choose::costs::GENERATIONS;
 
-/// Where Vulkan's loader looks for drivers; `cargo xtask conform --drivers` looks there too.
+/// The folders where Vulkan's loader looks for drivers; `cargo xtask conform --drivers` looks there too.
 const FOLDERS: &str = include_str!("../../data/icd_folders.txt");
 
 /// RADV that cannot be had.
@@ -23,7 +23,7 @@ pub enum Error {
     /// The file that was named is not there.
     #[error("cannot read the driver file {}: {source}; --driver and UNITVEC_RADV_ICD take the path of a radeon_icd*.json", .path.display())]
     NoSuchDriver {
-        /// Its path.
+        /// The file's path.
         path: PathBuf,
         /// Cause.
         source: io::Error,
@@ -42,9 +42,9 @@ pub enum Error {
     /// The driver does not start.
     #[error("the driver {} cannot be used: {reason}", .driver.display())]
     Unusable {
-        /// Its file.
+        /// The driver's file.
         driver: PathBuf,
-        /// What it says.
+        /// The reason why the driver does not start.
         reason: String,
     },
     /// This program cannot be started again.
@@ -52,7 +52,7 @@ pub enum Error {
     NotStarted(io::Error),
 }
 
-/// Which Mesa knows which GPUs.
+/// The GPUs that each version of Mesa knows.
 fn known() -> String {
     let known =
         GENERATIONS.map(|generation| format!("{} ({}) {}", generation.gpu, generation.name, generation.mesa));
@@ -66,8 +66,8 @@ pub struct Radv {
 }
 
 impl Radv {
-    /// For a GPU by its code name, `navi21`, or by its generation, `rdna2`; with the driver of this file, or the system's.
-    ///
+    /// Prepares for a GPU by its code name, `navi21`, or by its generation, `rdna2`; with the driver in this file, or
+    /// the system's.
     /// # Errors
     /// [`Error::NotInstalled`] or [`Error::NoSuchDriver`].
     pub fn new(gpu: &str, driver: Option<&Path>) -> Result<Self, Error> {
@@ -89,7 +89,8 @@ impl Radv {
         self.environment().iter().all(|(name, value)| std::env::var_os(name).as_ref() == Some(value))
     }
 
-    /// This program with the same arguments in the environment; whatever UNITVEC_DEVICE names is not there.
+    /// The command that runs this program again, with the same arguments, in the environment and without
+    /// UNITVEC_DEVICE.
     ///
     /// # Errors
     /// [`Error::UnknownGpu`], [`Error::Unusable`] or [`Error::NotStarted`].
@@ -127,7 +128,7 @@ impl Radv {
         Ok(command)
     }
 
-    /// Its variables. Older loaders know the first name of the driver's file, newer ones the second as well.
+    /// The variables. Older loaders know the first name of the driver's file, newer ones the second as well.
     pub fn environment(&self) -> [(&'static str, OsString); 3] {
         let driver = self.driver.as_os_str();
         [

@@ -28,7 +28,7 @@ use unitvec_files::read_start;
 
 const FORMAT: &str = "glTF";
 
-/// Reads the normals of all primitives of all meshes, as [`Mesh`] says.
+/// Reads the normals of all primitives of all meshes, in the order of [`Mesh`].
 pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     let (document, file) = load(path, bytes)?;
     let faces = file.primitives_with_faces(&document)?;
@@ -70,7 +70,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     Ok(mesh)
 }
 
-/// Reads the tangent frames of all primitives of all meshes, as [`Frames`] says.
+/// Reads the tangent frames of all primitives of all meshes, in the order of [`Frames`].
 pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshError> {
     let (document, file) = load(path, bytes)?;
     let mut all = Collected::new(&file);
@@ -113,7 +113,7 @@ enum Accessors {
     Normals(usize),
     /// Computed: the accessor of positions.
     Faces(usize),
-    /// Those of normals and of tangents.
+    /// The accessors of normals and of tangents.
     Frames(usize, usize),
 }
 
@@ -184,7 +184,7 @@ fn load<'p>(path: &'p Path, bytes: &'p [u8]) -> Result<(Document, File<'p>), Mes
     Ok((Document::from_json_without_validation(root), File { path, buffers, size }))
 }
 
-/// What normals and tangents depend on. The rest of a document is read over.
+/// The part of a document that normals and tangents depend on. The rest is skipped.
 #[derive(serde::Deserialize)]
 #[serde(rename_all = "camelCase")]
 struct Geometry {
@@ -213,7 +213,7 @@ impl Geometry {
         /// Attributes in integers, which are read here.
         const QUANTIZATION: &str = "KHR_mesh_quantization";
         let Self { asset, accessors, buffers, buffer_views, mut meshes, mut extensions_required } = self;
-        // The validation has a line to say of each that it does not know.
+        // The validation has a message for each extension that it does not know.
         extensions_required.sort_unstable();
         extensions_required.dedup();
         extensions_required

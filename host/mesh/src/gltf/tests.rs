@@ -140,7 +140,7 @@ fn quantized(component_type: u32, normalized: bool, size: usize, integers: &[u8]
     glb(&document, Some(&[&cube_buffer(), integers].concat()))
 }
 
-/// Normals and tangents of `KHR_mesh_quantization` are c / max, the lowest integer -1: as the specification says.
+/// Normals and tangents of `KHR_mesh_quantization` are c / max, the lowest integer -1, as in the specification.
 #[test]
 fn quantized_normals() {
     let path = Path::new("a.glb");

@@ -30,17 +30,17 @@ const LAYOUTS: [Fields; 10] = [
 ];
 
 impl Fields {
-    /// All of them.
+    /// All layouts.
     pub(super) fn all() -> impl Iterator<Item = Self> {
         LAYOUTS.into_iter()
     }
 
-    /// That of a format; `None` for others.
+    /// The layout of a format; `None` for others.
     pub(super) fn of(format: ImageFormat) -> Option<Self> {
         Self::all().find(|fields| fields.format == format)
     }
 
-    /// True of SNORM.
+    /// True for SNORM.
     pub(super) fn is_signed(self) -> bool {
         self.is_signed
     }
@@ -88,7 +88,7 @@ impl Fields {
         texels.extend(&word.to_le_bytes()[..self.size()]);
     }
 
-    /// What Vulkan says that a component's integer is: the exact quotient, rounded once.
+    /// The value that Vulkan gives a component's integer: the exact quotient, rounded once.
     pub(super) fn value(self, texel: &[u8], at: usize) -> f32 {
         (self.get(texel, at) as f32 / self.most(at) as f32).max(-1.0)
     }

@@ -1,6 +1,6 @@
-//! Whether codecs go through the graphics pipeline unchanged: what an attachment holds after the hardware's conversion is the
-//! code that the CPU gives, and what texel and vertex fetch give is decoded as on the CPU; to the bit, with the shaders in Rust
-//! and in GLSL.
+//! Checks that codecs go through the graphics pipeline unchanged: an attachment holds, after the hardware's conversion,
+//! the code that the CPU gives, and the result of texel and vertex fetch is decoded as on the CPU; to the bit, with the
+//! shaders in Rust and in GLSL.
 
 mod fields;
 mod pairs;
@@ -38,12 +38,12 @@ const SCENE: Size = Size { width: 192, height: 108 };
 /// Codecs of at most this many bits go through texel and vertex fetch with all their codes.
 const ALL_CODES_UP_TO: u32 = 16;
 
-/// What to run.
+/// The extent of a run.
 #[derive(Clone, Copy)]
 pub struct Options {
     /// Random directions for each codec, and random codes for those whose codes are not all fetched.
     pub count: usize,
-    /// Their seed.
+    /// The random elements' seed.
     pub seed: u64,
 }
 
@@ -63,7 +63,7 @@ pub fn open(device: &Arc<Device>) -> Result<Renderers> {
     sources().map(|source| Ok((source, Renderer::new(device, source, SCENE, 1)?))).collect()
 }
 
-/// Runs codecs, on several threads. `each` is told the rows, in the codecs' order.
+/// Runs codecs, on several threads. `each` receives the rows, in the codecs' order.
 ///
 /// # Errors
 /// The first error of a thread or of `each`. Differences are no error: they are in the rows.
@@ -80,10 +80,10 @@ pub fn run<E: From<Error> + Send>(
     workers::run(formats, open_on(device), work, &mut |_| {}, each)
 }
 
-/// Runs projections in formats, on several threads. `each` is told the rows, in the order of the pairs.
+/// Runs projections in formats, on several threads. `each` receives the rows, in the order of the pairs.
 ///
 /// # Errors
-/// As [`run`].
+/// The errors of [`run`].
 pub fn run_pairs<E: From<Error> + Send>(
     pairs: Vec<Pair>,
     options: &Options,
@@ -97,15 +97,15 @@ pub fn run_pairs<E: From<Error> + Send>(
     workers::run(pairs, open_on(device), work, &mut |_| {}, each)
 }
 
-/// What opens the renderers of a thread, on a device of its own: drivers that run on the CPU may compile for a queue while it is
-/// drawing.
+/// The function that opens the renderers of a thread, on a device of its own: drivers that run on the CPU may compile
+/// for a queue while it is drawing.
 fn open_on<E: From<Error>>(device: &Arc<Device>) -> impl Fn() -> Result<Renderers, E> + Sync {
     let choice = DeviceChoice::Named(device.info().index.to_string());
     let open = move || open(&Device::open_for_graphics(device.instance(), &choice)?);
     move || Ok(open()?)
 }
 
-/// What the device does besides codecs, with shaders of the first source.
+/// The device's behaviour besides codecs, with shaders of the first source.
 ///
 /// # Errors
 /// A failed call, or a shader that does not compile.
@@ -131,7 +131,7 @@ pub fn traits(device: &Arc<Device>, options: &Options) -> Result<Traits> {
     Ok(found)
 }
 
-/// True unless both are the same number, or both no number.
+/// True unless both are the same number, or both NaN.
 fn is_changed(sent: f32, passed: f32) -> bool {
     sent != passed && !(sent.is_nan() && passed.is_nan())
 }

@@ -84,7 +84,7 @@ impl One<'_> {
         normals.iter().map(|normal| self.projection.project(*normal)).collect()
     }
 
-    /// What this rule makes of numbers.
+    /// The texels of numbers rounded by this rule.
     fn rounded(&self, numbers: &[[f32; 3]], rule: HardwareRounding) -> Vec<u8> {
         let mut texels = Vec::new();
         for [x, y, bit] in numbers {
@@ -95,7 +95,7 @@ impl One<'_> {
         texels
     }
 
-    /// What the device itself makes of numbers that are written as they are. Alpha, which is not written, is that of `drawn`.
+    /// The texels that the device itself stores for numbers written as they are, with the alpha of `drawn`.
     fn stored(&self, numbers: &[[f32; 3]], drawn: &[u8]) -> Result<Vec<u8>> {
         let (fields, size) = (self.fields, self.fields.size());
         let pairs: Vec<[f32; 3]> = numbers.iter().map(|[x, y, _]| [*x, *y, 0.0]).collect();
@@ -116,7 +116,7 @@ impl One<'_> {
         texels.filter(|(texel, [.., bit])| self.fields.get(texel, 3) != expected(*bit)).count()
     }
 
-    /// What the attachment holds of normals, against the CPU's numbers, rounded as the device rounds.
+    /// Compares the attachment's contents for normals with the CPU's numbers, rounded as the device rounds.
     fn attachment(&self, row: &mut Row, normals: &[[f32; 3]], rule: HardwareRounding) -> Result<Tally> {
         let points = Points::of_normals(self.renderer, normals)?;
         let (texels, normals) = points.draw_texels(self.renderer, &self.variant(), self.fields.format)?;

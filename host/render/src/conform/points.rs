@@ -20,13 +20,13 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// With these normals.
+    /// Points with these normals.
     pub(super) fn of_normals(renderer: &Renderer, normals: &[[f32; 3]]) -> Result<Self> {
         let attribute = Storage::Float.attribute(renderer.graphics.device());
         Self::new(renderer, Variant::FLOAT, attribute, normals.len(), bytemuck::cast_slice(normals))
     }
 
-    /// With the normals of these codes.
+    /// Points with the normals of these codes.
     pub(super) fn of_codes(
         renderer: &Renderer,
         variant: &Variant,
@@ -37,7 +37,7 @@ impl Points {
         Self::of_attributes(renderer, *variant, attribute, &texels_of(codes, attribute, format.bytes))
     }
 
-    /// With the normals of these attributes.
+    /// Points with the normals of these attributes.
     pub(super) fn of_attributes(
         renderer: &Renderer,
         vertices: Variant,

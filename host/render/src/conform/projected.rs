@@ -18,7 +18,7 @@ use unitvec_vulkan::FormatUse;
 pub struct Projected {
     /// Texels compared with the CPU's codes.
     pub texels: u64,
-    /// Those that differ.
+    /// The number of codes that differ.
     pub differing: u64,
     /// The largest difference of a component, in steps.
     pub max_steps: i64,
@@ -31,11 +31,11 @@ pub struct Projected {
 /// of `cylindrical` has one code for each pole.
 const ROUNDED: [&str; 2] = ["oct_snorm", "hemioct_snorm"];
 
-/// How near to halfway a component has to be, as a part of the largest integer: what the encoder computes beyond the
+/// The distance from halfway that counts as near, as a part of the largest integer: the encoder's arithmetic beyond the
 /// projection is off by a few units in the last place.
 const NEAR_HALFWAY: f64 = 8.0 * f32::EPSILON as f64;
 
-/// Compares what the hardware makes of the codec's projection with the CPU's codes of the same normals. `None` for a codec
+/// Compares the hardware's codes of the codec's projection with the CPU's codes of the same normals. `None` for a codec
 /// without a shader for it, and where the device does not draw to its format.
 pub(super) fn check(
     renderer: &Renderer,

@@ -1,4 +1,4 @@
-//! What a run found.
+//! The report of a run.
 
 use super::super::storage::Storage;
 use super::{Conversion, HardwareRounding, Options, Projected};
@@ -17,7 +17,7 @@ pub struct Report {
     pub random_directions: usize,
     /// False where the build had no GLSL compiler.
     pub glsl_compared: bool,
-    /// What the device does besides codecs.
+    /// The device's behaviour besides codecs.
     pub traits: Traits,
     /// True if all rows agree.
     pub agreed: bool,
@@ -28,7 +28,7 @@ pub struct Report {
 }
 
 impl Report {
-    /// Of what a run found.
+    /// Makes the report of a run.
     pub fn new(
         device: &DeviceInfo,
         options: &Options,
@@ -48,21 +48,21 @@ impl Report {
     }
 }
 
-/// What a device does to normals before and after they are codes.
+/// A device's effect on normals before and after they are codes.
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Traits {
-    /// How it converts to and from formats of two numbers.
+    /// The device's conversions to and from formats of two numbers.
     pub conversions: Vec<Conversion>,
     /// Special and random vectors that went from vertex to fragment shader.
     pub interpolated: u64,
-    /// Those of which a denormal became zero on the way, or an infinity NaN, as Vulkan allows.
+    /// The number of these of which a denormal became zero on the way, or an infinity NaN, as Vulkan allows.
     pub flushed: u64,
-    /// Those that changed otherwise; zeros of the other sign and other NaN do not count.
+    /// The number of these that changed otherwise; zeros of the other sign and other NaN do not count.
     pub changed: u64,
 }
 
 impl Traits {
-    /// How the device rounds what is written to a format; `None` where that is no attachment.
+    /// The device's rounding of values written to a format; `None` where the format is no attachment.
     pub fn rounding(&self, format: ImageFormat) -> Option<HardwareRounding> {
         let name = format!("{format:?}");
         // Formats of four numbers are converted as those of two.
@@ -76,7 +76,7 @@ impl Traits {
 pub struct Row {
     /// Codec or projection.
     pub id: &'static str,
-    /// Its bits.
+    /// The codec's bits.
     pub bits: u32,
     /// The format of attachments that holds its codes.
     pub texel: String,
@@ -84,7 +84,7 @@ pub struct Row {
     pub attribute: String,
     /// Formats that the device does not take, and what for.
     pub unsupported: Vec<String>,
-    /// By the shaders' source.
+    /// The checks by the shaders' source.
     pub checks: BTreeMap<BackendKind, Checks>,
     /// The codec's projection, which the hardware rounds, by the shaders' source; for some codecs.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
@@ -93,7 +93,7 @@ pub struct Row {
     pub examples: Vec<String>,
 }
 
-/// What was compared with the CPU.
+/// The comparisons with the CPU.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Checks {
     /// Codes in an attachment, with those that the CPU encodes the same normals to.
@@ -106,7 +106,7 @@ pub struct Checks {
     pub scene: Tally,
 }
 
-/// How many were compared, and how many differ.
+/// The numbers of elements compared and of those that differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
     /// Compared.
@@ -123,7 +123,7 @@ impl Checks {
 }
 
 impl Row {
-    /// Differences that are told in words.
+    /// The number of differences that are described in words.
     const EXAMPLES: usize = 3;
 
     /// Texels and vertices whose codes or normals differ from the CPU's, with shaders of this source.
@@ -136,14 +136,14 @@ impl Row {
         self.checks.values().flat_map(Checks::all).map(|tally| tally.compared).sum()
     }
 
-    /// True where nothing differs but by what the device's rounding explains.
+    /// True where the device's rounding explains every difference.
     pub fn agrees(&self) -> bool {
         self.compared() > 0
             && self.checks.keys().all(|source| self.differing(*source) == 0)
             && self.projected.values().all(|projected| projected.unexplained == 0)
     }
 
-    /// Nothing compared yet; codes are drawn to `drawn`.
+    /// A row without comparisons yet; codes are drawn to `drawn`.
     pub(super) fn new(device: &Device, format: &AnyCodec, drawn: Storage) -> Self {
         let own = Storage::of(format);
         let named = |format: ImageFormat| format!("{format:?}");
@@ -168,7 +168,7 @@ impl Row {
         Self { unsupported, ..Self::empty(format.id, format.bits, texel, attribute) }
     }
 
-    /// Nothing compared yet of numbers in this format.
+    /// A row without comparisons yet, for numbers in this format.
     pub(super) fn of_format(device: &Device, id: &'static str, bits: u32, format: ImageFormat) -> Self {
         let name = format!("{format:?}");
         let lacking = |usage: &FormatUse| !device.supports(format, *usage);
@@ -183,7 +183,7 @@ impl Row {
         Self { id, bits, texel, attribute, unsupported, checks, projected, examples }
     }
 
-    /// Counts where two lists of bytes differ, element by element, and tells the first differences in words.
+    /// Counts where two lists of bytes differ, element by element, and describes the first differences in words.
     pub(super) fn compare(
         &mut self,
         what: &str,
@@ -194,7 +194,7 @@ impl Row {
     ) -> Tally {
         let pairs = cpu.chunks_exact(size).zip(device.chunks_exact(size));
         let compared = (cpu.len() / size) as u64;
-        // Where the device gave fewer, each of those that lack counts.
+        // Elements that the device did not give count as different.
         let mut differing = compared.abs_diff((device.len() / size) as u64);
         for (at, (cpu, device)) in pairs.enumerate().filter(|(_, (cpu, device))| cpu != device) {
             differing += 1;
@@ -205,7 +205,7 @@ impl Row {
         Tally { compared, differing }
     }
 
-    /// The same for the normals of codes of this size; all NaN are one.
+    /// Counts and describes differences in the normals of codes of this size; all NaN are one.
     pub(super) fn compare_normals(
         &mut self,
         what: &str,

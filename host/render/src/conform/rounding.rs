@@ -1,4 +1,4 @@
-//! How a device converts numbers to the integers of a format, and back.
+//! A device's conversions of numbers to the integers of a format, and back.
 
 use super::fields::Fields;
 use super::points::{Points, vectors};
@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 use unitvec_vulkan::FormatUse;
 
-/// How a device rounds what it writes to an SNORM or UNORM format, `x` times the largest integer.
+/// A device's rounding when it writes to an SNORM or UNORM format: of `x` times the largest integer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum HardwareRounding {
@@ -24,7 +24,7 @@ pub enum HardwareRounding {
     Exact,
     /// Towards zero.
     Truncated,
-    /// None of these.
+    /// None of these rules.
     Other,
 }
 
@@ -69,12 +69,12 @@ impl HardwareRounding {
     }
 }
 
-/// What a device does to a format's numbers.
+/// A device's conversions for one format.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Conversion {
     /// The format.
     pub format: String,
-    /// How it rounds what is written; `None` where the format is no attachment.
+    /// The rounding of written values; `None` where the format is no attachment.
     pub rounding: Option<HardwareRounding>,
     /// The farthest that an integer is from the exact product, in steps: a half where it is rounded to nearest.
     pub steps_off: f64,
@@ -90,7 +90,7 @@ impl Conversion {
         self.format.trim_end_matches("_PACK32")
     }
 
-    /// How numbers are written and read.
+    /// The rules of writing and reading, in words.
     pub fn in_words(&self) -> String {
         let Self { rounding, steps_off, fetched, inexact, .. } = self;
         let written = match rounding {

@@ -1,4 +1,4 @@
-//! What takes the pictures of the scene.
+//! Cameras that take the pictures of the scene.
 
 use crate::Result;
 use crate::{Material, Normals, Renderer, Seen, Shot, View};
@@ -7,16 +7,16 @@ use unitvec_catalogue::AnyCodec;
 
 /// Takes pictures, as bytes of sRGB.
 pub trait Camera {
-    /// Takes one.
+    /// Takes a picture.
     ///
     /// # Errors
-    /// What rendering meets.
+    /// Any error of rendering.
     fn picture(&mut self, shot: &Shot) -> Result<RgbImage>;
 
-    /// What each pixel of the picture taken last shows of a surface.
+    /// The surface that each pixel of the last picture shows.
     ///
     /// # Errors
-    /// What rendering meets.
+    /// Any error of rendering.
     fn surface(&mut self, shot: &Shot) -> Result<Vec<Option<Seen>>>;
 }
 

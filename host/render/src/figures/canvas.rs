@@ -73,11 +73,11 @@ pub struct Cell {
     pub lines: Vec<String>,
 }
 
-/// How a sheet lays out its cells.
+/// The layout of a sheet's cells.
 struct Layout {
     /// Width and height of the largest picture.
     picture: (u32, u32),
-    /// The same of a cell, with its lines and a gap.
+    /// The size of a cell, with its lines and a gap.
     cell: (u32, u32),
     columns: u32,
     rows: u32,
@@ -128,7 +128,7 @@ pub fn sheet(cells: &[Cell], columns: u32) -> RgbImage {
     canvas.0
 }
 
-/// Where [`sheet`] puts each picture: left, top, width and height.
+/// The rectangle where [`sheet`] puts each picture: left, top, width and height.
 pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
     let layout = Layout::of(cells, columns);
     let place = |(at, cell): (u32, &Cell)| {
@@ -138,10 +138,10 @@ pub fn places(cells: &[Cell], columns: u32) -> Vec<[u32; 4]> {
     (0u32..).zip(cells).map(place).collect()
 }
 
-/// As PNG: in grey where there is no colour.
+/// Encodes a picture as PNG: in grey where there is no colour.
 ///
 /// # Errors
-/// What the encoder meets.
+/// Any error of the PNG encoder.
 pub fn png(picture: &RgbImage) -> ImageResult<Vec<u8>> {
     let mut bytes = Vec::new();
     let encoder = PngEncoder::new_with_quality(&mut bytes, CompressionType::Default, FilterType::Adaptive);
@@ -161,10 +161,10 @@ pub fn crop(picture: &RgbImage, [left, top, width, height]: [u32; 4]) -> RgbImag
     image::imageops::crop_imm(picture, left, top, width, height).to_image()
 }
 
-/// As PNG, the parts of a PNG at these places.
+/// Cuts the parts at these places out of a PNG, as PNG.
 ///
 /// # Errors
-/// In words: bytes that are no picture, or a place that is not in it.
+/// A message in words: bytes that are no picture, or a place that is not in it.
 pub fn cut(sheet: &[u8], places: &[[u32; 4]]) -> Result<Vec<Vec<u8>>, String> {
     let sheet = image::load_from_memory(sheet).map_err(|error| error.to_string())?.to_rgb8();
     let part = |place: &[u32; 4]| {
@@ -197,7 +197,7 @@ mod tests {
         assert!(count(INK) > 0);
     }
 
-    /// What is cut out of a sheet is what went into it.
+    /// Pictures cut out of a sheet are those that went into it.
     #[test]
     fn cells_are_cut_out_of_their_sheet() {
         let cell = |shade| Cell {

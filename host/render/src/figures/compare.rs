@@ -1,4 +1,4 @@
-//! How far a picture is from the one that it should be.
+//! Differences between a picture and the one that it should be.
 
 use image::RgbImage;
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ pub struct Difference {
 }
 
 impl Difference {
-    /// Of two pictures of the same size.
+    /// The difference of two pictures of the same size.
     pub fn of(a: &RgbImage, b: &RgbImage) -> Self {
         let steps = a.as_raw().par_iter().zip(b.as_raw()).map(|(a, b)| a.abs_diff(*b));
         let (sum, max) = steps
@@ -25,7 +25,7 @@ impl Difference {
         Self { mean: sum as f64 / a.as_raw().len().max(1) as f64, max, ssim: ssim(a, b) }
     }
 
-    /// In one line.
+    /// Formats the difference in one line.
     pub fn in_words(&self) -> String {
         format!("mean {:.2} max {} SSIM {:.3}", self.mean, self.max, self.ssim)
     }

@@ -33,7 +33,7 @@ fn errors(picture: &RgbImage, float: &RgbImage) -> Vec<f64> {
     picture.pixels().zip(float.pixels()).map(|(a, b)| brightness(a) - brightness(b)).collect()
 }
 
-/// How much of a pixel's error its right neighbour shares: 1 in bands, 0 in white noise.
+/// The part of a pixel's error that its right neighbour shares: 1 in bands, 0 in white noise.
 fn autocorrelation(errors: &[f64], width: usize) -> f64 {
     let mean = errors.iter().sum::<f64>() / errors.len().max(1) as f64;
     let (mut product, mut square, mut pairs) = (0.0, 0.0, 0usize);
@@ -94,7 +94,7 @@ const FRAMES: u16 = 30;
 const BLOCK: usize = 8;
 /// Degrees from one to the next, in a picture of so many pixels across: the surface moves by about a pixel.
 const STEP: (f32, f32) = (0.2, 1280.0);
-/// Of so many points of the first frame one is followed.
+/// The step between followed points: one of so many in the first frame.
 const EVERY: usize = 11;
 /// Frames of the strip, and of a small one.
 const STRIP: [u16; 2] = [6, 3];
@@ -149,7 +149,7 @@ fn variance_over_time(frames: &[Vec<f64>]) -> f64 {
     (0..blocks).map(variance).sum::<f64>() / blocks.max(1) as f64
 }
 
-/// What is seen in a picture, by where it lies on the object.
+/// The surface seen in a picture, by its place on the object.
 struct Surface<'a> {
     cells: HashMap<IVec3, Vec<&'a Seen>>,
     cell: f32,
@@ -179,7 +179,7 @@ fn cell_of(position: Vec3, cell: f32) -> IVec3 {
     (position / cell).floor().as_ivec3()
 }
 
-/// How far apart neighbouring pixels' positions are: the middle one of their distances.
+/// The median distance of neighbouring pixels' positions.
 fn spacing(seen: &[Option<Seen>]) -> f32 {
     let pairs = seen.windows(2).filter_map(|pair| Some((pair[0].as_ref()?, pair[1].as_ref()?)));
     let mut distances: Vec<f32> = pairs.map(|(a, b)| a.position.distance(b.position)).collect();
@@ -187,7 +187,7 @@ fn spacing(seen: &[Option<Seen>]) -> f32 {
     if distances.is_empty() { 1.0 } else { *distances.select_nth_unstable_by(middle, f32::total_cmp).1 }
 }
 
-/// A strip of frames, and what is told of all.
+/// A strip of frames, and the numbers for all.
 fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Number>)> {
     let codec = find(CODECS[0])?;
     let (mut cells, mut numbers) = (Vec::new(), Vec::new());

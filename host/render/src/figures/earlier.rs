@@ -1,4 +1,4 @@
-//! What a folder has of earlier runs.
+//! A folder's contents from earlier runs.
 
 use super::{Figures, Origin, Part};
 use crate::{Error, Result};
@@ -28,10 +28,10 @@ impl Figures {
         }
     }
 
-    /// As [`read`](Self::read); none where the folder has no list.
+    /// Reads a list as [`read`](Self::read) does; `None` where the folder has none.
     ///
     /// # Errors
-    /// As [`read`](Self::read).
+    /// The errors of [`read`](Self::read).
     pub fn read_if_there(folder: &Path) -> Result<Option<Self>> {
         let is_there = folder.join(LIST).symlink_metadata().is_ok();
         is_there.then(|| Self::read(folder)).transpose()
@@ -45,7 +45,7 @@ impl Figures {
     /// Adds those figures of earlier runs that this one did not draw, with the pictures that are still in the folder, and puts all
     /// into the usual order. Gives the names of the earlier pictures that no figure has any more.
     pub fn keep(&mut self, earlier: Self, folder: &Path) -> Vec<String> {
-        // Whatever a list says, nothing else is removed.
+        // Only pictures are removed, whatever a list has.
         let is_picture = |file: &&str| [".png", ".svg"].iter().any(|ending| file.ends_with(ending));
         let had: BTreeSet<String> = earlier.files().filter(is_picture).map(str::to_owned).collect();
         let Self { origin, figures } = earlier;
@@ -131,7 +131,7 @@ mod tests {
         drawn.keep(earlier(), folder.path());
         assert_eq!(drawn.origin, origin(Some("old"), "1"));
         assert!(drawn.figures.iter().all(|figure| figure.earlier.is_none()));
-        // Another version is told of each.
+        // Every figure of another version names it.
         let mut drawn = figures(origin(None, "2"), &[("5", &["5.png"])]);
         drawn.keep(earlier(), folder.path());
         assert_eq!(drawn.figures.iter().filter(|figure| figure.earlier.is_some()).count(), 3);

@@ -13,7 +13,7 @@ use unitvec_lab::accuracy::covering_bound_deg;
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
 
-/// What error maps show if nothing else is asked for.
+/// The codecs of error maps if no others are asked for.
 const MAPPED: [&str; 14] = [
     "oct16",
     "oct16p",

@@ -1,4 +1,4 @@
-//! A figure: its pictures and what is said of them.
+//! A figure: its pictures and their descriptions.
 
 use super::canvas;
 use super::compare::Difference;
@@ -11,17 +11,17 @@ use unitvec_vulkan::DeviceInfo;
 /// A figure.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Figure {
-    /// Its number in the survey, or its name.
+    /// The figure's number in the survey, or its name.
     pub id: String,
-    /// Its title.
+    /// The figure's title.
     pub title: String,
-    /// What it shows.
+    /// The figure's caption.
     pub caption: String,
-    /// Its pictures.
+    /// The figure's pictures.
     pub pictures: Vec<Shown>,
-    /// What was counted and measured for it, besides the pictures' differences.
+    /// Counts and measurements for the figure, besides the pictures' differences.
     pub numbers: Vec<Number>,
-    /// What made it, where that is not what made the others of its folder.
+    /// The figure's origin, where it differs from that of the others in its folder.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub earlier: Option<Origin>,
 }
@@ -31,15 +31,15 @@ pub struct Figure {
 pub struct Shown {
     /// Name of its file.
     pub file: String,
-    /// What it shows, in words, for those who do not see it.
+    /// A description in words, for those who do not see the picture.
     pub alt: String,
     /// The one codec and material that it shows, if it does not show several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub of: Option<Subject>,
-    /// How far what it shows is from the same with floats.
+    /// The differences between the picture and the same with floats.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub differences: Vec<Labelled>,
-    /// What a sheet shows at which place, of those whose cells can be slid between.
+    /// The subjects of a sheet's places, where its cells can be slid between.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub cells: Vec<Place>,
     /// Width and height, of those that have pixels.
@@ -49,7 +49,7 @@ pub struct Shown {
     pub(super) content: Content,
 }
 
-/// What a picture is of.
+/// A picture's subject.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Subject {
     /// Identifier of the codec, or `float`.
@@ -61,7 +61,7 @@ pub struct Subject {
 /// A cell of a sheet.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Place {
-    /// What it shows.
+    /// The subject.
     #[serde(flatten)]
     pub of: Subject,
     /// Left, top, width and height in the sheet, in pixels.
@@ -71,7 +71,7 @@ pub struct Place {
 /// A difference with a name.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Labelled {
-    /// Of what.
+    /// The name of the compared pictures.
     pub label: String,
     /// The difference of the whole picture to that of floats.
     #[serde(flatten)]
@@ -80,7 +80,7 @@ pub struct Labelled {
 
 #[derive(Debug, Default)]
 pub(super) enum Content {
-    /// In its file.
+    /// Pixels that are in the picture's file.
     #[default]
     File,
     Pixels(RgbImage),
@@ -120,9 +120,9 @@ impl Shown {
 /// A number with its name.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Number {
-    /// Of what.
+    /// The name of the number.
     pub name: String,
-    /// How much.
+    /// The number's value.
     pub value: f64,
 }
 
@@ -159,10 +159,10 @@ impl Figure {
     }
 }
 
-/// What made figures.
+/// The origin of figures.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Origin {
-    /// What rendered; none where nothing was.
+    /// The device that rendered; `None` where nothing was rendered.
     pub device: Option<DeviceInfo>,
     /// Version of the program.
     pub version: String,
@@ -171,7 +171,7 @@ pub struct Origin {
 /// The figures of a run, or of a folder.
 #[derive(Debug, Serialize, Deserialize)]
 pub struct Figures {
-    /// What made all those that say nothing else.
+    /// The origin of all figures that state no other.
     #[serde(flatten)]
     pub origin: Origin,
     /// The figures.
@@ -218,7 +218,7 @@ impl Figure {
         }
     }
 
-    /// What made it, where that is not what made the others.
+    /// The figure's own origin in words, where it differs from that of the others.
     pub fn earlier_in_words(&self) -> Option<String> {
         let Origin { device, version } = self.earlier.as_ref()?;
         let on = device.as_ref().map(|device| format!(" on {} ({})", device.name, device.driver));

@@ -1,4 +1,4 @@
-//! How `latlong` numbers its patches (figure 2).
+//! The numbering of `latlong`'s patches (figure 2).
 
 use super::canvas::{Canvas, INK};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
@@ -24,7 +24,7 @@ impl Patches {
         counted.min_by_key(Self::count).unwrap_or(Self { first: vec![0] })
     }
 
-    /// None where so few rings are too high for the error.
+    /// The patches of this many rings; without any where the rings are too high for the error.
     fn with_rings(rings: usize, max_deg: f64) -> Self {
         let mut first = vec![0];
         for ring in 0..rings {
@@ -147,7 +147,7 @@ mod tests {
             }
         }
         assert_eq!(used.len(), patches.count());
-        // As many caps of that radius have less area than the sphere, or they could not cover it.
+        // The caps of that radius have more area than the sphere, or they could not cover it.
         assert!(patches.count() as f64 > 2.0 / (1.0 - PATCH_ERROR.to_radians().cos()));
     }
 }

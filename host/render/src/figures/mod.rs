@@ -80,7 +80,7 @@ impl Part {
     }
 }
 
-/// What to draw, and how.
+/// The figures to draw, and their options.
 pub struct Options {
     /// Pictures for a page instead of a screen.
     pub small: bool,
@@ -122,7 +122,7 @@ fn front() -> Result<Figure> {
 /// Draws one figure.
 ///
 /// # Errors
-/// What rendering and measuring meet.
+/// Any error of rendering and measuring.
 pub fn draw(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figure> {
     let figure = drawn(part, options, camera)?;
     let ignores = matches!(part, Part::Two | Part::Three | Part::Four | Part::Dither | Part::Front);

@@ -15,8 +15,8 @@ pub const SAMPLES: u32 = 4;
 /// Around a disc.
 const MARGIN: f64 = 1.03;
 
-/// Where the sphere is looked at from: rows are right, up and towards the eye. z is upwards; above the equator and beside an
-/// octant's middle, so that octants of all kinds are to be seen.
+/// The view of the sphere: rows are right, up and towards the eye. z is upwards; above the equator and beside an
+/// octant's middle, so that octants of all kinds are visible.
 pub fn from_the_side() -> DMat3 {
     let (turn, height) = (0.45f64, 0.6f64);
     let eye = DVec3::new(height.cos() * turn.cos(), height.cos() * turn.sin(), height.sin());
@@ -29,7 +29,7 @@ pub fn from_above() -> DMat3 {
     DMat3::IDENTITY
 }
 
-/// As [`from_above`] for the hemisphere, as [`from_the_side`] for the sphere.
+/// The view [`from_above`] for the hemisphere, [`from_the_side`] for the sphere.
 pub fn of_domain(domain: Domain) -> DMat3 {
     if domain == Domain::Hemisphere { from_above() } else { from_the_side() }
 }
@@ -66,7 +66,7 @@ fn seen(place: DVec2, view: DMat3) -> Option<DVec3> {
     (depth >= 0.0).then(|| view.transpose() * place.extend(depth.sqrt()))
 }
 
-/// Where a direction is seen on a disc's square, if it is on the near side.
+/// The place of a direction on a disc's square, if it is on the near side.
 pub fn place(direction: DVec3, view: DMat3) -> Option<DVec2> {
     let turned = view * direction;
     (turned.z > 0.0).then(|| turned.truncate() / MARGIN)
@@ -84,7 +84,7 @@ pub struct Dots {
 }
 
 impl Dots {
-    /// Without a dot.
+    /// An image without a dot.
     pub fn new(side: u32) -> Self {
         Self { side, ink: vec![0.0; (side * side) as usize] }
     }
@@ -103,7 +103,7 @@ impl Dots {
         }
     }
 
-    /// As a picture, black on white.
+    /// Converts the image to a picture, black on white.
     pub fn picture(&self) -> RgbImage {
         let pixels = self.ink.iter().flat_map(|ink| {
             let grey = (255.0 * (-ink).exp()).round() as u8;
@@ -143,7 +143,7 @@ mod tests {
         }
     }
 
-    /// What is drawn at a direction's place is drawn with that direction.
+    /// Anything drawn at a direction's place is drawn with that direction.
     #[test]
     fn places_and_directions_agree() {
         for view in [from_the_side(), from_above()] {

@@ -12,7 +12,7 @@ use unitvec_catalogue::{AnyCodec, Domain, vectors};
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
 
-/// How often differences are taken, as in the survey.
+/// The factor of differences, as in the survey.
 pub const TIMES: u8 = 8;
 
 /// Directions that mean errors are measured over.
@@ -29,13 +29,13 @@ fn name(material: Material) -> &'static str {
 
 /// A picture with its difference to that of floats.
 pub struct Compared {
-    /// What the normals went through.
+    /// The name of the codec that the normals went through.
     pub label: String,
     /// The codec, unless it is floats.
     pub codec: Option<&'static AnyCodec>,
     /// The picture.
     pub picture: RgbImage,
-    /// Its difference; none for floats.
+    /// The picture's difference; `None` for floats.
     pub difference: Option<Difference>,
 }
 
@@ -52,7 +52,7 @@ impl Compared {
         Subject { codec: self.id().to_owned(), material: name(material).to_owned() }
     }
 
-    /// This picture as a file of its own.
+    /// Describes this picture as a file of its own.
     fn shown(&self, figure: &str, material: Material) -> Shown {
         let alt = format!("{} surfaces, normals as {}", name(material), self.label);
         let file = format!("{figure}_{}_{}.png", name(material), self.id());
@@ -110,7 +110,7 @@ pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     for material in [Material::Mirror, Material::Glossy] {
         let mut compared = compare(camera, &codecs, material, View::Scene)?;
         let window = window(options, FEW, &compared[0].picture, &compared[1].picture);
-        // As in the survey, floats come last.
+        // Floats come last, as in the survey.
         compared.rotate_left(1);
         all.extend(cells(compared.iter(), window));
         let named = |one: Labelled| Labelled { label: format!("{}, {}", name(material), one.label), ..one };
@@ -284,8 +284,8 @@ fn sides(camera: &mut dyn Camera, normals: Normals) -> Result<Vec<RgbImage>> {
     (0..SIDES).map(|side| camera.picture(&shot(normals, Material::Mirror, View::Side(side)))).collect()
 }
 
-/// How well the order of the mirror's differences is that of the errors, of all codecs of 16 bits: on a sphere that is seen from
-/// all sides, and in the scene, whose normals are not spread as those of the sphere are.
+/// The rank correlation of the mirror's differences with the errors, for all codecs of 16 bits: on a sphere that is
+/// seen from all sides, and in the scene, whose normals are spread otherwise than the sphere's.
 fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
     const BITS: u32 = 16;
     let taken = |normals| shot(normals, Material::Mirror, View::Scene);

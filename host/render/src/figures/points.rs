@@ -1,4 +1,4 @@
-//! Where the representable unit vectors lie (figure 5).
+//! The places of the representable unit vectors (figure 5).
 
 use super::canvas::{Cell, sheet};
 use super::paint::{self, Dots};

@@ -1,4 +1,4 @@
-//! Where the precise encoder of oct rounds (figure 4).
+//! The directions of the precise encoder's rounding in oct (figure 4).
 
 use super::canvas::{Cell, sheet};
 use super::paint::{self, Colour};

@@ -1,4 +1,4 @@
-//! How the octants of a sphere become a square (figure 3).
+//! The unfolding of a sphere's octants into a square (figure 3).
 
 use super::canvas::{Cell, sheet};
 use super::paint::{self, Colour, SAMPLES, from_srgb};

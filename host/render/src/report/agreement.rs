@@ -1,11 +1,11 @@
-//! Whether a device agrees with the CPU, of what `unitvec conform` reports.
+//! A device's agreement with the CPU, from the reports of `unitvec conform`.
 
 use crate::conform::{Checks, Conversion, Traits};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use unitvec_vulkan::DeviceInfo;
 
-/// Whether a device agrees with the CPU: of a report of `unitvec conform --json`.
+/// A device's agreement with the CPU, from a report of `unitvec conform --json`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Agreement {
     device: DeviceInfo,
@@ -35,10 +35,10 @@ struct ConformRow {
 }
 
 impl Agreement {
-    /// Of such a report.
+    /// Reads such a report.
     ///
     /// # Errors
-    /// What the parser says of something else.
+    /// The parser's error for any other text.
     pub fn parse(json: &[u8]) -> serde_json::Result<Self> {
         let Conform { device, rows } = serde_json::from_slice(json)?;
         let count = |row: &ConformRow| {
@@ -59,19 +59,19 @@ impl Agreement {
     }
 }
 
-/// Whether codes go through the graphics pipeline unchanged: of a report of `unitvec conform --pipeline --json`.
+/// The graphics pipeline's agreement with the CPU, from a report of `unitvec conform --pipeline --json`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pipeline {
     device: DeviceInfo,
     agreed: bool,
     codecs: usize,
-    /// What the shaders were written in.
+    /// The languages of the shaders.
     sources: Vec<String>,
     /// Texels and vertices.
     compared: u64,
     differing: u64,
     checks: Vec<Check>,
-    /// How the device converts the numbers of formats, by their names.
+    /// The device's conversions of the numbers of formats, by the formats' names.
     conversions: Vec<(String, String)>,
     /// Vectors that changed between vertex and fragment shader beyond what Vulkan allows.
     changed: u64,
@@ -120,10 +120,10 @@ impl PipelineRow {
 }
 
 impl Pipeline {
-    /// Of such a report.
+    /// Reads such a report.
     ///
     /// # Errors
-    /// What the parser says of something else.
+    /// The parser's error for any other text.
     pub fn parse(json: &[u8]) -> serde_json::Result<Self> {
         let PipelineReport { device, agreed, traits, rows, projections } = serde_json::from_slice(json)?;
         const WHAT: [&str; 4] =

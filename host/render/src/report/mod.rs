@@ -19,19 +19,19 @@ use unitvec_choose::Costs;
 use unitvec_vulkan::DeviceInfo;
 use viewer::{VIEWED, Viewer};
 
-/// What goes into a report besides what ships with the program.
+/// The contents of a report besides the data that ship with the program.
 pub struct Contents {
     /// The figures, with the bytes of each picture's file.
     pub figures: Figures,
-    /// Those bytes, by the file's name.
+    /// The pictures' bytes, by the file's name.
     pub files: Files,
     /// Why rendered figures were left out, in a sentence, where they were.
     pub not_rendered: Option<String>,
-    /// Whether the device agrees with the CPU, where that was looked at.
+    /// The device's agreement with the CPU, where it was checked.
     pub agreement: Option<Agreement>,
-    /// Whether its graphics pipeline does; else why that was not looked at, in a sentence.
+    /// The graphics pipeline's agreement; else why it was not checked, in a sentence.
     pub pipeline: Result<Pipeline, String>,
-    /// What the report was made on.
+    /// The machine that the report was made on.
     pub machine: Machine,
     /// Costs, those to begin with first.
     pub costs: Vec<Costs>,
@@ -48,7 +48,7 @@ const TEMPLATES: [(&str, &str); 3] = [
     ("page.js", include_str!("page.js")),
 ];
 
-/// What the template shows.
+/// The data that the template shows.
 #[derive(Serialize)]
 struct Page<'a> {
     version: &'a str,
@@ -60,7 +60,7 @@ struct Page<'a> {
     codecs_json: String,
     tables: Vec<tables::PageTable>,
     figures: Vec<PageFigure<'a>>,
-    /// What is missing of the figures.
+    /// A note on missing figures.
     note: Option<String>,
     agreement: Option<&'a Agreement>,
     pipeline: Option<&'a Pipeline>,
@@ -87,10 +87,10 @@ struct PagePicture<'a> {
     differences: Vec<[String; 4]>,
 }
 
-/// The page. `progress` hears of each row of the tables that is measured.
+/// Makes the page. `progress` is called for each row of the tables that is measured.
 ///
 /// # Errors
-/// What measuring meets; a picture that `files` lacks.
+/// Any error of measuring; a picture that `files` lacks.
 pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
     let codecs = tables::codecs(&contents.costs, progress)?;
     let tables = tables::published(&contents.costs, contents.count, progress)?;

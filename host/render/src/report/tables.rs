@@ -1,4 +1,4 @@
-//! What the page's tables hold.
+//! The contents of the page's tables.
 
 use crate::Result;
 use crate::Storage;
@@ -13,19 +13,19 @@ use unitvec_lab::bench::survey_ns;
 use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
 
-/// What the report was made on.
+/// The machine that the report was made on.
 #[derive(Clone, Debug, Serialize)]
 pub struct Machine {
     /// Operating system and processor architecture.
     pub platform: String,
-    /// Processor's name, where the system tells it.
+    /// The processor's name, where the system gives it.
     pub processor: Option<String>,
     /// Processors that a program may use.
     pub threads: usize,
 }
 
 impl Machine {
-    /// This one.
+    /// This machine.
     pub fn this() -> Self {
         let cpuinfo = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
         let name = cpuinfo.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
@@ -53,7 +53,7 @@ pub struct Codec {
     /// Over z >= 0.
     mean_above: f64,
     max: f64,
-    /// On each device that costs are known of, encoding and decoding as multiples of oct32's.
+    /// Encoding and decoding as multiples of oct32's, for each device with known costs.
     costs: Vec<[Option<f64>; 2]>,
 }
 
@@ -102,7 +102,7 @@ fn short_format(name: &'static str) -> &'static str {
     name.strip_prefix("VK_FORMAT_").unwrap_or(name)
 }
 
-/// What a G-buffer holds a codec in: the attachment of the codec's format, or of its sibling of four components.
+/// The attachment for a codec in a G-buffer: of the codec's format, or of its sibling of four components.
 fn attachment(format: &AnyCodec) -> String {
     let storage = Storage::of(format);
     let spare = if storage.three().is_some() { ", whose fourth component is free" } else { "" };
@@ -114,7 +114,7 @@ fn attachment(format: &AnyCodec) -> String {
     format!("{:?}{spare}{or}", storage.texel())
 }
 
-/// What to take for a purpose.
+/// The recommended codec for a purpose.
 #[derive(Serialize)]
 pub struct Answer {
     purpose: &'static str,
@@ -126,14 +126,14 @@ struct AnswerCodec {
     id: &'static str,
     bits: u32,
     format: Option<&'static str>,
-    /// What a G-buffer holds it in.
+    /// The attachment in a G-buffer.
     attachment: String,
     mean: Option<f64>,
     max: f64,
     costs: [Option<f64>; 2],
 }
 
-/// What `choose` and README recommend.
+/// The recommendations of `choose` and README.
 pub fn answers(codecs: &[Codec]) -> Vec<Answer> {
     let of_codec = |id: &&'static str| {
         let codec = find(id).ok()?;

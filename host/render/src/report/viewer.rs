@@ -32,10 +32,10 @@ struct Picture {
 /// Parts of a sheet are shown about as wide as this.
 const WIDTH: u32 = 640;
 
-/// Of single pictures; of the cells of sheets where there are none; of nothing where the sheets do not tell of cells.
+/// A viewer of single pictures; of the cells of sheets where there are none; `None` where the sheets do not list cells.
 ///
 /// # Errors
-/// A picture that `files` lacks, or that is not what the figures say.
+/// A picture that `files` lacks, or that does not match the figures.
 pub fn of(single: &[&Shown], sheets: &[&Shown], files: &Files) -> Result<Option<Viewer>> {
     let mut viewer = Viewer::new();
     for shown in single {
@@ -58,7 +58,7 @@ pub fn of(single: &[&Shown], sheets: &[&Shown], files: &Files) -> Result<Option<
     Ok(viewer.finish())
 }
 
-/// What a sheet says of a codec's difference to floats.
+/// A sheet's words about a codec's difference to floats.
 fn words(sheet: &Shown, codec: &str) -> String {
     let name = find(codec).map_or(codec, |codec| codec.survey_name);
     let found = sheet.differences.iter().find(|one| one.label == name);
@@ -86,7 +86,7 @@ impl Viewer {
         self.pictures.insert(format!("{material}/{codec}"), picture);
     }
 
-    /// None unless there are floats and all codecs with every material.
+    /// `None` unless there are floats and all codecs with every material.
     fn finish(mut self) -> Option<Self> {
         let mut names = self
             .materials
@@ -123,7 +123,7 @@ mod tests {
         Place { of: Subject { codec: codec.to_owned(), material: "mirror".to_owned() }, place }
     }
 
-    /// Sheets are cut where they say so; where they do not, the page says what to run.
+    /// Sheets are cut where they list cells; otherwise the page shows the command to run.
     #[test]
     fn sheets_are_cut() {
         let json = r#"{"device": null, "version": "1", "figures": [{"id": "8", "title": "", "caption": "", "numbers": [],

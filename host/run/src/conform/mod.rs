@@ -19,11 +19,11 @@ use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Element, Operation};
 use unitvec_vulkan::DeviceInfo;
 
-/// What to run.
+/// The extent of a run.
 pub struct Options {
     /// Random vectors or frames for each codec.
     pub count: usize,
-    /// Their seed.
+    /// The random elements' seed.
     pub seed: u64,
     /// Further directions: the normals of meshes.
     pub normals: Vec<[f32; 3]>,
@@ -31,7 +31,7 @@ pub struct Options {
     pub all_codes_up_to: u32,
 }
 
-/// What is compared with the CPU.
+/// The backends that are compared with the CPU.
 pub type Backends = BTreeMap<BackendKind, Box<dyn Backend>>;
 
 /// The outcome for all codecs.
@@ -45,7 +45,7 @@ pub struct Report {
     pub all_codes_up_to: u32,
     /// False where the build had no GLSL compiler, so that GLSL and HLSL were not compared with the CPU.
     pub glsl_compared: bool,
-    /// How each backend rounds sums, which many encoders turn positions into codes by.
+    /// Each backend's rounding of sums, by which many encoders turn positions into codes.
     pub rounding: BTreeMap<BackendKind, Rounding>,
     /// True if no row has a mismatch and all backends round sums to nearest.
     pub agreed: bool,
@@ -58,7 +58,7 @@ pub struct Report {
 pub struct Row {
     /// Codec.
     pub id: &'static str,
-    /// Its bits.
+    /// The codec's bits.
     pub bits: u32,
     /// Vectors encoded by each backend: random ones, normals, special ones and those of all codes decoded.
     pub vectors: u64,
@@ -87,7 +87,7 @@ pub struct Row {
 pub struct Summary<'a> {
     /// Device that ran the kernels.
     pub device: &'a str,
-    /// Its driver.
+    /// The device's driver.
     pub driver: &'a str,
     /// Vulkan version that it implements.
     pub vulkan: &'a str,
@@ -102,7 +102,7 @@ pub struct Summary<'a> {
 }
 
 impl Report {
-    /// This report in one line.
+    /// Summarises this report in one line.
     pub fn summary(&self) -> Summary<'_> {
         let total = |of: fn(&Row) -> u64| self.rows.iter().map(of).sum();
         Summary {
@@ -121,7 +121,7 @@ impl Report {
 pub type Mismatches = BTreeMap<BackendKind, u64>;
 
 impl Row {
-    /// Mismatches that are told in words.
+    /// The number of mismatches that are described in words.
     const EXAMPLES: usize = 3;
 
     /// Codes and vectors of all backends that differ from the CPU's.
@@ -134,7 +134,7 @@ impl Row {
         self.mismatches() == 0
     }
 
-    /// Counts where the results of a backend are not those of the CPU, all as bytes, and tells the first in words.
+    /// Counts where the results of a backend differ from the CPU's, all as bytes, and describes the first in words.
     fn compare(
         &mut self,
         format: &AnyCodec,
@@ -165,8 +165,8 @@ impl Row {
     }
 }
 
-/// Runs all plans, on several threads. `open` opens the backends of a thread; `progress` is told the work done since it was
-/// last called, and `each` the rows, in the plans' order.
+/// Runs all plans, on several threads. `open` opens the backends of a thread; `progress` receives the work done since
+/// the last call, and `each` the rows, in the plans' order.
 ///
 /// # Errors
 /// The first error of a thread or of `each`. Mismatches are no error: they are in the rows.
@@ -270,7 +270,7 @@ impl<'a> Comparison<'a> {
     }
 }
 
-/// How bytes are told in words.
+/// Formats bytes for a message.
 type Shown = fn(&[u8]) -> String;
 
 fn shown_element(bytes: &[u8]) -> String {

@@ -1,4 +1,4 @@
-//! What one codec goes through.
+//! The tests of one codec.
 
 use super::{Backends, Comparison, Options, Row};
 use crate::backend::CHUNK;
@@ -69,10 +69,10 @@ impl<'a> Plan<'a> {
         self.steps.iter().map(|step| step.count as u64).sum()
     }
 
-    /// Runs the codec. `progress` is told the elements and codes done since it was last called.
+    /// Runs the codec. `progress` receives the number of elements and codes done since the last call.
     ///
     /// # Errors
-    /// What the backends meet. Mismatches are no error: they are in the row.
+    /// Any error of the backends. Mismatches are no error: they are in the row.
     pub fn run(self, backends: &mut Backends, progress: &mut dyn FnMut(u64)) -> Result<Row> {
         let floats = self.format.element.floats();
         let mut comparison = Comparison::new(self.format, backends);

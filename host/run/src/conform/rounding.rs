@@ -3,15 +3,15 @@ use crate::backend::Backend;
 use serde::Serialize;
 use unitvec_catalogue::{AnyCodec, Element, find};
 
-/// How a device rounds the sum of a number and 1.5 2^23, by which encoders find the nearest whole number.
+/// A device's rounding of the sum of a number and 1.5 2^23, by which encoders find the nearest whole number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rounding {
-    /// To the nearest whole number, which the codes and error bounds of this library rely on.
+    /// Rounds to the nearest whole number, which the codes and error bounds of this library rely on.
     Nearest,
     /// Down, as where sums are truncated: codes are up to a step off instead of half a step.
     Down,
-    /// Otherwise, or the kernel does not work at all.
+    /// Rounds otherwise, or the kernel does not work at all.
     Other,
 }
 
@@ -24,10 +24,10 @@ const M: f32 = 127.0;
 const POSITIONS: [[f32; 2]; 4] = [[40.25, 20.75], [-40.25, 20.75], [40.25, -20.75], [-40.25, -20.75]];
 
 impl Rounding {
-    /// How the device of a backend rounds, by what it encodes.
+    /// Determines the rounding of a backend's device from encoded vectors.
     ///
     /// # Errors
-    /// What the backend meets.
+    /// Any error of the backend.
     pub fn of(backend: &mut dyn Backend) -> Result<Self> {
         let format: &'static AnyCodec = find(CODEC)?;
         debug_assert_eq!(format.element, Element::Vector);

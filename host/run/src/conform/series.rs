@@ -1,4 +1,4 @@
-//! Which codecs stand for others.
+//! Codecs that stand for others.
 
 use unitvec_catalogue::{AnyCodec, CODECS};
 

@@ -60,7 +60,7 @@ pub fn random_frames(seed: u64) -> impl Iterator<Item = [f32; 7]> {
     })
 }
 
-/// By division: glam's `normalize` multiplies by the reciprocal, which rounds once more.
+/// Normalises by division: glam's `normalize` multiplies by the reciprocal, which rounds once more.
 fn unit(v: DVec3) -> DVec3 {
     v / v.length()
 }

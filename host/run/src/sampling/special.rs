@@ -69,8 +69,8 @@ fn fold_lines() -> Vec<[f32; 3]> {
     edges.flat_map(in_every_place).collect()
 }
 
-/// Vectors of which the sum of two magnitudes is halfway between two floats, so that an exact sum of all three would
-/// round as the third says: a zero or a denormal. The shortest are next to the least usable norm.
+/// Vectors of which the sum of two magnitudes is halfway between two floats, so that the third, a zero or a denormal,
+/// decides how an exact sum of all three rounds. The shortest are next to the least usable norm.
 fn ties() -> Vec<[f32; 3]> {
     const HALF_ULP: f32 = f32::EPSILON / 2.0;
     const SCALES: [f32; 5] = [MIN_NORM, 2.0 * MIN_NORM, 16.0 * MIN_NORM, 1.0, 1e12];

@@ -1,10 +1,11 @@
 //! The simplest kernel of a codec in each shading language, which runs the functions as people call them: every float and
 //! every word of a code is a whole u32, and nothing is packed.
 //!
-//! Compute kernels have the words of elements or codes in binding 0 and those of the results in binding 1. They count by the
-//! size of the latter; 64 invocations of a workgroup take four elements each, as
-//! [`Runner`](unitvec_vulkan::Runner) dispatches them. Metal's take one element an invocation and are told how many there are. GLSL ES has fragments
-//! instead, of one element each: its words are those of two texels in a row, and the results' those of two targets.
+//! Compute kernels have the words of elements or codes in binding 0 and those of the results in binding 1. They count
+//! by the size of the latter; 64 invocations of a workgroup take four elements each, as
+//! [`Runner`](unitvec_vulkan::Runner) dispatches them. Metal's take one element an invocation and receive their number.
+//! GLSL ES has fragments instead, of one element each: its words are those of two texels in a row, and the results'
+//! those of two targets.
 
 use super::Language;
 use unitvec_catalogue::{AnyCodec, Element, Operation};
@@ -17,7 +18,7 @@ pub fn metal_name(format: &AnyCodec, operation: Operation) -> String {
     format!("{}_kernel", format.function(operation))
 }
 
-/// What a kernel's text begins with, before the functions; `None` where that is nothing.
+/// The beginning of a kernel's text, before the functions; `None` where there is none.
 pub const fn head(language: Language) -> Option<&'static str> {
     match language {
         Language::Glsl => Some("#version 450\n"),
@@ -122,20 +123,20 @@ fn targets(values: &[String]) -> String {
     format!("{} {}", texel("first", first), texel("second", second))
 }
 
-/// What languages write in different ways.
+/// The parts that languages write in different ways.
 struct Syntax {
     language: Language,
     /// Types of three and of four floats.
     vectors: [&'static str; 2],
     /// Types of one and of two words.
     codes: [&'static str; 2],
-    /// What begins the reinterpretation of three and of four words as floats, up to the first word.
+    /// The beginning of the reinterpretation of three and of four words as floats, up to the first word.
     from_bits: [&'static str; 2],
-    /// What reinterprets a float as a word.
+    /// The function that reinterprets a float as a word.
     to_bits: &'static str,
-    /// What an unsigned literal ends in.
+    /// The suffix of an unsigned literal.
     unsigned: &'static str,
-    /// What stands before an argument that the function writes to.
+    /// The prefix of an argument that the function writes to.
     reference: &'static str,
 }
 

@@ -4,8 +4,8 @@ use super::{Edition, Error, Language, library};
 use std::fmt::Write;
 use unitvec_catalogue::{AnyCodec, Operation};
 
-/// The functions of these codecs in a language, and all that they need, below a comment that says what each is. `command` is
-/// what wrote it.
+/// The functions of these codecs in a language, and all that they need, below a comment that describes each. `command`
+/// is the command that wrote it.
 ///
 /// # Errors
 /// [`Error::Language`], which tests rule out for the codecs of the catalogue.

@@ -24,8 +24,8 @@ impl Image {
     /// A texture with these texels, row by row from the top.
     ///
     /// # Errors
-    /// [`Error::UnsupportedFormat`], [`Error::BadSize`], [`Error::BadDraw`] where the texels are not as many as the size
-    /// says, or a failed call.
+    /// [`Error::UnsupportedFormat`], [`Error::BadSize`], [`Error::BadDraw`] where the number of texels does not match
+    /// the size, or a failed call.
     pub fn texture(
         graphics: &Arc<Graphics>,
         format: ImageFormat,

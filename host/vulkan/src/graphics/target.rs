@@ -49,7 +49,7 @@ impl Target {
         let framebuffer =
             unsafe { graphics.device.raw.create_framebuffer(&create, None) }.named("vkCreateFramebuffer")?;
         let target = Self { colours, _depth: depth, pass, framebuffer, width, height };
-        // From here on each colour is in the layout that reading it takes.
+        // Each colour is from here on in the layout for reading.
         target.clear()?;
         Ok(target)
     }

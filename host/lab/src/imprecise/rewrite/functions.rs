@@ -98,7 +98,7 @@ fn square_root(body: &mut Body<'_>, model: Model, seed: u32, x: Word) -> Word {
     moved(body, rounded, ulp)
 }
 
-/// By how many ULP the result of an operation of these operands, as bits, is moved: at most `most`.
+/// The number of ULP, at most `most`, by which the result of an operation on these operands, as bits, is moved.
 fn ulp(body: &mut Body<'_>, model: Model, is_down: bool, seed: u32, operands: &[Word], most: Word) -> Word {
     match model {
         Model::Bits => {

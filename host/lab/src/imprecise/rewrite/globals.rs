@@ -1,4 +1,4 @@
-//! What is added to a module: types, constants and functions.
+//! Additions to a module: types, constants and functions.
 
 use super::functions::{self, Function};
 use crate::imprecise::Model;
@@ -133,7 +133,7 @@ pub struct Body<'a> {
 }
 
 impl Body<'_> {
-    /// Appends an operation. What it computes with floats, no driver may contract: the errors of sums and products are exact
+    /// Appends an operation. No driver may contract its arithmetic on floats: the errors of sums and products are exact
     /// only as they are written.
     pub fn add(&mut self, of_type: Type, opcode: Op, operands: &[Word]) -> Word {
         let operands = operands.iter().map(|id| Operand::IdRef(*id)).collect();

@@ -25,7 +25,7 @@ pub enum Error {
     NotSpirv {
         /// Kernel it is of.
         module: String,
-        /// What the parser says.
+        /// The parser's message.
         reason: String,
     },
     /// An operation on floats whose error none of the models knows.
@@ -143,9 +143,9 @@ struct Value {
     count: u32,
 }
 
-/// What an operation on floats means to the models.
+/// An operation on floats as the models see it.
 enum Meaning {
-    /// It is no operation on floats, or copies them as bits.
+    /// No operation on floats, or a copy of them as bits.
     Other,
     /// Arithmetic that a model may do by a function of its own.
     Arithmetic(Function),

@@ -15,7 +15,7 @@ fn normal_of(world_normal: Vec3, constants: &Geometry) -> Vec3 {
     if constants.flags & RAW != 0 { world_normal } else { normalize(world_normal) }
 }
 
-/// What is stored of a normal.
+/// The stored value of a normal.
 fn value_of<N: Normals>(n: Vec3) -> ValueOf<N> {
     N::In::value_of(N::encode(n))
 }
@@ -39,7 +39,7 @@ macro_rules! gbuffer {
                 let n = normal_of(world_normal, constants);
                 *stored = value_of::<$normals>(n);
                 *normal = n.extend(1.0);
-                // In object space, with the object's number as the fourth component.
+                // The position is in object space, with the object's number as the fourth component.
                 *surface = object_position.extend(constants.object as f32);
             }
         }

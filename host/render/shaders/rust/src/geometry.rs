@@ -7,7 +7,7 @@ use unitvec::arith::dot;
 #[derive(Clone, Copy)]
 #[repr(C)]
 pub struct Geometry {
-    /// From object space to clip space.
+    /// Maps object space to clip space.
     pub clip_from_object: Mat4,
     /// Rows of a rotation; w is unused.
     pub world_from_object: [Vec4; 3],
@@ -15,7 +15,7 @@ pub struct Geometry {
     pub object: u32,
     /// [`RAW`](crate::RAW) or 0.
     pub flags: u32,
-    /// What the offset of a dithered code comes from.
+    /// The source of a dithered code's offset.
     pub key: u32,
     /// Moves the keys that belong to the screen.
     pub seed: u32,

@@ -10,10 +10,10 @@ const PIXEL: u32 = 1;
 const BLUE_NOISE: u32 = 2;
 const POSITION: u32 = 3;
 
-/// What an offset comes from.
+/// The source of an offset.
 #[derive(Clone, Copy)]
 pub struct Key {
-    /// Its kind; 0 for no offset.
+    /// The key's kind; 0 for no offset.
     pub kind: u32,
     /// Moves the keys that belong to the screen.
     pub seed: u32,
@@ -24,8 +24,8 @@ pub struct Key {
 }
 
 impl Key {
-    /// Where the pixel is looked up in the frame of this seed: multiples of two irrational numbers, times 2^32, spread frames
-    /// evenly.
+    /// The texel where the pixel is looked up in the frame of this seed: multiples of two irrational numbers, times
+    /// 2^32, spread frames evenly.
     fn pixel(&self) -> UVec2 {
         let pixel = pixel_at(self.centre);
         let x = self.seed.wrapping_mul(3_242_174_889) >> 16;
@@ -33,8 +33,8 @@ impl Key {
         UVec2::new(pixel.x + x, pixel.y + y)
     }
 
-    /// The cell of the position, of 1/256 a side: positions themselves differ from frame to frame where an object moves, since
-    /// pixels meet other points of it.
+    /// The cell of the position, of 1/256 a side: positions themselves differ from frame to frame where an object
+    /// moves, since pixels see other points of it.
     fn cell(&self) -> Vec3 {
         let cells = self.position * 256.0;
         Vec3::new(floor(cells.x), floor(cells.y), floor(cells.z))

@@ -55,7 +55,7 @@ macro_rules! for_all_normals {
         $callback!(soct_unorm crate::normals::SOctUnorm);
         $callback!(eqarea_ellipse_snorm crate::normals::EqareaEllipseSnorm);
         $callback!(eqarea_ellipse_unorm crate::normals::EqareaEllipseUnorm);
-        // Those with a format of snorm, as integers.
+        // Codecs with an snorm format, as integers.
         $callback!(oct16_uint crate::normals::AsIntegers<unitvec::Oct16>);
         $callback!(oct16p_uint crate::normals::AsIntegers<unitvec::OctPrecise16>);
         $callback!(oct32_uint crate::normals::AsIntegers<unitvec::Oct32>);

@@ -27,7 +27,7 @@ pub struct Lighting {
     pub material: u32,
     /// [`RAW`] or 0.
     pub flags: u32,
-    /// What the offset of a dithered code comes from.
+    /// The source of a dithered code's offset.
     pub key: u32,
     /// Moves the keys that belong to the screen.
     pub seed: u32,

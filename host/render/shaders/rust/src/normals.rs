@@ -1,4 +1,4 @@
-//! What normals are stored as: the codes of each codec, by the storage of its Vulkan format.
+//! Storage of normals: the codes of each codec, by the storage of its Vulkan format.
 
 use crate::storage::*;
 use core::marker::PhantomData;
@@ -10,7 +10,7 @@ use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
 
 /// A way to store normals.
 pub trait Normals {
-    /// What holds a code.
+    /// The storage of a code.
     type In: Storage;
 
     /// The code of a normal.
@@ -23,10 +23,10 @@ pub trait Normals {
 /// The code of a normal.
 pub type CodeOf<N> = <<N as Normals>::In as Storage>::Code;
 
-/// What is written to an attachment.
+/// The value written to an attachment.
 pub type ValueOf<N> = <<N as Normals>::In as Storage>::Value;
 
-/// What a vertex has.
+/// The attribute of a vertex.
 pub type AttributeOf<N> = <<N as Normals>::In as Storage>::Attribute;
 
 /// The texture that holds codes.

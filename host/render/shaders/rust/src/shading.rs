@@ -1,8 +1,8 @@
-//! What a surface looks like under a procedural sky. The world's up is +Y; colours are linear. `shading.glsl` has the same
+//! A surface's colours under a procedural sky. The world's up is +Y; colours are linear. `shading.glsl` has the same
 //! functions.
 //!
-//! What is cheap is done on both sides of a condition and one chosen, as a GPU's lanes do it: rust-gpu makes long work of early
-//! returns and of `&&`.
+//! Cheap values are computed on both sides of a condition and one is chosen, as a GPU's lanes do it: rust-gpu makes
+//! long work of early returns and of `&&`.
 
 use unitvec::arith::{dot, floor, max, min, normalize, whole_to_u32};
 use unitvec::glam::Vec3;
@@ -11,7 +11,7 @@ const SUN_DIRECTION: Vec3 = Vec3::new(0.48, 0.6, 0.64);
 /// The cosine of the disc's radius, 2.5 degrees: some ten times the real one's, to be seen in reflections.
 const SUN_COSINE: f32 = 0.99905;
 const SUN_COLOUR: Vec3 = Vec3::new(24.0, 22.0, 18.0);
-/// What falls on a surface that faces the sun, over pi.
+/// The light that falls on a surface facing the sun, over pi.
 const SUN_LIGHT: Vec3 = Vec3::new(1.1, 1.0, 0.85);
 
 /// The sky above the horizon, and what is added to it at the zenith.
@@ -74,7 +74,7 @@ struct Town {
 
 fn town(d: Vec3) -> Town {
     let on_x = d.x.abs() > d.z.abs();
-    // Of directions that are nearly upright, which see no building, any.
+    // Directions that are nearly upright see no building; any distance will do for them.
     let distance = max(max(d.x.abs(), d.z.abs()), 0.01);
     let along = (if on_x { d.z } else { d.x }) / distance;
     let height = d.y / distance;
@@ -97,7 +97,7 @@ fn facade(t: Town) -> Vec3 {
     if is_wall { Vec3::new(0.16, 0.13, 0.12) } else { window }
 }
 
-/// What is seen in the direction `d`, a unit vector.
+/// The sky's colour in the direction `d`, a unit vector.
 fn sky(d: Vec3) -> Vec3 {
     let t = town(d);
     let above = if t.height < t.roof { facade(t) } else { clear_sky(d) };
@@ -135,7 +135,7 @@ fn square(x: f32) -> f32 {
     x * x
 }
 
-/// `x^256`. What is below 0.75 counts as that, 2^-106: some devices flush denormal powers.
+/// `x^256`. Values below 0.75 count as 0.75, 2^-106: some devices flush denormal powers.
 fn power_256(x: f32) -> f32 {
     let power_16 = square(square(square(square(max(x, 0.75)))));
     square(square(square(square(power_16))))
@@ -157,11 +157,11 @@ fn mirrored(ray: Vec3, n: Vec3) -> Vec3 {
     normalize(ray - n * (2.0 * dot(ray, n)))
 }
 
-/// What is seen along a ray that meets an object's surface with the normal `n`, or none, object 0; both vectors have unit
-/// length.
+/// The colour seen along a ray that hits an object's surface with the normal `n`, or nothing, object 0; both vectors
+/// have unit length.
 pub fn seen(material: u32, object: f32, n: Vec3, ray: Vec3) -> Vec3 {
     let is_sky = object < 0.5;
-    // In one place, since compilers repeat the sky wherever it is called.
+    // The sky is computed in one place, since compilers repeat it wherever it is called.
     let around = sky(if is_sky { ray } else { mirrored(ray, n) });
     let matt = albedo(object) * diffuse(n);
     let lit = if material == GLOSSY { glossy(matt, n, ray) } else { matt };

@@ -1,4 +1,4 @@
-//! What holds a code: a vertex attribute, a component of a colour attachment, a texel.
+//! Storage of a code: a vertex attribute, a component of a colour attachment, a texel.
 
 use spirv_std::Image;
 use spirv_std::glam::{IVec2, IVec4, UVec2, UVec4, Vec2, Vec3, Vec4};
@@ -13,7 +13,7 @@ pub type Image2dU = Image!(2D, type=u32, sampled);
 
 /// A way to hold codes. The components of a value that it does not need are 0.
 pub trait Storage {
-    /// What is held.
+    /// The type of code held.
     type Code;
     /// Type of a vertex attribute.
     type Attribute;
