@@ -38,11 +38,11 @@ fn meyers() -> &'static [Value] {
     ROWS.get_or_init(|| rows(&["--table", "meyer", "--count", "1000", "--float64"]))
 }
 
-/// How far a maximum may be above the survey's.
+/// The factor by which a maximum may be above the survey's.
 ///
 /// The worst directions of the equal-area maps lie in a few cells at the disk's rim, which 10^6 directions hit or miss:
-/// over twelve seeds the maximum of eqarea22 was 1.027 to 1.045 times the survey's, that of eqarea_concentric22 1.020 to
-/// 1.044 times; the survey's own sample stayed 5 % below what its format can come to.
+/// over twelve seeds the maximum of eqarea22 was 1.027 to 1.045 times the survey's, eqarea_concentric22's 1.020 to
+/// 1.044 times; the survey's own sample stayed 5 % below its format's supremum.
 fn max_ratio(id: &str) -> f64 {
     if id == "eqarea22" || id == "eqarea_concentric22" { 1.05 } else { 1.04 }
 }
@@ -60,7 +60,7 @@ fn every_row_meets_the_survey() {
     }
 }
 
-/// How much larger than Meyer's the steps of our layouts make a bound: see `accuracy::meyer::METHODS`.
+/// The factor by which our layouts' steps raise Meyer's bound: see `accuracy::meyer::METHODS`.
 fn layout(method: &str) -> f64 {
     match method {
         "SPP" | "CM" => 5f64.sqrt() / 2.0,
@@ -95,9 +95,9 @@ fn meyers_bounds_hold() {
     }
 }
 
-/// What f32 adds at 48 bits, in radians: for the octahedron the rounding of the decoded vector (Meyer's FPNV, 5.62e-8);
-/// for PP that of the vector's length, which shifts the equator by the square root of 2^-20; for SPP up to three steps
-/// along the borders of sextants.
+/// The error that f32 adds at 48 bits, in radians: for the octahedron the rounding of the decoded vector (Meyer's FPNV,
+/// 5.62e-8); for PP the rounding of the vector's length, which shifts the equator by the square root of 2^-20; for SPP
+/// up to three steps along the borders of sextants.
 fn float_rounding(method: &str) -> f64 {
     match method {
         "PP" => 2f64.powi(-20).sqrt(),
@@ -123,7 +123,7 @@ fn rows_are_those_of_the_survey() {
     }
 }
 
-/// The same seed gives the same figures on every backend, since codes and vectors are the same to the bit.
+/// Every backend gives the same figures with the same seed, since codes and vectors are the same to the bit.
 #[test]
 fn backends_measure_the_same() {
     let arguments = |backend| ["--table", "3", "--count", "20000", "--backend", backend];
@@ -167,18 +167,18 @@ fn rows_are_written_as_csv() {
     assert!(lines.next().unwrap().starts_with("3,"));
 }
 
-/// With float64 intermediates, from a derivation that shares no code with the codecs, the means are the same to 1 % and
+/// The means are the same to 1 % with float64 intermediates, from a derivation that shares no code with the codecs, and
 /// no maximum is larger by more: f32 loses next to nothing.
 #[test]
 fn float64_intermediates_change_little() {
     let of_tables =
         ["1", "3", "beyond"].map(|table| rows(&["--table", table, "--count", "20000", "--float64"]));
     let rows: Vec<&Value> = of_tables.iter().flatten().chain(meyers()).collect();
-    // Of more than 32 bits, the rounding of decoded vectors to f32 counts.
+    // The rounding of decoded vectors to f32 counts at more than 32 bits.
     let is_measured = |row: &&Value| row["float64_mean_deg"].is_number() && number(row, "bits") <= 32.0;
     let measured: Vec<&Value> = rows.into_iter().filter(is_measured).collect();
     let ids: BTreeSet<&str> = measured.iter().filter_map(|row| row["id"].as_str()).collect();
-    // All but Meyer's table, as `--help` says.
+    // The options select all tables but Meyer's, as `--help` says.
     let survey =
         [Table::One, Table::Three].into_iter().flat_map(Table::published).filter_map(|row| row.codec());
     let narrow =
@@ -191,8 +191,8 @@ fn float64_intermediates_change_little() {
     }
 }
 
-/// At 16, 24 and 32 bits a codec of ours has a lower maximum than every row of the survey's table 1, as published and as
-/// measured with the same seed, and a mean no higher, to three standard errors.
+/// A codec of ours has, at 16, 24 and 32 bits, a lower maximum than every row of the survey's table 1, as published and
+/// as measured with the same seed, and a mean no higher, to three standard errors.
 #[test]
 fn the_survey_is_beaten_at_the_usual_widths() {
     for bits in [16.0, 24.0, 32.0] {

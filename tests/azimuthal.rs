@@ -15,7 +15,7 @@ use unitvec_tests::expected::symmetries;
 use unitvec_tests::remez::Problem;
 use unitvec_tests::tested::Tested;
 
-/// How far off its lattice point, in steps, a position may be: half a step, or a 64th more at the rim.
+/// The distance of a position from its lattice point, in steps, at most: half a step, or a 64th more at the rim.
 const BEYOND_HALF: f64 = 1.0 / 64.0;
 
 /// Directions that fall on the spots to trip over: next to the equator, the poles and the square's diagonals.
@@ -108,7 +108,7 @@ pairs! {
     eqdist_ellipse: Eqdist Ellipse, EQDIST ELLIPSE;
 }
 
-/// Both coefficient sets are what the Remez exchange gives, rounded to f32, and leave the error the docs state.
+/// Both coefficient sets are the Remez exchange's, rounded to f32, and leave the error the docs state.
 #[test]
 fn coefficients_are_minimax() {
     let sinc = Problem {
@@ -139,7 +139,7 @@ fn coefficients_are_minimax() {
     }
 }
 
-/// Where the fields lie: u lowest, v above it, the hemisphere on top, which at v's ends is v's sign instead.
+/// The fields' places: u lowest, v above it, the hemisphere on top, which at v's ends is v's sign instead.
 #[test]
 fn layout() {
     use unitvec::{EqdistEllipse16, Stereo16, Stereo32, StereoConcentric24};

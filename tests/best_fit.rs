@@ -12,8 +12,8 @@ use unitvec_tests::tested::{Tested, widen};
 /// off by 2^-17 of a step, of one part in 64 at least, in both candidates.
 const CHOICE_ROUNDING_8: f64 = 4e-5;
 
-/// As much at 16 bits: 2^-8 of a step of one part in 18918 at least (a unit vector's largest component), in both
-/// candidates.
+/// The rounding of the choice at 16 bits: 2^-8 of a step of one part in 18918 at least (a unit vector's largest
+/// component), in both candidates.
 const CHOICE_ROUNDING_16: f64 = 2.4e-5;
 
 fn table() -> Vec<u32> {
@@ -193,8 +193,8 @@ fn table_holds_the_best_lengths() {
     assert_eq!(table[0], 0x7f7f_7f7f);
 }
 
-/// Over all cells, in 64 directions of each, nothing is further off than [`SnormBest8::MAX_ERROR_DEG`] says, by 5 %:
-/// the most that half a diagonal at a length of 127 can be. Around the axes in 32 times as many along each side.
+/// No direction, of 64 in each cell, is further off than [`SnormBest8::MAX_ERROR_DEG`] allows, by 5 %: the most that
+/// half a diagonal at a length of 127 can be. Cells around the axes have 32 times as many along each side.
 #[test]
 fn largest_error_over_all_cells() {
     let table = table();

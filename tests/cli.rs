@@ -199,8 +199,8 @@ fn decoded(codes: &[u8]) -> Vec<[f32; 3]> {
     elements(&run_with_input(["decode", "--codec", "oct16", "--quiet", "-", "-"], codes).stdout)
 }
 
-/// One line says how many vectors came from where, and what became of those without a direction; each vertex has its
-/// place.
+/// One line gives the number and source of the vectors, and the result for those without a direction; each vertex has
+/// its place.
 #[test]
 fn encode_says_what_it_did_with_a_mesh() {
     let folder = tempfile::tempdir().unwrap();
@@ -341,8 +341,8 @@ fn glb(json: &str) -> Vec<u8> {
     [b"glTF", &2u32.to_le_bytes()[..], &whole, &length, b"JSON", json.as_bytes()].concat()
 }
 
-/// First bytes tell a mesh whatever its ending, and from a pipe; `--raw` takes it as floats all the same. Raw floats need
-/// a known ending or `--raw`.
+/// First bytes identify a mesh whatever its ending, and from a pipe; `--raw` takes it as floats all the same. Raw
+/// floats need a known ending or `--raw`.
 #[test]
 fn files_are_known_by_their_first_bytes() {
     let folder = tempfile::tempdir().unwrap();
@@ -374,7 +374,7 @@ fn files_are_known_by_their_first_bytes() {
     assert_eq!(told, "3 vectors\n");
 }
 
-/// What `normals` exports is what `encode` takes: the same codes, and the file's own normals untouched.
+/// The output of `normals` is input of `encode`: the same codes, and the file's own normals untouched.
 #[test]
 fn normals_are_exported() {
     let folder = tempfile::tempdir().unwrap();
@@ -441,7 +441,7 @@ fn conform_reports_in_words_and_json() {
     assert_eq!(rows[0]["bits"], 16);
 }
 
-/// `--summary` tells in one line what the JSON tells codec by codec.
+/// `--summary` condenses in one line the JSON's rows for each codec.
 #[test]
 fn conform_sums_up_in_one_line() {
     let folder = tempfile::tempdir().unwrap();
@@ -495,7 +495,7 @@ fn a_replaced_file_keeps_its_place_and_permissions() {
     assert_eq!(target.metadata().unwrap().permissions().mode() & 0o777, 0o600);
 }
 
-/// The codecs chosen meet the demand, those of fewest bytes come first, and of those the cheapest.
+/// The codecs chosen satisfy the demand; those of fewest bytes come first, and of those the cheapest.
 #[test]
 fn choose_gives_the_cheapest_that_meets_the_demand() {
     let demand = ["choose", "--max-error", "0.05", "--mean-error", "0.02", "--bits", "32", "--json"];
@@ -553,7 +553,7 @@ fn choose_needs_oct32_in_a_report() {
     assert!(stderr(&refused).contains("no inverse throughput of oct32"), "{}", stderr(&refused));
 }
 
-/// With other costs the choice is another one.
+/// The choice is another one with other costs.
 #[test]
 fn choose_goes_by_the_costs_it_is_given() {
     let folder = tempfile::tempdir().unwrap();
@@ -573,7 +573,7 @@ fn choose_goes_by_the_costs_it_is_given() {
     assert!(stderr(&refused).contains("is not a report of `unitvec bench --json`"), "{}", stderr(&refused));
 }
 
-/// A row for each operation and backend, with figures that can be; and a CSV of the same rows.
+/// A row for each operation and backend has plausible figures; the CSV has the same rows.
 #[cfg(feature = "glsl")]
 #[test]
 fn bench_reports_every_operation_and_backend() {
@@ -663,8 +663,8 @@ fn with_entry_point(module: &[u8], name: &str) -> Vec<u8> {
     renamed
 }
 
-/// Without the kernels from Rust that measure, those from GLSL are measured; where one is missing, the command that builds it is
-/// named.
+/// The kernels from GLSL are measured without those from Rust that measure; where one is missing, the message names the
+/// command that builds it.
 #[cfg(feature = "glsl")]
 #[test]
 fn bench_says_how_to_build_the_kernels_that_measure() {

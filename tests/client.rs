@@ -53,7 +53,7 @@ fn a_client_in_python_gets_the_cpus_bits() {
     }
 }
 
-/// A kernel that is not there, and input of another length than the count says.
+/// A kernel that is not there, and input whose length does not match the count.
 #[test]
 fn the_client_fails_with_one_line() {
     for (kernel, count, input) in [("oct15_encode", 1, &[0u8; 12][..]), ("oct16_encode", 2, &[0; 12])] {

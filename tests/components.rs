@@ -34,7 +34,7 @@ fn rounds_to_nearest() {
     }
 }
 
-/// Of an axis unorm8 is off by 1/255 in each other component.
+/// An axis in unorm8 is off by 1/255 in each other component.
 #[test]
 fn axes_of_unorm() {
     for v in AXES {

@@ -159,7 +159,7 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
     assert_no_validation_messages(device);
 }
 
-/// Nothing is written where a table is a word too short, whatever is promised of the other buffers.
+/// Nothing is written where a table is a word too short, whatever is promised about the other buffers.
 #[test]
 fn kernels_write_nothing_by_a_short_table() {
     let device = lavapipe();
@@ -254,7 +254,7 @@ fn output_that_a_kernel_does_not_write_is_noticed() {
     assert!(f32::from_le_bytes([second[0], second[1], second[2], second[3]]).is_nan());
 }
 
-/// What would be undefined in Vulkan is an error here.
+/// Calls that would be undefined in Vulkan are errors here.
 #[test]
 fn runners_refuse_what_they_cannot_run() {
     let device = lavapipe();
@@ -272,7 +272,7 @@ fn runners_refuse_what_they_cannot_run() {
     assert_no_validation_messages(device);
 }
 
-/// With the precise encoder's module in the place of the fast one's, conform counts thousands of mismatches.
+/// Conform counts thousands of mismatches with the precise encoder's module in the place of the fast one's.
 #[test]
 fn a_kernel_that_computes_something_else_is_noticed() {
     let folder = tempfile::tempdir().unwrap();

@@ -10,11 +10,11 @@ use unitvec_tests::directions::{Rng, near_planes, sphere};
 use unitvec_tests::remez::{Problem, polynomial};
 use unitvec_tests::tested::{Tested, narrow};
 
-/// What the rounding in `f32` makes of r in `encode`, and of phi as a part of a quarter turn.
+/// The effect of rounding in `f32` on r in `encode`, and on phi as a part of a quarter turn.
 const RADIUS_ROUNDING: f64 = 8.0 / (1 << 24) as f64;
 const TURN_ROUNDING: f64 = 4.0 / (1 << 24) as f64;
 
-/// What `f32` adds to the error of a choice, in degrees: as in `MAX_ERROR_DEG`.
+/// The error that `f32` adds to a choice, in degrees: as in `MAX_ERROR_DEG`.
 const ROUNDING_DEG: f64 = 26.0 / (1 << 24) as f64 * 180.0 / std::f64::consts::PI;
 
 /// The codecs of the fast or the precise encoder.
@@ -22,7 +22,7 @@ fn codecs(precise: bool) -> impl Iterator<Item = Tested> {
     Tested::family("eaoct").into_iter().filter(move |codec| codec.is_precise() == precise)
 }
 
-/// With the fast encoders 10^6 directions and those near the coordinate planes get the nearest ring and the nearest of its
+/// The fast encoders give 10^6 directions and those near the coordinate planes the nearest ring and the nearest of its
 /// points, except within `f32` rounding of a tie.
 #[test]
 fn encodes_as_the_oracle() {
@@ -51,8 +51,8 @@ fn bound_of_the_fast_is_attained_near_the_pole() {
     }
 }
 
-/// Where the points of two rings lie opposite each other, near a pole and y = 0, the error of the precise encoders comes to
-/// 98 % of the bound at least; nowhere along that edge does it exceed it.
+/// The error of the precise encoders comes to 98 % of the bound at least where the points of two rings lie opposite
+/// each other, near a pole and y = 0; nowhere along that edge does it exceed it.
 #[test]
 fn bound_of_the_precise_is_attained_near_the_pole() {
     for codec in codecs(true) {
@@ -77,8 +77,8 @@ fn around_middles(codec: &Tested, middles: Vec<[f64; 2]>) -> impl Iterator<Item 
     })
 }
 
-/// With the precise encoders 10^5 directions, those near the coordinate planes and those near a pole get the code of the
-/// oracle's search.
+/// The precise encoders give 10^5 directions, those near the coordinate planes and those near a pole the code that the
+/// oracle's search finds.
 #[test]
 fn encodes_to_the_nearest() {
     for codec in codecs(true) {

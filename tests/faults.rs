@@ -1,4 +1,4 @@
-//! What goes wrong ends in one clear line and status 1 or 2, without a panic and without partial output.
+//! Every fault ends in one clear line and status 1 or 2, without a panic and without partial output.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -168,11 +168,11 @@ fn a_file_of_an_unknown_kind() {
     assert!(names(&folder).is_empty());
 }
 
-/// Text is not taken for raw floats: a mesh from a pipe that no first bytes tell, or one named as raw floats.
+/// Text is not taken for raw floats: a mesh from a pipe that no first bytes identify, or one named as raw floats.
 #[test]
 fn text_instead_of_floats() {
     let folder = folder();
-    // Its length is that of three vectors.
+    // The text is as long as three vectors.
     let obj = b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n\n\n\n\n";
     let input = file(&folder, "mesh.bin", obj);
     let output = folder.path().join("out");
@@ -322,8 +322,8 @@ fn encode_with(modules: &TempDir, options: &[&str], input: &Path, output: &Path)
     command
 }
 
-/// A module of the user's runs where it is trusted, whatever the manifest says of its hash. That its own manifest has the
-/// hash is no reason to run it.
+/// A module of the user's runs where it is trusted, whatever hash the manifest has for it. That its own manifest has
+/// the hash is no reason to run it.
 #[test]
 fn a_module_of_the_users() {
     let modules = copy_of_the_modules();
@@ -465,7 +465,7 @@ fn meshes_are_not_overwritten() {
 /// `unitvec shader` names what it does not know, and what a language does not have.
 #[test]
 fn wrong_languages_are_told() {
-    // These are clap's words.
+    // Clap prints these words.
     for (arguments, word) in [
         (&["shader"][..], "--language <LANGUAGE>"),
         (&["shader", "--language", "cg"], "possible values: glsl, hlsl, wgsl"),

@@ -7,10 +7,10 @@ use unitvec_tests::checks::assert_attains;
 use unitvec_tests::directions::{AXES, Rng, near_planes, sphere};
 use unitvec_tests::tested::{Tested, narrow, widen};
 
-/// What the encoder's arithmetic makes of a direction, in radians.
+/// The error of the encoder's arithmetic for a direction, in radians.
 const ENCODE_ROUNDING: f64 = 2e-7;
 
-/// What the decoder's makes of a point, and the rounding of its components.
+/// The error of the decoder's arithmetic for a point, and of the rounding of its components.
 const DECODE_ROUNDING: f64 = 1.5e-7;
 
 /// All codes of 16 and 24 bits, 2^20 of those of 32, and those around both poles come back.
@@ -72,7 +72,7 @@ fn bound_is_attained_beside_the_poles() {
     }
 }
 
-/// From point 10 to point 10,000 no error exceeds 0.57 degrees, scaled to the number of points.
+/// No error exceeds 0.57 degrees, scaled to the number of points, from point 10 to point 10,000.
 #[test]
 fn away_from_the_poles_errors_are_less() {
     for codec in Tested::family("fib") {
@@ -129,7 +129,7 @@ fn no_other_point_is_nearer() {
         let exact = normalize(widen(v));
         let cosine = points.iter().map(|&p| dot(p, exact)).fold(-1.0, f64::max);
         let ours = dot(points[Fib16::encode(v) as usize], exact);
-        // At 0.3 degrees the cosine changes by 0.005 of the angle's change.
+        // The cosine changes by 0.005 of the angle's change at 0.3 degrees.
         assert!(cosine - ours <= 0.02 * ENCODE_ROUNDING, "{v:?}: {cosine} {ours}");
     }
 }

@@ -1,4 +1,4 @@
-//! `unitvec figures`: whole files with what they say, or none.
+//! `unitvec figures`: whole files with their captions, or none.
 
 use serde_json::Value;
 use std::path::Path;
@@ -22,7 +22,7 @@ fn names(folder: &Path) -> Vec<String> {
 fn figures_without_a_device() {
     let place = tempfile::tempdir().unwrap();
     let folder = place.path().join("figures");
-    // None of these takes a device.
+    // These figures take no device.
     let mut run = command(["figures", "--small", "--only", "2,3,5,front", "--codec", "oct16", "--out"]);
     let output = run.arg(&folder).env("UNITVEC_VULKAN_LOADER", "libno-such-loader.so").output().unwrap();
     assert!(output.status.success(), "{}", stderr(&output));
@@ -56,7 +56,7 @@ fn figures_of_earlier_runs_stay() {
     let listed = || -> Value { serde_json::from_slice(&std::fs::read(&list).unwrap()).unwrap() };
     assert!(run("front,3").status.success());
 
-    // As if an earlier run had drawn more, on a device.
+    // Pretends that an earlier run drew more, on a device.
     std::fs::write(place.path().join("figure3_old.png"), b"old").unwrap();
     std::fs::write(place.path().join("notes.txt"), b"mine").unwrap();
     let mut earlier = listed();
@@ -116,13 +116,13 @@ fn difference(figure: &Value, label: &str) -> f64 {
     found.unwrap_or_else(|| panic!("no {label}"))["mean"].as_f64().unwrap()
 }
 
-/// What the survey says of its figures 6 and 8: Lambertian surfaces hardly differ, and mirrors differ in the order of the errors.
+/// The survey's findings in figures 6 and 8: Lambertian surfaces hardly differ, and mirrors do in the errors' order.
 #[test]
 fn pictures_bear_the_survey_out() {
     let place = tempfile::tempdir().unwrap();
     let json = rendered(place.path(), &["--only", "6,8", "--material", "mirror", "--validate"]);
     let [six, eight] = [0, 1].map(|at| &json["figures"][at]);
-    // What a report slides between.
+    // The cells that a report slides between.
     let sheet = &eight["pictures"][0];
     let cells = sheet["cells"].as_array().unwrap();
     assert_eq!(cells.len(), 1 + sheet["differences"].as_array().unwrap().len());
@@ -162,7 +162,7 @@ fn both_languages_draw_the_same() {
     }
 }
 
-/// What cannot be done is said in one line, and no folder is left behind.
+/// Requests that cannot be met end in one line, and no folder is left behind.
 #[test]
 fn faults_leave_nothing() {
     let place = tempfile::tempdir().unwrap();
@@ -202,7 +202,7 @@ fn faults_leave_nothing() {
     assert!(!folder.exists());
 }
 
-/// Where files may have 4 KiB only, as on a disk that is full, no picture is left, and earlier ones are as before.
+/// Files limited to 4 KiB, as on a full disk: no picture is left, and earlier ones are as before.
 #[cfg(unix)]
 #[test]
 fn no_room_for_pictures() {

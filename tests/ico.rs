@@ -8,8 +8,8 @@ use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere};
 use unitvec_tests::expected::TURN;
 use unitvec_tests::tested::{Tested, narrow, widen};
 
-/// By how much the point that encoding chooses may be further off than the nearest, in radians: the rounding of the encoder
-/// and the decoder, and the encoder's taking the distance between neighbours for constant, which counts at 16 bits alone.
+/// The slack in radians of the point that encoding chooses against the nearest: the rounding of the encoder and the
+/// decoder, and the encoder's taking the distance between neighbours for constant, which counts at 16 bits alone.
 fn slack(bits: u32) -> f64 {
     2f64.powi(-21) + if bits == 16 { 5e-5 } else { 0.0 }
 }
@@ -60,7 +60,7 @@ fn encodes_the_nearest() {
     }
 }
 
-/// What mean and maximum are in parts of the bound's at most, as stated, and the least mean and maximal error of all of the
+/// The stated mean and maximum as parts of the bound's at most, and the least mean and maximal error among all of the
 /// survey's codecs with as many bits.
 fn stated(bits: u32) -> Option<([f64; 2], [f64; 2])> {
     Some(match bits {
@@ -132,7 +132,7 @@ fn triangles_are_acute() {
     }
 }
 
-/// With x, y and z turned, a direction comes back as near, within rounding.
+/// A direction comes back as near with x, y and z turned, within rounding.
 #[test]
 fn as_near_when_turned() {
     for codec in Tested::family("ico") {

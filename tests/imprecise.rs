@@ -45,7 +45,7 @@ void main() {
 }
 ";
 
-/// What an operation of [`ARITHMETIC`] gave, and the exact result.
+/// The result of an operation of [`ARITHMETIC`], and the exact result.
 struct Computed {
     found: f32,
     exact: f64,
@@ -80,7 +80,7 @@ fn inputs() -> Vec<[u32; 3]> {
     (0..20_000).map(|_| input()).collect()
 }
 
-/// What a device of this model makes of inputs, seven results each.
+/// The results of a device of this model for inputs, seven each.
 fn computed(device: &Arc<Device>, model: Model, seed: u32, inputs: &[[u32; 3]]) -> Vec<[f32; 7]> {
     let spirv = Compiler::new().unwrap().compile("arithmetic.comp", ARITHMETIC, &[]).unwrap();
     let rewritten = rewrite(&spirv, ("arithmetic", "main"), model, seed).unwrap();
@@ -121,15 +121,14 @@ fn quotients_and_roots_are_off_by_what_vulkan_allows() {
                 // Up is away from zero.
                 let ulp = quotients * quotient.ulp() * quotient.exact.signum();
                 let least = if quotient.is_power_of_two() { 0.0 } else { 1.5 };
-                // Below a power of two a ULP is half of what it is above.
+                // A ULP below a power of two is half of one above it.
                 let least = if quotients < 0.0 && least > 0.0 { 0.5 } else { least };
                 assert!(least <= ulp && ulp <= 2.5, "{model} {input:x?}: {ulp}");
             }
             let significand = root.exact / 2f64.powi(root.exact.log2().floor() as i32);
             let ulp = roots * root.ulp();
             assert!(ulp <= significand * significand + 2.5, "{model} {input:x?}: {ulp}");
-            // As many ULP as there are whole ones, less the half that rounding may have taken; half as many below a power of
-            // two.
+            // The number of whole ULP, less the half that rounding may have taken; half as many below a power of two.
             let least = (significand * significand + 2.0).floor() - 0.5;
             assert!(
                 ulp >= if roots < 0.0 { least / 2.0 - 0.5 } else { least } || root.is_power_of_two(),
@@ -270,7 +269,7 @@ fn codecs_keep_within_their_bounds_on_every_device() {
     assert_no_validation_messages(device);
 }
 
-/// What is above a bound is an objection that names the model and the number.
+/// Numbers above a bound are objections that name the model and the number.
 #[test]
 fn what_exceeds_a_bound_is_told() {
     let bounds = Bounds::of(find("oct16").unwrap());

@@ -341,7 +341,7 @@ fn the_program_links_files() {
     }
 }
 
-/// What is linked has the functions that it calls, without linkage and without the others.
+/// A linked module has the functions that it calls, without linkage and without the others.
 #[test]
 fn what_is_not_used_is_removed() {
     let linked = link::link(&with_stubs(&GLSL, CALLER, |text| text)).unwrap();
@@ -351,7 +351,7 @@ fn what_is_not_used_is_removed() {
     assert!(!text.contains("_decode") && !text.contains("oct32"));
 }
 
-/// What docs/linking.md gives to engines that link without the program: by value, stubs become imports.
+/// Engines that link without the program get, as docs/linking.md says, stubs that become imports: by value.
 #[test]
 fn stubs_become_imports_by_the_script_of_the_docs() {
     let folder = tempfile::tempdir().unwrap();

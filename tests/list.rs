@@ -15,7 +15,7 @@ use unitvec_oracle::frame::Format;
 use unitvec_run::glsl::Compiler;
 use unitvec_tests::repository;
 
-/// Whether a codec has something, by its identifier.
+/// A test of whether a codec has something, by its identifier.
 type Has = Box<dyn Fn(&str) -> bool>;
 
 /// Every codec of vectors and of frames has its two SPIR-V kernels, GLSL functions, an oracle of as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named.
@@ -47,7 +47,7 @@ fn nothing_is_lacking() {
     assert!(lacking.is_empty(), "lacking:\n{}", lacking.join("\n"));
 }
 
-/// What was released stays: a codec with a digest is in the list.
+/// Released codecs stay: a codec with a digest is in the list.
 #[test]
 fn no_released_codec_is_gone() {
     let ids: BTreeSet<String> = CODECS.iter().map(|format| format.id.to_owned()).collect();
@@ -55,7 +55,7 @@ fn no_released_codec_is_gone() {
     assert!(gone.is_empty(), "{gone:?}");
 }
 
-/// What every codec costs on lavapipe is measured: `unitvec bench` measures it.
+/// Every codec's cost on lavapipe is measured: `unitvec bench` measures it.
 #[test]
 fn costs_are_complete() {
     let lacking: Vec<&str> = CODECS.iter().map(|format| format.id).filter(|id| !is_measured(id)).collect();
@@ -127,7 +127,7 @@ fn is_in_glsl(function: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|word| word == function)
 }
 
-/// The kernels over GLSL functions that do not compile, with what the compiler says: it names a function that is missing.
+/// The kernels over GLSL functions that do not compile, with the compiler's message: it names the missing function.
 #[cfg(feature = "glsl")]
 fn lacking_glsl() -> Vec<String> {
     let compiler = Compiler::new().unwrap();

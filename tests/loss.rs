@@ -1,4 +1,4 @@
-//! `unitvec error` says what a file loses, held against the oracle, against sorting and against cases worked out by hand.
+//! Losses by `unitvec error`, held against the oracle, against sorting and against cases worked out by hand.
 
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -89,7 +89,7 @@ fn figures_are_the_oracles() {
     }
 }
 
-/// `snorm8x3` keeps 127ths of what it is given, so that what is exact, off and lost can be told by hand.
+/// `snorm8x3` keeps 127ths of its input, so that exact, inexact and lost components can be predicted by hand.
 #[test]
 fn figures_by_hand() {
     let folder = tempfile::tempdir().unwrap();
@@ -102,7 +102,7 @@ fn figures_by_hand() {
     let report = report(&["snorm8x3"], &[&path]);
     let row = row(&report["rows"], "snorm8x3", "vector");
     let off = (1.25f64 / 127.0).atan().to_degrees() - (1.0f64 / 127.0).atan().to_degrees();
-    // Of the last nothing is left, so that it comes back as +Z.
+    // Nothing is left of the last, so that it comes back as +Z.
     assert_errors(row, vec![0.0, off, 90.0], 1);
     assert_eq!(row["worst"]["index"], 3);
     assert_eq!(row["worst"]["decoded"], serde_json::json!([0.0, 0.0, 1.0]));
@@ -152,13 +152,13 @@ fn totals_are_of_all_files() {
     assert_errors(&rows[1], of(&short), 0);
     let total = row(&report["totals"], "hemioct16", "vector");
     assert_errors(total, [of(&long), of(&short)].concat(), 0);
-    // What lies below the hemisphere comes back above it.
+    // Vectors below the hemisphere come back above it.
     assert!(total["max_deg"].as_f64().unwrap() > 50.0, "{total}");
     assert_eq!(total["worst"]["file"], paths[1].to_str().unwrap());
     assert_eq!(total["worst"], rows[1]["worst"]);
 }
 
-/// From a pipe as from a file, and on Vulkan as on the CPU.
+/// Pipes give the same as files, and Vulkan the same as the CPU.
 #[test]
 fn inputs_and_backends_are_alike() {
     let folder = tempfile::tempdir().unwrap();
@@ -175,7 +175,7 @@ fn inputs_and_backends_are_alike() {
     assert_eq!((&report["rows"][0]["count"], &report["rows"][0]["mean_deg"]), (&0.into(), &Value::Null));
 }
 
-/// Without `--codec`, what README recommends for any direction; a line for each file and codec, and for both together.
+/// README's recommendations for any direction are the default; a line for each file and codec, and for both together.
 #[test]
 fn the_table_has_the_recommended_codecs() {
     let bunny = repository().join("host/mesh/data/bunny.obj");
@@ -202,7 +202,7 @@ fn codecs_of_two_kinds_are_refused() {
     assert!(stderr(&refused).contains("one after the other"), "{}", stderr(&refused));
 }
 
-/// The table says where normals were computed, and that a hemisphere codec moves what lies below; otherwise neither.
+/// The table mentions computed normals, and that a hemisphere codec moves vectors below it; otherwise neither.
 #[test]
 fn what_was_measured_is_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! The committed SPIR-V modules are what the manifest says, are fresh, valid, and keep the arithmetic rules.
+//! The committed SPIR-V modules match the manifest, are fresh, valid, and keep the arithmetic rules.
 
 use std::collections::{BTreeSet, HashSet};
 use std::path::PathBuf;
@@ -90,7 +90,7 @@ fn the_interfaces_are_those_of_the_codecs() {
     }
 }
 
-/// What the manifest says of a codec is what the catalogue says.
+/// The manifest agrees with the catalogue about each codec.
 #[test]
 fn the_codecs_are_those_of_the_catalogue() {
     let described = manifest().modules.into_iter().filter_map(|module| module.codec);
@@ -120,8 +120,8 @@ fn the_schema_is_that_of_the_manifest() {
     assert!(serde_json::from_str::<Manifest>(&with_another).is_err());
 }
 
-/// The files that the manifest lists, with the SHA-256 that it says, the schema, what says that they are generated, and nothing
-/// else.
+/// The folder holds the files that the manifest lists, with their SHA-256, the schema, the mark that they are
+/// generated, and nothing else.
 #[test]
 fn the_folder_holds_what_the_manifest_lists() {
     let manifest = manifest();
@@ -218,7 +218,7 @@ fn every_float_result_of_the_glsl_is_marked_no_contraction() {
     assert!(unmarked.is_empty(), "{unmarked:?}");
 }
 
-/// How many results of these opcodes are not marked. There are `fewest` at least.
+/// The number of results of these opcodes that are not marked. There are `fewest` at least.
 fn unmarked_results(name: &str, spirv: &Spirv, arithmetic: &[u32], fewest: usize) -> usize {
     let of_arithmetic = spirv.0.iter().filter(|instruction| arithmetic.contains(&instruction.opcode));
     let results: Vec<u32> = of_arithmetic.map(|instruction| instruction.operands[1]).collect();
@@ -286,7 +286,7 @@ fn the_library_exports_the_functions_of_all_codecs() {
     assert!(validated.status.success(), "{}", String::from_utf8_lossy(&validated.stderr));
 }
 
-/// What a host has to know: names, workgroups, and of each buffer whether it is only read, and its array's element:
+/// The facts that a host needs: names, workgroups, and of each buffer whether it is only read, and its array's element:
 /// a word.
 #[test]
 fn entry_points_are_as_the_manifest_says() {
@@ -320,7 +320,7 @@ fn entry_points_are_as_the_manifest_says() {
     }
 }
 
-/// Those of an entry point's interface, with their defaults: `whole_groups`.
+/// The constants of an entry point's interface, with their defaults: `whole_groups`.
 #[test]
 fn specialization_constants_are_those_of_the_manifest() {
     let interfaces = manifest().interfaces;
@@ -338,7 +338,7 @@ fn specialization_constants_are_those_of_the_manifest() {
     }
 }
 
-/// With buffers of whole groups, kernels write the groups that the others write when they are asked for all of them, and
+/// Kernels for buffers of whole groups write the groups that the others write when they are asked for all of them, and
 /// nothing behind.
 #[cfg(feature = "glsl")]
 #[test]

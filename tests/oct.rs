@@ -28,7 +28,7 @@ fn bound_is_attained_in_the_middle_of_octants() {
     }
 }
 
-/// With the fast encoders 10^6 directions and those near the coordinate planes get the lattice point nearest to the
+/// The fast encoders give 10^6 directions and those near the coordinate planes the lattice point nearest to the
 /// oracle's position, except within 2^-21 of the square's half side of a tie.
 #[test]
 fn encodes_as_the_oracle() {
@@ -43,8 +43,8 @@ fn encodes_as_the_oracle() {
     }
 }
 
-/// With the fast encoders, mirrored at z = 0, a direction comes back as the image, except within 2^-21 of a tie: ties round
-/// away from the middle of the square, +Z, on both halves of the octahedron.
+/// A direction mirrored at z = 0 comes back from the fast encoders as the image, except within 2^-21 of a tie: ties
+/// round away from the middle of the square, +Z, on both halves of the octahedron.
 #[test]
 fn symmetric_in_z_up_to_ties() {
     for codec in codecs(false) {
@@ -53,7 +53,7 @@ fn symmetric_in_z_up_to_ties() {
     }
 }
 
-/// With the precise encoders 2 * 10^5 directions and those near the coordinate planes get the code of the oracle's search.
+/// The precise encoders give 2 * 10^5 directions and those near the coordinate planes the code of the oracle's search.
 #[test]
 fn encodes_to_the_nearest() {
     for codec in codecs(true) {
@@ -99,9 +99,8 @@ fn is_tie(v: Vec3, bits: u32) -> bool {
     Oct::position(widen(v)).iter().any(|t| ((t * m).abs().fract() - 0.5).abs() <= m * POSITION_ROUNDING)
 }
 
-/// What the rounding of the position in `f32` can add to the error of a precise encoder's choice over any other:
-/// the chosen code is the best one of a direction that much off, so it adds to the one's angle and takes from the
-/// other's.
+/// The error that the rounding of the position in `f32` can add to a precise encoder's choice over any other: the
+/// chosen code is the best one for a direction that much off, so it adds to the one's angle and takes from the other's.
 fn encoder_rounding_deg() -> f64 {
     2.0 * turn_deg(POSITION_ROUNDING)
 }
@@ -119,7 +118,7 @@ fn oct16p_encodes_to_the_nearest_of_all() {
     assert_nearest_choice(&codec, near_planes(15, 10_000), |v| oct::nearest_of_all(v, &all));
 }
 
-/// At the widths below 16 bits, listed or not, precise is the nearest of all codes, for 20 000 directions, half of them
+/// Precise is the nearest of all codes at the widths below 16 bits, listed or not, for 20 000 directions, half of them
 /// near coordinate planes.
 #[test]
 fn precise_is_the_nearest_of_all_at_small_widths() {
@@ -177,8 +176,8 @@ fn the_oracles_searches_agree() {
     }
 }
 
-/// A pair of snorm12 integers is packed in three bytes as listings 4 and 5 both do, and unpacked likewise: all
-/// 4095^2 pairs, encoded from their directions. Pairs on the square's border can come back as their mirror image.
+/// A pair of snorm12 integers is packed in three bytes as listings 4 and 5 both do, and unpacked as they do: all 4095^2
+/// pairs, encoded from their directions. Pairs on the square's border can come back as their mirror image.
 #[test]
 fn oct24_has_the_bytes_of_listings_4_and_5() {
     for x in -2047i64..=2047 {
@@ -210,7 +209,7 @@ fn spare_patterns_are_ones() {
     assert_eq!(Oct22::decode_vec3(1 << 21), Vec3::NEG_Y);
     assert_eq!(Oct32::decode_vec3(0x8000), Vec3::NEG_X);
     assert_eq!(Oct32::decode_vec3(0x8000_8000), Vec3::NEG_Z);
-    // In hexadecimal the digits of u and v, 7ff for 0 and fff for the spare pattern of +1, come one after the other.
+    // The digits of u and v in hexadecimal, 7ff for 0 and fff for the spare pattern of +1, come one after the other.
     assert_eq!(Oct24::decode_vec3(oct::code([0xff, 0xf7, 0xff]) as u32), Vec3::X);
     assert_eq!(Oct24::decode_vec3(oct::code([0x7f, 0xff, 0xff]) as u32), Vec3::Y);
 }

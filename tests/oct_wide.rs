@@ -7,14 +7,14 @@ use unitvec_tests::checks::assert_rounds;
 use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere};
 use unitvec_tests::tested::{Tested, widen};
 
-/// What the rounding of a unit vector's components to `f32` turns it by at most, in radians: half an ULP of 2^-24
-/// along each axis, and the decoder's arithmetic.
+/// The angle, at most, by which the rounding of a unit vector's components to `f32` turns it, in radians: half an ULP
+/// of 2^-24 along each axis, and the decoder's arithmetic.
 const VECTOR_ROUNDING: f64 = 1.732_050_81 / (1 << 25) as f64 + 2.0 * DECODE_ROUNDING;
 
-/// What the decoder's arithmetic adds to half an ULP: 2^-33.
+/// The error that the decoder's arithmetic adds to half an ULP: 2^-33.
 const DECODE_ROUNDING: f64 = 1.0 / (1u64 << 33) as f64;
 
-/// What the encoder's arithmetic makes of a position, in steps.
+/// The error of the encoder's arithmetic in a position, in steps.
 const POSITION_ROUNDING: f64 = 1.0 / (1 << 20) as f64;
 
 /// Directions of all kinds: uniform ones, and those near planes and middles.
@@ -93,7 +93,7 @@ fn bound_is_attained_in_the_middle_of_octants() {
     }
 }
 
-/// With the fast encoder directions of all kinds get the lattice point nearest to the oracle's position, except within
+/// The fast encoder gives directions of all kinds the lattice point nearest to the oracle's position, except within
 /// 2^-20 of a step of a tie.
 #[test]
 fn encodes_as_the_oracle() {
@@ -107,7 +107,7 @@ fn encodes_as_the_oracle() {
     }
 }
 
-/// With the precise encoders 1.5 * 10^5 directions of all kinds get the code of the oracle's search, or one as near but for
+/// The precise encoders give 1.5 * 10^5 directions of all kinds the code of the oracle's search, or one as near but for
 /// the rounding; or else, at 52 bits, one that decodes to the very vector.
 #[test]
 fn encodes_to_the_nearest() {

@@ -38,7 +38,7 @@ fn borders() {
         let borders = || near_equator(4, 300_000).chain(near_diagonals(5, 300_000));
         assert_stable(&codec, borders().map(|v| codec.encode(v)));
         borders().chain(near_planes(11, 100_000)).for_each(|v| assert_total(&codec, v));
-        // On the equator -0 counts as 0, so not at z = 0.
+        // -0 counts as 0 on the equator, so not at z = 0.
         assert_commutes(&codec, near_equator(7, 100_000), &[MIRROR_X, MIRROR_Y]);
         assert_bounded(&codec, Summary::of(near_equator(15, 500_000).map(|v| codec.error_deg(v))).max);
         for v in near_equator(13, 500) {

@@ -31,7 +31,7 @@ fn hlsl_and_exact_wgsl_agree_to_the_bit() {
         let mut codecs = 0;
         let open = || {
             let mut backends = backends(&device, edition);
-            // Its compilers may round as they like.
+            // WGSL's compilers may round as they like.
             backends.retain(|kind, _| edition == Edition::Exact || *kind != BackendKind::Wgsl);
             Ok(backends)
         };
@@ -64,7 +64,7 @@ fn every_backend_has_the_codes_of_the_cpu() {
     }
 }
 
-/// What `unitvec shader` writes for each codec alone compiles, in both editions, with the entry point of a kernel below it.
+/// Texts by `unitvec shader` for each codec alone compile, in both editions, with a kernel's entry point below them.
 #[test]
 fn the_text_of_each_codec_compiles() {
     for format in &CODECS {
@@ -83,7 +83,7 @@ fn the_text_of_each_codec_compiles() {
     }
 }
 
-/// The head of a text says what the codec is, in the language's words.
+/// The head of a text describes the codec, in the language's words.
 #[test]
 fn a_text_says_what_it_is() {
     let output = run(["shader", "--language", "msl", "--exact", "--codec", "oct48p", "--codec", "frame32"]);
@@ -109,7 +109,7 @@ fn a_text_says_what_it_is() {
     ));
 }
 
-/// Without a codec the text has all; a file gets what the standard output would.
+/// The text without a codec has all; a file gets the same text as the standard output.
 #[test]
 fn a_file_gets_the_text_of_all_codecs() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,7 +1,7 @@
 //! The slice functions are the scalar ones, bit for bit: for every codec of the list, every instruction set of this
-//! machine, every length up to a block and more, and whatever lies in each lane; snorm with a fourth component and tables
-//! likewise. What does not depend on the codec is tested with one codec of each size of codes: slices of `Vec3`, and all
-//! cores.
+//! machine, every length up to a block and more, and whatever lies in each lane; also snorm with a fourth component and
+//! tables. Properties that do not depend on the codec are tested with one codec of each size of codes: slices of
+//! `Vec3`, and all cores.
 
 use glam::Vec3;
 use std::marker::PhantomData;

@@ -1,4 +1,4 @@
-//! Links, pipes, signals and odd names: what a program meets that runs in scripts. Each ends in the right file or in one line,
+//! Links, pipes, signals and odd names, as a program in scripts gets them. Each ends in the right file or in one line,
 //! and leaves nothing behind.
 
 #![cfg(target_os = "linux")]
@@ -84,7 +84,7 @@ fn peak_memory(child: &Child) -> u64 {
     line.trim().trim_end_matches(" kB").parse::<u64>().unwrap() * 1024
 }
 
-/// A link stays a link, and what it leads to is replaced, as with `cp`; by a link of links too.
+/// A link stays a link, and its target is replaced, as with `cp`; a link of links too.
 #[test]
 fn output_to_a_link() {
     let (folder, input) = folder();
@@ -169,7 +169,7 @@ fn a_mesh_from_a_fifo() {
     assert_eq!(fs::read(to).unwrap(), CODES);
 }
 
-/// A glTF file that names a pipe or a device as its buffer neither waits for it nor reads it for ever.
+/// A glTF file that names a pipe or a device as its buffer neither waits for it nor reads it without end.
 #[test]
 fn buffers_that_are_no_files() {
     let (folder, _) = folder();
@@ -237,7 +237,7 @@ fn sparse(folder: &TempDir, name: &str, head: &[u8], length: u64) -> PathBuf {
     path
 }
 
-/// What is wrong with 100 GB is told at once: a length that no elements have, and what is no mesh.
+/// Faults in 100 GB are reported at once: a length that no elements have, and a file that is no mesh.
 #[test]
 fn huge_files_that_fail() {
     let (folder, _) = folder();
@@ -391,7 +391,7 @@ fn folders_for_files() {
     assert_eq!(count(&folder), 1);
 }
 
-/// What never ends is no report of costs, and no module.
+/// Endless input is no report of costs, and no module.
 #[test]
 fn devices_for_small_files() {
     let (folder, input) = folder();

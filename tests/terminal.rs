@@ -1,4 +1,4 @@
-//! What the program shows on a terminal of 80 columns, the usual width. `UNITVEC_COLUMNS` stands for the terminal.
+//! The program's output on a terminal of 80 columns, the usual width. `UNITVEC_COLUMNS` stands for the terminal.
 
 use unitvec_tests::program::{command, run, stderr, stdout};
 use unitvec_tests::repository;
@@ -28,7 +28,7 @@ fn tables() -> Vec<Vec<&'static str>> {
     commands
 }
 
-/// What a command prints on a terminal of so many columns, or to a pipe.
+/// The output of a command on a terminal of so many columns, or to a pipe.
 fn printed(arguments: &[&str], columns: Option<usize>) -> String {
     let mut command = command(arguments);
     command.current_dir(repository());
@@ -57,8 +57,8 @@ fn every_line_fits_80_columns() {
     }
 }
 
-/// Where columns are left out, the last line names the option that prints them; with it, and on a terminal that is wide
-/// enough, there is all that a pipe gets.
+/// The last line names, where columns are left out, the option that prints them; with it, and on a terminal that is
+/// wide enough, the output is the same as to a pipe.
 #[test]
 fn wide_prints_what_a_pipe_gets() {
     let is_timed = |arguments: &[&str]| arguments[..2] == ["bench", "--count"];
@@ -98,7 +98,7 @@ fn essential_columns_stay() {
     assert!(is_there(&["oct16p", "16", "2", "sphere", "0.6380581"]), "{codecs}");
     let accuracy = printed(&["accuracy", "--count", "10", "--table", "3"], Some(1));
     assert!(accuracy.lines().any(|line| words(line) == ["codec", "bits", "mean", "max"]), "{accuracy}");
-    // That vectors were left out has to be seen.
+    // The omission of vectors has to be visible.
     let folder = tempfile::tempdir().unwrap();
     let zero = folder.path().join("zero.bin");
     std::fs::write(&zero, [0; 12]).unwrap();
@@ -134,7 +134,7 @@ fn the_widest_terminal() {
     assert_eq!(printed(&["codecs"], Some(usize::MAX)), printed(&["codecs"], None));
 }
 
-/// On a pseudo-terminal, which is the standard output and has two names more.
+/// The output on a pseudo-terminal, which is the standard output and has two names more.
 #[cfg(target_os = "linux")]
 #[test]
 fn binary_output_to_a_terminal_is_refused() {

@@ -1,4 +1,4 @@
-//! What people write today, `glsl/textbook/`, on lavapipe: errors beside the survey's, and what is done with bad input.
+//! Functions in common use, `glsl/textbook/`, on lavapipe: errors beside the survey's, and results for bad input.
 
 use crate::docs::accuracy;
 use crate::docs::textbook::{FIGURES, INPUTS, SOURCES, cell, number};
@@ -90,7 +90,7 @@ fn mean(encoder: &mut dyn Backend, decoder: &mut dyn Backend, format: &AnyCodec)
     errors.normal.mean_deg() + errors.tangent.mean_deg()
 }
 
-/// True where each reads what the other wrote about as well as what it wrote itself.
+/// True where each reads the other's codes about as well as its own.
 fn has_same_codes(device: &Arc<Device>, textbook: &Textbook) -> bool {
     let format = textbook.format().unwrap();
     let (mut one, mut other) = (gpu(device, textbook), gpu(device, textbook));
@@ -178,7 +178,7 @@ fn element(format: &AnyCodec, v: [f32; 3]) -> Vec<f32> {
     [&v[..], &tangent.to_array(), &[1.0]].concat()
 }
 
-/// What an element came back as: NaN, an axis, or its normal's components.
+/// The name of a decoded element: NaN, an axis, or its normal's components.
 fn name(decoded: &[f32]) -> String {
     if decoded.iter().any(|c| !c.is_finite()) {
         return "NaN".into();
@@ -196,7 +196,7 @@ fn name(decoded: &[f32]) -> String {
     format!("({:.1} {:.1} {:.1})", v[0], v[1], v[2])
 }
 
-/// What comes back of inputs, in words.
+/// The decoded vectors of inputs, in words.
 fn outcome(backend: &mut dyn Backend, format: &AnyCodec, column: &str) -> String {
     let (has_direction, mut vectors) = inputs(column);
     if format.domain == Domain::Hemisphere {
@@ -244,7 +244,7 @@ fn of_directions(format: &AnyCodec, pairs: &[(&[f32], &[f32])]) -> String {
     }
 }
 
-/// What codes decode to, all of up to 24 bits: unit vectors or not.
+/// The decoded vectors of all codes of up to 24 bits, in words: unit vectors or not.
 fn of_codes(backend: &mut dyn Backend, format: &AnyCodec) -> String {
     let (mut nan, mut least, mut most) = (false, f64::INFINITY, 0.0f64);
     let codes = codes(format);
@@ -361,7 +361,7 @@ fn lengths_of_the_table_are_the_best() {
     }
 }
 
-/// What the survey publishes of the same representations, to what two samples of 10^6 leave open and half a unit of its
+/// The survey's figures for the same representations, within the noise of two samples of 10^6 and half a unit of the
 /// last digit. The survey's maxima are those of a sample: ours lie between them and 3 % above.
 #[test]
 fn errors_are_the_surveys() {
@@ -389,7 +389,7 @@ fn errors_are_the_surveys() {
     assert_eq!(compared.len(), 15, "{compared:?}");
 }
 
-/// By what factors mean and maximum differ from the survey's, and why.
+/// The factors by which mean and maximum differ from the survey's, and why.
 fn departure(id: &str) -> (f64, f64) {
     match id {
         // The survey compares cosines in more than float32, which cannot tell neighbours of 24 bits apart.

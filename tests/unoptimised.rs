@@ -3,8 +3,8 @@
 use std::process::Command;
 use unitvec_tests::repository;
 
-/// Compiled without optimisation, `unitvec` calls a codec once for each vector of a slice: its unit test says so, which only
-/// such a build has.
+/// `unitvec` compiled without optimisation calls a codec once for each vector of a slice: its unit test checks this,
+/// which only such a build has.
 #[test]
 fn slices_go_one_vector_at_a_time() {
     let output = Command::new(env!("CARGO"))

@@ -31,7 +31,7 @@ fn arrays(count: usize) -> Vec<[f32; 3]> {
     sphere(12, count).map(|v| v.to_array()).collect()
 }
 
-/// A codec's functions, with vectors of type `V` as with arrays.
+/// Checks a codec's functions, with vectors of type `V` as with arrays.
 fn check_codec<C: Codec, V: Vector>(arrays: &[[f32; 3]]) {
     let vectors: Vec<V> = arrays.iter().map(|&v| v.into()).collect();
     let codes: Vec<C::Code> = arrays.iter().map(|&v| C::encode(v)).collect();
@@ -87,7 +87,7 @@ fn vectors_of_any_library() {
     check_library::<mint::Vector3<f32>, mint::Vector4<f32>>();
 }
 
-/// What code over any codec may ask for without saying so.
+/// A type with all that code over any codec may rely on without stating it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Packed<C: Codec> {
     codec: C,
@@ -218,7 +218,7 @@ fn strided_is_the_slice() {
     for_each_size!(check_strided(&arrays));
 }
 
-/// What both functions say of vectors and codes of Oct32 in so many bytes, with this offset and stride. All stays as it was.
+/// The error of both functions for vectors and codes of Oct32 in so many bytes, with this layout. All stays as it was.
 fn refused(vectors: [usize; 3], codes: [usize; 3]) -> StrideError {
     fn strided<B>(bytes: B, [_, offset, stride]: [usize; 3]) -> Strided<B> {
         Strided { bytes, offset, stride }

@@ -31,7 +31,7 @@ fn c() {
 fn cpp() {
     for library in [Library::Static, Library::Shared] {
         let text = output("cpp/vertices.cpp", library);
-        // Of 32 bytes, position, normal and uv, the normal's 12 become 4. A frame of seven floats takes 4 bytes too.
+        // The normal's 12 of 32 bytes, position, normal and uv, become 4. A frame of seven floats takes 4 bytes too.
         assert!(text.contains("256 vertices: 8192 bytes, packed 6144"), "{text}");
         assert!(text.contains("frames: 7168 bytes, packed 1024"), "{text}");
         assert!(text.contains("too few bytes: the size of the codes"), "{text}");

@@ -47,14 +47,14 @@ fn every_codec_gives_the_cpus_bits() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// What the catalogue makes of the inputs of a codec.
+/// The catalogue's results for the inputs of a codec.
 struct Expected {
     codes: Vec<u8>,
     decoded: Vec<u8>,
 }
 
 impl Expected {
-    /// What the program prints: the results one at a time, of an array, and of an array on all cores.
+    /// The program's output: the results one at a time, of an array, and of an array on all cores.
     fn all(&self) -> Vec<u8> {
         [&*self.codes, &*self.decoded].concat().repeat(3)
     }
@@ -80,7 +80,7 @@ fn input_and_output(format: &AnyCodec) -> (Vec<u8>, Expected) {
     (input, expected)
 }
 
-/// Wrong arguments give the error that the header says, write nothing, and never end the program.
+/// Wrong arguments return the error that the header names, write nothing, and never end the program.
 #[test]
 fn wrong_arguments_give_errors() {
     let folder = tempfile::tempdir().unwrap();

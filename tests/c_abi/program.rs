@@ -5,7 +5,7 @@ use std::process::Command;
 use std::sync::OnceLock;
 use unitvec_tests::{program, repository};
 
-/// How a program is linked.
+/// The ways of linking a program.
 #[derive(Clone, Copy, Debug)]
 pub enum Library {
     Static,
@@ -30,7 +30,7 @@ pub fn compile(source: &Path, folder: &Path, library: Library) -> PathBuf {
     command.arg(source).arg("-o").arg(&program);
     match library {
         Library::Static => {
-            // What `rustc --print native-static-libs` says.
+            // The libraries that `rustc --print native-static-libs` lists.
             command.arg(libraries.join("libunitvec_c.a")).args(["-lpthread", "-ldl", "-lm"])
         }
         Library::Shared => {

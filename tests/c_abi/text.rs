@@ -17,7 +17,7 @@ fn sources_and_header_are_renewed() {
     expect("c/include/unitvec.h", &String::from_utf8(output.stdout).unwrap());
 }
 
-/// Of the files of the C library, only `memory.rs` has `unsafe` but for the names that are exported.
+/// Only `memory.rs` in the C library has `unsafe`, except for the names that are exported.
 #[test]
 fn unsafe_code_is_in_one_module() {
     for entry in std::fs::read_dir(repository().join("c/src")).unwrap() {
@@ -59,7 +59,7 @@ fn about(codec: &AnyCodec) -> String {
     }
 }
 
-/// What the functions of vectors, or of frames, are written with.
+/// The words in the functions of vectors, or of frames.
 #[derive(Clone, Copy)]
 struct Names {
     element: &'static str,

@@ -74,7 +74,7 @@ fn assert_agrees(id: &str, of_what: &str, fresh: &ErrorStats, bound: f32) {
     let both = format!("{id}: {committed:?} committed, {fresh:?} measured");
     assert!((fresh.mean_deg() - committed.mean).abs() < 5.0 * fresh.standard_error_deg(), "{both}");
     assert!(fresh.max_deg() <= 1.01 * committed.max && committed.max <= f64::from(bound), "{both}");
-    // Where a bound is that of the worst length of a cell, or mostly what f32 rounds, no direction comes near it.
+    // Where a bound holds for the worst length of a cell, or is mostly f32's rounding, no direction comes near it.
     let least = if ["crytek_bfn24", "oct52p", "pp48", "spp48"].contains(&id) { 0.45 } else { 0.8 };
     assert!(
         committed.max >= least * f64::from(bound),

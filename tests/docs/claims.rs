@@ -1,4 +1,4 @@
-//! What README and docs claim in words, held against the measurements.
+//! Claims of README and docs in words, held against the measurements.
 
 use super::accuracy::{Errors, of};
 use super::costs;
@@ -48,7 +48,7 @@ fn limits_of_a_dispatch() {
 /// docs/costs.md, "Which to take".
 #[test]
 fn what_to_take() {
-    // Of unit vectors only `hemioct` costs less than `oct32`, and not by much.
+    // Only `hemioct` among unit vectors costs less than `oct32`, and not by much.
     for codec in vectors().iter().filter(|codec| codec.is_unit && codec.bits <= 32) {
         let least = if codec.family == "hemioct" { 0.85 } else { 1.0 };
         assert!(costs_of(codec.id).iter().all(|cost| *cost >= least), "{}", codec.id);

@@ -1,5 +1,5 @@
-//! What codecs cost: on lavapipe, as `unitvec bench --json` wrote it to `host/choose/data/costs_lavapipe.json`, and on GPUs, by their
-//! compilers.
+//! Costs of codecs: on lavapipe, as `unitvec bench --json` wrote it to `host/choose/data/costs_lavapipe.json`, and on
+//! GPUs, by their compilers.
 
 use super::compare;
 use super::tables::is_shown;
@@ -133,7 +133,7 @@ pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
     rdna2().row(id, operation, Source::Glsl)?.vector_instructions
 }
 
-/// Which compilers the figures are of.
+/// The compilers of the figures.
 pub fn compilers() -> String {
     let mut text = String::from("| generation | GPU | compiler |\n|---|---|---|\n");
     for (generation, report) in compiled() {
@@ -155,7 +155,7 @@ fn the_chart_names_its_fronts() {
     let is_named = |id: &str| svg.contains(&format!("\n{id}\n"));
     for operation in Operation::ALL {
         let points = pareto::points(rdna2(), operation);
-        // What has the least error of all takes part in a front, however much it costs; so does what costs least.
+        // The codec with the least error of all is in a front, however much it costs; so is the cheapest.
         let finest = points.iter().min_by(|a, b| a.error_deg.total_cmp(&b.error_deg)).unwrap();
         assert!(is_named(finest.codec.id) && is_named(points[0].codec.id), "{}", finest.codec.id);
     }

@@ -1,4 +1,4 @@
-//! What dither does to errors, as docs/dither.md has it.
+//! Effects of dither on errors, as docs/dither.md has them.
 
 use super::costs;
 use super::tables::degrees;
@@ -14,7 +14,7 @@ use unitvec_tests::directions::{Rng, sphere};
 use unitvec_tests::repository;
 use unitvec_tests::tested::widen;
 
-/// Where offsets come from: none, a random number, and the keys.
+/// Sources of offsets: none, a random number, and the keys.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Source {
     Plain,
@@ -72,7 +72,7 @@ const CODECS: [(&str, Trip); 10] = [
     ("eaoct16p", trip::<EaOctPrecise16>),
 ];
 
-/// What a source of offsets does to a codec.
+/// The effect of a source of offsets on a codec.
 #[derive(Clone, Copy, Debug)]
 struct Noise {
     mean: f64,
@@ -97,8 +97,8 @@ fn errors(id: &str, trip: Trip, source: Source, count: usize) -> (f64, f64) {
 const PATCH: u32 = 512;
 const STEPS: f64 = 5.0;
 
-/// How alike the errors of neighbouring pixels are, from 1 (the same) to -1, on a panel that is curved a little: the correlation of
-/// the error's vectors from pixel to pixel, along rows and columns.
+/// The likeness of neighbouring pixels' errors, from 1 (the same) to -1, on a panel that is curved a little: the
+/// correlation of the error's vectors from pixel to pixel, along rows and columns.
 fn autocorrelation(trip: Trip, mean_deg: f64, source: Source) -> f64 {
     let mut rng = Rng::new(63);
     let extent = STEPS * 2.6 * mean_deg.to_radians();
@@ -182,7 +182,7 @@ fn cost(id: &str, key: &str, operation: Operation) -> Option<f64> {
     dithered::committed().row(&dithered::row_id(id, key), operation, Compiled::Glsl)?.vector_instructions
 }
 
-/// What dither costs: vector instructions without and with it, for a vector, and what is between them.
+/// The cost of dither: vector instructions without and with it, for a vector, and the difference between them.
 pub fn cost_table() -> String {
     let mut text = String::from(
         "| codec | encode: plain | dithered | more | decode: plain | dithered | more |\n|---|---|---|---|---|---|---|\n",
@@ -199,7 +199,7 @@ pub fn cost_table() -> String {
     text
 }
 
-/// What the keys cost: vector instructions more than with an offset that is at hand.
+/// The cost of the keys: vector instructions more than with an offset that is at hand.
 pub fn key_table() -> String {
     let mut text = String::from("| offset | encode | decode |\n|---|---|---|\n");
     for key in dithered::KEYS {

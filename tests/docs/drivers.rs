@@ -46,8 +46,8 @@ pub fn table() -> String {
     text
 }
 
-/// What docs/agreement.md says of the table: lavapipe of three releases of Mesa and SwiftShader, all codecs and the same
-/// inputs on each, no mismatch.
+/// The claims of docs/agreement.md about the table: lavapipe of three releases of Mesa and SwiftShader, all codecs and
+/// the same inputs on each, no mismatch.
 #[test]
 fn drivers_of_two_makers_agree() {
     let recorded = Recorded::new();

@@ -1,5 +1,5 @@
-//! What codecs do on devices that round as badly as Vulkan allows: docs/data/imprecise.csv, which
-//! `cargo xtask renew imprecise` writes.
+//! Results of codecs on devices that round as badly as Vulkan allows: docs/data/imprecise.csv, which `cargo xtask renew
+//! imprecise` writes.
 
 use super::tables::is_shown;
 use std::fmt::Write;

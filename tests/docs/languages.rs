@@ -80,7 +80,7 @@ pub fn table() -> String {
     text
 }
 
-/// What barriers add to a kernel.
+/// The instructions that barriers add to a kernel.
 pub fn barriers() -> String {
     let mut text = String::from(
         "| codec | operation | HLSL | WGSL, plain | WGSL, exact | Slang, plain | Slang, exact |\n|---|---|---|---|---|---|---|\n",
@@ -94,7 +94,7 @@ pub fn barriers() -> String {
     text
 }
 
-/// What docs/agreement.md says of the table: every compiler took both kernels of every codec, and promises were kept.
+/// The claims of docs/agreement.md on the table: every compiler took both kernels of every codec, and kept promises.
 #[test]
 fn all_compilers_keep_their_promises() {
     for row in recorded() {

@@ -91,7 +91,7 @@ fn renewed(path: &Path, text: &str) -> String {
     renewed
 }
 
-/// Every generated part says what the catalogue and the measurements say.
+/// Every generated part agrees with the catalogue and the measurements.
 #[test]
 fn generated_parts_are_current() {
     let sources = files(&repository().join("shader-crate/src"), &[".rs"]);

@@ -1,4 +1,4 @@
-//! The pictures in docs/figures/, and what the docs say of them.
+//! The pictures in docs/figures/, and the docs' words about them.
 
 use super::tables::degrees;
 use serde_json::Value;
@@ -24,7 +24,7 @@ fn number(figures: &Value, name: &str) -> f64 {
     found.unwrap_or_else(|| panic!("docs/figures/figures.json has no {name}"))["value"].as_f64().unwrap()
 }
 
-/// What dither does to a highlight, still and turning.
+/// Effects of dither on a highlight, still and turning.
 pub fn dither() -> String {
     let figures = figures();
     let mut text = String::from(
@@ -84,21 +84,21 @@ fn the_set_is_whole_and_small() {
     assert!(bytes < 3_000_000, "{bytes}");
 }
 
-/// How to draw them again.
+/// The command that draws the pictures again.
 const RENEW: &str = "unitvec figures --small --device lavapipe --out docs/figures";
 
-/// How far what is drawn again may be from what is committed.
+/// The difference allowed between pictures drawn again and those committed.
 #[derive(Clone, Copy)]
 struct Tolerance {
     /// Mean difference of a picture, in steps of 1/255.
     picture: f64,
     /// Difference of a number: so much, and this share of it besides.
     number: [f64; 2],
-    /// Whether largest differences are compared, which are those of a single pixel.
+    /// True if largest differences, which occur at a single pixel, are compared.
     largest: bool,
 }
 
-/// What is drawn without a device.
+/// The tolerance for pictures drawn without a device.
 const EXACT: Tolerance = Tolerance { picture: 0.0, number: [0.0, 0.0], largest: true };
 
 /// The driver of the record, lavapipe, compiles for the processor. One without AVX is up to 0.008 steps off in the mean, and its
@@ -109,7 +109,7 @@ const SAME_DRIVER: Tolerance = Tolerance { picture: 0.02, number: [2e-4, 1e-3], 
 /// the mean, its numbers up to 3 %, and small ones up to 0.011.
 const OTHER_DRIVER: Tolerance = Tolerance { picture: 0.5, number: [0.02, 0.05], largest: false };
 
-/// How a picture differs from the committed one, where it does.
+/// The difference of a picture from the committed one, if any.
 fn difference(file: &str, drawn: &Path, tolerance: Tolerance) -> Option<String> {
     let paths = [folder(), drawn.to_owned()].map(|folder| folder.join(file));
     let [before, after] = paths.each_ref().map(|path| std::fs::read(path).unwrap_or_default());
@@ -131,7 +131,7 @@ fn difference(file: &str, drawn: &Path, tolerance: Tolerance) -> Option<String> 
         .then(|| format!("{file}: {mean:.4} steps of 1/255 off in the mean, {max} at most"))
 }
 
-/// How two values of figures.json differ, a line for each; `at` says where they are.
+/// The differences of two values of figures.json, a line for each; `at` is their place.
 fn differences(at: &str, before: &Value, after: &Value, tolerance: Tolerance) -> Vec<String> {
     match (before, after) {
         (Value::Array(a), Value::Array(b)) if a.len() == b.len() => {
@@ -186,7 +186,7 @@ fn drawn_pictures_are_current() {
     are_current("2,3,4,5,errors,front");
 }
 
-/// Of those that are rendered, all but the figure on dither.
+/// Draws all rendered figures but the figure on dither.
 #[test]
 fn rendered_pictures_are_current() {
     are_current("1,6,7,8,meyer");
@@ -198,7 +198,7 @@ fn pictures_of_dither_are_current() {
     are_current("dither");
 }
 
-/// Between drivers small differences pass, and others do not; figures.json's words are always the same.
+/// Small differences between drivers pass, and others do not; figures.json's words are always the same.
 #[test]
 fn drivers_may_differ_a_little() {
     let of = |mean: f64, max: u8| serde_json::json!({"differences": [{"label": "oct16", "mean": mean, "max": max}]});
@@ -212,7 +212,7 @@ fn drivers_may_differ_a_little() {
     assert_eq!(lines(&before, &Value::Null, OTHER_DRIVER).len(), 1);
 }
 
-/// The page says what the list says.
+/// The page agrees with the list.
 #[test]
 fn the_page_is_of_the_list() {
     let figures: Figures = serde_json::from_value(figures()).unwrap();

@@ -1,4 +1,4 @@
-//! On which processors the codecs gave the same bits, as `docs/data/processors.csv` has it.
+//! Processors on which the codecs gave the same bits, from `docs/data/processors.csv`.
 
 use unitvec_catalogue::{frames, vectors};
 use unitvec_tests::repository;
@@ -24,8 +24,8 @@ pub fn table() -> String {
     text
 }
 
-/// The record is of all codecs: by the functions of single vectors and by those of slices, which vectors have at every level and
-/// frames at one. That it is of all processors, its hash in `records.lock` says.
+/// The record covers all codecs: by the functions of single vectors and by those of slices, which vectors have at every
+/// level and frames at one. Its hash in `records.lock` shows that it covers all processors.
 #[test]
 fn the_record_is_of_all_codecs() {
     for row in record().lines().skip(1).map(cells) {

@@ -1,4 +1,4 @@
-//! What is left of directions in formats that the hardware rounds to, as docs/formats.md has it.
+//! Errors of directions in formats that the hardware rounds to, as docs/formats.md has them.
 
 use super::tables::degrees;
 use unitvec::azimuthal::{self, Ellipse, Eqarea};
@@ -52,7 +52,7 @@ const ROWS: [Row; 14] = [
     }),
 ];
 
-/// How far a vector is off, in degrees. Of a hemisphere, the vector's image in it.
+/// The error of a vector, in degrees; for a hemisphere, the error of the vector's image in it.
 fn off(name: &str, v: Vec3, back: Vec3) -> f64 {
     let v = if name == "hemioct" { Vec3::new(v.x, v.y, v.z.abs()) } else { v };
     angle_deg(widen(back), normalize(widen(v)))

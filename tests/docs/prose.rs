@@ -1,4 +1,4 @@
-//! What can be checked of the words around the tables.
+//! Checks of the words around the tables.
 
 use super::{BEGIN, END, files, markdown, tables};
 use std::collections::BTreeSet;
@@ -93,7 +93,7 @@ fn rust_versions_are_those_of_the_manifests() {
     }
 }
 
-/// README quotes what `encode` says of the bunny.
+/// README quotes the output of `encode` for the bunny.
 #[test]
 fn the_quoted_line_is_what_encode_says() {
     let folder = tempfile::tempdir().unwrap();
@@ -104,7 +104,7 @@ fn the_quoted_line_is_what_encode_says() {
     assert!(read(&repository().join("README.md")).contains(&format!("`{}`", said.trim_end())), "{said}");
 }
 
-/// Where a text says how many bits there are, it says what the catalogue does: of vectors, or of frames too.
+/// Numbers of bits in texts are the catalogue's: for vectors, or for frames too.
 #[test]
 fn widths_are_the_catalogues() {
     let bits: Vec<u32> = vectors().iter().map(|codec| codec.bits).collect();
@@ -123,7 +123,7 @@ fn widths_are_the_catalogues() {
     assert!(found >= 4, "{found}");
 }
 
-/// The layout of each codec's code is told.
+/// The layout of each codec's code is documented.
 #[test]
 fn every_layout_is_told() {
     let text = read(&repository().join("docs/codecs.md"));

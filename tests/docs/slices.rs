@@ -1,4 +1,4 @@
-//! What slices cost on a CPU, as `docs/data/slices.json` has it.
+//! Costs of slices on a CPU, as `docs/data/slices.json` has them.
 
 use serde_json::Value;
 use std::sync::OnceLock;
@@ -22,12 +22,12 @@ fn ns(operation: &str, name: &str) -> [f64; 3] {
     found.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json")).1
 }
 
-/// Where it was measured.
+/// The machine of the measurements.
 pub fn machine() -> String {
     format!("Measured on: {}.\n", report()["machine"].as_str().unwrap())
 }
 
-/// The table of an operation. What is copied is the vectors as they lie in memory: meshopt's have four components.
+/// The table of an operation. The copy is of vectors as they lie in memory: meshopt's have four components.
 pub fn table(operation: &str) -> String {
     let mut text = format!(
         "| {operation} | 1k, ns | 64k, ns | 16M, ns | speed / meshopt16, 64k | speed / memcpy, 16M |\n\

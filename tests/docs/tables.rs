@@ -205,7 +205,7 @@ fn codecs_of_frames() -> String {
     text
 }
 
-/// What no code can beat, and how far above it some are.
+/// The error that no code can beat, and how far above it some are.
 fn bound() -> String {
     let ids = ["icoN", "fibN", "eaoctNp", "latlongNd", "octNp", "octN"];
     let mut text = String::from("| bits | the bound: mean / max, degrees |");

@@ -1,4 +1,4 @@
-//! What people write today beside the codecs, as `docs/data/textbook.csv` has it.
+//! Functions in common use beside the codecs, as `docs/data/textbook.csv` has them.
 
 use super::accuracy::{self, Errors};
 use super::tables::mean_and_max;
@@ -9,7 +9,7 @@ use unitvec_catalogue::{Element, Operation, find};
 use unitvec_lab::textbook::{TEXTBOOK, Textbook};
 use unitvec_tests::repository;
 
-/// Who did what a row tells: the textbook's functions, or those of the codec in their place.
+/// The sources of a row's functions: the textbook, or the codec in its place.
 pub const SOURCES: [&str; 2] = ["textbook", "unitvec"];
 
 /// The columns of figures.
@@ -131,7 +131,7 @@ fn faults(textbook: &Textbook, source: &str) -> String {
     told.join("; ")
 }
 
-/// What you have, and what you get.
+/// The functions that readers have, and their replacements.
 pub fn table() -> String {
     let mut text = String::from(
         "| what you have | what you get: include, call | old codes stay | T encode | T decode | mean / max error, degrees \
@@ -159,7 +159,7 @@ pub fn table() -> String {
     text
 }
 
-/// What each does with vectors that have no direction or no unit length, and with codes that encoders never write.
+/// The results for vectors that have no direction or no unit length, and for codes that encoders never write.
 pub fn input_table() -> String {
     let headings = INPUTS.map(|(_, heading)| heading).join(" | ");
     let mut text = format!("| | {headings} |\n|---|{}\n", "---|".repeat(INPUTS.len()));
@@ -176,7 +176,7 @@ pub fn input_table() -> String {
     text
 }
 
-/// What docs/textbook.md says in words.
+/// The claims of docs/textbook.md in words.
 #[test]
 fn what_textbooks_do() {
     let mean = |id| number(id, "mean_deg");

@@ -23,7 +23,7 @@ for_both! {
     /// Components that are -0 or a denormal count as +0, in tangents of any length.
     negative_zeros_and_denormals_count_as_zero
 
-    /// The same in normals, which lie between two lattice points.
+    /// Denormals and -0 count as +0 in normals too, which lie between two lattice points.
     denormals_break_no_ties_of_normals
 
     /// Frames along the axes come back exactly, all 48 of them. That of +Z, +X and +1 is code 0.

@@ -13,17 +13,17 @@ use unitvec_tests::checks::LENGTH_ROUNDING;
 use unitvec_tests::directions::Rng;
 use unitvec_tests::tested::{narrow, widen};
 
-/// What `normal . tangent` of a decoded frame may be off by: 4 ULP of 1.
+/// The error of `normal . tangent` of a decoded frame at most: 4 ULP of 1.
 const PERPENDICULAR: f64 = 4.0 * f32::EPSILON as f64;
 
-/// What the rounding in `f32` turns a decoded normal by, in radians: 1 ULP, as of oct.
+/// The angle by which the rounding in `f32` turns a decoded normal, in radians: 1 ULP, as for oct.
 const DECODE_NORMAL: f64 = f32::EPSILON as f64;
 
-/// What the rounding in `f32` turns a decoded tangent by, in radians: of the decoded normal, the basis, its two
-/// products and the sum, and the scaling to unit length.
+/// The angle by which the rounding in `f32` turns a decoded tangent, in radians: of the decoded normal, the basis, its
+/// two products and the sum, and the scaling to unit length.
 const DECODE_TANGENT: f64 = 1.0 / (1 << 21) as f64;
 
-/// What the rounding in `f32` can make of a tangent's angle when it is encoded, in radians.
+/// The effect of the rounding in `f32` on a tangent's angle when it is encoded, in radians.
 const ENCODE_TANGENT: f64 = 1.0 / (1 << 21) as f64;
 
 /// A frame codec, the oracle's format, and what its encoder adds to the errors of the nearest codes.
@@ -33,15 +33,15 @@ trait Checked: ListedFrame {
     /// The part of half a step by which the angle's place is found less than exactly.
     const ANGLE_SLACK: f64;
 
-    /// In radians, to the normal's error, by the rounding of the position in `f32`.
+    /// The angle that the rounding of the position in `f32` adds to the normal's error, in radians.
     const NORMAL_SLACK: f64;
 }
 
 impl Checked for Frame32 {
     const FORMAT: Format = frame::FRAME32;
     const ANGLE_SLACK: f64 = 0.004;
-    /// And by what `oct22p` leaves of the denominators: 2e-4 of a step of the position, of which the difference between
-    /// two normals as near takes about a third.
+    /// The slack also has the error of `oct22p`'s denominators: 2e-4 of a step of the position, of which the difference
+    /// between two normals as near takes about a third.
     const NORMAL_SLACK: f64 = 1.0 / (1 << 22) as f64 + 0.7e-4 / 1023.0;
 }
 

@@ -132,7 +132,7 @@ fn normals_of_frame32_are_oct22p() {
     }
 }
 
-/// The third axis: of unit length, perpendicular to the others, on the side that the handedness says.
+/// The third axis has unit length, is perpendicular to the others, and lies on the side that the handedness gives.
 #[test]
 fn bitangents_complete_the_frame() {
     for frame in frames(22, sphere(23, 100_000)) {
@@ -143,8 +143,8 @@ fn bitangents_complete_the_frame() {
     }
 }
 
-/// What the stretching of the diamond gains: against the bare one, the tangent's error of frame32 is a fifth less at
-/// most, and 3 % less in the mean; equal steps of the angle would gain less than 0.5 % more.
+/// The gain of stretching the diamond: against the bare one, the tangent's error of frame32 is a fifth less at most,
+/// and 3 % less in the mean; equal steps of the angle would gain less than 0.5 % more.
 #[test]
 fn stretching_the_diamond_pays() {
     let angle_error = |format: Format| {

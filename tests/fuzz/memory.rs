@@ -9,7 +9,7 @@ use std::path::Path;
 use unitvec_mesh as mesh;
 use unitvec_mesh::FileFormat;
 
-/// What four times is allowed of: compact files hold vectors in fewer bytes than f32 take.
+/// The size of which four times is allowed: compact files hold vectors in fewer bytes than f32 take.
 pub fn size(file: usize, vectors: usize) -> usize {
     file.max(12 * vectors)
 }
@@ -129,7 +129,7 @@ fn gltf_of_small_types() {
     measure("bytes_faces.glb", &seeds::glb_of(&json, &vec![1; 4 * COUNT]), Some(COUNT));
 }
 
-/// What asks for more memory than the file has bytes for: accessors over the same bytes, and over none.
+/// Files that ask for more memory than they have bytes for: accessors over the same bytes, and over none.
 #[test]
 fn gltf_that_asks_for_more() {
     let bin = vec![0; 4 * COUNT];

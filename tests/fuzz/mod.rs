@@ -30,7 +30,7 @@ use unitvec_vulkan::check_spirv;
 /// Inputs of the ordinary tests.
 const ORDINARY: u64 = 10_000;
 
-/// What reads a file: an error's text, or the number of vectors.
+/// A reader of a file: an error's text, or the number of vectors.
 type Read = fn(&Path, &[u8]) -> Result<usize, String>;
 
 /// A format, and what reads it.
@@ -39,19 +39,19 @@ struct Target {
     file: &'static str,
     seeds: fn() -> Vec<Vec<u8>>,
     read: Read,
-    /// Of a hundred inputs of all targets.
+    /// The target's share in a hundred inputs.
     share: f64,
     /// Bytes beyond four times the file's: chunks, and what a parser takes for any file.
     slack: usize,
 }
 
-/// What a parser takes for any file, however small.
+/// The memory that a parser takes for any file, however small.
 const FIXED: usize = 1 << 16;
 
-/// As many numbers as the parser of PLY prepares for a list, whatever the list then holds.
+/// The memory that the parser of PLY prepares for a list, whatever the list then holds.
 const LIST: usize = 8 << 16;
 
-/// Where glTF gives no bytes for an accessor, so many zeros: positions, sums and normals of 2^16 vertices.
+/// The zeros where glTF gives no bytes for an accessor: positions, sums and normals of 2^16 vertices.
 const ZEROS: usize = (12 + 24 + 12) << 16;
 
 /// The instructions of a module of the largest size that mutations make, twice, and the names of all functions.
@@ -83,7 +83,7 @@ const RAW: Target = target("a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS)
 const CODES: Target = target("a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS);
 const COSTS: Target = target("costs.json", seeds::costs, read_costs, 2.5, FIXED);
 const MANIFEST: Target = target("manifest.json", seeds::manifest, read_manifest, 2.5, FIXED);
-// With the manifest beside it.
+// The manifest lies beside the module.
 const MODULE: Target = target(seeds::MODULE_FILE, seeds::module, read_module, 5.0, 2 * FIXED);
 const SHADER: Target = target("shader.spv", seeds::shader, read_shader, 5.0, FIXED + INSTRUCTIONS);
 
@@ -172,7 +172,7 @@ fn number(variable: &str, default: u64) -> u64 {
         .map_or(default, |value| value.parse().unwrap_or_else(|_| panic!("{variable}={value}")))
 }
 
-/// What the inputs of a target gave so far.
+/// The results of a target's inputs so far.
 #[derive(Default)]
 struct Tally {
     done: u64,
@@ -189,7 +189,7 @@ fn fuzz(target: &Target) {
     let path = folder.path().join(target.file);
     std::fs::create_dir_all(path.parent().unwrap()).unwrap();
     prepare(&path);
-    // What is made once, such as the program's own manifest, is no memory of an input.
+    // Memory that is allocated once, such as the program's own manifest, is no input's.
     (target.read)(&path, &(target.seeds)()[0]).unwrap_or_else(|error| panic!("the first seed: {error}"));
     std::fs::write(&path, b"").unwrap();
     let before = names(folder.path());
@@ -230,7 +230,7 @@ fn fuzz(target: &Target) {
     );
 }
 
-/// What lies beside the input.
+/// Writes the files beside the input.
 fn prepare(path: &Path) {
     std::fs::write(path.with_file_name("zeros.f32"), [0; 24]).unwrap();
     std::fs::write(path.with_file_name(seeds::BUFFER_FILE), seeds::buffer_file()).unwrap();
@@ -343,14 +343,14 @@ fn read_costs(path: &Path, input: &[u8]) -> Result<usize, String> {
     Costs::parse(path, input).map(|_| 0).map_err(text)
 }
 
-/// A manifest over a module that is as it should be. Whatever it says, the program's own modules are what is loaded.
+/// A manifest over a correct module. Whatever it says, the program's own modules are loaded.
 fn read_manifest(path: &Path, input: &[u8]) -> Result<usize, String> {
     std::fs::write(path, input).unwrap();
     load_from(path.parent().unwrap()).map_err(text)?;
     Ok(0)
 }
 
-/// A module under a manifest that is as it should be. What passes as SPIR-V of that kernel is made of whole instructions.
+/// A module under a correct manifest. Any that passes as SPIR-V of that kernel is made of whole instructions.
 fn read_module(path: &Path, input: &[u8]) -> Result<usize, String> {
     std::fs::write(path, input).unwrap();
     let folder = path.ancestors().nth(2).unwrap();
@@ -363,7 +363,7 @@ fn read_module(path: &Path, input: &[u8]) -> Result<usize, String> {
     Ok(0)
 }
 
-/// A shader to be linked, as far as this program reads it. What it makes of it is whole instructions again.
+/// A shader to be linked, as far as this program reads it. The result is whole instructions again.
 fn read_shader(path: &Path, input: &[u8]) -> Result<usize, String> {
     let link = |error| unitvec_host::Error::Link { path: path.to_owned(), error };
     let (importing, names) = link::imports(input).map_err(link).map_err(text)?;
@@ -372,7 +372,7 @@ fn read_shader(path: &Path, input: &[u8]) -> Result<usize, String> {
     Ok(0)
 }
 
-/// After a header of five words, each instruction has its length in the upper half of its first word.
+/// Each instruction has its length in the upper half of its first word, after a header of five words.
 fn assert_whole_instructions(spirv: &[u8]) {
     let mut words = spirv.chunks(4).skip(5);
     while let Some(first) = words.next() {

@@ -27,7 +27,7 @@ const TEXT_NUMBERS: [&str; 18] = [
     "inf",
 ];
 
-/// The same in binary, and counts just beyond those of the seeds.
+/// Numbers in binary, and counts just beyond those of the seeds.
 const BINARY_NUMBERS: [u32; 12] = [
     0,
     1,

@@ -1,4 +1,4 @@
-//! Some hundreds of the same inputs through the program itself.
+//! Some hundreds of the fuzz inputs through the program itself.
 
 use super::{
     CODES, COSTS, GLB, GLTF, MANIFEST, MODULE, OBJ, PLY_ASCII, PLY_BIG, PLY_LITTLE, RAW, SHADER, Target,
@@ -41,7 +41,7 @@ fn run(target: &Target, arguments: fn(&Path, &Path) -> Command) {
     }
 }
 
-/// What is wrong with how the program ended.
+/// The fault in the program's end, if any.
 fn fault(output: &Output) -> Option<String> {
     let said = stderr(output);
     let is_one_line = said.starts_with("unitvec: ") && said.ends_with('\n') && said.lines().count() == 1;

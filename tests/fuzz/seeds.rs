@@ -235,7 +235,7 @@ pub fn costs() -> Vec<Vec<u8>> {
 /// The kernel of [`manifest`] and [`module`].
 pub const KERNEL: &str = "oct16_encode";
 
-/// Where the module lies in its folder.
+/// The module's place in its folder.
 pub const MODULE_FILE: &str = "kernels/oct16.spv";
 
 /// The program's manifest, with the module of one codec.
@@ -245,7 +245,7 @@ pub fn manifest() -> Vec<Vec<u8>> {
     vec![serde_json::to_vec(&manifest).unwrap(), serde_json::to_vec_pretty(&manifest).unwrap()]
 }
 
-/// That module.
+/// The module in [`MODULE_FILE`].
 pub fn module() -> Vec<Vec<u8>> {
     vec![Modules::open(None).unwrap().load(KERNEL).unwrap().into_owned()]
 }

@@ -30,7 +30,7 @@ fn case<C: Dithered>(id: &'static str) -> Case {
     }
 }
 
-/// All of them.
+/// All cases.
 pub fn cases() -> Vec<Case> {
     vec![
         case::<Oct8>("oct8"),
@@ -100,17 +100,17 @@ fn offset(w: [u32; 3]) -> Vec2 {
     }
 }
 
-/// What a group of results is folded to, so that one shader tests several codecs: 31 times what was before, and the next.
+/// The digest of a group of results, so that one shader tests several codecs: 31 times the digest before, and the next.
 fn folded(results: impl Iterator<Item = [u32; 3]>) -> [u32; 3] {
     results.fold([0; 3], |all, next| [0, 1, 2].map(|i| all[i].wrapping_mul(31).wrapping_add(next[i])))
 }
 
-/// The same in GLSL, of calls that give a uvec3.
+/// The digest in GLSL, for calls that give a uvec3.
 fn folded_in_glsl(calls: impl Iterator<Item = String>) -> String {
     calls.fold("uvec3(0u)".to_owned(), |all, call| format!("({all} * 31u + {call})"))
 }
 
-/// Of any vectors and codes, with offsets of all kinds.
+/// Dithered codes agree for any vectors and codes, with offsets of all kinds.
 #[test]
 fn dithered_codes_in_glsl_have_the_bits_of_rust() {
     let inputs: Vec<[u32; 3]> = vectors().iter().step_by(5).map(|v| v.map(f32::to_bits)).collect();
@@ -145,7 +145,7 @@ fn dithered_codes_in_glsl_have_the_bits_of_rust() {
 /// An offset of three words.
 type OfWords = fn([u32; 3]) -> Vec2;
 
-/// Of any keys, texels and positions.
+/// The keys agree for any keys, texels and positions.
 #[test]
 fn offsets_in_glsl_have_the_bits_of_rust() {
     let (any, vectors) = (vectors().iter().map(|v| v.map(f32::to_bits)).collect::<Vec<_>>(), vectors());
@@ -215,8 +215,9 @@ fn directions(id: &str) -> impl Iterator<Item = Vec3> {
     all.map(move |v| if upper { Vec3::new(v.x, v.y, v.z.abs()) } else { v })
 }
 
-/// What comes back is off by at most the fast codec's error: half a lattice step each way, however it is moved. Next to the
-/// poles of `eaoct`, whose ring 1 has only a point every quarter turn, it is up to 2.003 / m where the bound is 1.5026 / m.
+/// The result is off by at most the fast codec's error: half a lattice step each way, however it is moved. Next to the
+/// poles of `eaoct`, whose ring 1 has only a point every quarter turn, it is up to 2.003 / m where the bound is 1.5026
+/// / m.
 #[test]
 fn dithered_directions_come_back() {
     for case in cases() {
@@ -232,8 +233,8 @@ fn dithered_directions_come_back() {
     }
 }
 
-/// The precise encoders of `oct`: none of the codes around is nearer, as the decoder sees it with this offset. Two rounded
-/// vectors of 32 bits tell less than a hundredth of a step.
+/// The precise encoders of `oct`: none of the codes around is nearer, as the decoder sees it with this offset. Two
+/// rounded vectors of 32 bits resolve less than a hundredth of a step.
 #[test]
 fn precise_dithered_codes_are_the_nearest_of_their_cell() {
     for case in cases()

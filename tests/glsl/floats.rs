@@ -10,8 +10,8 @@ use unitvec_tests::checks::{LENGTH_ROUNDING, assert_is_code_of};
 use unitvec_tests::directions::{Rng, any_vector, near_planes, sphere};
 use unitvec_tests::tested::{Tested, widen};
 
-/// What hardware may make of a float in an snorm format: clamped and scaled, as a float or exactly, it is rounded to
-/// nearest, and nothing says how ties are broken.
+/// The integers that hardware may store for a float in an snorm format: clamped and scaled, as a float or exactly, it
+/// is rounded to nearest, and nothing specifies how ties are broken.
 fn stored(x: f32, bits: u32) -> [i64; 4] {
     let m = snorm_max(bits);
     let clamped = if x.is_nan() { 0.0 } else { x.clamp(-1.0, 1.0) };
@@ -51,7 +51,7 @@ const ENCODERS: [(&str, &str, f64); 10] = [
     ("float32x3_to_eaoctn_precise(v, 32)", "eaoct32p", 1.0),
 ];
 
-/// As the codecs do: +Z's code without a direction, an error within the bound with one.
+/// Functions do as the codecs do: +Z's code without a direction, an error within the bound with one.
 #[test]
 fn any_vector_is_stored_as_its_direction() {
     let inputs = vectors();
@@ -176,8 +176,8 @@ fn any_floats_are_packed_in_bytes() {
     }
 }
 
-/// How many codes of an attachment of `codec`'s format differ from the codec's, however the hardware rounds, and whether
-/// all that do are a step off.
+/// The number of codes in an attachment of `codec`'s format that differ from the codec's, however the hardware rounds,
+/// and whether all that do are a step off.
 fn differing(function: &str, codec: &Tested, inputs: &[[f32; 3]]) -> (usize, bool) {
     let (mut count, mut is_a_step) = (0, true);
     for (input, pair) in inputs.iter().zip(evaluate(&format!("vec3({function}, 0.0)"), inputs)) {
@@ -195,7 +195,7 @@ fn steps_between(a: u64, b: u64, bits: u32) -> i64 {
     (a[0] - b[0]).abs().max((a[1] - b[1]).abs())
 }
 
-/// What the head of oct.glsl says: the precise function stores the precise code, exactly. All codes of 16 bits, and
+/// The claim at the head of oct.glsl: the precise function stores the precise code, exactly. All codes of 16 bits, and
 /// 2^18 directions in 32.
 #[test]
 fn float32x3_to_octn_precise_is_exact_through_an_attachment() {

@@ -5,7 +5,7 @@ use unitvec::formats::*;
 use unitvec::glam::{IVec2, Vec2, Vec3};
 use unitvec_tests::directions::Rng;
 
-/// What a component holds.
+/// The type of a component.
 #[derive(Clone, Copy, PartialEq)]
 enum Kind {
     Snorm,
@@ -60,7 +60,7 @@ macro_rules! of_format {
     };
 }
 
-/// All of them.
+/// All formats.
 pub const FORMATS: [Format; 10] = [
     of_format!("snorm8x2", Snorm, 8, Vec2, 1, code_to_snorm8x2, snorm8x2_to_code),
     of_format!("snorm16x2", Snorm, 16, Vec2, 1, code_to_snorm16x2, snorm16x2_to_code),
@@ -102,7 +102,7 @@ impl Format {
         (0..patterns).flat_map(code).collect()
     }
 
-    /// What the specification gives a component's integer, and whether an encoder writes it.
+    /// The specification's value for a component's integer, and whether an encoder writes it.
     fn component(&self, integer: u32) -> (f64, bool) {
         let signed = f64::from((integer << (32 - self.bits)) as i32 >> (32 - self.bits));
         let most = 2f64.powi(self.bits as i32 - 1) - 1.0;

@@ -48,7 +48,7 @@ fn identifiers(code: &str) -> impl Iterator<Item = &str> {
     code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
 }
 
-/// What a line declares that is not indented: a function, constant, struct or macro.
+/// The names that a line declares if it is not indented: a function, constant, struct or macro.
 fn declared(line: &str) -> Vec<Name> {
     let words: Vec<&str> = identifiers(line).collect();
     let one = |prefix, name: &str| vec![(prefix, name.to_owned())];

@@ -60,7 +60,7 @@ macro_rules! of_disks {
     };
 }
 
-/// All of them.
+/// All projections.
 pub const PROJECTIONS: [Projection; 15] = [
     of_pairs!("oct", oct, Oct),
     of_pairs!("eaoct", eaoct, EaOct),
@@ -113,7 +113,7 @@ impl Projection {
         ]
     }
 
-    /// What [`evaluate`] takes, of each of them.
+    /// The expressions for [`evaluate`], one for each function.
     fn calls(&self) -> [String; 4] {
         let [to, from, to_unorm, from_unorm] = self.functions();
         if self.is_pair {
@@ -124,7 +124,7 @@ impl Projection {
         }
     }
 
-    /// In `f64`, the direction of a position on the square and, but for pairs, its hemisphere.
+    /// The direction of a position on the square and, but for pairs, its hemisphere, in `f64`.
     fn direction(&self, e: [f64; 3]) -> [f64; 3] {
         let beyond = e[0].hypot(e[1]);
         let is_disk = ["stereo", "eqarea", "eqdist"].contains(&self.name);
@@ -149,7 +149,7 @@ fn assert_same_bits(call: &str, inputs: &[[f32; 3]], in_rust: impl Fn([f32; 3]) 
     }
 }
 
-/// Of any vectors, and of any points.
+/// Projections agree for any vectors, and for any points.
 #[test]
 fn projections_in_glsl_have_the_bits_of_rust() {
     let (vectors, points) = (vectors(), points());
@@ -170,7 +170,7 @@ fn assert_precise_same_bits<const BITS: u32>(vectors: &[[f32; 3]]) {
     assert_same_bits(&of("eaoct"), vectors, eaoct);
 }
 
-/// What the precise functions and listing 5 give, too.
+/// The precise functions and listing 5 agree, too.
 #[test]
 fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
     let (vectors, pairs) = (vectors(), pairs());
@@ -213,8 +213,8 @@ fn bytes_are_those_of_listing_4() {
     }
 }
 
-/// How far from the exact position on the square, and in degrees from the direction. The ellipse's corners, where its way
-/// back to the square has a pole, and a cylinder's poles move more in one of the two.
+/// The distance from the exact position on the square, and in degrees from the direction. The ellipse's corners, where
+/// its way back to the square has a pole, and a cylinder's poles move more in one of the two.
 const POSITION: f64 = 6e-7;
 const DEGREES: f64 = 4e-5;
 
@@ -259,7 +259,7 @@ fn points_have_the_oracles_directions() {
     }
 }
 
-/// What comes back is the direction, on [-1, 1] and on [0, 1]. Near a cylinder's pole a rounding of z is its square root.
+/// The result is the direction, on [-1, 1] and on [0, 1]. Near a cylinder's pole a rounding of z is its square root.
 #[test]
 fn directions_come_back() {
     for projection in PROJECTIONS {
@@ -275,8 +275,8 @@ fn directions_come_back() {
     }
 }
 
-/// What docs/formats.md says of the codes that formats hold: projections that are linear on the codec's lattice give the fast codec's
-/// code, or another one of the same direction, but for at most 3 in 1000; others give other codes.
+/// The claim of docs/formats.md on the codes in formats: projections that are linear on the codec's lattice give the
+/// fast codec's code, or another one of the same direction, but for at most 3 in 1000; others give other codes.
 #[test]
 fn formats_hold_the_codes_that_the_docs_say() {
     let cases = [

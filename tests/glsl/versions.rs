@@ -54,7 +54,7 @@ fn families_compile_in_all_versions() {
     }
 }
 
-/// In the reverse order, so that files come after those that have them, and before.
+/// Files are in the reverse order, so that they come after those that have them, and before.
 #[test]
 fn families_compile_in_any_order() {
     let reversed: Vec<String> = glsl_families().into_iter().rev().collect();

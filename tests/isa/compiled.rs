@@ -14,7 +14,7 @@ use unitvec_tests::repository;
 /// Names the file of a newer RADV than the system's: `cargo xtask renew costs` fetches one and sets it.
 const NEWER_DRIVER: &str = "UNITVEC_NEWER_RADV_ICD";
 
-/// What the driver, the system's or the one of this file, makes of all kernels for a GPU.
+/// The report of the driver, the system's or the one in this file, on all kernels for a GPU.
 fn compiled(generation: &Generation, driver: Option<&Path>) -> Result<Report, String> {
     let mut bench = command(["bench", "--isa", "--json", "-", "--gpu", generation.gpu]);
     match driver {
@@ -58,7 +58,7 @@ pub fn dearer(before: &Report, after: &Report) -> Vec<String> {
     found
 }
 
-/// Whether the file of a codec's GLSL is the same in both.
+/// True if the file of a codec's GLSL is the same in both.
 fn is_unchanged(id: &str, before: &Report, after: &Report) -> bool {
     let file = format!("glsl/{}", glsl_file(id));
     before.sources.get(&file) == after.sources.get(&file)
@@ -115,7 +115,7 @@ fn two_per_cent_are_noticed() {
     assert!(dearer(&empty, &report(1, 1))[0].contains("no figures before"));
 }
 
-/// What goes wrong is told in one line, with the remedy.
+/// Faults end in one line, with the remedy.
 #[test]
 fn failures_name_the_remedy() {
     let failed = |arguments: &[&str], status: i32| {
@@ -191,7 +191,7 @@ fn reports_agree() {
     assert!(chosen.contains("RDNA 2") && chosen.contains("\noct32 "), "{chosen}");
 }
 
-/// Compiles all kernels again, for all generations, and tells which have become dearer.
+/// Compiles all kernels again, for all generations, and lists those that have become dearer.
 #[test]
 #[ignore = "`cargo xtask renew costs` runs it: a minute or two"]
 fn renew() {

@@ -1,5 +1,6 @@
-//! What the compilers of GPUs that are not there make of the kernels, held against the committed figures,
-//! `host/choose/data/costs_*.json`, and those against what they promise. `cargo xtask renew costs` renews them; `records.lock` has the kernels that they are of.
+//! Costs on GPUs that are not there, by their compilers, held against the committed `host/choose/data/costs_*.json`,
+//! and those against their promises. `cargo xtask renew costs` renews them; `records.lock` has the hash of their
+//! kernels.
 
 #[cfg(feature = "glsl")]
 mod compiled;
@@ -9,7 +10,7 @@ use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source};
 use unitvec_tests::repository;
 
-/// How to renew the figures.
+/// The advice on renewing the figures.
 const RENEW: &str = "renew the figures: cargo xtask renew costs";
 
 /// The generation whose costs are promised.
@@ -48,7 +49,7 @@ fn kernels() -> impl Iterator<Item = (&'static AnyCodec, Operation)> {
     CODECS.iter().flat_map(|format| Operation::ALL.map(|operation| (format, operation)))
 }
 
-/// What the driver makes of kernels from Rust has at most 1.02 times the instructions of those from GLSL.
+/// Kernels from Rust have, compiled by the driver, at most 1.02 times the instructions of those from GLSL.
 #[test]
 fn rust_costs_what_glsl_costs() {
     let report = committed(rdna2());

@@ -7,7 +7,7 @@ use unitvec_oracle::frame::{Format, perpendicular};
 use unitvec_oracle::{angle_deg, dot, length, normalize};
 use unitvec_tests::directions::usable;
 
-/// What a decoded vector may be turned by, in degrees: 2^-21, more than the roundings of normal and tangent make.
+/// The angle by which a decoded vector may be off, in degrees: 2^-21, more than the roundings of normal and tangent.
 const DECODE_DEG: f64 = 57.3 / (1 << 21) as f64;
 
 /// Asserts that each code decodes to the oracle's frame, and that it is the right one for the input.

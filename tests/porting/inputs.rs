@@ -1,4 +1,4 @@
-//! The inputs of `vectors/`, the same for all codecs. `vectors/README.md` says what they are.
+//! The inputs of `vectors/`, the same for all codecs. `vectors/README.md` describes them.
 
 use super::CASES;
 use unitvec::direction::{MAX_NORM, MIN_NORM};
@@ -12,7 +12,7 @@ pub fn vectors() -> Vec<[f32; 3]> {
     special().into_iter().chain(random).take(CASES).collect()
 }
 
-/// The same for frames. Random tangents are perpendicular to the normals.
+/// The inputs for frames. Random tangents are perpendicular to the normals.
 pub fn frames() -> Vec<[f32; 7]> {
     let mut rng = Rng::new(2);
     let random = std::iter::repeat_with(|| {

@@ -13,14 +13,14 @@ use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element};
 use unitvec_files::write_file;
 use unitvec_tests::repository;
 
-/// Of all codecs. A codec with another layout would be another codec.
+/// The version of all codecs. A codec with another layout would be another codec.
 const FORMAT_VERSION: u32 = 1;
 
 /// Cases in a file.
 const CASES: usize = 256;
 
-/// The committed files are what the codecs give, each that is missing or has no codec is named, and what they say is right:
-/// the oracle decodes each code to its vector, and each vector is as near to its input as the codec promises.
+/// The committed files hold the codecs' results, each that is missing or has no codec is named, and their content is
+/// right: the oracle decodes each code to its vector, and each vector is as near to its input as the codec promises.
 /// `cargo xtask renew vectors` writes files that are missing, if they are right, and changes no other.
 #[test]
 fn test_vectors_are_the_released_ones() {
@@ -45,7 +45,7 @@ fn test_vectors_are_the_released_ones() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// What the README shows of a file is what stands there.
+/// The README's excerpt of a file agrees with it.
 #[test]
 fn readme_shows_a_file() {
     let [readme, file] = ["README.md", "oct16.json"]
@@ -79,7 +79,7 @@ fn without_a_codec(folder: &Path) -> Vec<String> {
         .collect()
 }
 
-/// Asserts that what a file says is right: see `test_vectors_are_the_released_ones`.
+/// Asserts that a file's content is right: see `test_vectors_are_the_released_ones`.
 fn check(format: &AnyCodec, text: &str) {
     let value: Value = serde_json::from_str(text).unwrap();
     let read: Vec<Case> = value["cases"].as_array().unwrap().iter().map(Case::read).collect();

@@ -7,7 +7,7 @@ use unitvec_tests::checks::{assert_bounded, assert_is_vector_of, assert_unit};
 use unitvec_tests::directions::usable;
 use unitvec_tests::tested::{Tested, widen};
 
-/// What is left of a vector that lies below a hemisphere is a direction from this L1 norm on, with room for rounding.
+/// The L1 norm from which on the rest of a vector below a hemisphere is a direction, with room for rounding.
 const SURE_NORM: f64 = 2.0 / (1u128 << 64) as f64;
 
 /// Asserts that each code decodes to the oracle's vector, and that it is the right one for the input.
@@ -30,7 +30,7 @@ fn vector(floats: &[f32]) -> Vec3 {
     Vec3::from_slice(floats)
 }
 
-/// The code of a vector without a direction is that of +Z. What comes back of another is as near as the codec promises:
+/// The code of a vector without a direction is that of +Z. Any other vector comes back as near as the codec promises:
 /// in direction or, where components are stored as they are, in each of them.
 fn assert_is_code_of(codec: &Tested, v: Vec3, case: &Case, z: u64) {
     let decoded = widen(vector(&case.decoded));

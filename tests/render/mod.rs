@@ -194,7 +194,7 @@ fn vertices_may_be_codes() {
     assert_no_validation_messages(device);
 }
 
-/// What cannot be drawn is said in one line.
+/// Scenes that cannot be drawn end in one line.
 #[test]
 fn what_cannot_be_rendered_is_an_error() {
     let device = device();
@@ -218,12 +218,12 @@ fn what_cannot_be_rendered_is_an_error() {
     assert_no_validation_messages(device);
 }
 
-/// Drawing takes a device that was opened for it; texels and vertices have to be as many as is said.
+/// Drawing takes a device that was opened for it; the number of texels and vertices has to match the stated one.
 #[test]
 fn what_does_not_fit_is_an_error() {
     let computing = unitvec_tests::lavapipe();
     let error = Graphics::new(&computing).map(drop).unwrap_err();
-    // lavapipe's only queue does both, so that one is told by what the device was opened for.
+    // lavapipe's only queue does both, so the error depends on what the device was opened for.
     assert!(error.to_string().contains("lacks a graphics queue"), "{error}");
     assert_no_validation_messages(computing);
 

@@ -69,7 +69,7 @@ fn the_page_is_whole() {
     }
 }
 
-/// Without a device the page says what is missing and what to run; given files are shown.
+/// The page without a device names the missing parts and the command to run; given files are shown.
 #[test]
 fn the_page_says_what_it_lacks() {
     let (viewer, no_slider) = ("<div class=\"viewer\"", "id=\"no-slider\"");
@@ -101,7 +101,7 @@ fn the_page_says_what_it_lacks() {
     assert!(section.contains("<dt>R8G8_SNORM</dt><dd>rounded to nearest"), "{section}");
 }
 
-/// Inputs that are not what they should be are said in one line, and no page is left.
+/// Wrong inputs end in one line, and no page is left.
 #[test]
 fn faults_leave_no_page() {
     let place = tempfile::tempdir().unwrap();

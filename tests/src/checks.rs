@@ -9,13 +9,13 @@ use unitvec_oracle::{Summary, angle_deg, cross, dot, length};
 /// 2 ULP of 1: what a decoded vector's length may be off by.
 pub const LENGTH_ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
 
-/// What `encode` makes of the rounding in `f32` of a position on the square `[-1, 1]^2`, per axis.
+/// The effect on `encode` of the rounding in `f32` of a position on the square `[-1, 1]^2`, per axis.
 ///
 /// Listings 1 and 6 take at most two roundings for the L1 norm, one each for the reciprocal, the product and the
 /// fold or rotation, and one for the scaling to steps: six of 2^-24, relative to values of at most 1.
 pub const POSITION_ROUNDING: f64 = 1.0 / (1 << 21) as f64;
 
-/// Asserts that a decoded vector has unit length to 2 ULP if the codec says so, and no component that is -0.
+/// Asserts that a decoded vector has unit length to 2 ULP if the codec promises it, and no component that is -0.
 pub fn assert_unit(codec: &Tested, code: u64, decoded: Vec3) {
     let off = (length(widen(decoded)) - 1.0).abs();
     assert!(
@@ -61,7 +61,7 @@ pub fn assert_is_vector_of(codec: &Tested, code: u64, decoded: Vec3) -> Option<f
 }
 
 impl Tolerance {
-    /// How far a decoded vector is off the exact one, in parts of the tolerance.
+    /// The error of a decoded vector against the exact one, in parts of the tolerance.
     fn off(self, codec: &Tested, decoded: Vec3, exact: [f64; 3]) -> f64 {
         let actual = widen(decoded);
         let off = |i: usize| (actual[i] - exact[i]).abs();
@@ -102,7 +102,7 @@ pub fn assert_commutes(codec: &Tested, directions: impl Iterator<Item = Vec3>, i
     }
 }
 
-/// The same but for what decoding rounds, and but for directions that `is_tie`.
+/// Asserts that encoding commutes, except for the rounding of decoding, and for directions that `is_tie`.
 pub fn assert_commutes_but_for_ties(
     codec: &Tested,
     directions: impl Iterator<Item = Vec3>,
@@ -199,7 +199,7 @@ pub fn assert_is_code_of(codec: &Tested, v: Vec3, code: u64, bound_deg: f64) {
     match usable(v) {
         Some(false) => assert_eq!(code, z, "{}: {v:?} has no direction", codec.id),
         is_usable if codec.is_directional() => {
-            // What is left of a vector below the hemisphere may itself be too short to be a direction.
+            // The rest of a vector below the hemisphere may itself be too short to be a direction.
             let direction = codec.reference.domain(widen(v));
             let sure =
                 is_usable == Some(true) && direction.iter().map(|t| t.abs()).sum::<f64>() >= 2f64.powi(-63);

@@ -51,8 +51,8 @@ pub fn near_octant_middles(seed: u64, count: usize, radius: f64) -> impl Iterato
 /// The six unit vectors of the axes: +X, +Y, +Z, -X, -Y, -Z.
 pub const AXES: [Vec3; 6] = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
 
-/// Whether the contract of [`unitvec::Codec`] asks for the direction: for an L1 norm in `[2^-64, 2^100)`. `None`
-/// where the norm's rounding in `f32` decides.
+/// True if the contract of [`unitvec::Codec`] asks for the direction: for an L1 norm in `[2^-64, 2^100)`. `None` where
+/// the norm's rounding in `f32` decides.
 pub fn usable(v: Vec3) -> Option<bool> {
     let norm: f64 = v.to_array().iter().map(|&t| f64::from(t).abs()).sum();
     let limits = [MIN_NORM, MAX_NORM].map(f64::from);

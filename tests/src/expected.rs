@@ -1,4 +1,4 @@
-//! What the suite expects of codecs where it is not the same of all: each exception beside its reason.
+//! Where codecs differ in what the suite expects of them: each exception beside its reason.
 
 use crate::tested::Tested;
 use glam::Vec3;
@@ -19,20 +19,20 @@ pub fn every_code_returned(codec: &Tested) -> u32 {
     every_code_decoded(codec).max(22)
 }
 
-/// How far a decoded vector may be off the exact one.
+/// The error allowed in a decoded vector.
 #[derive(Clone, Copy, Debug)]
 pub enum Tolerance {
     /// Turned by so many radians.
     Turn(f64),
-    /// By so much in each component.
+    /// Off by so much in each component.
     Components(f64),
     /// Not at all: the `f32` next to each component.
     Nearest,
-    /// By 2^-21 in each component's square, and 2^-23 in two of the components.
+    /// Off by 2^-21 in each component's square, and 2^-23 in two of the components.
     Squares,
 }
 
-/// Without exception 1 ULP: lattice points are exact before the normalisation, and a common factor does not turn the
+/// Always 1 ULP for lattice points: they are exact before the normalisation, and a common factor does not turn the
 /// vector; so there is one rounding of 2^-24 a component for its product with that factor, and as much to spare.
 pub fn decoding(codec: &Tested) -> Tolerance {
     let roundings = |count: i32| Tolerance::Turn(f64::from(count) / f64::from(1 << 24));
@@ -54,18 +54,18 @@ pub fn decoding(codec: &Tested) -> Tolerance {
     }
 }
 
-/// What `encode` makes of the rounding in `f32` of an angle, in half turns: 5e-8 for the arc tangent, and as much for the
-/// length and the scaling to steps.
+/// The effect on `encode` of the rounding in `f32` of an angle, in half turns: 5e-8 for the arc tangent, and as much
+/// for the length and the scaling to steps.
 pub const ANGLE_ROUNDING: f64 = 1.0 / (1 << 23) as f64;
 
-/// What points on the rim of the plain azimuthal disks may be off by more, in radians: they are found with the rim's slope
+/// The further error of points on the rim of the plain azimuthal disks, in radians: they are found with the rim's slope
 /// taken as constant, and are off along it by a part of a step.
 pub fn rim(codec: &Tested, decoded: Vec3) -> f64 {
     let plain = codec.family == "azimuthal" && !codec.id.contains('_');
     if plain && decoded.z == 0.0 { 0.15 / 2f64.powi(codec.bits as i32 / 2 - 2) } else { 0.0 }
 }
 
-/// The part of all codes that the reference decodes. What it leaves open lies off a disk, where the square's corners are.
+/// The part of all codes that the reference decodes. The others lie off a disk, where the square's corners are.
 pub fn settled_share(codec: &Tested) -> f64 {
     match codec.family {
         // Corners of the disk's square, a fifth of it, and of the sextant's. Halves have a bit in the exponent that sends
@@ -131,9 +131,9 @@ pub fn symmetries(codec: &Tested) -> &'static [Image] {
 pub struct Errors {
     /// The mean.
     pub mean: f64,
-    /// How far the mean may be from that, as a part of it: below and above.
+    /// The distance of the mean from `mean`, as a part of it: below and above.
     pub mean_within: [f64; 2],
-    /// What the maximum may be at most; the codec's own bound is tested without this.
+    /// The limit of the maximum; the codec's own bound is tested without this.
     pub max: f64,
 }
 
@@ -154,7 +154,7 @@ pub fn errors(codec: &Tested) -> Option<Errors> {
         return Some(Errors { mean, mean_within: [within; 2], max });
     }
     let published = published.or_else(|| hemisphere_with_a_bit_less(codec))?;
-    // Of the azimuthal codecs' errors the greatest lie in a few cells, at the disk's rim and on the diagonals, which 10^6
+    // The greatest errors of azimuthal codecs lie in a few cells, at the disk's rim and on the diagonals, which 10^6
     // directions hit or miss. At 22 bits, with twelve seeds, eqarea's maximum was 1.027 to 1.045 times the survey's and
     // eqarea_concentric's 1.020 to 1.044 times; the survey's own sample stayed 5 % below the supremum.
     let max = match codec.family {
@@ -168,7 +168,7 @@ pub fn errors(codec: &Tested) -> Option<Errors> {
     Some(Errors { mean: published.mean, mean_within, max: (published.max + HALF_DIGIT) * max })
 }
 
-/// What the survey has for the code inside those of soct.
+/// The survey's errors for the code inside those of soct.
 fn hemisphere_with_a_bit_less(codec: &Tested) -> Option<Summary> {
     let bits: u32 = codec.id.strip_prefix("soct")?.parse().ok()?;
     survey::published(&format!("HemiOct{}", bits - 1))

@@ -42,7 +42,7 @@ pub fn lavapipe() -> Arc<Device> {
         .unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Fails the test if the validation layer has said anything, of objects that outlive the device too.
+/// Fails the test if the validation layer has printed anything, even about objects that outlive the device.
 ///
 /// # Panics
 /// If it has, or if something still uses the device.

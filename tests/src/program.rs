@@ -26,7 +26,7 @@ pub fn build(arguments: &[&str]) -> PathBuf {
     let folder =
         test.ancestors().nth(2).unwrap_or_else(|| panic!("{} has no profile folder", test.display()));
     let mut build = Command::new(env!("CARGO"));
-    // With this package too, as `cargo xtask conform` does, so that both builds have the same features.
+    // The build includes this package, as `cargo xtask conform` does, so that both builds have the same features.
     build.args(["build", "--quiet", "--package", "unitvec-tests"]).args(arguments).current_dir(repository());
     if cfg!(feature = "glsl") {
         build.args(["--features", "unitvec-tests/glsl"]);

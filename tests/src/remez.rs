@@ -15,13 +15,13 @@ pub struct Problem {
 
 /// The solution of a [`Problem`].
 pub struct Fit {
-    /// From the constant term up.
+    /// The coefficients from the constant term up.
     pub coefficients: Vec<f64>,
     /// The greatest absolute difference from the target.
     pub error: f64,
 }
 
-/// Where the interval starts, in place of 0, at which the targets are quotients of zeros.
+/// The start of the interval, in place of 0, at which the targets are quotients of zeros.
 const START: f64 = 1e-12;
 
 /// Points at which an error curve is looked at. They crowd towards the ends, as its extrema do.

@@ -1,4 +1,4 @@
-//! What every codec of the list is put to the test with: a function a property. A codec's differences from the others are in
+//! The tests of every codec in the list: a function a property. A codec's differences from the others are in
 //! [`expected`].
 
 use crate::checks::{assert_bounded, assert_commutes, assert_decodes, assert_stable, assert_total};
@@ -49,8 +49,8 @@ fn directions(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
     sphere(seed, count).chain(near_planes(seed + 1, count / 2).map(Vec3::normalize))
 }
 
-/// Codes decode to the reference's vectors, to unit length to 2 ULP where the codec says so, without -0, and the bits above
-/// the code do not count.
+/// Codes decode to the reference's vectors, to unit length to 2 ULP where the codec promises it, without -0, and the
+/// bits above the code do not count.
 pub fn decodes_as_the_oracle(codec: &Tested) {
     let codes = codec.codes(1, EVERY_CODE);
     assert_decodes(codec, codes, expected::settled_share(codec));
@@ -71,9 +71,9 @@ pub fn round_trip_is_stable(codec: &Tested) {
     }
 }
 
-/// What a device decodes that divides less exactly comes back as the same vector: each component up to 4 ULP off, more than
-/// division within 2.5 ULP and the product after it make. Codes of 48 bits and more have no such room. Nor do those of the
-/// sextants' borders: in `parallel.rs` only the component is off that a square root gives.
+/// Vectors decoded on a device that divides less exactly come back the same: each component up to 4 ULP off, more than
+/// division within 2.5 ULP and the product after it make. Codes of 48 bits and more have no such room. Nor do codes at
+/// the sextants' borders: in `parallel.rs` only the component is off that a square root gives.
 pub fn other_devices_vectors_come_back(codec: &Tested) {
     if !expected::is_stable(codec) || codec.bits >= 48 || codec.family == "parallel" {
         return;
@@ -98,14 +98,14 @@ pub fn symmetric(codec: &Tested) {
     assert_commutes(codec, directions(4, 100_000), expected::symmetries(codec));
 }
 
-/// The axes come back exactly where the codec says so, and not all of them where it says that they do not; -Z as +Z on a
-/// hemisphere.
+/// The axes come back exactly where the codec promises it, and not all of them where it says that they do not; -Z as +Z
+/// on a hemisphere.
 pub fn keeps_the_axes(codec: &Tested) {
     let axes = if codec.domain == Domain::Sphere { &AXES[..] } else { &AXES[..5] };
     let lost: Vec<Vec3> = axes
         .iter()
         .copied()
-        // Of CrytekBFN the direction comes back, at the length of its cell.
+        // CrytekBFN returns the direction, at the length of its cell.
         .filter(|&axis| match codec.id {
             "crytek_bfn24" => codec.error_deg(axis) > 0.0,
             _ => codec.round_trip(axis) != axis,
@@ -162,7 +162,7 @@ pub fn norms_end_where_the_contract_says(codec: &Tested) {
 /// they are.
 pub fn length_does_not_matter(codec: &Tested) {
     for v in directions(8, 1000).filter(|_| codec.is_directional()) {
-        // What is below a hemisphere may be too short on its rim.
+        // Vectors below a hemisphere may be too short on its rim.
         let v = narrow(normalize(codec.reference.domain(widen(v))));
         let code = codec.encode(v);
         for exponent in -63..=98 {

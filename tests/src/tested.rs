@@ -86,7 +86,7 @@ impl Tested {
         Vec3::from_array(self.info.decode_one([code as u32, (code >> 32) as u32]))
     }
 
-    /// What comes back of a vector.
+    /// The decoded code of a vector.
     pub fn round_trip(&self, v: Vec3) -> Vec3 {
         self.decode(self.encode(v))
     }
@@ -170,7 +170,7 @@ pub fn widen(v: Vec3) -> [f64; 3] {
     v.to_array().map(f64::from)
 }
 
-/// To `f32`, each component rounded to nearest.
+/// Rounds each component to the nearest `f32`.
 pub fn narrow(v: [f64; 3]) -> Vec3 {
     Vec3::from_array(v.map(|t| t as f32))
 }

@@ -175,7 +175,7 @@ fn glsl_constants_are_the_crates() {
     for (name, value) in constants {
         let start = format!("const float UNITVEC_{name} = ");
         let literal = lines.iter().find_map(|line| line.strip_prefix(&start)?.strip_suffix(';'));
-        // As compilers may read it: in float64, then rounded.
+        // Compilers may read a literal so: in float64, then rounded.
         let read = literal.and_then(|literal| literal.parse::<f64>().ok()).map(|number| number as f32);
         assert_eq!(read.map(f32::to_bits), Some(value.to_bits()), "{name}: {literal:?}");
     }

@@ -151,7 +151,7 @@ fn round_trips() {
     }
 }
 
-/// Denormals and all below 2^-100 count as 0; so do infinity and NaN, or as the docs say. No result is -0.
+/// Denormals and all below 2^-100 count as 0; so do infinity and NaN, except where the docs differ. No result is -0.
 #[test]
 fn bad_input() {
     let negligible = [0.0, f32::from_bits(1), 1e-40, f32::MIN_POSITIVE, TINY.next_down()];
@@ -171,7 +171,7 @@ fn bad_input() {
         assert_eq!(arith::atan2_half_turns(1.0, t), 0.5, "{t:e}");
     }
     for denormal in [f32::from_bits(1), 1e-40, -1e-40, f32::MIN_POSITIVE.next_down()] {
-        // Beside the least usable length a denormal would still be 2^-26 of it.
+        // A denormal beside the least usable length would still be 2^-26 of it.
         assert_eq!(arith::atan2_half_turns(denormal, TINY).to_bits(), 0, "{denormal:e}");
         assert_eq!(arith::atan2_half_turns(denormal, -TINY), 1.0, "{denormal:e}");
         assert_eq!(arith::atan_octant_ratio(denormal, TINY).to_bits(), 0, "{denormal:e}");

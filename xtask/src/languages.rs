@@ -8,9 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Where the results for the docs stand.
+/// The file of the results for the docs.
 const RECORD: &str = "docs/data/languages.csv";
-/// Where it stands what barriers cost on a GPU.
+/// The file of the costs of barriers on a GPU.
 const BARRIERS: &str = "docs/data/barriers.csv";
 
 /// The driver that compiles for AMD's GPUs without one, and the GPU.
@@ -76,7 +76,7 @@ else:
     archive.extractall(folder, [m for m in archive.getmembers() if fnmatch.fnmatch(m.name, pattern)])
 ";
 
-/// What `test --languages` is asked to do.
+/// The options of `test --languages`.
 struct Options {
     needs_all: bool,
     records: bool,

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What is published, in the order of the dependencies.
+/// The published packages, in the order of the dependencies.
 const PACKAGES: [&str; 15] = [
     "unitvec",
     "unitvec-languages",
@@ -72,7 +72,7 @@ impl Unpacked {
         self.installed()
     }
 
-    /// For a target that has no std at all, with the compiler that `cargo xtask spirv` installs: it has core's sources.
+    /// Builds for a target without any std, with the compiler that `cargo xtask spirv` installs: it has core's sources.
     fn without_std(&self) -> Result<(), String> {
         let mut build = Command::new("cargo");
         build
@@ -88,7 +88,7 @@ impl Unpacked {
             .map_err(|error| format!("{error}; `cargo xtask spirv` installs that compiler"))
     }
 
-    /// `cargo install`, and what it installs: CPU and Rust's SPIR-V agree, and what needs the GLSL says so.
+    /// Runs `cargo install` and its program: CPU and Rust's SPIR-V agree, and commands that need the GLSL say so.
     fn installed(&self) -> Result<(), String> {
         let root = self.folder.join("installed");
         let mut install = self.cargo("unitvec-host", "install");

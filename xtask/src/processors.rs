@@ -1,5 +1,5 @@
-//! The same bits on other processors: a small program that digests what every codec makes of fixed input, built for each
-//! of them and run by qemu, Node.js or Miri, against what it prints on this machine.
+//! The same bits on other processors: a small program that digests every codec's results for fixed input, built for
+//! each of them and run by qemu, Node.js or Miri, against its output on this machine.
 
 use crate::{cargo, setup};
 use std::collections::{BTreeMap, BTreeSet};
@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::thread::{self, JoinHandle};
 
-/// Where the results for the docs stand.
+/// The file of the results for the docs.
 const RECORD: &str = "docs/data/processors.csv";
 
 /// The compiler that `cargo xtask spirv` installs: it has the standard library's sources.
@@ -25,7 +25,7 @@ struct Processor {
     linker: &'static str,
     /// Debian's packages beside Rust's.
     packages: &'static [&'static str],
-    /// What runs the program, and its arguments.
+    /// The command that runs the program, and its arguments.
     runner: &'static [&'static str],
     editions: &'static [Edition],
     /// The levels of slices that `std` must find, the best first; any where this is empty. Without `std` there is one.
@@ -39,11 +39,11 @@ struct Edition {
     count: usize,
 }
 
-/// As many as the released digests are of.
+/// The number of inputs in the released digests.
 const ALL: usize = 1 << 16;
-/// As many as take an emulator seconds.
+/// Few enough for an emulator to finish in seconds.
 const SOME: usize = 1 << 13;
-/// As many as take Miri a minute: a block of slices and a rest.
+/// Few enough for Miri to finish in a minute: a block of slices and a rest.
 const FEW: usize = 85;
 
 const STD: Edition = Edition { features: "std", count: ALL };
@@ -89,7 +89,7 @@ const fn wasm(name: &'static str, instructions: &'static str, editions: &'static
         instructions,
         linker: "rust-lld",
         packages: &["nodejs"],
-        // Without Liftoff all is compiled by the optimising compiler, before it runs.
+        // The optimising compiler, without Liftoff, compiles everything before it runs.
         runner: &["node", "--no-liftoff", "tests/processors/run.mjs"],
         editions,
         levels: &["Baseline"],
@@ -176,7 +176,7 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     }
     expect_released(repository, &references[&ALL])?;
 
-    // Those that are built run while the next is built.
+    // Programs that are built run while the next is built.
     let mut running = Vec::new();
     for processor in chosen {
         for edition in processor.editions {
@@ -215,7 +215,7 @@ fn chosen(names: &[&str]) -> Result<Vec<&'static Processor>, String> {
     Ok(all().filter(|p| names.contains(&p.name)).collect())
 }
 
-/// What a program printed: digests by way and codec.
+/// A program's output: digests by way and codec.
 #[derive(Clone)]
 struct Digests(BTreeMap<String, BTreeMap<String, String>>);
 
@@ -243,7 +243,7 @@ impl Digests {
         self.0.keys().map(String::as_str).filter(|way| *way != "values").collect()
     }
 
-    /// How many digests there are, if all are those of the reference, none is missing and the levels are these.
+    /// The number of digests, if all are those of the reference, none is missing and the levels are these.
     fn compare(&self, reference: &BTreeMap<String, String>, levels: &[&str]) -> Result<usize, String> {
         let found = self.levels();
         if !levels.is_empty() && found != levels.iter().copied().collect() {
@@ -391,7 +391,7 @@ impl Job {
         command
     }
 
-    /// What the program prints.
+    /// The program's output.
     fn output(&self, command: &mut Command, count: usize) -> Result<String, String> {
         if count != ALL {
             command.arg(count.to_string());
@@ -410,7 +410,7 @@ impl Job {
     }
 }
 
-/// What came of a program.
+/// The result of a program.
 struct Row {
     processor: &'static Processor,
     edition: Edition,
@@ -429,7 +429,7 @@ impl Row {
         Self { processor: &NATIVE, edition: STD, compiler: String::new(), by: String::new(), verdict }
     }
 
-    /// For the screen.
+    /// Formats the row for the screen.
     fn line(&self) -> String {
         let verdict = if self.verdict.is_ok() { "same bits" } else { "FAIL" };
         format!("{}: {verdict}", self.record().replace(',', " | "))
@@ -473,7 +473,7 @@ fn cpu_model() -> String {
     model.unwrap_or("this machine").replace(',', " ")
 }
 
-/// What a program says of its version, up to the date or the packager's part.
+/// A program's version by its own account, up to the date or the packager's part.
 fn version(command: &mut Command) -> String {
     let text = succeed(command).unwrap_or_default();
     let line = text.lines().next().unwrap_or_default();
@@ -484,7 +484,7 @@ fn succeeds(program: &str, arguments: &[&str]) -> bool {
     succeed(Command::new(program).args(arguments)).is_ok()
 }
 
-/// What a command prints, or the last that it says of what went wrong.
+/// A command's output, or the last line of its errors.
 fn succeed(command: &mut Command) -> Result<String, String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|error| format!("{program} cannot be started: {error}"))?;
@@ -507,7 +507,7 @@ mod tests {
     const PRINTED: &str =
         "values,a,1,2,3,4\nvalues,b,5,6,7,8\nLevel(Baseline),a,1,2,3,4\nLevel(Baseline),b,5,6,7,8\n";
 
-    /// What `compare` says of this program's output, beside [`PRINTED`].
+    /// The result of `compare` for this program's output, beside [`PRINTED`].
     fn compared(text: &str, levels: &[&str]) -> Result<usize, String> {
         let reference = Digests::parse(PRINTED).unwrap().only("values");
         Digests::parse(text)?.compare(&reference, levels)

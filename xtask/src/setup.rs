@@ -11,7 +11,7 @@ struct Package {
     purpose: &'static str,
 }
 
-/// What the build links: small packages, so that compiling starts soon.
+/// The packages that the build links: small ones, so that compiling starts soon.
 const TO_BUILD: [Package; 4] = [
     Package { name: "g++", purpose: "linking shaderc; programs in C and C++ in tests" },
     Package { name: "libshaderc-dev", purpose: "compiling GLSL" },
@@ -22,7 +22,7 @@ const TO_BUILD: [Package; 4] = [
     },
 ];
 
-/// What stands in for `libshaderc-dev` and `glslang-dev` where the distribution has no such packages.
+/// The packages in place of `libshaderc-dev` and `glslang-dev` where the distribution has no such packages.
 const TO_BUILD_FROM_SOURCE: [Package; 6] = [
     TO_BUILD[0],
     TO_BUILD[3],
@@ -32,7 +32,7 @@ const TO_BUILD_FROM_SOURCE: [Package; 6] = [
     Package { name: "git", purpose: "building shaderc" },
 ];
 
-/// What the programs need once they are built: drivers and all they bring along.
+/// The packages that the programs need once they are built: drivers and all their dependencies.
 const TO_RUN: [Package; 5] = [
     Package { name: "libvulkan1", purpose: "the Vulkan loader" },
     Package { name: "mesa-vulkan-drivers", purpose: "lavapipe, Vulkan on the CPU" },
@@ -61,8 +61,8 @@ pub fn run() -> Result<(), String> {
     begin()?.finish()
 }
 
-/// Installs what the build needs, as root or through sudo without a password, or says what to type; then begins to
-/// install what running needs.
+/// Installs the build's packages, as root or through sudo without a password, or prints the command to type; then
+/// begins to install those for running.
 pub fn begin() -> Result<Pending, String> {
     if !has_apt() {
         let needs =
@@ -81,7 +81,7 @@ pub fn begin() -> Result<Pending, String> {
     let Some(prefix) = privilege() else { return Err(to_type(&[to_build, to_run].concat())) };
     println!("xtask: apt-get update");
     apt_get(prefix, &["update", "-qq"])?;
-    // Before the update, apt-get may not have known any package.
+    // apt-get may not have known any package before the update.
     if to_build.iter().any(|name| !is_available(name)) {
         to_build = missing(&TO_BUILD_FROM_SOURCE);
         println!(
@@ -99,7 +99,7 @@ pub fn begin() -> Result<Pending, String> {
     Ok(Pending(Some(thread::spawn(move || install(prefix, &to_run)))))
 }
 
-/// Installs these packages where they are missing, as root or through sudo without a password, or says what to type.
+/// Installs missing packages, as root or through sudo without a password, or prints the command to type.
 pub fn packages(names: &[&'static str]) -> Result<(), String> {
     if !has_apt() {
         println!(
@@ -127,7 +127,7 @@ fn to_type(missing: &[&str]) -> String {
     )
 }
 
-/// What the build needs: the tools for building shaderc where apt-get knows other packages but not its library.
+/// The build's packages: the tools for building shaderc where apt-get knows other packages but not its library.
 fn to_build() -> &'static [Package] {
     let has_shaderc = TO_BUILD.iter().all(|package| is_installed(package.name) || is_available(package.name));
     if has_shaderc || !is_available("g++") { &TO_BUILD } else { &TO_BUILD_FROM_SOURCE }

@@ -20,8 +20,8 @@ const KERNEL: &str = include_str!("kernel.comp");
 /// Names the file that [`compile`] writes to.
 const OUTPUT: &str = "UNITVEC_DITHERED_COSTS";
 
-/// What the system's RADV makes of the kernels. A process compiles for one GPU only, and a driver that does not know it ends the
-/// process: so another one of this program does that.
+/// The report of the system's RADV on the kernels. A process compiles for one GPU only, and a driver that does not know
+/// it ends the process: so another one of this program does that.
 fn compiled() -> Result<Report, String> {
     let radv = Radv::new(rdna2().gpu, None).map_err(|error| error.to_string())?;
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! What RADV's compiler makes of the dithered functions for RDNA 2: `docs/data/dither_costs.json`, which docs/dither.md shows.
+//! Dithered functions by RADV's compiler for RDNA 2: `docs/data/dither_costs.json`, which docs/dither.md shows.
 //!
 //! The modules that ship have no kernels of dithered functions. These are of the GLSL, in `kernel.comp`, by glslang. They
 //! have the form of the shipped kernels, whose costs are in `host/choose/data/`, so that both can be compared.
@@ -15,7 +15,7 @@ use unitvec_tests::repository;
 pub const CODECS: [&str; 8] =
     ["oct16", "oct16p", "oct24", "oct24p", "hemioct16", "soct17", "eaoct16", "eaoct16p"];
 
-/// Where an offset comes from: nothing computes one that is `given`.
+/// The offset's source: nothing computes one that is `given`.
 pub const GIVEN: &str = "given";
 
 /// The functions that make offsets, by the names that the kernel has for them.

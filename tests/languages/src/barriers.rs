@@ -1,5 +1,5 @@
-//! What the barriers of the exact editions cost: what the compiler of a GPU's driver makes of the same kernel from each edition.
-//! HLSL has `precise` for that.
+//! Costs of the exact editions' barriers: the same kernel from each edition by the compiler of a GPU's driver. HLSL has
+//! `precise` instead.
 
 use crate::cases::Case;
 use crate::report::write_csv;

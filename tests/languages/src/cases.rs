@@ -1,4 +1,4 @@
-//! What every compiler's code is run on, and what the CPU makes of it.
+//! The inputs of every compiler's code, and the CPU's results.
 
 use crate::{Result, told};
 use std::collections::HashMap;
@@ -11,7 +11,7 @@ use unitvec_run::shader::kernel;
 pub const RANDOM: usize = 1 << 16;
 /// Special ones after them.
 pub const SPECIAL: usize = 1 << 12;
-/// Both.
+/// The number of both kinds.
 pub const COUNT: usize = RANDOM + SPECIAL;
 
 const SEED: u64 = 15;
@@ -32,7 +32,7 @@ impl Case {
         if self.has_all_files { "all_files".to_owned() } else { self.format.function(self.operation) }
     }
 
-    /// The same with all files of the language.
+    /// The case with all files of the language.
     pub fn with_all_files(&self) -> Self {
         let (input, expected) = (self.input.clone(), self.expected.clone());
         Self { input, expected, has_all_files: true, ..*self }

@@ -1,4 +1,4 @@
-//! What is compiled.
+//! Jobs for the compilers.
 
 use crate::cases::Case;
 use crate::{Result, told, whole};

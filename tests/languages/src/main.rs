@@ -41,7 +41,7 @@ fn told(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
-/// Where the compilers are. What is not given is not run.
+/// The compilers' paths. Compilers without a path do not run.
 #[derive(Parser)]
 struct Options {
     /// libdxcompiler.so
@@ -114,7 +114,7 @@ fn run(options: &Options) -> Result<()> {
     let mut rows = rows.rows.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(Row::order);
     println!("\n{}", report::table(&rows));
-    // What failed is recorded too: a test says so.
+    // Failures are recorded too: a test reports them.
     if let Some(path) = &options.record {
         report::record(&rows, path)?;
     }
@@ -141,7 +141,7 @@ fn slang_to_spirv(library: &Path, edition: Edition) -> Compiler<'_> {
 
 const EDITIONS: [Edition; 2] = [Edition::Plain, Edition::Exact];
 
-/// What came of the compilers so far.
+/// The compilers' results so far.
 struct Rows<'a> {
     cases: &'a [Case],
     rows: Mutex<Vec<Row>>,
@@ -180,7 +180,7 @@ impl Rows<'_> {
             for (language, script) in [
                 (Language::Wgsl, "webgpu"),
                 (Language::GlslEs, "webgl"),
-                // Its text is GLSL ES without what Godot lacks.
+                // Godot's text is GLSL ES without the parts that Godot lacks.
                 (Language::Godot, "webgl"),
             ] {
                 let (root, profile) = (root.clone(), options.scratch.join("profile"));
@@ -222,7 +222,7 @@ impl Rows<'_> {
         });
     }
 
-    /// For results that there is nothing to run on.
+    /// Adds results that there is nothing to run on.
     fn compiled(&self, subject: Subject, compiler: &Compiler<'_>) {
         self.add(subject, |subject, jobs, tally| {
             let version = compiler.compile(jobs, &mut |case, module| {

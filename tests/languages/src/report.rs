@@ -19,26 +19,26 @@ pub struct Subject {
     pub mode: Mode,
 }
 
-/// What is done beside compiling and running.
+/// Steps beside compiling and running.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Mode {
-    /// Nothing.
+    /// No further step.
     Usual,
     /// The compiler may take arithmetic for that of real numbers.
     FastMath,
-    /// What calls the stubs is linked with the library.
+    /// Code that calls the stubs is linked with the library.
     Linked,
-    /// It is compiled, and there is nothing to run the code on.
+    /// Code is compiled, and there is nothing to run it on.
     Compiled,
 }
 
-/// What results are promised to be.
+/// The promise about results.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Promise {
-    /// Those of the CPU, to the bit.
+    /// Results equal the CPU's, to the bit.
     Equal,
-    /// As good as the codec's error bound says: see [`crate::tally::Bounds`].
+    /// Results are within the codec's error bound: see [`crate::tally::Bounds`].
     Bounded,
     /// Anything but those of the CPU: a compiler that changes nothing would show nothing.
     None,
@@ -85,7 +85,7 @@ impl Subject {
     }
 }
 
-/// What came of one.
+/// The results of one compiler.
 pub struct Row {
     pub subject: Subject,
     pub tally: Tally,
@@ -101,7 +101,7 @@ struct Record<'a> {
     options: &'a str,
     driver: &'a str,
     kernels: usize,
-    /// Of each kernel.
+    /// The number of random inputs for each kernel.
     random: usize,
     special: usize,
     codes_differ: u64,
@@ -117,7 +117,7 @@ struct Record<'a> {
 }
 
 impl Row {
-    /// What speaks against it, in words.
+    /// The objections to the row, in words.
     fn objections(&self) -> Vec<String> {
         let mut objections = self.tally.faults.clone();
         match self.subject.promise() {
@@ -161,7 +161,7 @@ impl Row {
         (*language, compiler.clone(), *mode, driver.clone(), *edition)
     }
 
-    /// For the screen.
+    /// Formats the row for the screen.
     pub fn told(&self) -> String {
         const SHOWN: usize = 12;
         let record = self.record();
@@ -295,7 +295,7 @@ mod tests {
         assert!(row.objections().is_empty());
     }
 
-    /// What failed to be serialised leaves the file as it was.
+    /// A failure to serialise leaves the file as it was.
     #[test]
     fn a_record_is_written_whole_or_not_at_all() {
         let path = std::env::temp_dir().join(format!("unitvec-{}-record.csv", std::process::id()));

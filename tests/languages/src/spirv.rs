@@ -11,7 +11,7 @@ use std::process::Command;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/python");
 
-/// What takes the module that a case's text was compiled to.
+/// The function that takes the module compiled from a case's text.
 pub type EachModule<'a> = &'a mut dyn FnMut(&Case, Result<Vec<u8>>) -> Result<()>;
 
 /// A library, and the script that calls it.

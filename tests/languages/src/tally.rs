@@ -1,4 +1,4 @@
-//! What came of a compiler's code on a driver.
+//! Results of a compiler's code on a driver.
 
 use crate::cases::{Case, RANDOM, stored};
 use crate::{Result, told};
@@ -6,7 +6,7 @@ use unitvec::direction::{MAX_NORM, MIN_NORM};
 use unitvec_catalogue::{AnyCodec, Operation};
 use unitvec_lab::imprecise::{Outcome, error_bound, of_codes, of_elements};
 
-/// What came of all cases.
+/// The results of all cases.
 #[derive(Default)]
 pub struct Tally {
     /// Kernels of codecs that ran, or were compiled where none runs.
@@ -14,18 +14,18 @@ pub struct Tally {
     pub outcome: Outcome,
     /// Largest angle between a decoded element and the CPU's, as a part of the codec's error bound.
     pub angle: f64,
-    /// What did not compile, was warned of or did not run.
+    /// Cases that did not compile, caused a warning or did not run.
     pub faults: Vec<String>,
     /// The cases that differ, in words.
     pub differing: Vec<String>,
-    /// Those that differ by more than [`Bounds`] allow, in words.
+    /// Cases that differ by more than [`Bounds`] allow, in words.
     pub out_of_bounds: Vec<String>,
 }
 
-/// By how much the plain editions of languages without `precise` may differ, as parts of a codec's error bound. A compiler may
-/// leave out roundings, or add some: a position moves by a few ULP, and only codes of positions that near to a border change.
-/// What the arithmetic is off by is far below the bound of codecs of up to 32 bits. Wider ones are as fine as floats, and compute
-/// with two floats, of which a compiler may drop the second.
+/// The difference allowed in plain editions of languages without `precise`, as parts of a codec's error bound. A
+/// compiler may leave out roundings, or add some: a position moves by a few ULP, and only codes of positions that near
+/// to a border change. The error of the arithmetic is far below the bound of codecs of up to 32 bits. Wider ones are as
+/// fine as floats, and compute with two floats, of which a compiler may drop the second.
 pub struct Bounds {
     /// The error of a random element whose code differs. The code of a special one may stand for a direction that is one bound
     /// farther from the CPU's, which is itself off by up to one; without a direction it has to be the CPU's.
@@ -86,7 +86,7 @@ impl Tally {
     }
 }
 
-/// How a case's results differ from those expected.
+/// The differences of a case's results from those expected.
 fn outcome(case: &Case, words: &[u32]) -> Result<Outcome> {
     if case.operation == Operation::Decode {
         let [decoded, expected] = [words, &case.expected].map(bytemuck::cast_slice);
@@ -137,14 +137,14 @@ fn special_part(case: &Case, words: &[u32]) -> Result<f64> {
 fn has_direction(element: &[f32]) -> Option<bool> {
     let limits = [MIN_NORM, MAX_NORM].map(f64::from);
     let norm = |vector: &[f32]| vector.iter().map(|x| f64::from(*x).abs()).sum::<f64>();
-    // Of a tangent the fourth component is the handedness.
+    // The fourth component of a tangent is the handedness.
     let norms: Vec<f64> = element.chunks(3).filter(|vector| vector.len() == 3).map(norm).collect();
     let is_open = |norm: &f64| limits.iter().any(|limit| (norm / limit - 1.0).abs() < 1e-6);
     let is_usable = |norm: &f64| (limits[0]..limits[1]).contains(norm);
     (!norms.iter().any(is_open)).then(|| norms.iter().any(is_usable))
 }
 
-/// What the CPU makes of one code.
+/// The CPU's vector of one code.
 fn decoded(format: &AnyCodec, code: &[u32]) -> Result<Vec<f32>> {
     let mut element = vec![0.0; format.element.floats()];
     format.decode_cpu(&stored(format, code), &mut element).map_err(told)?;
@@ -200,7 +200,7 @@ mod tests {
         }
         let unclear = [MIN_NORM, 0.0, 0.0];
         assert_eq!(has_direction(&unclear), None);
-        // Of a frame either will do.
+        // Either vector of a frame will do.
         assert_eq!(has_direction(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, f32::NAN]), Some(true));
         assert_eq!(has_direction(&[f32::NAN, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]), Some(false));
     }

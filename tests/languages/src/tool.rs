@@ -14,11 +14,11 @@ pub fn converse<T>(
     command.stdin(Stdio::piped()).stdout(Stdio::piped());
     let mut child = command.spawn().map_err(|error| format!("{name} cannot be started: {error}"))?;
     let (stdin, stdout) = (child.stdin.take(), child.stdout.take());
-    // A program that ends too soon is told of below.
+    // The code below reports a program that ends too soon.
     let writer = std::thread::spawn(move || stdin.map(|mut stdin| stdin.write_all(&input)));
     let result = stdout.ok_or_else(|| format!("{name} has no output")).and_then(read);
     if result.is_err() {
-        // It may be waiting for somebody to read.
+        // The program may be waiting for a reader.
         let _ = child.kill();
     }
     let status = child.wait().map_err(told)?;
@@ -29,7 +29,7 @@ pub fn converse<T>(
     }
 }
 
-/// What a program prints, or what it says of what went wrong.
+/// A program's output, or its error message.
 pub fn output(command: &mut Command) -> Result<String> {
     let name = command.get_program().to_string_lossy().into_owned();
     let output = command.output().map_err(|error| format!("{name} cannot be started: {error}"))?;

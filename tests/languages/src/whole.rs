@@ -10,7 +10,7 @@ use unitvec_run::shader::{Edition, Language, library};
 /// The file that includes the others.
 const ALL: &str = "unitvec.glsl";
 
-/// Where the files of a language lie.
+/// The folder of a language's files.
 pub fn folder(language: Language, edition: Edition) -> PathBuf {
     let repository = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
     PathBuf::from(repository).join("shaders").join(language.id()).join(edition.folder())

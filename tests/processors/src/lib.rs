@@ -1,4 +1,4 @@
-//! What a processor makes of a codec, as digests: of the codes of fixed vectors and of the vectors of fixed codes, as
+//! Results of a processor for a codec, as digests: of the codes of fixed vectors and of the vectors of fixed codes, as
 //! `vectors/digests.csv` has them, and of more input that is hard to round or has no direction.
 
 use sha2::{Digest, Sha256};
@@ -59,9 +59,9 @@ pub struct Coder<'a, const N: usize> {
     pub bits: u32,
     /// Bytes of a stored code.
     pub bytes: usize,
-    /// Its encoder.
+    /// The codec's encoder.
     pub encode: Encode<'a, N>,
-    /// Its decoder.
+    /// The codec's decoder.
     pub decode: Decode<'a, N>,
 }
 

@@ -1,7 +1,7 @@
 //! Prints a line for each codec and each way of running it: the way, the codec's row of `vectors/digests.csv` as this
-//! processor computes it, and digests of more input. Ways are `values`, the functions of single vectors, and the levels of
-//! the slice functions that this processor has. An argument says how many vectors and codes to take, instead of as many as the
-//! released digests are of.
+//! processor computes it, and digests of more input. Ways are `values`, the functions of single vectors, and the levels
+//! of the slice functions that this processor has. An argument gives the number of vectors and codes, instead of the
+//! number in the released digests.
 
 use unitvec::codec::Code;
 use unitvec::frame::{decode_frames, encode_frames};
@@ -24,8 +24,8 @@ fn main() {
     for_each_frame!(frames);
 }
 
-/// How many vectors and codes the argument asks for. If not all, a sixteenth of that for codecs that are made to encode by a
-/// table: without it, as here, two of them would take an emulator as long as all others.
+/// The number of vectors and codes that the argument asks for. If not all, a sixteenth of that for codecs that are made
+/// to encode by a table: without it, as here, two of them would take an emulator as long as all others.
 fn count(table: &[&str]) -> usize {
     let argument = std::env::args().nth(1).and_then(|count| count.parse().ok());
     match argument.unwrap_or(COUNT).clamp(1, COUNT) {

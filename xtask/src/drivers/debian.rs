@@ -12,17 +12,17 @@ use std::{env, fs, io, thread};
 pub struct Packaged {
     name: &'static str,
     package: &'static str,
-    /// Where in the package it lies.
+    /// The library's place in the package.
     library: &'static str,
     /// Archives and suites with all that is fetched. The last has the driver.
     suites: &'static [(&'static str, &'static str)],
-    /// Whether all that it needs is fetched too, down to the C library.
+    /// True if all dependencies are fetched too, down to the C library.
     has_dependencies: bool,
-    /// Whether it is of a newer release than the other drivers, and so takes the C library that was fetched.
+    /// True if the driver is of a newer release than the others, and so takes the C library that was fetched.
     is_newer: bool,
 }
 
-/// What `--fetch` fetches.
+/// The packages that `--fetch` fetches.
 pub const PACKAGED: [Packaged; 3] = [
     Packaged {
         name: "lavapipe",
@@ -69,9 +69,9 @@ const TRIES: u64 = 3;
 /// Why a driver is not there.
 #[derive(Debug)]
 pub enum Missing {
-    /// It cannot be had on this machine.
+    /// The driver is not available on this machine.
     NotHere(String),
-    /// It should have been had.
+    /// The driver should have been available.
     Failed(String),
 }
 
@@ -81,7 +81,7 @@ impl Packaged {
         format!("{} of {}", self.name, self.suite().1)
     }
 
-    /// Whether the machine may be unable to run it.
+    /// True if the machine may be unable to run it.
     pub fn is_newer(&self) -> bool {
         self.is_newer
     }
@@ -96,12 +96,12 @@ impl Packaged {
         self.folder(cache).join("unpacked")
     }
 
-    /// What tells the driver's version: its package and the package's version. It is there once all of the driver is.
+    /// The driver's version: its package and the package's version. The file is there once all of the driver is.
     pub fn version(&self, cache: &Path) -> Option<String> {
         fs::read_to_string(self.folder(cache).join("version")).ok()
     }
 
-    /// What starts a program with the libraries that were fetched with the driver.
+    /// The command that starts a program with the libraries that were fetched with the driver.
     pub fn launcher(&self, cache: &Path) -> Vec<OsString> {
         if !self.is_newer {
             return Vec::new();
@@ -264,8 +264,8 @@ impl Apt {
     }
 }
 
-/// The system's settings of proxies and the like, without its hooks, which clean the system's folders up. What is not
-/// signed is refused, whatever the system says.
+/// The system's settings of proxies and the like, without its hooks, which clean the system's folders up. Unsigned
+/// packages are refused, whatever the system allows.
 fn settings(folder: &Path) -> String {
     let system = Command::new("apt-config").args(["dump", "Acquire"]).output();
     let mut settings = system.map_or_else(|_| Vec::new(), |output| output.stdout);
@@ -276,7 +276,7 @@ fn settings(folder: &Path) -> String {
     String::from_utf8_lossy(&settings).into_owned()
 }
 
-/// Runs a program of Debian's in silence; where it fails, its errors are told.
+/// Runs a program of Debian's in silence, and returns its errors where it fails.
 fn run(command: &mut Command) -> Result<(), String> {
     let program = command.get_program().to_string_lossy().into_owned();
     let output = command

@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-/// Where Vulkan's loader looks for drivers' files.
+/// The folders where Vulkan's loader looks for drivers' files.
 const FOLDERS: &str = include_str!("../../../host/lab/data/icd_folders.txt");
 
 /// The files of drivers that browsers bring along.
@@ -20,7 +20,7 @@ const OF_BROWSERS: [&str; 2] =
 /// Variables that name drivers' files to the loader.
 const VARIABLES: [&str; 3] = ["VK_DRIVER_FILES", "VK_ICD_FILENAMES", "VK_ADD_DRIVER_FILES"];
 
-/// What the docs' table of drivers is made from.
+/// The source of the docs' table of drivers.
 const RECORD: &str = "docs/data/drivers.tsv";
 
 /// Names the file of a newer RADV than the system's to the tests that renew costs.
@@ -31,7 +31,7 @@ pub fn versions() -> String {
     format!("{PACKAGED:?}")
 }
 
-/// What `--drivers` is asked to do.
+/// The options of `--drivers`.
 pub struct Options {
     fetch: bool,
     record: bool,
@@ -64,7 +64,7 @@ impl Options {
 
 /// A driver that was looked for, and what became of it.
 struct Row {
-    /// Its file, or the package that it was fetched from.
+    /// The driver's file, or the package that it was fetched from.
     origin: String,
     outcome: Outcome,
 }
@@ -73,18 +73,18 @@ struct Row {
 enum Outcome {
     /// The fields of `unitvec conform --summary`, and whether it passed.
     Ran { fields: Vec<(String, String)>, passed: bool },
-    /// In a word, and why. Some drivers may be missing.
+    /// A word, and the reason. Some drivers may be missing.
     NotRun { word: &'static str, reason: String, is_failure: bool },
 }
 
-/// Whether a driver has to run.
+/// The need for a driver to run.
 #[derive(Clone, Copy, PartialEq)]
 enum Duty {
-    /// It has, if it has a device.
+    /// The driver has to run if it has a device.
     OfDevice,
-    /// It has.
+    /// The driver has to run.
     Always,
-    /// It has not.
+    /// The driver need not run.
     Never,
 }
 
@@ -92,14 +92,14 @@ enum Duty {
 struct Driver {
     origin: String,
     icd: PathBuf,
-    /// What `unitvec` is started by.
+    /// The command that starts `unitvec`.
     launcher: Vec<OsString>,
     duty: Duty,
 }
 
 /// Runs `unitvec conform` on all drivers, and ends in a table of them.
 pub fn run(options: &Options, unitvec: &Path, repository: &Path) -> Result<(), String> {
-    // Beside the folder of cargo's profile.
+    // The cache is beside the folder of cargo's profile.
     let cache = unitvec.ancestors().nth(2).unwrap_or(repository).join("drivers");
     fs::create_dir_all(&cache).map_err(|error| format!("{}: {error}", cache.display()))?;
     // Drivers are fetched before any runs: a network that fails is known at once.
@@ -197,7 +197,7 @@ impl Driver {
         Outcome::NotRun { word: "not run", reason, is_failure: self.duty != Duty::Never }
     }
 
-    /// Whether the driver has a device.
+    /// Tests that the driver has a device.
     fn probe(&self, unitvec: &Path) -> Result<(), String> {
         let mut devices = self.unitvec(unitvec);
         devices.arg("devices").env("VK_LOADER_DEBUG", "error").stdin(Stdio::null());
@@ -260,7 +260,7 @@ fn value<'a>(fields: &'a [(String, String)], name: &str) -> &'a str {
     fields.iter().find(|(other, _)| other == name).map_or("?", |(_, value)| value)
 }
 
-/// Those that ran, below the names of the fields.
+/// The drivers that ran, below the names of the fields.
 fn record(rows: &[Row]) -> String {
     let ran = rows.iter().filter_map(|Row { origin, outcome }| match outcome {
         Outcome::Ran { fields, .. } => Some((origin, fields)),

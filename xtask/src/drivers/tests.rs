@@ -66,7 +66,7 @@ fn the_reason_is_the_loaders() {
     assert_eq!(reason(""), "");
 }
 
-/// A program in the place of `unitvec`: the driver's file tells whether it has a device, and differs from the CPU.
+/// A program in the place of `unitvec`: the driver's file decides whether it has a device, and differs from the CPU.
 #[cfg(unix)]
 const STAND_IN: &str = r#"
 [ "$VK_DRIVER_FILES" = "$VK_ICD_FILENAMES" ] || exit 9
@@ -94,7 +94,7 @@ fn what_becomes_of_a_driver() {
     let run = |device: &str, duty| {
         let icd = folder.join(device);
         fs::write(&icd, device).unwrap();
-        // As a driver with its own libraries is started by their linker.
+        // The shell stands for the linker that starts a driver with its own libraries.
         let launcher = vec!["sh".into()];
         let driver = Driver { origin: device.to_owned(), icd, launcher, duty };
         driver.run(&unitvec, &strings(&["--count", "9"]), &folder)
@@ -123,7 +123,7 @@ fn a_mismatch_or_a_missing_driver_fails() {
     assert!(verdict(&[not_run(false)]).unwrap_err().contains("no driver ran"));
 }
 
-/// What did not run shows no figure, no PASS and why; nor is it recorded.
+/// Drivers that did not run show no figure, no PASS and the reason; nor are they recorded.
 #[test]
 fn what_did_not_run_is_not_green() {
     let rows = [ran("0", true), ran("7", false), not_run(false)];

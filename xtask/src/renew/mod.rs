@@ -98,7 +98,7 @@ fn renew(root: &Path, chosen: Vec<Chosen>) -> Result<(), String> {
     if left.is_empty() { Ok(()) } else { Err(format!("left stale, see above: {}", left.join(", "))) }
 }
 
-/// Those of the chosen that are named, stale, or made of what such a one makes.
+/// The chosen records that are named, stale, or made of files that such a record makes.
 fn due(files: &Repository, lock: &Lock, chosen: Vec<Chosen>) -> Result<Vec<Chosen>, String> {
     let mut due: Vec<Chosen> = Vec::new();
     for (record, is_named) in chosen {

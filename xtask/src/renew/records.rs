@@ -27,7 +27,7 @@ pub enum Source {
 }
 use Source::{Bytes, Code, Parts, Versions};
 
-/// Who notices that a record is stale.
+/// The check that notices that a record is stale.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
     /// Tests fail.
@@ -47,13 +47,13 @@ impl Kind {
 pub struct Record {
     pub name: &'static str,
     pub outputs: &'static [Source],
-    /// What it is made of, for people.
+    /// The record's sources, for people.
     pub from: &'static str,
     pub inputs: &'static [&'static [Source]],
     pub kind: Kind,
-    /// How long it takes on 2 cores, when everything is built.
+    /// The time that it takes on 2 cores, when everything is built.
     pub minutes: u32,
-    /// What a machine may lack: without it the record is left stale. Empty where `cargo xtask setup` suffices.
+    /// The needs that a machine may not meet: the record is left stale then. Empty where `cargo xtask setup` suffices.
     pub needs: &'static str,
     pub renew: fn() -> Result<(), String>,
 }
@@ -72,7 +72,7 @@ const CODECS: &[Source] = &[Code("shader-crate/src/*.rs")];
 const KERNELS: &[Source] = &[Bytes("spirv/kernels/*")];
 const GLSL: &[Source] = &[Code("glsl/unitvec/* glsl/kernels/*")];
 const RENDER: &[Source] = &[Bytes("host/render*shaders/rust/Cargo.*"), Code("host/render*shaders/rust/*.rs")];
-/// The programs that build the modules and say what is in them. The comments of the manifest's types are in its schema.
+/// The programs that build and describe the modules. The comments of the manifest's types are in its schema.
 const SPIRV_BUILD: &[Source] = &[
     Bytes("shader-crate/Cargo.toml"),
     Code("xtask/spirv/src/*.rs"),
@@ -85,7 +85,7 @@ const SPIRV_BUILD: &[Source] = &[
     }),
 ];
 
-/// What most records are like.
+/// The defaults of most records.
 const FILE: Record = Record {
     name: "",
     outputs: &[],
@@ -237,7 +237,7 @@ pub static RECORDS: &[Record] = &[
         name: "slices",
         outputs: &[Bytes("docs/data/slices.json")],
         from: "times of slices on the CPU, beside other crates",
-        // Of the arithmetic only what all slices share: a new codec has no row.
+        // The arithmetic counts only where all slices share it: a new codec has no row.
         inputs: &[&[Code("shader-crate/src/slice/*.rs shader-crate/src/arith/*.rs bench/benches/*.rs")]],
         kind: Kind::Timing,
         minutes: 6,
@@ -311,7 +311,7 @@ pub static RECORDS: &[Record] = &[
         name: "figures",
         outputs: &[Bytes("docs/figures/*")],
         from: "the codecs, the costs and the renderer, on lavapipe",
-        // What the pictures show. Tests draw them again, and so hold them to the rest of the renderer.
+        // The inputs that the pictures show. Tests draw them again, and so hold them to the rest of the renderer.
         inputs: &[
             KERNELS,
             &[

@@ -1,4 +1,4 @@
-//! Whether records are current: hashes of files, and the lock that has those of each record when it was last renewed.
+//! State of records: hashes of files, and the lock that has those of each record when it was last renewed.
 
 use super::records::{Record, Source};
 use std::collections::{BTreeMap, BTreeSet};
@@ -9,7 +9,7 @@ use std::{fmt, fs, str};
 /// The file of all hashes, in the repository's root.
 pub const LOCK: &str = "records.lock";
 
-/// Its first lines.
+/// The file's first lines.
 const HEAD: &str = "\
 # What `cargo xtask renew` made or ran, and of what; it writes this file. In a conflict take either side and renew again.
 # record, date, hash of its inputs, hash of its files, why it was adopted and not renewed
@@ -98,20 +98,20 @@ fn code(text: &str) -> String {
     lines.flat_map(|line| [line, "\n"]).collect()
 }
 
-/// What stands between the markers of generated parts, with the markers.
+/// The text between the markers of generated parts, with the markers.
 fn parts(text: &str) -> String {
     let parts = text.split("<!-- generated: ").skip(1).filter_map(|part| part.split("<!-- end -->").next());
     parts.collect()
 }
 
-/// What a record was made of, and what was made.
+/// The hashes of a record's inputs and of its files.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hashes {
     pub inputs: u64,
     pub outputs: u64,
 }
 
-/// When a record was renewed, and of what.
+/// The date and the hashes of a record's last renewal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Entry {
     pub date: String,
@@ -157,7 +157,7 @@ impl Lock {
         written.map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// Whether a record is current, or why not.
+    /// The state of a record: current, or why not.
     pub fn state(&self, repository: &Repository, record: &Record) -> Result<State<'_>, String> {
         let Some(entry) = self.0.get(record.name) else {
             return Ok(State::Stale(format!("{LOCK} does not have it")));

@@ -25,7 +25,7 @@ const ARGUMENTS: [&str; 8] = [
     "-xc++",
 ];
 
-/// What a compiler may do that takes arithmetic for that of real numbers.
+/// Options of a compiler that takes arithmetic for that of real numbers.
 pub const HOSTILE: [&str; 6] = [
     "-ffp-contract=fast",
     "-fassociative-math",

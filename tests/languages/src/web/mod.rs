@@ -22,20 +22,19 @@ const FILES: [(&str, &str, &str); 4] = [
 
 const DAWN: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/web/dawn.mjs");
 
-/// How long a client may say nothing.
+/// The time for which a client may be silent.
 const PATIENCE: Duration = Duration::from_secs(120);
 
 /// An implementation of WebGPU or WebGL.
 pub enum Client {
-    /// Dawn's addon to Node.js, on the driver of this file.
-    /// What it says of itself goes to the file `said`.
+    /// Dawn's addon to Node.js, on the driver in this file. Its messages go to the file `said`.
     Dawn { addon: PathBuf, icd: PathBuf, said: PathBuf },
     /// Chromium in this folder, on the SwiftShader that it brings along, with one of the scripts above.
     Chromium { root: PathBuf, script: &'static str, profile: PathBuf },
 }
 
 impl Client {
-    /// What it is, and its version.
+    /// The client's name and version.
     pub fn name(&self) -> String {
         match self {
             // The package's folder has the version in its name.
@@ -68,7 +67,7 @@ impl Client {
         })
     }
 
-    /// The last of what it said.
+    /// The end of the client's messages.
     fn last_words(&self) -> String {
         const LINES: usize = 3;
         let Self::Dawn { said, .. } = self else { return String::new() };
@@ -104,7 +103,7 @@ struct Told<'a> {
     written: usize,
 }
 
-/// Compiles and runs. Returns what the client says of its device.
+/// Compiles and runs. Returns the client's description of its device.
 pub fn run(client: &Client, jobs: &[Job<'_>], tally: &mut Tally) -> Result<String> {
     let server = Server::http("127.0.0.1:0").map_err(told)?;
     let mut command = client.command(&format!("http://{}", server.server_addr()))?;
