@@ -91,7 +91,7 @@ fn nearest_around_the_ray() {
     assert!(excess.max <= CHOICE_ROUNDING_8 && excess.mean <= 1e-5 * mean, "{excess:?} {mean}");
 }
 
-/// The nearest of 8 bits keeps every code's direction exactly: what comes back is parallel. Of a ninth of all.
+/// The nearest of 8 bits keeps every code's direction exactly: the decoded vector is parallel. Checks a ninth of all.
 #[test]
 fn nearest_keeps_the_direction_of_every_code() {
     let codec = Tested::find("snorm8x3_nearest");

@@ -59,7 +59,7 @@ fn devices_marks_the_one_that_would_be_used() {
     assert!(text.lines().any(|line| line.starts_with('*') && line.contains("llvmpipe")), "{text}");
 }
 
-/// The codes of a file and what they decode to, which are the same on every backend.
+/// The codes of a file and their decoded values, which are the same on every backend.
 fn convert(codec: &str, folder: &Path, input: &Path) -> (Vec<u8>, Vec<u8>) {
     let [codes, back] = ["codes", "back"].map(|name| folder.join(name));
     let mut results = BACKENDS.iter().map(|&backend| {
@@ -540,7 +540,7 @@ fn choose_takes_the_costs_of_a_gpu() {
     assert!(stderr(&unknown).contains("bench --isa --gpu voodoo2 --json FILE"), "{}", stderr(&unknown));
 }
 
-/// A report without `oct32` has nothing that costs could be multiples of.
+/// A report without `oct32` has no reference for the costs.
 #[test]
 fn choose_needs_oct32_in_a_report() {
     let folder = tempfile::tempdir().unwrap();

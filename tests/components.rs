@@ -11,7 +11,7 @@ fn round_trip<C: Codec>(v: Vec3) -> Vec3 {
     C::decode(C::encode(v))
 }
 
-/// No component is off by more than half a step and what `f32` rounds.
+/// No component is off by more than half a step and the rounding of `f32`.
 #[test]
 fn rounds_to_nearest() {
     let half_step = |b: i32| 0.5 / (2f64.powi(b - 1) - 1.0);

@@ -114,7 +114,7 @@ fn any_number_of_elements_can_be_dispatched() {
     assert_no_validation_messages(device);
 }
 
-/// Kernels write what the count asks for and both buffers hold, and 0 to what is left of the last word; nothing more.
+/// Kernels write what the count asks for and both buffers hold, and 0 to the rest of the last word; nothing more.
 #[test]
 fn kernels_keep_to_the_count_and_to_both_buffers() {
     let device = lavapipe();
@@ -140,7 +140,7 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
                 for (count, input, output) in
                     [(5, 12, 12), (12, 5, 12), (12, 7, 12), (12, 12, 5), (12, 12, 7)]
                 {
-                    // Whole words, whose rest holds the beginning of what comes next.
+                    // Whole words, whose rest holds the beginning of the next code.
                     let [input, output] = [(read, input), (written, output)]
                         .map(|(bytes, count)| (bytes.len() / 12 * count).next_multiple_of(4));
                     let mut actual = vec![0; output];
@@ -211,7 +211,7 @@ fn backends_refuse_wrong_lengths() {
     }
 }
 
-/// The kernels that decode by a table give what the CPU decodes, for all codes.
+/// The kernels that decode by a table give the CPU's results, for all codes.
 #[test]
 fn decoding_by_table_agrees() {
     let device = lavapipe();

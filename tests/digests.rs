@@ -9,7 +9,7 @@ use unitvec_processors::{COUNT, Coder};
 /// The format, as it was when each codec was first released.
 const RELEASED: &str = include_str!("../vectors/digests.csv");
 
-/// The row of a codec: digests of what it encodes and of what it decodes, on all cores.
+/// The row of a codec: digests of its encoded and of its decoded values, on all cores.
 fn row<const N: usize>(codec: &AnyCodec) -> String {
     let encode =
         |elements: &[[f32; N]], codes: &mut [_]| codec.encode_cpu(elements.as_flattened(), codes).unwrap();
@@ -20,8 +20,8 @@ fn row<const N: usize>(codec: &AnyCodec) -> String {
     Coder { id, bits, bytes, encode: &encode, decode: &decode }.released(COUNT)
 }
 
-/// Every codec writes and reads what it did when it was released. `cargo xtask renew vectors` adds the rows of new codecs
-/// to the file, and changes no other.
+/// Every codec writes and reads the same bits as when it was released. `cargo xtask renew vectors` adds the rows of new
+/// codecs to the file, and changes no other.
 #[test]
 fn codes_are_the_released_ones() {
     let released: BTreeMap<&str, &str> =

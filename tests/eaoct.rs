@@ -28,7 +28,7 @@ fn codecs(precise: bool) -> impl Iterator<Item = Tested> {
 fn encodes_as_the_oracle() {
     for codec in codecs(false) {
         let m = largest(codec.bits);
-        // Half a step, and in parts of the rounding what is beyond.
+        // Half a step, and the excess in parts of the rounding.
         let steps_off = |v, code| {
             let ([r, phi], point) = (eaoct::polar(v), eaoct::ring_point(code, codec.bits));
             let [ring, place] = point.map(|i| i as f64);

@@ -1,5 +1,5 @@
-//! All codes of codecs that the suite takes a part of, up to the 2^32 of 32 bits: `cargo xtask test --exhaustive` runs these, minutes
-//! a codec of 32 bits on 2 cores.
+//! All codes of the codecs of which the suite takes a part, up to the 2^32 of 32 bits: `cargo xtask test --exhaustive`
+//! runs these, minutes a codec of 32 bits on 2 cores.
 
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;

@@ -274,7 +274,7 @@ fn a_full_disk() {
     assert_fails(&mut encode("oct16", &input, Path::new("/dev/full")), 1, &["cannot write /dev/full"]);
 }
 
-/// Interrupted or terminated while it writes, the program removes what it wrote, and leaves the file that was there.
+/// Interrupted or terminated while it writes, the program removes its own output, and leaves the earlier file.
 #[test]
 fn an_interrupted_run() {
     for signal in ["-INT", "-TERM"] {
@@ -462,7 +462,7 @@ fn meshes_are_not_overwritten() {
     assert_eq!(std::fs::read(raw).unwrap(), [0; 12]);
 }
 
-/// `unitvec shader` names what it does not know, and what a language does not have.
+/// `unitvec shader` names unknown words, and features that a language does not have.
 #[test]
 fn wrong_languages_are_told() {
     // Clap prints these words.

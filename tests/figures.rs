@@ -46,8 +46,8 @@ fn figures_without_a_device() {
     assert_eq!(ids, ["2", "3", "5", "front"]);
 }
 
-/// Figures that are not drawn again stay, in the lists too, and what a figure had and has no more is removed. A list that cannot
-/// be read is not replaced.
+/// Figures that are not drawn again stay, in the lists too, and pictures that a figure no longer has are removed. A
+/// list that cannot be read is not replaced.
 #[test]
 fn figures_of_earlier_runs_stay() {
     let place = tempfile::tempdir().unwrap();
@@ -109,7 +109,7 @@ fn number(figure: &Value, name: &str) -> f64 {
     found.unwrap_or_else(|| panic!("no {name}"))["value"].as_f64().unwrap()
 }
 
-/// The mean difference to floats of what has this label in a figure's first picture.
+/// The mean difference to floats of the picture with this label in a figure's first picture.
 fn difference(figure: &Value, label: &str) -> f64 {
     let differences = figure["pictures"][0]["differences"].as_array().unwrap();
     let found = differences.iter().find(|one| one["label"] == label);

@@ -42,7 +42,7 @@ fn a_point_has_one_code() {
 }
 
 /// 2 * 10^5 directions and 10^5 near faces' sides, vertices and middles get the lattice point nearest in angle of all
-/// around, or one that is no further off than by what arithmetic adds.
+/// around, or one that is no further off than the arithmetic's error.
 #[test]
 fn encodes_the_nearest() {
     for codec in Tested::family("ico") {

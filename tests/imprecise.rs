@@ -14,8 +14,8 @@ use unitvec_tests::directions::Rng;
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 use unitvec_vulkan::{Device, Runner};
 
-/// Of `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c` as float, taken
-/// as signed and as unsigned. Quotients, product and the signed integer are those of vectors.
+/// Results for `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c`
+/// as float, taken as signed and as unsigned. Quotients, product and the signed integer are those of vectors.
 const ARITHMETIC: &str = "#version 450
 layout(local_size_x = 64) in;
 layout(std430, set = 0, binding = 0) readonly buffer Input { uint words[]; } source;
@@ -200,7 +200,7 @@ fn denormals_are_flushed_before_and_after_operations() {
     }
 }
 
-/// An operation whose error no model knows is not passed over.
+/// An operation whose error no model knows is an error.
 #[test]
 fn unknown_operations_are_refused() {
     let other = ARITHMETIC.replace("sqrt(a)", "sin(a)");
@@ -262,7 +262,7 @@ fn codecs_keep_within_their_bounds_on_every_device() {
     }
     // Best fit loses codes, which shows that loss is counted.
     assert!(rows.last().is_some_and(|row| !row.unstable.is_empty()));
-    // The models do something: quotients show in what is decoded, truncated sums in codes.
+    // The models have effects: quotients show in decoded vectors, truncated sums in codes.
     let oct: &Row = &rows[0];
     assert!(oct.models[&Model::Up].component_ulp > 0.0 && oct.models[&Model::Flush].component_ulp == 0.0);
     assert!(oct.models[&Model::Truncate].codes_differ > oct.elements / 2, "{oct:?}");
@@ -302,7 +302,7 @@ fn what_exceeds_a_bound_is_told() {
     assert_eq!(objections(Model::Up, zero), [""; 0]);
 }
 
-/// Every family has limits of its own: one without would be held to the bits.
+/// Every family has limits of its own: without them it would have to match to the bit.
 #[test]
 fn every_family_has_limits() {
     for format in catalogue::CODECS.iter().filter(|format| format.id != "float16x3") {

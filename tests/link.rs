@@ -1,5 +1,5 @@
-//! Shaders that call the library's functions by stubs and are linked compute what the CPU does, to the bit; what cannot be
-//! linked is refused in one line.
+//! Shaders that call the library's functions by stubs and are linked compute the CPU's results, to the bit; modules
+//! that cannot be linked are refused in one line.
 
 use std::path::Path;
 use std::process::Command;
@@ -209,7 +209,7 @@ fn agree(front_end: &FrontEnd) {
     assert_no_validation_messages(device);
 }
 
-/// True where all that differs is how a NaN is written.
+/// True where the only difference is how a NaN is written.
 fn is_nan_twice(a: &[u8], b: &[u8]) -> bool {
     let float = |word: &[u8]| f32::from_le_bytes(word.try_into().unwrap());
     a[..8] == b[..8]
@@ -315,7 +315,7 @@ fn stubs_may_be_there_twice() {
     link::link(&module).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// The program links a file as the library does; where it cannot, it leaves what was there.
+/// The program links a file as the library does; where it cannot, it leaves the earlier file.
 #[test]
 fn the_program_links_files() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! Nothing that the list cannot make is lacking for any of its codecs.
+//! Everything that the list cannot generate exists for each of its codecs.
 //!
 //! The catalogue, the kernels, the suite, the slices and the benchmarks are made from the list: they need no test here.
 
@@ -107,7 +107,7 @@ fn is_among(ids: BTreeSet<String>) -> Has {
     Box::new(move |id| ids.contains(id))
 }
 
-/// Whether an identifier stands between backquotes in a file.
+/// A test of whether an identifier stands between backquotes in a file.
 fn is_named_in(file: &str) -> Has {
     let text = std::fs::read_to_string(repository().join(file)).unwrap_or_default();
     Box::new(move |id| text.contains(&format!("`{id}`")))
@@ -117,7 +117,7 @@ fn oracle_bits(id: &str) -> Option<u32> {
     Reference::find(id).map(|codec| codec.bits).or_else(|| Format::find(id).map(Format::bits))
 }
 
-/// Whether a file of `glsl/unitvec/` names a function, which macros may define.
+/// True if a file of `glsl/unitvec/` names a function, which macros may define.
 fn is_in_glsl(function: &str) -> bool {
     static TEXT: OnceLock<String> = OnceLock::new();
     let text = TEXT.get_or_init(|| {

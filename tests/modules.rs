@@ -40,7 +40,7 @@ fn modules_are_built_from_the_sources_as_they_are() {
     assert_eq!(manifest().sources_sha256, sources, "run `cargo xtask spirv`");
 }
 
-/// Likewise those of the renderer.
+/// A stale module of the renderer is found as well.
 #[test]
 fn render_modules_are_built_from_the_sources_as_they_are() {
     let sources = render_sources_sha256(&repository()).unwrap();

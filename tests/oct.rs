@@ -16,8 +16,8 @@ fn codecs(precise: bool) -> impl Iterator<Item = Tested> {
     Tested::family("oct").into_iter().filter(move |codec| codec.is_precise() == precise)
 }
 
-/// Around the middles of the octants, where Meyer's bound is attained, the error comes to 95 % of it at least; nowhere does
-/// it exceed it by more than `f32` rounds.
+/// Around the middles of the octants, where Meyer's bound is attained, the error comes to 95 % of it at least; nowhere
+/// does it exceed it by more than `f32`'s rounding.
 #[test]
 fn bound_is_attained_in_the_middle_of_octants() {
     for codec in Tested::family("oct") {

@@ -30,7 +30,7 @@ fn near_diagonals(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
     })
 }
 
-/// Directions on borders come back as what they came back as first, keep the contract and the symmetries, and get no error
+/// Directions on borders come back as the first decoded vector, keep the contract and the symmetries, and get no error
 /// above the bound.
 #[test]
 fn borders() {
@@ -55,7 +55,7 @@ fn borders() {
 }
 
 /// The largest error, of those over the sphere and at the equator (PP) or in the octants' middles and on the sextants'
-/// borders (SPP), comes to 95 % of Meyer's bound at least and does not exceed it but for what higher orders and `f32` add.
+/// borders (SPP), comes to 95 % of Meyer's bound at least and does not exceed it but for higher orders and `f32`.
 #[test]
 fn attains_meyers_bound() {
     for (kind, name) in [(Kind::Pp, "pp"), (Kind::Spp, "spp")] {

@@ -1,4 +1,4 @@
-//! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and what `unitvec shader` writes.
+//! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and `unitvec shader`.
 
 use std::sync::Arc;
 use unitvec_catalogue::{CODECS, Operation, find};

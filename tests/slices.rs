@@ -68,7 +68,7 @@ fn bits<const N: usize>(elements: &[[f32; N]]) -> Vec<[u32; N]> {
     elements.iter().map(|v| v.map(f32::to_bits)).collect()
 }
 
-/// Slices of these lengths, at every level, hold what the scalar functions give.
+/// Slices of these lengths, at every level, hold the scalar functions' results.
 fn check_levels<const N: usize>(
     codec: &AnyCodec,
     lengths: impl Iterator<Item = usize>,
@@ -241,7 +241,7 @@ fn large_and_parallel_slices() {
     for_codecs!(check_parallel(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
 }
 
-/// A decode table gives what the scalar function gives, for every code and for bits above the codec's.
+/// A decode table gives the scalar function's results, for every code and for bits above the codec's.
 fn check_table<C: Codec>(id: &str) {
     let entries = DecodeTable::<C>::ENTRIES;
     let mut memory = vec![[f32::NAN; 3]; entries + 1];

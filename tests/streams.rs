@@ -282,7 +282,7 @@ fn huge_files_stream() {
     assert_eq!(count(&folder), 2);
 }
 
-/// The readers' promise, of the whole program: what a mesh of 20 MB takes beyond a small one is four times its size.
+/// The readers' promise, for the program: a mesh of 20 MB takes four times its size more than a small one.
 #[test]
 fn memory_of_meshes() {
     const VERTICES: usize = 1_500_000;

@@ -292,7 +292,7 @@ fn outcomes(backend: &mut dyn Backend, format: &AnyCodec) -> Vec<String> {
     INPUTS.iter().map(of).collect()
 }
 
-/// Measures what docs/textbook.md states.
+/// Measures the figures of docs/textbook.md.
 #[test]
 #[ignore = "`cargo xtask renew textbook` runs it: a minute or two"]
 fn measure() {
@@ -314,7 +314,7 @@ fn measure() {
     unitvec_files::write_file(&repository().join("docs/data/textbook.csv"), text.as_bytes()).unwrap();
 }
 
-/// The committed figures are what the functions do: errors to five standard errors of a smaller sample, the rest to the
+/// The committed figures match the functions: errors to five standard errors of a smaller sample, the rest to the
 /// letter.
 #[test]
 fn committed_figures_are_what_textbooks_do() {

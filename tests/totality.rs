@@ -1,5 +1,5 @@
-//! Every codec takes any input: what [`unitvec_tests::suite::takes_anything`] asserts, with inputs that proptest makes and,
-//! where one fails, makes simple.
+//! Every codec takes any input: the assertion of [`unitvec_tests::suite::takes_anything`], with inputs that proptest
+//! makes and, where one fails, makes simple.
 
 use glam::Vec3;
 use proptest::prelude::*;

@@ -52,7 +52,7 @@ fn check_codec<C: Codec, V: Vector>(arrays: &[[f32; 3]]) {
     assert_eq!(from_slice.into_iter().map(Into::into).collect::<Vec<_>>(), decoded);
 }
 
-/// All that takes or gives vectors, with those of type `V`.
+/// Every function that takes or gives vectors, with those of type `V`.
 fn check_library<V: Vector, V4: From<[f32; 4]> + Into<[f32; 4]>>() {
     let arrays = arrays(100);
     check_codec::<OctPrecise16, V>(&arrays);
@@ -179,8 +179,8 @@ fn scattered(elements: &[u8], size: usize, offset: usize, stride: usize) -> Vec<
     bytes
 }
 
-/// The bits of the slices, at every level, for counts around a block of 64 and a portion of 256, with fields at odd offsets:
-/// what ends with the last element as well as what goes on to the end of the stride.
+/// The bits of the slices, at every level, for counts around a block of 64 and a portion of 256, with fields at odd
+/// offsets: slices that end with the last element as well as those that go on to the end of the stride.
 fn check_strided<C: Codec>(arrays: &[[f32; 3]]) {
     let mut codes = vec![0; arrays.len() * C::BYTES];
     encode_slice::<C>(arrays, &mut codes).unwrap();

@@ -63,7 +63,7 @@ macro_rules! with_functions {
 }
 pub(crate) use with_functions;
 
-/// The first floats, and zeros after them.
+/// The first floats of a slice, and zeros after them.
 pub fn resized<const FROM: usize, const TO: usize>(floats: [f32; FROM]) -> [f32; TO] {
     std::array::from_fn(|i| floats.get(i).copied().unwrap_or_default())
 }

@@ -32,12 +32,12 @@ pub use cpu::best_fit_table;
 pub use list::{CODECS, frames, vectors};
 pub use unitvec::Domain;
 
-/// A codec of vectors or of frames: what is known of it, and its CPU functions. Two are equal that have one identifier.
+/// A codec of vectors or of frames: its properties and its CPU functions. Two codecs with one identifier are equal.
 #[derive(Clone, Copy, Debug)]
 pub struct AnyCodec {
     /// Identifier, as in `--codec`, the entry points and the GLSL functions: `oct16p`.
     pub id: &'static str,
-    /// Name of its type in [`unitvec`]: `OctPrecise16`.
+    /// Name of the codec's type in [`unitvec`]: `OctPrecise16`.
     pub rust_type: &'static str,
     /// The survey's name, `oct16P`; for other codecs of vectors a name in the same style, and for those of frames `id`.
     pub survey_name: &'static str,
@@ -51,7 +51,7 @@ pub struct AnyCodec {
     pub bytes: usize,
     /// The Vulkan format with the code's layout, where there is one.
     pub vk_format: Option<&'static str>,
-    /// The directions it is made for.
+    /// The directions that the codec is made for.
     pub domain: Domain,
     /// True where decoded vectors have unit length; false for raw component formats.
     pub is_unit: bool,
@@ -128,7 +128,7 @@ impl AnyCodec {
         }
     }
 
-    /// Upper bound of the error over the domain, in degrees; of frames the greater of those of normal and tangent.
+    /// Upper bound of the error over the domain, in degrees; for frames the greater of the normal's and the tangent's.
     pub fn max_error_deg(&self) -> f32 {
         self.max_errors_deg.iter().copied().fold(0.0, f32::max)
     }
@@ -146,7 +146,7 @@ impl AnyCodec {
     /// The number of elements, where slices of these lengths hold equally many.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where they do not, or where one ends within an element.
+    /// [`LengthMismatch`] where the numbers differ, or where a slice ends within an element.
     pub fn count(&self, floats: usize, code_bytes: usize) -> Result<usize, LengthMismatch> {
         let count = floats / self.element.floats();
         expect_length(count * self.bytes, code_bytes)?;
@@ -282,7 +282,7 @@ impl Element {
         4 * self.floats()
     }
 
-    /// The directions in it that have an error: `direction` of a vector, `normal` and `tangent` of a frame.
+    /// The directions of an element that have an error: `direction` for a vector, `normal` and `tangent` for a frame.
     pub const fn directions(self) -> &'static [&'static str] {
         match self {
             Self::Vector => &["direction"],
@@ -352,7 +352,7 @@ fn suggestion(id: &str) -> String {
 /// The codec with this identifier.
 ///
 /// # Errors
-/// [`UnknownCodec`] where there is none.
+/// [`UnknownCodec`] if no codec has it.
 pub fn find(id: &str) -> Result<&'static AnyCodec, UnknownCodec> {
     CODECS.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
 }

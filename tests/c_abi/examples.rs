@@ -1,4 +1,4 @@
-//! The example programs: compiled as their users would, run, and what they print compared with what they are to show.
+//! The example programs: compiled as their users would, run, and their output compared with the expected one.
 
 use super::program::{Library, compile};
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! The C interface: its header and what it is made of, and the functions, called from C.
+//! The C interface: its header and the header's sources, and the functions, called from C.
 
 mod examples;
 mod program;
@@ -60,7 +60,7 @@ impl Expected {
     }
 }
 
-/// Elements and as many codes, and what they are encoded and decoded to.
+/// Elements and as many codes, and their encoded and decoded values.
 fn input_and_output(format: &AnyCodec) -> (Vec<u8>, Expected) {
     let floats = format.element.floats();
     let random = sampling::random_elements(format.element, Domain::Sphere, 31).take(RANDOM * floats);

@@ -1,4 +1,4 @@
-//! The texts that are made of the list, or of other files.
+//! The texts that are generated from the list, or from other files.
 
 use std::fmt::Write;
 use std::process::Command;
@@ -6,8 +6,8 @@ use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element};
 use unitvec_files::write_file;
 use unitvec_tests::repository;
 
-/// `c/src/codecs.rs` has the functions of every codec of the list, and `c/include/unitvec.h` is what cbindgen makes of the
-/// sources. `cargo xtask renew c` writes both.
+/// `c/src/codecs.rs` has the functions of every codec of the list, and `c/include/unitvec.h` is cbindgen's header for
+/// the sources. `cargo xtask renew c` writes both.
 #[test]
 fn sources_and_header_are_renewed() {
     expect("c/src/codecs.rs", &codecs());

@@ -21,7 +21,7 @@ pub struct Errors {
 const COUNT: usize = 1_000_000;
 const FEW: usize = 30_000;
 
-/// The committed measurements, by codec and what is decoded: a direction, or a frame's normal or tangent.
+/// The committed measurements, by codec and decoded part: a direction, or a frame's normal or tangent.
 fn recorded() -> &'static BTreeMap<(String, String), Errors> {
     static RECORDED: OnceLock<BTreeMap<(String, String), Errors>> = OnceLock::new();
     RECORDED.get_or_init(|| {

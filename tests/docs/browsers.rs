@@ -2,7 +2,7 @@
 
 use unitvec_tests::repository;
 
-/// Quoted strings of one function or list of a file, from what it begins with to what it ends with.
+/// Quoted strings of one function or list of a file, from its beginning to its end.
 fn quoted(file: &str, begin: &str, end: &str) -> Vec<String> {
     let text = std::fs::read_to_string(repository().join(file)).unwrap();
     let rest = text.split_once(begin).unwrap_or_else(|| panic!("{file}: {begin}")).1;

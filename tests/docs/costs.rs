@@ -53,7 +53,7 @@ pub fn is_measured(id: &str) -> bool {
     Operation::ALL.iter().all(|operation| figure(id, *operation, false, "alu_ratio_to_oct32").is_some())
 }
 
-/// The device, and how much it did.
+/// The device, and the amount of its work.
 pub fn device() -> String {
     let (report, device) = (report(), &report()["device"]);
     let text = |value: &Value| value.as_str().unwrap().to_owned();
@@ -148,7 +148,7 @@ fn the_chart_is_current() {
     compare(&repository().join("docs/pareto.svg"), &pareto::svg(rdna2()).unwrap());
 }
 
-/// The chart names what is on its fronts, and nothing else.
+/// The chart names the codecs on its fronts, and nothing else.
 #[test]
 fn the_chart_names_its_fronts() {
     let svg = pareto::svg(rdna2()).unwrap();

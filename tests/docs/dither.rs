@@ -244,7 +244,7 @@ fn dither_takes_the_bands_and_adds_no_error() {
     }
 }
 
-/// A smaller sample agrees with what is committed.
+/// A smaller sample agrees with the committed measurements.
 #[test]
 fn dither_is_as_recorded() {
     let recorded = recorded();

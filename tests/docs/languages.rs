@@ -1,5 +1,5 @@
 //! The compilers of shading languages that `cargo xtask renew languages` ran, as `docs/data/languages.csv` has them,
-//! and what barriers cost, as `docs/data/barriers.csv` has it.
+//! and the costs of barriers, as `docs/data/barriers.csv` has them.
 
 use serde::Deserialize;
 use std::collections::BTreeSet;

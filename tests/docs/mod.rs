@@ -1,4 +1,4 @@
-//! README, docs and the module docs: what the program writes in them, and what it can check.
+//! README, docs and the module docs: the parts that the program writes in them, and those that it can check.
 //!
 //! `<!-- generated: NAME -->` begins a generated part, `<!-- end -->` ends it. `cargo xtask renew tables` writes them all again.
 
@@ -31,7 +31,7 @@ fn is_blessing() -> bool {
     std::env::var_os("BLESS").is_some()
 }
 
-/// Compares a committed file with what it should be, or writes it.
+/// Compares a committed file with the expected text, or writes it.
 fn compare(path: &Path, expected: &str) {
     let committed = std::fs::read_to_string(path).unwrap_or_default();
     if is_blessing() && committed != expected {
@@ -41,7 +41,7 @@ fn compare(path: &Path, expected: &str) {
     }
 }
 
-/// The files of these extensions in a folder and below, but for what is built.
+/// The files of these extensions in a folder and below, except build outputs.
 fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {

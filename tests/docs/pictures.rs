@@ -50,7 +50,7 @@ pub fn dither() -> String {
     text
 }
 
-/// Dithered bands crawl less: what is left after a blur is under a fifth of what it is without.
+/// Dithered bands crawl less: the rest after a blur is under a fifth of the rest without dither.
 #[test]
 fn dither_keeps_bands_from_crawling() {
     let figures = figures();

@@ -9,7 +9,7 @@ use unitvec_tests::directions::sphere;
 use unitvec_tests::repository;
 use unitvec_tests::tested::widen;
 
-/// A projection, a format, and what comes back of a vector through it.
+/// A projection, a format, and the decoded vector of a vector through it.
 type Row = (&'static str, &'static str, fn(Vec3) -> Vec3);
 
 /// A number on a format's steps: `most` is the integer of 1.
@@ -120,7 +120,7 @@ fn a_unorm_pair_misses_the_axes_by_half_a_step() {
     }
 }
 
-/// A smaller sample agrees with what is committed.
+/// A smaller sample agrees with the committed measurements.
 #[test]
 fn projected_errors_are_as_recorded() {
     for (row, committed) in ROWS.into_iter().zip(recorded()) {

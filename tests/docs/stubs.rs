@@ -1,4 +1,4 @@
-//! `shaders/stubs/`: what shaders include that are to be linked, made from the catalogue.
+//! `shaders/stubs/`: the includes of shaders that are to be linked, made from the catalogue.
 
 use super::{compare, files};
 use unitvec_link::stubs::{Language, text};

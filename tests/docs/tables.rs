@@ -92,7 +92,7 @@ fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
     text
 }
 
-/// Mean and maximum of a codec, with what each is of where there are several.
+/// Mean and maximum of a codec, with the part of each where there are several.
 fn all_errors_of(codec: &AnyCodec) -> String {
     let of = |part: &&str| mean_and_max(accuracy::of(codec.id, part));
     match codec.element.directions() {
@@ -108,7 +108,7 @@ pub fn family(id: &str) -> String {
     format!("{}N{rest}", &id[..start])
 }
 
-/// The file of a family's module, and the subject of its docs: what stands before the colon.
+/// The file of a family's module, and the subject of its docs: the words before the colon.
 fn module(family: &str) -> (PathBuf, String) {
     let folder = repository().join("shader-crate/src/families");
     let names = [format!("/{family}.rs"), format!("/{family}/mod.rs")];

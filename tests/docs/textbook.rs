@@ -17,7 +17,7 @@ pub const SOURCES: [&str; 2] = ["textbook", "unitvec"];
 pub const FIGURES: [&str; 6] =
     ["same_codes", "mean_deg", "max_deg", "tangent_mean_deg", "tangent_max_deg", "nan_per_million"];
 
-/// The columns of inputs, by what is in them, and their headings; the last is of codes.
+/// The columns of inputs, by the kind of input, and their headings; the last is for codes.
 pub const INPUTS: [(&str, &str); 9] = [
     ("zero", "zero"),
     ("nan", "NaN"),
@@ -110,13 +110,13 @@ fn file(id: &str) -> String {
     find(id).unwrap().glsl_file()
 }
 
-/// The inputs that come back as they should not, by what they come back as. A vector that is too short or too long to
-/// count as a direction may be +Z.
+/// The inputs that come back wrong, by their results. A vector that is too short or too long to count as a direction
+/// may be +Z.
 fn faults(textbook: &Textbook, source: &str) -> String {
     let mut faults: Vec<(&str, Vec<&str>)> = Vec::new();
     for (column, heading) in INPUTS.iter().take(INPUTS.len() - 1) {
         let outcome = cell(textbook.id, source, column);
-        // +Z is right for what has no direction.
+        // +Z is right for vectors without a direction.
         let is_short = !["minus_z", "long", "signed_zeros"].contains(column);
         if ["right", "outside"].contains(&outcome) || (outcome == "+Z" && is_short) {
             continue;

@@ -1,4 +1,4 @@
-//! The tangent frames take anything, and keep what they promise.
+//! The tangent frames take any input, and keep their promises.
 
 use super::*;
 use proptest::prelude::{ProptestConfig, any, proptest};

@@ -1,4 +1,4 @@
-//! The tangent frames: what their tests share.
+//! The tangent frames: parts that their tests share.
 
 mod contract;
 mod oracle;
@@ -26,7 +26,7 @@ const DECODE_TANGENT: f64 = 1.0 / (1 << 21) as f64;
 /// The effect of the rounding in `f32` on a tangent's angle when it is encoded, in radians.
 const ENCODE_TANGENT: f64 = 1.0 / (1 << 21) as f64;
 
-/// A frame codec, the oracle's format, and what its encoder adds to the errors of the nearest codes.
+/// A frame codec, the oracle's format, and the encoder's addition to the errors of the nearest codes.
 trait Checked: ListedFrame {
     const FORMAT: Format;
 

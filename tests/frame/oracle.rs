@@ -22,7 +22,7 @@ for_both! {
     /// The angle wraps: tangents next to the basis's first vector, on both sides, are as near to their codes as others.
     angles_wrap
 
-    /// Tangents that are not perpendicular count as what of them is perpendicular to the decoded normal.
+    /// Tangents that are not perpendicular count as their part that is perpendicular to the decoded normal.
     tangents_are_projected
 }
 
@@ -61,7 +61,7 @@ mod check {
             assert!(max <= bound && max >= 0.9 * bound, "{} {of}: {errors:?} for {bound}", F::NAME);
         }
 
-        // The bound of the tangent's error is that of the two parts, and not much more.
+        // The bound of the tangent's error is the sum of the two parts', and not much more.
         let step = TAU / (1u64 << F::FORMAT.angle_bits) as f64;
         let exact = tangent_bound(bounds[0].to_radians(), 0.5 * step * 1.0026).to_degrees();
         assert!(bounds[1] >= exact && bounds[1] <= 1.1 * exact, "{}: {bounds:?} for {exact}", F::NAME);
@@ -80,7 +80,7 @@ mod check {
             excess[0] = excess[0].max((ours - least) / F::NORMAL_SLACK);
             assert!(ours - least <= F::NORMAL_SLACK, "{frame:?}: {code:#x} {ours:e} {least:e}");
 
-            // About the normal that was decoded, whichever it is.
+            // The angle is about the decoded normal, whichever it is.
             let angle = frame::angle_of(decoded, widen(frame.tangent));
             let place = (code >> F::FORMAT.normal_bits) % (1 << F::FORMAT.angle_bits);
             let [ours, least] = [place, F::FORMAT.nearest_angle(angle)].map(|code| {

@@ -1,7 +1,7 @@
 //! The memory that readers take: at most four times the file's size, or four times that of its vectors as f32 where that is
 //! more, and a fixed amount.
 //!
-//! The files here are such as take most: of the shortest lines and the smallest types there are.
+//! The files here take the most: they have the shortest lines and the smallest types.
 
 use super::{FIXED, ZEROS, seeds};
 use base64::Engine;
@@ -14,7 +14,7 @@ pub fn size(file: usize, vectors: usize) -> usize {
     file.max(12 * vectors)
 }
 
-/// Why the most memory that was in use at a time, with the file itself, is too much.
+/// The reason why the most memory that was in use at a time, with the file itself, is too much.
 pub fn check(peak: usize, file: usize, vectors: usize, slack: usize) -> Result<(), String> {
     let most = 4 * size(file, vectors) + slack;
     match peak <= most {

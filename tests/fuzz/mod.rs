@@ -33,7 +33,7 @@ const ORDINARY: u64 = 10_000;
 /// A reader of a file: an error's text, or the number of vectors.
 type Read = fn(&Path, &[u8]) -> Result<usize, String>;
 
-/// A format, and what reads it.
+/// A format, and its reader.
 struct Target {
     /// Name of the file, which errors have to contain.
     file: &'static str,
@@ -41,7 +41,7 @@ struct Target {
     read: Read,
     /// The target's share in a hundred inputs.
     share: f64,
-    /// Bytes beyond four times the file's: chunks, and what a parser takes for any file.
+    /// Bytes beyond four times the file's: chunks, and the parser's fixed memory.
     slack: usize,
 }
 
@@ -267,10 +267,10 @@ fn keep(target: &Target, input: &[u8]) -> PathBuf {
     kept
 }
 
-/// Why an input is not read as it should be.
+/// The reason why an input is not read as it should be.
 fn judge(target: &Target, path: &Path, input: &[u8], tally: &mut Tally) -> Result<(), String> {
     let mut result = Ok(Ok(0));
-    // Caught inside: what counts the memory does not expect to be left by a panic.
+    // Panics are caught inside: the counter of memory does not expect to be left by one.
     let memory = allocation_counter::measure(|| {
         result = catch_unwind(AssertUnwindSafe(|| (target.read)(path, input)));
     });

@@ -176,7 +176,7 @@ fn offsets_in_glsl_have_the_bits_of_rust() {
     }
 }
 
-/// Zeros of both signs, and what some devices flush to zero, are one position.
+/// Zeros of both signs, and numbers that some devices flush to zero, are one position.
 #[test]
 fn positions_that_devices_flush_are_one() {
     let of = |x: f32| dither_from_position(Vec3::new(x, 1.0, x));

@@ -1,4 +1,4 @@
-//! The functions of floats take any floats: what they give to an snorm format decodes to the direction, or to +Z.
+//! The functions of floats take any floats: their results in an snorm format decode to the direction, or to +Z.
 
 use super::evaluate;
 use super::names::OF_FLOATS;
@@ -37,7 +37,7 @@ pub fn vectors() -> Vec<[f32; 3]> {
 /// or y = 0, `sqrt(4 + pi^2 / 16) / m`. The codec's bound has 1.5026.
 const EAOCT: f64 = 2.1488 / 1.5026;
 
-/// A function that encodes, the codec whose decoder takes what it gives, and its error as a part of the codec's bound.
+/// A function that encodes, the codec whose decoder takes the result, and its error as a part of the codec's bound.
 const ENCODERS: [(&str, &str, f64); 10] = [
     ("float32x3_to_oct(v)", "oct16", 1.0),
     ("float32x3_to_oct(v)", "oct32", 1.0),

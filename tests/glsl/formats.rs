@@ -1,4 +1,4 @@
-//! The functions of Vulkan's formats: values are those that the specification gives, codes come back, and GLSL has Rust's bits.
+//! The functions of Vulkan's formats: values follow the specification, codes come back, and GLSL has Rust's bits.
 
 use super::evaluate_words;
 use unitvec::formats::*;
@@ -192,7 +192,7 @@ fn values_that_are_off_give_their_codes() {
     }
 }
 
-/// Values of all kinds: any bits, and what is odd or large.
+/// Values of all kinds: any bits, and odd or large ones.
 fn values() -> Vec<[u32; 3]> {
     let mut rng = Rng::new(31);
     let odd =

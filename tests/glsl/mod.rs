@@ -1,4 +1,4 @@
-//! The GLSL: the includes compile, the survey's functions do what its listings do, and the arithmetic is the crate's.
+//! The GLSL: the includes compile, the survey's functions agree with its listings, and the arithmetic is the crate's.
 
 pub mod dither;
 mod examples;
@@ -139,7 +139,7 @@ fn oct_to_float32x3_is_listing_2() {
     });
 }
 
-/// Listing 3 gives the precise code as snorm values: what the Rust encoder has, for every even number of bits.
+/// Listing 3 gives the precise code as snorm values: the Rust encoder's, for every even number of bits.
 #[test]
 fn float32x3_to_octn_precise_is_the_precise_code() {
     let inputs = directions(Domain::Sphere, 2);

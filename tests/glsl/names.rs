@@ -1,4 +1,4 @@
-//! The names that the GLSL takes from its user: the public functions, and what begins with `unitvec`.
+//! The names that the GLSL takes from its user: the public functions, and names that begin with `unitvec`.
 
 use super::dither;
 use super::formats::FORMATS;

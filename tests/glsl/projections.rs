@@ -199,7 +199,7 @@ fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
     }
 }
 
-/// Listing 4, the plain form: shifts and masks of integers, as docs/formats.md has it. Of every pair of snorm12.
+/// Listing 4 in the plain form: shifts and masks of integers, as in docs/formats.md, for every pair of snorm12.
 #[test]
 fn bytes_are_those_of_listing_4() {
     for code in 0..1u32 << 24 {

@@ -64,7 +64,7 @@ fn is_unchanged(id: &str, before: &Report, after: &Report) -> bool {
     before.sources.get(&file) == after.sources.get(&file)
 }
 
-/// Says aloud, even where tests pass, that figures could not be compared.
+/// Prints, even where tests pass, that figures could not be compared.
 pub fn cannot_compare(reason: &str) {
     let said = format!("the costs on {} are not compared: {reason}", rdna2().gpu);
     assert!(std::env::var_os("UNITVEC_REQUIRE_ISA").is_none(), "UNITVEC_REQUIRE_ISA is set, but {said}");

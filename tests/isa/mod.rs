@@ -65,7 +65,7 @@ fn rust_costs_what_glsl_costs() {
     assert!(found.is_empty(), "more instructions from Rust than 1.02 times those from GLSL: {found:?}");
 }
 
-/// The greatest inverse throughput that is promised of encoding and decoding on RDNA 2.
+/// The greatest inverse throughput that is promised for encoding and decoding on RDNA 2.
 const PROMISED: [(&str, Option<u64>, Option<u64>); 11] = [
     ("oct32", Some(114), Some(136)),
     ("oct16", Some(117), Some(138)),
@@ -80,7 +80,7 @@ const PROMISED: [(&str, Option<u64>, Option<u64>); 11] = [
     ("ico24", Some(1150), None),
 ];
 
-/// Kernels cost no more than is promised.
+/// Kernels cost no more than promised.
 #[test]
 fn kernels_cost_what_is_promised() {
     let report = committed(rdna2());

@@ -31,7 +31,7 @@ fn vector(floats: &[f32]) -> [f64; 3] {
     [0, 1, 2].map(|i| f64::from(floats[i]))
 }
 
-/// The normal is as near as the codec promises, to +Z where it has no direction; so is the tangent to what of it is
+/// The normal is as near as the codec promises, to +Z where it has no direction; so is the tangent to its part that is
 /// perpendicular to the decoded normal, and its angle is 0 where that is nothing. Denormals and NaN count as +1.
 fn assert_is_code_of(codec: &AnyCodec, format: Format, case: &Case) {
     let [[n, decoded_n], [t, decoded_t]] =

@@ -13,7 +13,7 @@ use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element};
 use unitvec_files::write_file;
 use unitvec_tests::repository;
 
-/// The version of all codecs. A codec with another layout would be another codec.
+/// The format's version, the same for all codecs. A codec with another layout would be another codec.
 const FORMAT_VERSION: u32 = 1;
 
 /// Cases in a file.
@@ -54,7 +54,7 @@ fn readme_shows_a_file() {
     assert!(file.starts_with(shown) && shown.contains("cases"), "{shown}");
 }
 
-/// The first line in which a file differs from what the codec gives.
+/// The first line in which a file differs from the codec's results.
 fn difference(id: &str, committed: &str, text: &str) -> Option<String> {
     let lines = committed.lines().map(Some).chain(std::iter::repeat(None));
     let (line, (old, new)) = lines.zip(text.lines()).enumerate().find(|(_, (old, new))| *old != Some(new))?;
@@ -90,7 +90,7 @@ fn check(format: &AnyCodec, text: &str) {
     }
 }
 
-/// An element, its code, and what that decodes to.
+/// An element, its code, and the code's decoded element.
 #[derive(Debug)]
 struct Case {
     input: Vec<f32>,

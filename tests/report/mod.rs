@@ -29,7 +29,7 @@ fn page(arguments: &[&str]) -> String {
     std::fs::read_to_string(place.path().join("report.html")).unwrap()
 }
 
-/// The page loads nothing, what it embeds is whole, and every codec has a row and is in the data that the filter reads.
+/// The page loads nothing, its data are whole, and every codec has a row and is in the data that the filter reads.
 #[test]
 fn the_page_is_whole() {
     let page = plain();

@@ -6,7 +6,7 @@ use crate::tested::{Tested, widen};
 use glam::Vec3;
 use unitvec_oracle::{Summary, angle_deg, cross, dot, length};
 
-/// 2 ULP of 1: what a decoded vector's length may be off by.
+/// 2 ULP of 1: the error allowed in a decoded vector's length.
 pub const LENGTH_ROUNDING: f64 = 2.0 * f32::EPSILON as f64;
 
 /// The effect on `encode` of the rounding in `f32` of a position on the square `[-1, 1]^2`, per axis.
@@ -47,7 +47,7 @@ pub fn assert_decodes(codec: &Tested, codes: impl Iterator<Item = u64>, share: f
     assert!(f64::from(settled) >= share * f64::from(count), "{}: {settled} of {count}", codec.id);
 }
 
-/// Asserts that `decoded` is the reference's vector of a code, and gives how far it is off, in parts of what is allowed. `None`
+/// Asserts that `decoded` is the reference's vector of a code, and returns its error, in parts of the tolerance. `None`
 /// where the reference leaves it open.
 pub fn assert_is_vector_of(codec: &Tested, code: u64, decoded: Vec3) -> Option<f64> {
     let (exact, tolerance) = (codec.reference.decode(code)?, expected::decoding(codec));
@@ -92,7 +92,7 @@ pub fn assert_stable(codec: &Tested, codes: impl Iterator<Item = u64>) {
     }
 }
 
-/// Asserts that the images of each direction come back as the images of what the direction comes back as.
+/// Asserts that the image of each direction comes back as the image of the direction's decoded vector.
 pub fn assert_commutes(codec: &Tested, directions: impl Iterator<Item = Vec3>, images: &[Image]) {
     for v in directions.filter(|_| !images.is_empty()) {
         let decoded = codec.round_trip(v);
@@ -142,7 +142,7 @@ pub fn assert_bounded(codec: &Tested, error_deg: f64) {
 }
 
 /// Asserts that the codec chooses the nearest point along each of two coordinates: by `steps_off` at most half a step
-/// away, and `rounding` steps that `f32` makes of it.
+/// away, plus `rounding` steps for `f32`.
 pub fn assert_rounds(
     codec: &Tested,
     directions: impl Iterator<Item = Vec3>,

@@ -4,8 +4,8 @@ use crate::tested::Tested;
 use glam::Vec3;
 use unitvec_oracle::{Summary, survey};
 
-/// Up to how many bits `cargo xtask test --exhaustive` decodes every code and compares it with the reference's vector: as far as
-/// the reference's speed allows.
+/// The number of bits up to which `cargo xtask test --exhaustive` decodes every code and compares it with the
+/// reference's vector: as far as the reference's speed allows.
 pub fn every_code_decoded(codec: &Tested) -> u32 {
     match codec.family {
         "oct" | "hemioct" => 24,
@@ -14,7 +14,7 @@ pub fn every_code_decoded(codec: &Tested) -> u32 {
     }
 }
 
-/// Up to how many bits `cargo xtask test --exhaustive` decodes, encodes and decodes every code.
+/// The number of bits up to which `cargo xtask test --exhaustive` decodes, encodes and decodes every code.
 pub fn every_code_returned(codec: &Tested) -> u32 {
     every_code_decoded(codec).max(22)
 }
@@ -46,7 +46,7 @@ pub fn decoding(codec: &Tested) -> Tolerance {
         "spherical" | "cylindrical" | "latlong" => roundings(8),
         // A sine and a cosine of a multiple of the golden ratio's turn, and a square root.
         "fib" => Tolerance::Turn(1.5e-7),
-        // The third component is the square root of what the two stored ones leave of 1: next to 0 its own error is large.
+        // The third component is a square root, of 1 less the stored ones' squares: next to 0 its own error is large.
         "parallel" => Tolerance::Squares,
         "best_fit" => Tolerance::Nearest,
         "snorm" | "unorm" | "float" => Tolerance::Components(1.0 / f64::from(1 << 24)),

@@ -27,7 +27,7 @@ pub fn repository() -> PathBuf {
     here.parent().unwrap_or(here).to_owned()
 }
 
-/// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and what serves several of them.
+/// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and those that serve several of them.
 pub fn glsl_families() -> BTreeSet<String> {
     CODECS.iter().map(AnyCodec::glsl_file).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
 }
@@ -45,7 +45,7 @@ pub fn lavapipe() -> Arc<Device> {
 /// Fails the test if the validation layer has printed anything, even about objects that outlive the device.
 ///
 /// # Panics
-/// If it has, or if something still uses the device.
+/// If it has, or if a user of the device is left.
 pub fn assert_no_validation_messages(device: Arc<Device>) {
     assert_eq!(Arc::strong_count(&device), 1, "something still uses the device");
     let instance = device.instance().clone();

@@ -16,7 +16,7 @@ pub fn path() -> &'static Path {
     PATH.get_or_init(|| build(&["--package", "unitvec-host", "--bin", "unitvec"]).join("unitvec"))
 }
 
-/// Builds what cargo calls by these arguments in the profile of the tests, and gives the folder that it then lies in.
+/// Builds the package that these arguments name to cargo in the profile of the tests, and returns the output's folder.
 ///
 /// # Panics
 /// If it does not build.

@@ -1,4 +1,4 @@
-//! Minimax fits by the Remez exchange, in `f64`: where the coefficients of the crate's trigonometry come from.
+//! Minimax fits by the Remez exchange, in `f64`: the origin of the coefficients of the crate's trigonometry.
 
 use std::f64::consts::PI;
 

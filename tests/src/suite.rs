@@ -93,7 +93,7 @@ pub fn other_devices_vectors_come_back(codec: &Tested) {
     }
 }
 
-/// The images of a direction come back as the images of what the direction comes back as.
+/// The image of a direction comes back as the image of the direction's decoded vector.
 pub fn symmetric(codec: &Tested) {
     assert_commutes(codec, directions(4, 100_000), expected::symmetries(codec));
 }
@@ -117,7 +117,7 @@ pub fn keeps_the_axes(codec: &Tested) {
     }
 }
 
-/// Mean and maximum over 10^6 directions are those that [`expected::errors`] has; they keep to the codec's own bound, also
+/// Mean and maximum over 10^6 directions are those in [`expected::errors`]; they keep to the codec's own bound, also
 /// next to the coordinate planes.
 pub fn errors_are_the_expected_ones(codec: &Tested) {
     let ours = Summary::of(million(codec.domain).iter().map(|&v| codec.error_deg(v)));

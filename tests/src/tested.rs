@@ -1,4 +1,4 @@
-//! A codec of the list beside its reference: what all tests of codecs go through.
+//! A codec of the list beside its reference: the subject of all tests of codecs.
 
 use crate::directions::Rng;
 use glam::Vec3;
@@ -91,12 +91,12 @@ impl Tested {
         self.decode(self.encode(v))
     }
 
-    /// The angle in degrees between a direction and what comes back.
+    /// The angle in degrees between a direction and its decoded one.
     pub fn error_deg(&self, v: Vec3) -> f64 {
         angle_deg(widen(v), widen(self.round_trip(v)))
     }
 
-    /// The angle in degrees between a direction and what its code stands for in `f64`: the error of the choice alone.
+    /// The angle in degrees between a direction and its code's in `f64`: the error of the choice alone.
     pub fn choice_deg<O: Oracle>(&self, v: Vec3) -> f64 {
         angle_deg(widen(v), O::decode(self.encode(v), self.bits))
     }

@@ -18,7 +18,7 @@ const FRAC_1_PI_F32: f64 = std::f32::consts::FRAC_1_PI as f64;
 
 /// 2^-12: from here to 1 floats are tried densely.
 const SMALL: f32 = 1.0 / 4096.0;
-/// 2^-100: what is less counts as 0.
+/// 2^-100: smaller numbers count as 0.
 const TINY: f32 = arith::NEGLIGIBLE;
 
 const SIN: [f32; 4] = [arith::SIN_0, arith::SIN_1, arith::SIN_2, arith::SIN_3];

@@ -138,8 +138,8 @@ fn monotonic() {
     }
 }
 
-/// atan2 of sine and cosine gives the angle back, to within 1.2e-7, and tan_octant what atan_octant was
-/// given, to within 1.8e-7.
+/// atan2 of sine and cosine gives the angle back, to within 1.2e-7, and tan_octant the input of atan_octant, to within
+/// 1.8e-7.
 #[test]
 fn round_trips() {
     for t in floats(SMALL, 1.0, 31).flat_map(|t| [t, -t]) {

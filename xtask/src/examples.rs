@@ -43,7 +43,7 @@ fn page(repository: &Path, chromium: &Path) -> Result<(), String> {
     run_command(with_chromium(&mut check, chromium))
 }
 
-/// Opens what `unitvec report` writes, and holds what it chooses against `unitvec choose`.
+/// Opens the output of `unitvec report`, and holds its choices against `unitvec choose`.
 fn report(repository: &Path, chromium: &Path) -> Result<(), String> {
     let folder = target(repository)?.join("report");
     fs::create_dir_all(&folder).map_err(|error| format!("cannot make {}: {error}", folder.display()))?;

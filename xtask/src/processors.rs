@@ -32,7 +32,7 @@ struct Processor {
     levels: &'static [&'static str],
 }
 
-/// Features of `unitvec`, and of how many vectors and codes each digest is.
+/// Features of `unitvec`, and the number of vectors and codes of each digest.
 #[derive(Clone, Copy, Debug)]
 struct Edition {
     features: &'static str,
@@ -51,7 +51,7 @@ const LIBM: Edition = Edition { features: "libm", count: ALL };
 const EMULATED_STD: Edition = Edition { count: SOME, ..STD };
 const EMULATED_LIBM: Edition = Edition { count: SOME, ..LIBM };
 
-/// The machine itself; what it computes is what others are compared with.
+/// The machine itself, with whose results others are compared.
 const NATIVE: Processor = Processor {
     name: "x86-64",
     target: "x86_64-unknown-linux-gnu",
@@ -133,7 +133,7 @@ static PROCESSORS: [Processor; 10] = [
     wasm("wasm32 with simd128", "+simd128", &[STD]),
 ];
 
-/// The processors and how they are run, for the hash of what the record is of.
+/// The processors and their runners, for the hash of the record's inputs.
 pub fn versions() -> String {
     format!("{PROCESSORS:?}")
 }
@@ -416,7 +416,7 @@ struct Row {
     edition: Edition,
     compiler: String,
     by: String,
-    /// The levels of slices, and how many digests are the same; or what is wrong.
+    /// The levels of slices, and the number of digests that are the same; or the fault.
     verdict: Result<(String, usize), String>,
 }
 
@@ -451,8 +451,8 @@ fn print_table(rows: &[Row]) {
     }
 }
 
-/// Cargo of another toolchain than the one that runs this: without what cargo sets for that, which rustup would take for
-/// the choice.
+/// Cargo of another toolchain than the one that runs this: without the variables that cargo sets for that one, which
+/// rustup would take for the choice.
 fn with_toolchain(name: &str) -> Command {
     let mut command = Command::new("cargo");
     command.arg(format!("+{name}")).env_remove("RUSTUP_TOOLCHAIN").env_remove("CARGO");

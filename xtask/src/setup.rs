@@ -1,10 +1,10 @@
-//! Installs what building and running needs, where it is missing.
+//! Installs the missing packages for building and running.
 
 use std::fs;
 use std::process::{Command, Stdio};
 use std::thread::{self, JoinHandle};
 
-/// A Debian package and what it is for.
+/// A Debian package and its purpose.
 #[derive(Clone, Copy)]
 struct Package {
     name: &'static str,
@@ -118,7 +118,7 @@ pub fn packages(names: &[&'static str]) -> Result<(), String> {
     install(prefix, &missing)
 }
 
-/// The command that installs what is missing.
+/// The command that installs the missing packages.
 fn to_type(missing: &[&str]) -> String {
     format!(
         "these packages are missing; type this and run the command again:\n  \
@@ -185,7 +185,7 @@ fn install(prefix: &[&str], packages: &[&str]) -> Result<(), String> {
     apt_get(prefix, &arguments)
 }
 
-/// Runs apt-get; what it prints is shown where it fails.
+/// Runs apt-get; its output is shown where it fails.
 fn apt_get(prefix: &[&str], arguments: &[&str]) -> Result<(), String> {
     let words: Vec<&str> =
         prefix.iter().copied().chain(["env", "DEBIAN_FRONTEND=noninteractive", "apt-get"]).collect();

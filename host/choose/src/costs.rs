@@ -1,4 +1,4 @@
-//! Costs on GPUs: what their drivers' compilers make of the kernels, as it was recorded.
+//! Costs on GPUs: the recorded results of their drivers' compilers for the kernels.
 
 use crate::{Error, Result};
 use serde::{Deserialize, Serialize};
@@ -12,7 +12,7 @@ use unitvec_vulkan::DeviceInfo;
 /// The codec that others are compared with.
 pub const REFERENCE: &str = "oct32";
 
-/// A generation of GPUs, and the one that stands for it.
+/// A generation of GPUs, and the GPU that stands for it.
 #[derive(Clone, Copy, Debug)]
 pub struct Generation {
     /// The GPU's name on the command line.
@@ -21,13 +21,13 @@ pub struct Generation {
     pub title: &'static str,
     /// Code name of the GPU.
     pub gpu: &'static str,
-    /// The first version of Mesa that was seen to compile for it.
+    /// The first version of Mesa that was seen to compile for the generation.
     pub mesa: &'static str,
     /// The figures that ship with the program.
     costs: &'static [u8],
 }
 
-/// The generation whose costs are taken where none is named.
+/// The default generation of costs.
 pub const USUAL: &str = "rdna2";
 
 /// The generations whose costs ship with the program, the oldest first.
@@ -55,7 +55,7 @@ pub fn find_generation(name: &str) -> Option<&'static Generation> {
     GENERATIONS.iter().find(|generation| [generation.name, generation.gpu].contains(&name.as_str()))
 }
 
-/// The code name of a GPU or of the one that stands for a generation; any other name as it is.
+/// The code name of a GPU or of the GPU that stands for a generation; any other name as it is.
 pub fn code_name(name: &str) -> String {
     find_generation(name).map_or_else(|| plain(name), |generation| generation.gpu.to_owned())
 }
@@ -148,7 +148,7 @@ impl Report {
     /// A report of `unitvec bench --isa --json`.
     ///
     /// # Errors
-    /// [`Error::BadCosts`] if it is not one.
+    /// [`Error::BadCosts`] if the bytes are no such report.
     pub fn parse(path: &Path, json: &[u8]) -> Result<Self> {
         serde_json::from_slice(json)
             .map_err(|error| Error::BadCosts { path: path.to_owned(), reason: one_line(error) })
@@ -177,7 +177,7 @@ impl Report {
         }
     }
 
-    /// The row of a kernel; of textbooks' for one codec the first.
+    /// The row of a kernel; the first row of textbooks' kernels for one codec.
     pub fn row(&self, id: &str, operation: Operation, source: Source) -> Option<&Row> {
         self.rows.iter().find(|row| (row.id.as_str(), row.operation, row.source) == (id, operation, source))
     }

@@ -1,4 +1,4 @@
-//! Chooses codecs: what they cost on GPUs, and which of them meet a demand at the least cost.
+//! Chooses codecs: their costs on GPUs, and those that satisfy a demand at the least cost.
 
 #![deny(unsafe_code)]
 
@@ -56,9 +56,9 @@ impl Recommendation {
 /// The demands on a codec.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
-    /// Largest error that is allowed for any direction, degrees.
+    /// The largest error that is allowed in any direction, in degrees.
     pub max_error_deg: f64,
-    /// Largest mean error that is allowed, degrees.
+    /// The largest mean error that is allowed, in degrees.
     pub mean_error_deg: Option<f64>,
     /// Most bits of a code.
     pub bits: Option<u32>,
@@ -162,7 +162,7 @@ impl Costs {
     }
 }
 
-/// A codec that meets the demand.
+/// A codec that satisfies the demand.
 #[derive(Clone, Debug, Serialize)]
 pub struct Candidate {
     /// Codec.
@@ -171,7 +171,7 @@ pub struct Candidate {
     pub bits: u32,
     /// Bytes of a stored code.
     pub bytes: usize,
-    /// Upper bound of its error, degrees.
+    /// Upper bound of the codec's error, in degrees.
     pub max_error_deg: f64,
     /// The codec's mean error, measured now, in degrees.
     pub mean_error_deg: f64,
@@ -184,8 +184,8 @@ pub struct Candidate {
 /// Random directions that mean errors are measured over.
 pub const COUNT: usize = 100_000;
 
-/// The codecs that meet a demand, the best choice first: fewest bytes, then cheapest, decoding and encoding together,
-/// then least mean error. The codecs without measured cost come last among those of as many bytes.
+/// The codecs that satisfy a demand, the best choice first: fewest bytes, then cheapest, decoding and encoding
+/// together, then least mean error. Among codecs of as many bytes, those without measured cost come last.
 ///
 /// # Errors
 /// [`LengthMismatch`](unitvec::slice::LengthMismatch), which would be a fault of this crate.
@@ -223,8 +223,8 @@ impl Candidate {
     }
 }
 
-/// All but the mean error, which has to be measured. Raw component formats are left out: what they decode to is not a
-/// unit vector.
+/// True if a codec satisfies all demands but the mean error, which has to be measured. Raw component formats do not:
+/// they do not decode to unit vectors.
 fn meets(codec: &AnyCodec, demand: &Demand) -> bool {
     codec.is_unit
         && f64::from(codec.max_error_deg()) <= demand.max_error_deg

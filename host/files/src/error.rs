@@ -21,7 +21,7 @@ pub enum Error {
         /// Cause.
         source: io::Error,
     },
-    /// A file or pipe cannot be written; a file of that name, if there was one, is as before.
+    /// A file or pipe cannot be written; any file of that name is as before.
     #[error("cannot write {}: {source}; {}", .path.display(), remedy(source))]
     Write {
         /// The file's path.
@@ -52,7 +52,7 @@ impl Error {
     }
 }
 
-/// Says what to do about a file or folder that cannot be written.
+/// The remedy for a file or folder that cannot be written.
 fn remedy(source: &io::Error) -> &'static str {
     match source.kind() {
         io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {

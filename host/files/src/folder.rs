@@ -1,4 +1,4 @@
-//! Folders of files that come to be all at once.
+//! Folders whose files appear all at once.
 
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ pub struct Folder {
 }
 
 impl Folder {
-    /// Starts to write to the folder of this path, which is made if it is not there.
+    /// Starts to write to the folder of this path, which is made if it does not exist.
     ///
     /// # Errors
     /// [`Error::Write`] where it cannot be made or written to.

@@ -21,8 +21,7 @@ pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
     Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
 }
 
-/// Reads the whole of a file, or of the standard input for `-`, that is small if it is what it should be, such as a report
-/// of costs.
+/// Reads the whole of a file, or of the standard input for `-`, that should be small, such as a report of costs.
 ///
 /// # Errors
 /// [`Error::Read`], also if there are more than 64 MiB.

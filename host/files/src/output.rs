@@ -100,8 +100,8 @@ impl Write for Output {
     }
 }
 
-/// The path to write to. A link stays one: what it points to is replaced. That has to be there, since a file that nobody named
-/// would come to be in an unknown place.
+/// The path to write to. A link stays one: its target is replaced. The target has to exist, since a file that nobody
+/// named would appear in an unknown place.
 fn target(path: &Path) -> io::Result<PathBuf> {
     if path.is_symlink() && path.metadata().is_err() {
         return Err(io::Error::other("it is a link to nothing"));
@@ -109,7 +109,7 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     Ok(path.canonicalize().unwrap_or_else(|_| path.to_owned()))
 }
 
-/// True where both paths are there and lead to one file, by links of any kind.
+/// True where both paths exist and lead to one file, by links of any kind.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     let identities = [a, b].map(identity);
     identities[0].is_some() && identities[0] == identities[1]
@@ -196,7 +196,7 @@ pub fn forget(folder: &Path) {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).retain(|path| path != folder);
 }
 
-/// Removes the temporary files and folders of all unfinished outputs: for a program that is interrupted, in which nothing is
+/// Removes the temporary files and folders of all unfinished outputs, for an interrupted program, in which nothing is
 /// dropped.
 pub fn remove_unfinished() {
     for path in TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
@@ -205,7 +205,7 @@ pub fn remove_unfinished() {
     }
 }
 
-/// Read and write for all, less the umask: what a plain new file gets. Temporary files are private otherwise.
+/// Read and write for all, less the umask, as for a plain new file. Temporary files are private otherwise.
 fn plain_permissions(builder: &mut tempfile::Builder<'_, '_>) {
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));

@@ -1,4 +1,4 @@
-//! Text of other people in messages.
+//! Other people's text in messages.
 
 /// Shortens the message of a parser, which may quote the input at length, to one line. A mark at its end is left out, since the
 /// sentence goes on.

@@ -43,7 +43,7 @@ pub struct Report {
     pub device: DeviceInfo,
     /// Vectors of a dispatch.
     pub count: usize,
-    /// Times that cost kernels encode or decode each of them.
+    /// Times that cost kernels encode or decode each vector.
     pub repetitions: u32,
     /// One row a codec, operation and backend; decoding by table besides.
     pub rows: Vec<Row>,
@@ -64,15 +64,15 @@ pub struct Row {
     pub by_table: bool,
     /// Nanoseconds of arithmetic a vector, less the baseline's: the median over the dispatches.
     pub alu_ns_per_vector: Option<f64>,
-    /// The largest less the smallest of them.
+    /// The largest less the smallest of the nanoseconds.
     pub alu_spread_ns: Option<f64>,
-    /// Their ratio to those of `oct32`, of the same operation and backend, measured beside it: the median.
+    /// The nanoseconds' ratio to those of `oct32`, of the same operation and backend, measured beside it: the median.
     pub alu_ratio_to_oct32: Option<f64>,
-    /// For SPIR-V from Rust, their ratio to those of SPIR-V from GLSL, measured beside it: the median.
+    /// For SPIR-V from Rust, the ratio to SPIR-V from GLSL, measured beside it: the median.
     pub alu_ratio_to_glsl: Option<f64>,
     /// Vectors that the shipped kernel takes in a second: of the median over the dispatches.
     pub vectors_per_s: f64,
-    /// Bytes that it reads and writes in a second.
+    /// Bytes that the shipped kernel reads and writes in a second.
     pub bytes_per_s: f64,
     /// Bytes that a kernel which copies as many reads and writes in a second.
     pub copy_bytes_per_s: f64,
@@ -358,7 +358,7 @@ fn no_timestamps(runner: &Runner) -> vulkan::Error {
     vulkan::Error::MissingFeature { device, feature: "timestamps on its compute queue" }
 }
 
-/// The middle one, or the mean of the two in the middle.
+/// The median: the mean of the two in the middle for an even number.
 fn median(mut times: Vec<f64>) -> f64 {
     times.sort_by(f64::total_cmp);
     match times.len() {

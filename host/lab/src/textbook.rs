@@ -14,7 +14,7 @@ use unitvec_vulkan::{Device, Kernel, Runner};
 pub struct Textbook {
     /// Identifier; the functions are `textbook_<id>_encode` and `textbook_<id>_decode`.
     pub id: &'static str,
-    /// Identifier of the codec to put in its place: of as many bytes, and in the same format where there is one.
+    /// Identifier of the codec that replaces it: of as many bytes, and in the same format where there is one.
     pub codec: &'static str,
     /// Identifier of a finer codec of as many bytes, for those who may change the format or the encoder.
     pub finer: Option<&'static str>,
@@ -28,7 +28,7 @@ impl Textbook {
         format!("textbook_{}_{operation}", self.id)
     }
 
-    /// The format of its codec: what is encoded, and the size of a code.
+    /// The format of the codec: the element, and the size of a code.
     ///
     /// # Errors
     /// [`UnknownCodec`] where the catalogue lacks it.
@@ -80,7 +80,7 @@ pub const TEXTBOOK: &[Textbook] = &[
     named_alike("frame32", None, "tangent frame, octahedral and diamond: Ong 2023"),
 ];
 
-/// One that has the identifier of its codec.
+/// The textbook with its codec's identifier.
 const fn named_alike(id: &'static str, finer: Option<&'static str>, title: &'static str) -> Textbook {
     Textbook { id, codec: id, finer, title }
 }
@@ -103,7 +103,7 @@ pub struct TextbookGpu {
 }
 
 impl TextbookGpu {
-    /// Compiles both kernels. With `fill_output`, what a kernel fails to write cannot pass for its result.
+    /// Compiles both kernels. With `fill_output`, output that a kernel fails to write cannot pass for its result.
     ///
     /// # Errors
     /// GLSL that does not compile, or a failed Vulkan call.

@@ -20,7 +20,7 @@ const SOURCE_LANGUAGES: u32 = 7;
 /// The signatures of a module's stubs, by id.
 type Stubs = HashMap<u32, Signature>;
 
-/// A module that imports what its stubs stand for, and the names of that.
+/// A module that imports the functions that its stubs stand for, and their names.
 pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
     let stubs = find_stubs(module, stubs::VERSION)?;
     let mut types = Types::of(module);

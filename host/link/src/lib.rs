@@ -43,9 +43,9 @@ pub enum Error {
         "its memory model is not one of shaders (addressing model {addressing}, memory model {memory}); compile it for Vulkan"
     )]
     MemoryModel {
-        /// The number of its addressing model.
+        /// The number of the addressing model.
         addressing: u32,
-        /// The number of its memory model.
+        /// The number of the memory model.
         memory: u32,
     },
     /// The module calls nothing of the library.

@@ -7,8 +7,8 @@ use rspirv::dr::{Function, Instruction, Operand, load_bytes};
 use rspirv::spirv::{AddressingModel, Decoration, MemoryModel, Op, Word};
 use std::collections::{HashMap, HashSet};
 
-/// The library's functions of these names and what they call, in the version and with the memory model of a module: they use no
-/// memory but their own. The linker takes a second for all functions.
+/// The library's functions of these names and their callees, in the version and with the memory model of a module: they
+/// use no memory but their own. The linker takes a second for all functions.
 pub fn library_for(module: &Module, names: &[String]) -> Result<Vec<u8>, Error> {
     part(unitvec_shaders::spirv(LIBRARY).ok_or(Error::NoLibrary)?, module, names)
 }
@@ -91,7 +91,7 @@ mod tests {
         assert_eq!(whole.functions.len(), all.len());
     }
 
-    /// The message names what is wrong with it; it is not that there is none.
+    /// The message names the fault; it is not that there is none.
     #[test]
     fn libraries_that_do_not_fit_are_refused() {
         let bytes = unitvec_shaders::spirv(LIBRARY).unwrap();

@@ -96,7 +96,7 @@ impl Language {
     }
 }
 
-/// The function that every stub of a version calls: [`MARKER`] and the version, with `_` for what no name has.
+/// The function that every stub of a version calls: [`MARKER`] and the version, with `_` for other characters.
 pub fn marker(version: &str) -> String {
     let version: String = version.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '_' }).collect();
     format!("{MARKER}{version}")

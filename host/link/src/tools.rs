@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 use unitvec_files::one_line;
 
-/// An engine's module, linked with the library: without what is not used, optimised and validated.
+/// An engine's module, linked with the library: without unused parts, optimised and validated.
 ///
 /// # Errors
 /// [`Error`].

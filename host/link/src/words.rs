@@ -1,4 +1,4 @@
-//! SPIR-V as instructions whose words mean nothing yet: what a compiler newer than this program writes passes through.
+//! SPIR-V as instructions whose words mean nothing yet: the output of newer compilers than this program passes through.
 
 /// Opcodes that matter here.
 pub mod op {

@@ -77,7 +77,7 @@ mod tests {
         assert_eq!(["obj", ".obj", "a.stl", "a.obj.gz", "-"].map(of), [None; 5]);
     }
 
-    /// Telling bytes decide whatever the ending; bytes that are close to them do not.
+    /// Distinctive bytes decide whatever the ending; bytes that are close to them do not.
     #[test]
     fn first_bytes() {
         for (head, format) in [

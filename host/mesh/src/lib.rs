@@ -115,7 +115,7 @@ pub enum MeshError {
         /// The operating system's error.
         source: io::Error,
     },
-    /// The file is damaged, or uses what its parser does not know.
+    /// The file is damaged, or uses a feature that its parser does not know.
     #[error("cannot parse {path} as {format}: {reason}; check that the file is whole or export it again")]
     Parse {
         /// The mesh file.

@@ -1,6 +1,6 @@
 //! Wavefront OBJ.
 //!
-//! Read here, over the file's own bytes: crates for it keep 40 bytes for a corner that takes two in the file.
+//! The parser is our own, over the file's bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
 use super::format::without_mark;
 use super::{Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, one_part, parse_error};

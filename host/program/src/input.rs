@@ -1,4 +1,4 @@
-//! Input files, and what they hold: a mesh, raw floats, or unknown.
+//! Input files, and their contents: a mesh, raw floats, or unknown.
 
 use crate::stream::swap_if_big_endian;
 use crate::{Error, Result};
@@ -39,7 +39,7 @@ impl Input {
         Ok(Self { path: path.to_owned(), reader, length, read: 0, mesh, is_text, is_broken_text })
     }
 
-    /// The format of the mesh that it holds, if it does.
+    /// The format of the mesh in the file, if it holds one.
     pub fn mesh(&self) -> Option<FileFormat> {
         self.mesh
     }
@@ -153,11 +153,11 @@ impl Elements {
         }
     }
 
-    /// Finds early what [`open`](Self::open) would refuse of a file before it parses it. Pipes are left alone, since they can be
-    /// opened once.
+    /// Finds early the files that [`open`](Self::open) would refuse before it parses them. Pipes are left alone, since
+    /// they can be opened once.
     ///
     /// # Errors
-    /// As [`open`](Self::open).
+    /// The errors of [`open`](Self::open).
     pub fn check(path: &Path, raw: bool) -> Result<()> {
         if path == Path::new("-") || path.metadata().is_ok_and(|data| !data.is_file() && !data.is_dir()) {
             return Ok(());

@@ -12,7 +12,7 @@ use unitvec_run::backend::{Backend, CHUNK, round_trip_slice};
 /// The errors of one codec over one file, or over all of them.
 #[derive(Clone, Debug, Serialize)]
 pub struct Row {
-    /// The file; none for all of them.
+    /// The file; `None` for all of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
     /// Codec.
@@ -45,7 +45,7 @@ pub struct Errors {
     pub worst: Worst,
 }
 
-/// A vector and what became of it.
+/// A vector and its decoded one.
 #[derive(Clone, Debug, Serialize)]
 pub struct Worst {
     /// The file of the vector.
@@ -177,7 +177,7 @@ fn rows(
     })
 }
 
-/// A part of the elements of a file, and what they were decoded to.
+/// A part of the elements of a file, and their decoded ones.
 struct Chunk<'a> {
     file: &'a str,
     id: &'static str,
@@ -189,7 +189,7 @@ struct Chunk<'a> {
 }
 
 impl Chunk<'_> {
-    /// The error of each element's vector; none where it, or the normal of a tangent, has no usable direction.
+    /// The error of each element's vector; `None` where it, or the normal of a tangent, has no usable direction.
     fn errors(&self) -> Vec<Option<f64>> {
         let floats = self.element.floats();
         let pairs = self.elements.par_chunks_exact(floats).zip(self.decoded.par_chunks_exact(floats));
@@ -260,7 +260,7 @@ impl Tally {
         Ok(())
     }
 
-    /// Takes in what another file has.
+    /// Adds the counts of another file.
     fn merge(&mut self, other: Self) {
         self.count += other.count;
         self.left_out += other.left_out;

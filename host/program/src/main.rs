@@ -26,7 +26,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// One line of what a terminal shows: names of files may have control characters, and those of others escape sequences.
+/// One line of text for a terminal: names of files may have control characters, and those of others escape sequences.
 fn printable(text: &str) -> String {
     let escaped =
         |char: char| if char.is_control() { char.escape_default().to_string() } else { char.to_string() };

@@ -33,8 +33,8 @@ pub type Sink<'a> = Named<'a, dyn Write + 'a>;
 pub struct Counts {
     /// Vectors or frames.
     pub elements: u64,
-    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also those
-    /// that leave nothing to store: -Z for a codec of the hemisphere, components that all round to 0. They are stored as +Z.
+    /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
+    /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z.
     pub no_direction: u64,
     /// Tangents of frames without one; in codes also those with none in the plane of the decoded normal. Any perpendicular
     /// to the normal is stored.
@@ -325,7 +325,7 @@ mod tests {
         }
     }
 
-    /// A codec of the hemisphere has nothing of -Z to keep; raw formats keep nothing of what rounds to 0.
+    /// A codec of the hemisphere stores nothing of -Z; raw formats store nothing of components that round to 0.
     #[test]
     fn vectors_that_leave_nothing_are_counted() {
         let vectors = [0.0, 0.0, -1.0, 0.0, -0.0, -3.0, 0.0, 0.0, 1.0, 0.1, 0.0, -1.0];

@@ -16,7 +16,7 @@ pub(super) struct Camera {
     size: Size,
 }
 
-/// Nearest and farthest that is seen.
+/// The nearest and farthest distance that is visible.
 const NEAR: f64 = 0.5;
 const FAR: f64 = 100.0;
 

@@ -1,8 +1,8 @@
 //! A deferred renderer as engines have it, to look at codecs and to show that they go through the graphics pipeline unchanged.
 //!
-//! A geometry pass rotates the vertices' normals, encodes them and writes the codes to an attachment of the codec's own Vulkan
-//! format; a lighting pass fetches the codes, decodes them and lights what is there. Normals of vertices are floats or codes.
-//! The shaders are in Rust and in GLSL, and both give the same picture in every bit.
+//! A geometry pass rotates the vertices' normals, encodes them and writes the codes to an attachment of the codec's own
+//! Vulkan format; a lighting pass fetches the codes, decodes them and lights the surfaces. Normals of vertices are
+//! floats or codes. The shaders are in Rust and in GLSL, and both give the same picture in every bit.
 //!
 //! * [`conform`]: shows that every codec goes through the graphics pipeline unchanged.
 //! * [`figures`]: pictures of codecs. [`report`]: one page of tables and pictures.

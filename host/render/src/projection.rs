@@ -47,7 +47,7 @@ macro_rules! row {
     };
 }
 
-/// All that the shaders have. Of the azimuthal families one stands for all, which differ in what [`unitvec`] computes alone.
+/// All projections of the shaders. One azimuthal family stands for all, which differ in [`unitvec`] alone.
 pub const PROJECTIONS: &[Projection] = &[
     row!(pair "oct" "_snorm", Kind::Snorm, oct::project, oct::unproject),
     row!(pair "oct" "_unorm", Kind::Unorm, oct::project_unorm, oct::unproject_unorm),
@@ -78,12 +78,12 @@ pub const PROJECTIONS: &[Projection] = &[
 ];
 
 impl Projection {
-    /// The one of a name; `None` where there is none.
+    /// The projection of this name; `None` where there is none.
     pub fn find(name: &str) -> Option<&'static Self> {
         PROJECTIONS.iter().find(|projection| projection.name == name)
     }
 
-    /// The projection that a codec of two snorm rounds; `None` for other codecs, and for those of no projection.
+    /// The projection that a codec of two snorm rounds; `None` for other codecs, and for those without a projection.
     pub fn of(format: &AnyCodec) -> Option<&'static Self> {
         if !matches!(Storage::of(format), Storage::Snorm8x2 | Storage::Snorm16x2) {
             return None;

@@ -1,4 +1,4 @@
-//! The two passes, and what they keep from picture to picture.
+//! The two passes, and the objects that they keep from picture to picture.
 
 use super::camera::Camera;
 use super::picture::{Picture, Size};
@@ -111,7 +111,7 @@ impl Renderer {
     /// Renders a picture.
     ///
     /// # Errors
-    /// [`Error::NotDithered`], what the device lacks, what shaders are missing or do not compile, or a failed call.
+    /// [`Error::NotDithered`], a missing feature, shaders that are missing or do not compile, or a failed call.
     pub fn render(&mut self, shot: &Shot) -> Result<Picture> {
         let mut sums = vec![[0.0f32; 4]; self.size.pixels()];
         let step = 1.0 / f64::from(self.samples);
@@ -170,7 +170,7 @@ impl Renderer {
     /// Draws the geometry pass of a shot alone, with one sample a pixel.
     ///
     /// # Errors
-    /// As [`render`](Self::render).
+    /// The errors of [`render`](Self::render).
     pub fn layers(&mut self, shot: &Shot) -> Result<Layers> {
         let variant = self.variant(shot.normals)?;
         let (camera, objects) = scene::arrange(shot, self.size);
@@ -295,7 +295,7 @@ impl Renderer {
     }
 }
 
-/// The codes of normals, by the CPU. A frame's tangent is what the shaders take for it.
+/// The codes of normals, by the CPU. The frames' tangents are those of the shaders.
 pub(super) fn encoded(format: &AnyCodec, normals: &[[f32; 3]]) -> Result<Vec<u8>> {
     let mut codes = vec![0; normals.len() * format.bytes];
     let elements: Vec<f32> = match format.element {

@@ -52,7 +52,7 @@ fn sides() -> (DVec3, DVec3) {
     (DVec3::Y.cross(toward), toward)
 }
 
-/// The camera of a shot, and what it sees.
+/// The camera of a shot, and the objects that it sees.
 pub(super) fn arrange(shot: &Shot, size: Size) -> (Camera, Vec<Placed>) {
     let (right, toward) = sides();
     let place = |along: f64, up: f64, near: f64| right * along + DVec3::Y * up + toward * near;

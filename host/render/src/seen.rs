@@ -16,7 +16,7 @@ pub struct Seen {
     pub decoded: Vec3,
 }
 
-/// The pixels of attachments of four floats: none where no object is, whose number stands behind the position.
+/// The pixels of attachments of four floats: `None` where no object is, whose number stands behind the position.
 pub(super) fn seen(positions: &[u8], normals: &[u8], decoded: &[u8]) -> Vec<Option<Seen>> {
     let [positions, normals, decoded] = [positions, normals, decoded].map(float_texels);
     let vector = |[x, y, z, _]: [f32; 4]| Vec3::new(x, y, z);

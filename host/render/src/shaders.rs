@@ -14,7 +14,7 @@ pub fn module(name: &str) -> Option<&'static [u8]> {
     Some(SPIRV.get_file(name)?.contents())
 }
 
-/// A GLSL file: `vertex.vert`, `gbuffer.frag`, `light.frag`, `fullscreen.vert`, and what they include besides the codecs.
+/// A GLSL file: `vertex.vert`, `gbuffer.frag`, `light.frag`, `fullscreen.vert`, and their includes besides the codecs.
 pub fn glsl(name: &str) -> Option<&'static str> {
     GLSL.get_file(name)?.contents_utf8()
 }
@@ -226,7 +226,7 @@ mod tests {
         interface
     }
 
-    /// The ids that a function and what it calls refer to.
+    /// The ids that a function and its callees refer to.
     fn used(module: &Module, function: Word) -> BTreeSet<Word> {
         let body = module.functions.iter().find(|each| each.def_id() == Some(function)).unwrap();
         let ids = body.all_inst_iter().flat_map(|instruction| &instruction.operands);

@@ -38,7 +38,7 @@ pub enum Storage {
     PairAndBit,
 }
 
-/// The formats of codecs, and what holds their codes.
+/// The formats of codecs, and the storages of their codes.
 const STORAGES: [(&str, Storage); 11] = [
     ("VK_FORMAT_R8G8_SNORM", Storage::Snorm8x2),
     ("VK_FORMAT_R16G16_SNORM", Storage::Snorm16x2),
@@ -150,7 +150,7 @@ pub(super) fn float_texels(bytes: &[u8]) -> impl Iterator<Item = [f32; 4]> {
     bytes.chunks_exact(16).map(bytemuck::pod_read_unaligned)
 }
 
-/// Texels or attributes of this format that hold these codes: what is left of each is 0.
+/// Texels or attributes of this format that hold these codes: the rest of each is 0.
 pub fn texels_of(codes: &[u8], format: ImageFormat, code_bytes: usize) -> Vec<u8> {
     let size = bytes_per_texel(format).unwrap_or(code_bytes);
     let mut texels = Vec::with_capacity(codes.len() / code_bytes.max(1) * size);

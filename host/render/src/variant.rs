@@ -1,4 +1,4 @@
-//! The variants of the renderer's shaders, and where they come from.
+//! The variants of the renderer's shaders, and their sources.
 
 use super::projection::Projection;
 use super::shaders;

@@ -63,7 +63,7 @@ pub trait Backend {
     /// Decodes up to [`CHUNK`] dense codes.
     ///
     /// # Errors
-    /// As [`encode`](Self::encode).
+    /// The errors of [`encode`](Self::encode).
     fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()>;
 }
 
@@ -205,7 +205,7 @@ impl KernelSource {
 /// A change to each kernel's module before it is loaded, such as arithmetic that rounds otherwise.
 #[derive(Clone)]
 pub struct Rewrite {
-    /// Tells rewrites apart: the kernels of each are kept.
+    /// The name of a rewrite, by which kernels of each are kept.
     pub key: u64,
     /// Rewrites a module, given the kernel's name and its entry point.
     pub module: RewriteModule,
@@ -228,7 +228,7 @@ pub struct Gpu {
 }
 
 impl Gpu {
-    /// A backend on `device`. With `fill_output`, what a kernel fails to write cannot pass for its result: for tests.
+    /// A backend on `device`. With `fill_output`, missing output of a kernel cannot pass for its result: for tests.
     ///
     /// # Errors
     /// A failed Vulkan call.

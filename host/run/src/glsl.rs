@@ -116,7 +116,7 @@ impl Compiler {
     /// those of [`kernel`](Self::kernel).
     ///
     /// # Errors
-    /// The same.
+    /// The errors of [`kernel`](Self::kernel).
     pub fn function_kernel(
         &self,
         format: &AnyCodec,
@@ -132,16 +132,16 @@ impl Compiler {
     /// The SPIR-V of the kernel that measures a codec's arithmetic.
     ///
     /// # Errors
-    /// As [`kernel`](Self::kernel).
+    /// The errors of [`kernel`](Self::kernel).
     pub fn cost_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         let function = format.function(operation);
         self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation, &function))
     }
 
-    /// The SPIR-V of the kernel that measures what the others do besides encoding or decoding.
+    /// The SPIR-V of the kernel that measures the work of the others besides encoding or decoding.
     ///
     /// # Errors
-    /// As [`kernel`](Self::kernel).
+    /// The errors of [`kernel`](Self::kernel).
     pub fn baseline_kernel(&self, operation: Operation) -> Result<Vec<u8>, Error> {
         self.kernel_file(&format!("{operation}_cost.comp"), "baseline", &[])
     }
@@ -149,7 +149,7 @@ impl Compiler {
     /// The SPIR-V of a kernel that reads and writes as many bytes as a codec's, and does nothing else.
     ///
     /// # Errors
-    /// As [`kernel`](Self::kernel).
+    /// The errors of [`kernel`](Self::kernel).
     pub fn copy_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         self.kernel_file("copy.comp", "copy", &macros(format, operation, "copy"))
     }
@@ -157,7 +157,7 @@ impl Compiler {
     /// The SPIR-V of the kernel that decodes two-byte codes by a table.
     ///
     /// # Errors
-    /// As [`kernel`](Self::kernel).
+    /// The errors of [`kernel`](Self::kernel).
     pub fn decode_by_table(&self) -> Result<Vec<u8>, Error> {
         let macros = [("BYTES".into(), "2".into())];
         self.kernel_file("decode_by_table.comp", manifest::DECODE_BY_TABLE, &macros)
@@ -216,7 +216,7 @@ fn macros(format: &AnyCodec, operation: Operation, function: &str) -> Vec<(Strin
 /// Text of a file of `glsl/`.
 ///
 /// # Errors
-/// [`Error::NoSource`] where there is none of that name.
+/// [`Error::NoSource`] where no file has that name.
 pub fn source(file: &str) -> Result<&'static str, Error> {
     unitvec_shaders::glsl(file).ok_or_else(|| Error::NoSource { file: format!("glsl/{file}") })
 }

@@ -15,7 +15,7 @@ pub struct ErrorStats {
 }
 
 impl ErrorStats {
-    /// Takes in the error between a direction and what it was decoded to.
+    /// Adds the error between a direction and its decoded one.
     pub fn add(&mut self, original: [f32; 3], decoded: [f32; 3]) {
         let error = angle_deg(original, decoded);
         self.sum += error;
@@ -42,7 +42,7 @@ impl ErrorStats {
     }
 }
 
-/// Errors of the vectors in elements: of a vector, itself; of a frame, its normal and its tangent.
+/// Errors of the vectors in elements: of a vector itself; of a frame's normal and its tangent.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ElementErrors {
     /// Errors of the vectors or normals.
@@ -52,7 +52,7 @@ pub struct ElementErrors {
 }
 
 impl ElementErrors {
-    /// Takes in the errors between an element and what it was decoded to.
+    /// Adds the errors between an element and its decoded one.
     pub fn add(&mut self, original: &[f32], decoded: &[f32]) {
         let vector = |v: &[f32]| [v[0], v[1], v[2]];
         let vectors = original.chunks_exact(3).map(vector).zip(decoded.chunks_exact(3).map(vector));

@@ -126,7 +126,7 @@ impl Drop for RawDevice {
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Purpose {
     Kernels,
-    /// Kernels that are compiled to see what the compiler makes of them.
+    /// Kernels that are compiled to inspect the compiler's result.
     Statistics,
     Graphics,
 }

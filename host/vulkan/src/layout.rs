@@ -1,4 +1,4 @@
-//! Interfaces of pipelines, and what fills them.
+//! Interfaces of pipelines, and the descriptors for them.
 
 use super::{Device, Error, Named};
 use ash::vk;

@@ -30,7 +30,7 @@ pub struct Runner {
 
 impl Runner {
     /// A runner for up to `capacity` vectors at a time. With `fill_output`, output memory is overwritten before each
-    /// run, so that what a kernel fails to write cannot pass for its result.
+    /// run, so that output which a kernel fails to write cannot pass for its result.
     ///
     /// # Errors
     /// [`Error::BadCount`] for a capacity of 0 or beyond the device's limits, or a failed call.

@@ -1,4 +1,4 @@
-//! Statistics of what a device's compiler makes of kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
+//! Statistics of a device's compiler about kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
 
 use super::layout::Layout;
 use super::{BufferPromise, Device, DeviceChoice, Error, Instance, Named};

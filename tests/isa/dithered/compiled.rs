@@ -80,7 +80,7 @@ fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Opera
     unitvec_lab::isa::row(&row_id(codec, key), operation, Source::Glsl, None, &statistics, device)
 }
 
-/// Each function is compiled again, and costs what is recorded.
+/// Each function is compiled again, and its cost matches the record.
 #[test]
 fn dithered_functions_cost_what_is_recorded() {
     let before = committed();

@@ -29,7 +29,7 @@ struct Row {
     slang_exact: u64,
 }
 
-/// Compiles with the device of this process, and writes what came of it.
+/// Compiles with the device of this process, and writes the results.
 pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Path, path: &Path) -> Result<()> {
     let instance = Arc::new(Instance::new(None, false).map_err(told)?);
     let inspector = Inspector::open(&instance, &DeviceChoice::Best).map_err(told)?;

@@ -16,13 +16,13 @@ pub const COUNT: usize = RANDOM + SPECIAL;
 
 const SEED: u64 = 15;
 
-/// One codec, encoding or decoding: what its kernel reads, and what it has to write.
+/// One codec, encoding or decoding: its kernel's input, and the expected output.
 pub struct Case {
     pub format: &'static AnyCodec,
     pub operation: Operation,
     pub input: Arc<[u32]>,
     pub expected: Vec<u32>,
-    /// True where all files of the language are compiled, and not only what the codec needs.
+    /// True where all files of the language are compiled, and not only those that the codec needs.
     pub has_all_files: bool,
 }
 
@@ -38,7 +38,7 @@ impl Case {
         Self { input, expected, has_all_files: true, ..*self }
     }
 
-    /// Words of what is read and written, for one element.
+    /// Words of the input and of the output, for one element.
     pub fn words(&self) -> (usize, usize) {
         kernel::words(self.format, self.operation)
     }

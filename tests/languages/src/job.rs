@@ -10,7 +10,7 @@ pub struct Job<'a> {
     pub text: String,
 }
 
-/// Whole shaders, one of each case: what `unitvec shader` writes of the codec, or all files, and a kernel.
+/// Whole shaders, one of each case: the output of `unitvec shader` for the codec, or all files, and a kernel.
 pub fn jobs(cases: &[Case], language: Language, edition: Edition) -> Result<Vec<Job<'_>>> {
     let head = kernel::head(language).unwrap_or_default();
     let whole = |case: &Case| -> Result<String> {

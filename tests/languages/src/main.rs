@@ -33,7 +33,7 @@ use unitvec_run::shader::{Edition, Language};
 use unitvec_vulkan::DeviceChoice;
 use vulkan::Vulkan;
 
-/// A result with what went wrong in words.
+/// A result with an error in words.
 type Result<T> = std::result::Result<T, String>;
 
 /// An error in words.

@@ -40,7 +40,7 @@ pub enum Promise {
     Equal,
     /// Results are within the codec's error bound: see [`crate::tally::Bounds`].
     Bounded,
-    /// Anything but those of the CPU: a compiler that changes nothing would show nothing.
+    /// Any results but the CPU's: a compiler that changes nothing would show nothing.
     None,
     /// Nothing ran.
     Compiled,

@@ -18,7 +18,7 @@ pub type EachModule<'a> = &'a mut dyn FnMut(&Case, Result<Vec<u8>>) -> Result<()
 pub struct Compiler<'a> {
     pub script: &'static str,
     pub library: &'a Path,
-    /// Folder of what texts include.
+    /// Folder of the files that texts include.
     pub folder: PathBuf,
     pub arguments: &'static [&'static str],
 }

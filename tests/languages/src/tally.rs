@@ -41,7 +41,7 @@ impl Bounds {
 }
 
 impl Tally {
-    /// Takes in a module that is not run.
+    /// Adds a module that is not run.
     pub fn add_compiled(&mut self, case: &Case, module: Result<Vec<u8>>) {
         match module {
             Ok(_) => self.kernels += usize::from(!case.has_all_files),
@@ -109,7 +109,7 @@ fn outcome(case: &Case, words: &[u32]) -> Result<Outcome> {
     })
 }
 
-/// The largest angle between what the codes of special elements stand for and what the CPU's do, as a part of the codec's error
+/// The largest angle between the vectors of special elements' codes and the CPU's, as a part of the codec's error
 /// bound; infinite where an element without a direction has another code than the CPU's, which is +Z's.
 fn special_part(case: &Case, words: &[u32]) -> Result<f64> {
     if case.operation == Operation::Decode {
@@ -133,7 +133,7 @@ fn special_part(case: &Case, words: &[u32]) -> Result<f64> {
     Ok(part)
 }
 
-/// Whether any vector of an element has a direction; `None` where the rounding of a norm decides.
+/// True if any vector of an element has a direction; `None` where the rounding of a norm decides.
 fn has_direction(element: &[f32]) -> Option<bool> {
     let limits = [MIN_NORM, MAX_NORM].map(f64::from);
     let norm = |vector: &[f32]| vector.iter().map(|x| f64::from(*x).abs()).sum::<f64>();

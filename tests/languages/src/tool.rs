@@ -4,7 +4,7 @@ use crate::{Result, told};
 use std::io::Write;
 use std::process::{ChildStdout, Command, Stdio};
 
-/// Runs a program that is given `input`, and hands on what it prints.
+/// Runs a program with `input`, and returns its output.
 pub fn converse<T>(
     command: &mut Command,
     input: Vec<u8>,

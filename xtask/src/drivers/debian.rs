@@ -14,7 +14,7 @@ pub struct Packaged {
     package: &'static str,
     /// The library's place in the package.
     library: &'static str,
-    /// Archives and suites with all that is fetched. The last has the driver.
+    /// Archives and suites of all fetched packages. The last has the driver.
     suites: &'static [(&'static str, &'static str)],
     /// True if all dependencies are fetched too, down to the C library.
     has_dependencies: bool,
@@ -110,7 +110,7 @@ impl Packaged {
         vec![libraries.join("ld-linux-x86-64.so.2").into(), "--library-path".into(), libraries.into()]
     }
 
-    /// Fetches what is not there yet.
+    /// Fetches the missing packages.
     pub fn fetch(&self, cache: &Path) -> Result<(), Missing> {
         if self.version(cache).is_some() {
             return Ok(());
@@ -140,7 +140,7 @@ impl Packaged {
         )
     }
 
-    /// Why it cannot be fetched on a system of this /etc/os-release.
+    /// The reason why it cannot be fetched on a system of this /etc/os-release.
     fn refusal(&self, os_release: &str, architecture: &str) -> Option<String> {
         let value = |key| os_release.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix('='));
         if architecture != "x86_64" || value("ID") != Some("debian") {

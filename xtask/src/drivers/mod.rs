@@ -26,7 +26,7 @@ const RECORD: &str = "docs/data/drivers.tsv";
 /// Names the file of a newer RADV than the system's to the tests that renew costs.
 pub const NEWER_RADV: &str = "UNITVEC_NEWER_RADV_ICD";
 
-/// The drivers that are fetched, for the hash of what the record is of.
+/// The fetched drivers, for the hash of the record's inputs.
 pub fn versions() -> String {
     format!("{PACKAGED:?}")
 }
@@ -62,7 +62,7 @@ impl Options {
     }
 }
 
-/// A driver that was looked for, and what became of it.
+/// A driver that was looked for, and its outcome.
 struct Row {
     /// The driver's file, or the package that it was fetched from.
     origin: String,
@@ -219,7 +219,7 @@ impl Driver {
     }
 }
 
-/// Why there is no device: the first error of Vulkan's loader, without the name of its function, or else the program's.
+/// The reason for no device: the first error of Vulkan's loader, without its function's name, or the program's.
 fn reason(said: &str) -> String {
     let of_loader = said.lines().find_map(|line| Some(line.split_once("ERROR:")?.1));
     let line = of_loader.or_else(|| said.lines().last()).unwrap_or_default();

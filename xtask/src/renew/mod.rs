@@ -1,4 +1,4 @@
-//! `cargo xtask renew`: writes what is generated, and repeats what is recorded, where its inputs have changed.
+//! `cargo xtask renew`: writes generated files, and repeats recorded runs, where their inputs have changed.
 
 mod records;
 mod state;
@@ -56,7 +56,7 @@ fn chosen(names: &[&str]) -> Result<Vec<Chosen>, String> {
     Ok(all.filter(|(record, is_named)| *is_named || in_group(record)).collect())
 }
 
-/// Renews what is stale among the chosen, what follows from it, and what is named.
+/// Renews the stale records among the chosen, those that follow from them, and those named.
 fn renew(root: &Path, chosen: Vec<Chosen>) -> Result<(), String> {
     let due = due(&Repository::open(root)?, &Lock::read(root)?, chosen)?;
     if due.is_empty() {
@@ -139,7 +139,7 @@ fn note(root: &Path, record: &Record, adopted: &str) -> Result<(), String> {
     lock.write(root)
 }
 
-/// Says of each record whether it is current, and fails where one is not.
+/// Prints whether each record is current, and fails where one is not.
 fn check(root: &Path, chosen: &[Chosen]) -> Result<(), String> {
     let (files, lock) = (Repository::open(root)?, Lock::read(root)?);
     let mut stale = Vec::new();

@@ -1,4 +1,4 @@
-//! Every generated or recorded file: what it is made of, and how it is made again.
+//! Every generated or recorded file: its inputs, and the command that makes it again.
 //!
 //! Inputs are what decides a record: arithmetic, texts and the versions of tools that this repository names; not the whole
 //! program, whose messages would make hours of runs stale. Code that only writes a record is no input where a test
@@ -13,7 +13,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::process::{Command, Stdio};
 
-/// Something that a hash is of: files by patterns, which are paths with `*` for anything, or versions.
+/// A part of a hash's input: files by patterns, which are paths with `*` for anything, or versions.
 #[derive(Clone, Copy)]
 pub enum Source {
     /// Files, whole.
@@ -22,7 +22,7 @@ pub enum Source {
     Code(&'static str),
     /// The generated parts of files.
     Parts(&'static str),
-    /// Versions of what is linked, fetched or run.
+    /// Versions of linked, fetched or run tools.
     Versions(fn() -> String),
 }
 use Source::{Bytes, Code, Parts, Versions};
@@ -53,7 +53,7 @@ pub struct Record {
     pub kind: Kind,
     /// The time that it takes on 2 cores, when everything is built.
     pub minutes: u32,
-    /// The needs that a machine may not meet: the record is left stale then. Empty where `cargo xtask setup` suffices.
+    /// The requirements that a machine may lack: the record is left stale then. Empty where `cargo xtask setup` suffices.
     pub needs: &'static str,
     pub renew: fn() -> Result<(), String>,
 }
@@ -97,7 +97,7 @@ const FILE: Record = Record {
     renew: || Ok(()),
 };
 
-/// All records, each after those that it is made of.
+/// All records, each after those among its inputs.
 pub static RECORDS: &[Record] = &[
     Record {
         name: "modules",
@@ -349,12 +349,12 @@ fn locked(names: &[&str]) -> String {
     lock.split("[[package]]").filter(is_named).collect()
 }
 
-/// Has tests of the integration program write the files that they compare.
+/// Makes tests of the integration program write the files that they compare.
 fn bless(tests: &[&str]) -> Result<(), String> {
     by_tests(tests, &[], ("BLESS", "1".into()))
 }
 
-/// Has ignored tests of the integration program measure what others compare.
+/// Makes ignored tests of the integration program measure the figures that others compare.
 fn measure(tests: &[&str]) -> Result<(), String> {
     by_tests(tests, &["--ignored"], ("BLESS", "1".into()))
 }

@@ -50,7 +50,7 @@ impl Repository {
         sources: impl IntoIterator<Item = &'a Source>,
         counts: impl Fn(&str) -> bool,
     ) -> Result<u64, String> {
-        // FNV-1a. It finds what changed by accident, which is all that it is for, and needs no package. Lengths keep two
+        // FNV-1a. It finds accidental changes, which is all that it is for, and needs no package. Lengths keep two
         // sequences of texts apart.
         let mut hash = 0xcbf2_9ce4_8422_2325_u64;
         let mut add = |bytes: &[u8]| {
@@ -116,7 +116,7 @@ pub struct Hashes {
 pub struct Entry {
     pub date: String,
     pub hashes: Hashes,
-    /// Why the files were taken for current without being made again; empty where they were made.
+    /// The reason why the files were taken for current without being made again; empty where they were made.
     pub adopted: String,
 }
 
@@ -232,7 +232,7 @@ mod tests {
         assert!(Lock::parse("a 2026-11-23\n").unwrap_err().contains("a 2026-11-23"));
     }
 
-    /// A record is stale when what it was made of has changed, and when its files have, and current when all is back.
+    /// A record is stale when its inputs have changed, and when its files have, and current when all is back.
     #[test]
     fn changes_make_records_stale() {
         let record = Record {

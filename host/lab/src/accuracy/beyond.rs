@@ -7,7 +7,7 @@ use unitvec_run::backend::Backend;
 use unitvec_run::measure::ErrorStats;
 use unitvec_run::measure::measure;
 
-/// The codecs that neither the survey's tables nor Meyer's have.
+/// The codecs that are in neither the survey's tables nor Meyer's.
 pub fn codecs() -> impl Iterator<Item = &'static AnyCodec> {
     let survey: Vec<Published> = [Table::One, Table::Three].into_iter().flat_map(Table::published).collect();
     vectors().iter().filter(move |codec| {
@@ -18,7 +18,7 @@ pub fn codecs() -> impl Iterator<Item = &'static AnyCodec> {
     })
 }
 
-/// The least mean and the least maximum, of different rows perhaps, that the survey's table 1 has for this many bits.
+/// The least mean and the least maximum, perhaps in different rows, of the survey's table 1 at this many bits.
 fn best_published(bits: u32) -> Option<(f64, f64)> {
     let rows = Table::One.published().into_iter().filter(|row| row.bits == bits);
     rows.map(|row| (row.mean_error_deg, row.max_error_deg))

@@ -72,7 +72,7 @@ const RANDOM: usize = 500_000;
 const AROUND: usize = 20_000;
 /// Directions that the second step starts from.
 const STARTS: usize = 64;
-/// Neighbours of each that a round of the second step tries.
+/// Neighbours of each direction that a round of the second step tries.
 const NEIGHBOURS: usize = 64;
 /// Rounds of the second step; each halves the distance of the neighbours every fourth round.
 const ROUNDS: i32 = 40;

@@ -86,7 +86,7 @@ pub struct Row {
     pub max_deg: f64,
     /// The published mean error, degrees; Meyer et al. give none.
     pub survey_mean_deg: Option<f64>,
-    /// The published maximum error, degrees; Meyer's bound; none at bits that nothing is published for.
+    /// The published maximum error, degrees; Meyer's bound; `None` at bits without a published figure.
     pub survey_max_deg: Option<f64>,
     /// Mean error of the hexagonal covering bound with as many codes, degrees; none for frames.
     pub bound_mean_deg: Option<f64>,
@@ -118,8 +118,8 @@ pub fn covering_bound_deg(bits: u32, domain: Domain) -> (f64, f64) {
     (mean.to_degrees(), radius.to_degrees())
 }
 
-/// The survey's second measurement: like [`measure`], with float64 from the f32 input to the angle. The derivation is the
-/// one that the tests hold the codecs against, and shares no code with them. `None` for a codec that it does not have.
+/// The survey's second measurement: like [`measure`], with float64 from the f32 input to the angle. The derivation is
+/// the one that the tests hold the codecs against, and shares no code with them. `None` for a codec without one.
 pub fn measure_float64(codec: &AnyCodec, domain: Domain, count: usize, seed: u64) -> Option<(f64, f64)> {
     let round_trip = unitvec_oracle::round_trip(codec.id)?;
     let (mut sum, mut max) = (0.0, 0.0f64);

@@ -1,4 +1,4 @@
-//! By how much the results of devices may differ from the CPU's: limits counted from the operations that lead to them.
+//! Bounds of the difference between devices' results and the CPU's, counted from the operations that lead to them.
 //!
 //! The unit is 2^-23. A quotient's relative error is at most 2.5 on the device and 0.5 on the CPU. A square root's error is
 //! that of `1 / inversesqrt(x)`: at most `s^2 + 2.5` ULP for a significand s from 1 to 2, which is 3.5 of the root, and 0.5
@@ -46,8 +46,8 @@ enum Encoder {
     TwoFloats(Way),
     /// Parts of a step by which a coordinate may be off on either side.
     Steps(f64),
-    /// The way to the distance of a code. Of codes in nearly the same direction, which one is nearest depends on the last bit:
-    /// there is no bound of how many differ.
+    /// The way to the distance of a code. For codes in nearly the same direction the last bit decides which is nearest:
+    /// the number that differ has no bound.
     Choice(Way),
 }
 
@@ -86,9 +86,9 @@ impl Bounds {
 
     /// The most codes of `elements` random elements that may differ. `None` where there is no bound.
     ///
-    /// A coordinate's code differs where the coordinate lies no farther from the border between two codes than it is off.
-    /// For two coordinates of m steps that is a part `4 m e` of all. Of so many on average, six standard deviations and six
-    /// more are never exceeded.
+    /// A coordinate's code differs where the coordinate lies no farther from the border between two codes than its
+    /// error. For two coordinates of m steps that is a part `4 m e` of all. Of so many on average, six standard
+    /// deviations and six more are never exceeded.
     pub fn codes_differ(&self, elements: u64) -> Option<u64> {
         let steps = 2f64.powi(self.bits as i32 / 2 - 1);
         let off = match self.encoder {
@@ -151,8 +151,8 @@ impl Bounds {
         objections
     }
 
-    /// The largest error as a part of the codec's bound: a code that differs is as good as the CPU's, but for what the
-    /// coordinates are off, or what the distances of two candidates are misjudged by.
+    /// The largest error as a part of the codec's bound: a code that differs is as good as the CPU's, but for the error
+    /// of the coordinates, or of the distances of two candidates.
     fn error_part(&self) -> f64 {
         let off = match self.encoder {
             Encoder::Way(way) | Encoder::TwoFloats(way) => PI * way.error(),
@@ -170,13 +170,13 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
     match family {
         // m / norm.
         "oct" | "hemioct" | "soct" => (Encoder::Way(Way::new(1, 0, 0)), Scaled),
-        // The reciprocal of the norm corrects what the first float of a coordinate lacks.
+        // The reciprocal of the norm corrects the error of a coordinate's first float.
         "oct_wide" => (Encoder::TwoFloats(Way::new(1, 0, 0)), Scaled),
         // The length, r^2 by that, and r; the turn's way is shorter. Decoding: turn and 1 / m, and the distance from the axis.
         "eaoct" => (Encoder::Way(Way::new(1, 2, 0)), Decoder::Way(Way::new(2, 1, 0))),
         // The latitude of z and the distance from the axis. Decoding: 1 / m.
         "spherical" => (Encoder::Way(Way::new(1, 1, 1)), Decoder::Way(Way::new(1, 0, 0))),
-        // Said in its docs: the arithmetic adds 1/16 of a step, on the CPU and on the device.
+        // Its docs give the number: the arithmetic adds 1/16 of a step, on the CPU and on the device.
         "spherical_wide" => (Encoder::Steps(0.125), Scaled),
         // z by the length. Decoding: 1 / m, and the distance from the axis.
         "cylindrical" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(1, 1, 0))),
@@ -192,7 +192,7 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
         "azimuthal" => (Encoder::Way(Way::new(4, 3, 1)), Decoder::Way(Way::new(4, 2, 0))),
         // The reciprocal of z and the scale; for angles the arc. Decoding: the scale.
         "cube" => (Encoder::Way(Way::new(2, 0, 1)), Decoder::Way(Way::new(2, 0, 0))),
-        // The inverse of the length. Decoding: z, of what x and y leave, which is the same number on every device.
+        // The inverse of the length. Decoding: z, from the rest of x and y, which is the same number on every device.
         "parallel" | "xyonly" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(0, 1, 0))),
         // Encoders do not divide.
         "snorm" | "unorm" => (Encoder::Way(exact), Decoder::Way(Way::new(1, 0, 0))),

@@ -102,8 +102,8 @@ impl Run<'_> {
         Ok(expected)
     }
 
-    /// Decodes codes on each device, and encodes on each what each decoded. Of codes that another seed had, only what
-    /// depends on the seed.
+    /// Decodes codes on each device, and encodes each result on every device. Codes that another seed had are decoded
+    /// only where the result depends on the seed.
     fn decode_on_all(&mut self, codes: &[u8], are_repeated: bool) -> Result<()> {
         let format = self.format;
         self.row.codes += (codes.len() / format.bytes) as u64;
@@ -122,8 +122,8 @@ impl Run<'_> {
         self.stability(&devices, &expected, codes.len(), are_repeated)
     }
 
-    /// Encodes on each device what each device decoded, and notes the codes that do not come back as `expected`. Codes that
-    /// do not come back from the CPU alone do not count.
+    /// Encodes each device's results on every device, and notes the codes that do not come back as `expected`. Codes
+    /// that do not come back from the CPU alone do not count.
     fn stability(
         &mut self,
         devices: &[(Option<Model>, Vec<f32>)],

@@ -36,7 +36,7 @@ pub struct Options {
 }
 
 impl Options {
-    /// Elements and codes of a codec of this format, of each source.
+    /// Elements and codes of a codec of this format, for each source.
     pub fn work(&self, format: &AnyCodec) -> u64 {
         (self.count as u64 + self.codes(format)) * self.seeds.len() as u64
     }
@@ -141,12 +141,12 @@ pub fn run<E: From<crate::Error> + Send>(
     workers::run(formats, open, work, progress, each)
 }
 
-/// The error bound of a codec in degrees: of frames that of the normal or of the tangent, whichever is less.
+/// The error bound of a codec in degrees: for frames the normal's or the tangent's, whichever is less.
 pub fn error_bound(format: &AnyCodec) -> f64 {
     format.max_errors_deg.iter().copied().fold(f32::INFINITY, f32::min).into()
 }
 
-/// Rows by the source of their kernels, as one: the worse of each.
+/// Merges rows of several sources of kernels: the worse of each.
 fn merged(rows: BTreeMap<BackendKind, Row>) -> Option<Row> {
     rows.into_values().reduce(|mut all, row| {
         for (model, outcome) in row.models {

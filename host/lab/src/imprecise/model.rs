@@ -13,7 +13,7 @@ use std::fmt;
 pub enum Model {
     /// All quotients and square roots are too large, by as much as the specification allows.
     Up,
-    /// All are too small, by as much.
+    /// All quotients and square roots are too small, by as much.
     Down,
     /// Quotients are too large and square roots too small, by as much: so is the inverse of a length too large.
     UpDown,

@@ -3,7 +3,7 @@
 use super::{Bounds, Model, Outcome, Row};
 use serde::{Deserialize, Serialize};
 
-/// The worst of all models that round sums to nearest, beside the bounds; and what devices do that truncate sums.
+/// The worst of all models that round sums to nearest, beside the bounds; and results of devices that truncate sums.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Summary {
     /// Codec.

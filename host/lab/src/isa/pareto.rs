@@ -26,7 +26,7 @@ pub struct Point {
     pub codec: &'static AnyCodec,
     /// The codec's inverse throughput.
     pub cost: f64,
-    /// Upper bound of its error, degrees.
+    /// Upper bound of the codec's error, degrees.
     pub error_deg: f64,
 }
 
@@ -183,7 +183,7 @@ fn overlap(a: &Area, b: &Area) -> bool {
 mod tests {
     use super::*;
 
-    /// A front leaves out what is coarser than something that costs no more.
+    /// A front leaves out points that are coarser than one that costs no more.
     #[test]
     fn fronts_fall() {
         let point = |cost, error_deg| Point { codec: &vectors()[0], cost, error_deg };

@@ -20,7 +20,7 @@ pub enum Error {
         FOLDERS.trim_end().replace('\n', ", ")
     )]
     NotInstalled,
-    /// The file that was named is not there.
+    /// The named file does not exist.
     #[error("cannot read the driver file {}: {source}; --driver and UNITVEC_RADV_ICD take the path of a radeon_icd*.json", .path.display())]
     NoSuchDriver {
         /// The file's path.
@@ -101,7 +101,7 @@ impl Radv {
         Ok(command)
     }
 
-    /// A driver that does not know the GPU ends the process, so that another one has to ask it.
+    /// A driver that does not know the GPU ends the process, so another process has to ask it.
     fn probe(&self) -> Result<(), Error> {
         let output = self.here()?.arg("devices").stdin(Stdio::null()).output().map_err(Error::NotStarted)?;
         let driver = self.driver.clone();
@@ -139,7 +139,7 @@ impl Radv {
     }
 }
 
-/// RADV's file in the first of the folders that has one, that of this processor first.
+/// RADV's file in the first of the folders that has one, with this processor's first.
 fn installed(folders: &[PathBuf]) -> Option<PathBuf> {
     let name = |path: &PathBuf| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let in_folder = |folder: &PathBuf| {

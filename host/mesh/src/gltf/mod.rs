@@ -122,7 +122,7 @@ struct Collected<'f, const N: usize> {
     file: &'f File<'f>,
     elements: Vec<[f32; N]>,
     parts: Vec<Part>,
-    /// First and count of what was read already.
+    /// First and count of the elements read already.
     places: HashMap<Accessors, (usize, usize)>,
 }
 
@@ -131,7 +131,7 @@ impl<'f, const N: usize> Collected<'f, N> {
         Self { file, elements: Vec::new(), parts: Vec::new(), places: HashMap::new() }
     }
 
-    /// Adds a primitive; what comes from the same accessors is read once.
+    /// Adds a primitive; elements from the same accessors are read once.
     fn add(
         &mut self,
         mesh: &::gltf::Mesh,

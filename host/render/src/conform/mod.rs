@@ -58,7 +58,7 @@ pub fn sources() -> impl Iterator<Item = BackendKind> {
 /// Opens the renderers of a thread, on a device of [`Device::open_for_graphics`].
 ///
 /// # Errors
-/// As [`Renderer::new`].
+/// The errors of [`Renderer::new`].
 pub fn open(device: &Arc<Device>) -> Result<Renderers> {
     sources().map(|source| Ok((source, Renderer::new(device, source, SCENE, 1)?))).collect()
 }
@@ -247,8 +247,8 @@ fn compare_codes(
     Ok(row.compare(what, format.bytes, &cpu, &device, |at| shown(&normals[at])))
 }
 
-/// Codes as vertex attributes, against what the same pipeline makes of the CPU's vectors: what interpolation does to zeros is
-/// no matter of codecs.
+/// Compares codes as vertex attributes with the results of the same pipeline for the CPU's vectors: the effect of
+/// interpolation on zeros is no matter of codecs.
 fn vertex(
     row: &mut Row,
     source: BackendKind,

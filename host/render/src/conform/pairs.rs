@@ -160,7 +160,7 @@ impl One<'_> {
         texels.zip(converted).map(normal).collect()
     }
 
-    /// Normals that the lighting pass makes of texels.
+    /// Normals that the lighting pass computes from texels.
     fn texture(&self, row: &mut Row, texels: &[u8]) -> Result<Tally> {
         let fetched = texels::fetched(self.renderer, self.fields.format, texels)?;
         let expected = self.normals(texels, &fetched);
@@ -169,7 +169,7 @@ impl One<'_> {
         Ok(row.compare_normals(&what, texels, self.fields.size(), &expected, &found))
     }
 
-    /// Normals that the vertex shader makes of attributes, both interpolated.
+    /// Normals that the vertex shader computes from attributes, both interpolated.
     fn vertex(&self, row: &mut Row, texels: &[u8]) -> Result<Tally> {
         let passed = |vertices: Variant| -> Result<Vec<[f32; 3]>> {
             let points = Points::of_attributes(self.renderer, vertices, self.fields.format, texels)?;

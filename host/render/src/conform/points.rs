@@ -66,7 +66,7 @@ impl Points {
         Ok(Self { mesh, vertices, attribute, count })
     }
 
-    /// Draws to floats, whatever the variant's format; what its geometry shader stores, and the normals beside that.
+    /// Draws to floats, whatever the variant's format; the result of its geometry shader, and the normals beside it.
     pub(super) fn draw(&self, renderer: &Renderer, variant: &Variant) -> Result<[Vec<[f32; 3]>; 2]> {
         let [stored, normals] = self.draw_to(renderer, variant, ImageFormat::R32G32B32A32_SFLOAT)?;
         let stored = float_texels(&stored).take(self.count).map(|[x, y, z, _]| [x, y, z]);

@@ -22,7 +22,7 @@ pub struct Projected {
     pub differing: u64,
     /// The largest difference of a component, in steps.
     pub max_steps: i64,
-    /// Texels that are not what the device's rounding makes of the projection, and differences of encoders that round the
+    /// Texels that do not match the device's rounding of the projection, and differences of encoders that round the
     /// projection themselves where it does not lie halfway, nearly, between two codes.
     pub unexplained: u64,
 }

@@ -82,7 +82,7 @@ pub struct Row {
     pub texel: String,
     /// The format of vertex attributes.
     pub attribute: String,
-    /// Formats that the device does not take, and what for.
+    /// Formats that the device does not support, with their uses.
     pub unsupported: Vec<String>,
     /// The checks by the shaders' source.
     pub checks: BTreeMap<BackendKind, Checks>,

@@ -50,7 +50,7 @@ impl HardwareRounding {
         !matches!(self, Self::Truncated | Self::Other)
     }
 
-    /// The integer that this rule makes of `x`, where the largest is `m`.
+    /// The integer that this rule gives for `x`, where the largest is `m`.
     pub(super) fn of(self, x: f32, m: i32) -> i64 {
         let product = x * m as f32;
         (match self {
@@ -62,7 +62,7 @@ impl HardwareRounding {
         }) as i64
     }
 
-    /// The first rule that explains all of these values and what became of them.
+    /// The first rule that explains all of these values and their integers.
     fn explaining(values: &[(f32, i64)], m: i32) -> Self {
         let explains = |rule: &Self| values.iter().all(|(x, stored)| rule.of(*x, m) == *stored);
         Self::RULES.into_iter().find(explains).unwrap_or(Self::Other)
@@ -148,7 +148,7 @@ fn every_integer(fields: Fields) -> Vec<u8> {
     texels
 }
 
-/// Numbers that were written, and the integers that are stored of them.
+/// Numbers that were written, and the integers stored for them.
 fn ramp(renderer: &Renderer, fields: Fields) -> Result<Vec<(f32, i64)>> {
     const FRACTIONS: [f32; 5] = [0.0, 0.25, 0.5, 0.75, 0.9];
     /// Integers of the ramp, each way.

@@ -30,7 +30,7 @@ pub(super) fn fetched(renderer: &Renderer, format: ImageFormat, texels: &[u8]) -
     decoded(renderer, &Variant::FLOAT, format, texels)
 }
 
-/// The normals that the lighting pass makes of texels.
+/// The normals that the lighting pass computes from texels.
 pub(super) fn decoded(
     renderer: &Renderer,
     variant: &Variant,
@@ -52,7 +52,7 @@ pub(super) fn decoded(
     Ok(vectors(&normals).take(count).map_while(|normal| normal).collect())
 }
 
-/// A texture of this size; what texels do not fill is 0.
+/// A texture of this size; texels beyond those given are 0.
 fn texture(renderer: &Renderer, format: ImageFormat, size: (u32, u32), mut texels: Vec<u8>) -> Result<Image> {
     let bytes = bytes_per_texel(format).unwrap_or_default();
     texels.resize(bytes * size.0 as usize * size.1 as usize, 0);

@@ -65,7 +65,7 @@ impl DrawTarget for Canvas {
     }
 }
 
-/// A picture with what stands below it.
+/// A picture with the lines below it.
 pub struct Cell {
     /// The picture.
     pub picture: RgbImage,

@@ -92,7 +92,7 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
 const FRAMES: u16 = 30;
 /// Pixels along the side of a block, over which an eye from afar takes the mean: white noise is gone in it, and bands are not.
 const BLOCK: usize = 8;
-/// Degrees from one to the next, in a picture of so many pixels across: the surface moves by about a pixel.
+/// Degrees from one frame to the next, in a picture of so many pixels across: the surface moves by about a pixel.
 const STEP: (f32, f32) = (0.2, 1280.0);
 /// The step between followed points: one of so many in the first frame.
 const EVERY: usize = 11;

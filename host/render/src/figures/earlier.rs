@@ -15,7 +15,7 @@ impl Figures {
     /// The figures that a folder lists, without their pictures' bytes.
     ///
     /// # Errors
-    /// [`unitvec_files::Error::Read`]; [`Error::Earlier`] where the list is something else, or names files outside the folder.
+    /// [`unitvec_files::Error::Read`]; [`Error::Earlier`] if the file is no list, or names files outside the folder.
     pub fn read(folder: &Path) -> Result<Self> {
         let path = folder.join(LIST);
         let json = read_small(&path)?;
@@ -101,7 +101,7 @@ mod tests {
         Figures { origin, figures: ids.iter().map(figure).collect() }
     }
 
-    /// Figures that were not drawn again stay, each with what made it; what was replaced is to be removed.
+    /// Figures that were not drawn again stay, each with its origin; replaced pictures are to be removed.
     #[test]
     fn figures_of_earlier_runs_stay() {
         let folder = tempfile::tempdir().unwrap();

@@ -101,7 +101,7 @@ impl Shown {
         Self::new(file, alt, Content::Pixels(picture))
     }
 
-    /// The file's bytes; none of a picture that was not drawn by this run.
+    /// The file's bytes; `None` for a picture that this run did not draw.
     ///
     /// # Errors
     /// [`unitvec_files::Error::Write`] where a picture cannot be encoded.

@@ -56,7 +56,7 @@ impl Patches {
         corner(top).max(corner(top + height)).to_degrees()
     }
 
-    /// Ring and place in it, both with what is behind the point: (ring, its fraction, patch, its fraction, patches).
+    /// Ring and place in it, both with the rest: (ring, its fraction, patch, its fraction, patches).
     fn locate(&self, v: DVec3) -> (usize, f64, usize, f64, usize) {
         let rings = self.rings();
         let height = v.z.clamp(-1.0, 1.0).acos() / PI * rings as f64;

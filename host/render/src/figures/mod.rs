@@ -66,12 +66,12 @@ pub enum Part {
 }
 
 impl Part {
-    /// The figure of an identifier, that of `--only` and of figures.json; none of another.
+    /// The figure of an identifier in `--only` and figures.json; `None` for others.
     pub fn of_id(id: &str) -> Option<Self> {
         Self::from_str(id, false).ok()
     }
 
-    /// True of what takes a device that draws.
+    /// True for figures that need a device that draws.
     pub fn is_rendered(self) -> bool {
         match self {
             Self::One | Self::Six | Self::Seven | Self::Eight | Self::Meyer | Self::Dither => true,
@@ -84,7 +84,7 @@ impl Part {
 pub struct Options {
     /// Pictures for a page instead of a screen.
     pub small: bool,
-    /// Codecs in place of those that a figure has; none for those.
+    /// Codecs in place of a figure's own; empty for its own.
     pub codecs: Vec<&'static AnyCodec>,
     /// Materials of figure 8.
     pub materials: Vec<Material>,
@@ -155,7 +155,7 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
 /// Codecs of vectors by identifier.
 ///
 /// # Errors
-/// [`UnknownCodec`] of what is none, a codec of frames too.
+/// [`UnknownCodec`] for an unknown identifier, and for a codec of frames.
 pub fn named(ids: &[impl AsRef<str>]) -> Result<Vec<&'static AnyCodec>> {
     let find = |id: &str| vectors().iter().find(|codec| codec.id == id);
     let unknown = |id: &str| UnknownCodec { id: id.to_owned() };

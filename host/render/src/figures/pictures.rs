@@ -89,7 +89,7 @@ fn compare(
     Ok(all)
 }
 
-/// Widths of cells in sheets of many pictures, and of few: of whole figures and of small ones.
+/// Widths of cells in sheets of many pictures, and of few: for whole figures and for small ones.
 pub const MANY: [u32; 2] = [320, 190];
 const FEW: [u32; 2] = [480, 230];
 

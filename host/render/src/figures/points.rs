@@ -60,7 +60,7 @@ fn representable(codec: &AnyCodec) -> Result<Vec<DVec3>> {
 /// Figure 5: where the representable points lie.
 ///
 /// # Errors
-/// As [`measure`], which would be a fault of this crate.
+/// The errors of [`measure`], which would be a fault of this crate.
 pub fn points(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut numbers) = (Vec::new(), Vec::new());

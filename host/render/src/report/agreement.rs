@@ -77,7 +77,7 @@ pub struct Pipeline {
     changed: u64,
     /// The codecs that differ, with how often.
     failed: Vec<(String, u64)>,
-    /// Formats that the device does not take, and what for.
+    /// Formats that the device does not support, with their uses.
     unsupported: BTreeSet<String>,
 }
 

@@ -1,5 +1,5 @@
-//! One page to decide from: what to take, the published tables beside ours, the figures, and whether this device agrees. It is one
-//! file, loads nothing and works without scripts.
+//! One page to decide from: recommendations, the published tables beside ours, the figures, and whether this device
+//! agrees. It is one file, loads nothing and works without scripts.
 
 mod agreement;
 mod tables;
@@ -25,7 +25,7 @@ pub struct Contents {
     pub figures: Figures,
     /// The pictures' bytes, by the file's name.
     pub files: Files,
-    /// Why rendered figures were left out, in a sentence, where they were.
+    /// The reason, in a sentence, why rendered figures were left out, where they were.
     pub not_rendered: Option<String>,
     /// The device's agreement with the CPU, where it was checked.
     pub agreement: Option<Agreement>,
@@ -133,7 +133,7 @@ fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
     environment.get_template("page.html")?.render(Value::from_serialize(page))
 }
 
-/// HTML of a sentence with what is typed between backticks.
+/// HTML of a sentence with code between backticks.
 fn with_code(text: &str) -> String {
     let parts = text.split('`').map(|part| HtmlEscape(part).to_string()).enumerate();
     parts.map(|(at, part)| if at % 2 == 1 { format!("<code>{part}</code>") } else { part }).collect()

@@ -100,7 +100,7 @@ impl Viewer {
     }
 }
 
-/// Why the page has nothing to slide between, and what to run.
+/// The reason why the page has nothing to slide between, and the command to run.
 pub fn note(figures: &Figures, not_rendered: Option<&str>) -> String {
     if let Some(reason) = not_rendered {
         return format!(

@@ -209,7 +209,7 @@ impl<'a> Comparison<'a> {
         Self { format, backends, errors: ElementErrors::default(), row }
     }
 
-    /// Encodes elements and decodes their codes; where they are `measured`, takes in the errors.
+    /// Encodes elements and decodes their codes; adds the errors where they are `measured`.
     fn elements(&mut self, elements: &[f32], measured: bool) -> Result<()> {
         let codes = self.encode(elements)?;
         let decoded = self.decode(&codes)?;
@@ -221,7 +221,7 @@ impl<'a> Comparison<'a> {
         Ok(())
     }
 
-    /// Decodes codes and encodes what they stand for: every lattice point is an encoder's input as well.
+    /// Decodes codes and encodes the elements: every lattice point is an encoder's input as well.
     fn codes(&mut self, codes: &[u64]) -> Result<()> {
         let elements = self.decode(&sampling::stored(codes, self.format.bytes))?;
         self.encode(&elements).map(drop)

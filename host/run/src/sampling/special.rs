@@ -16,7 +16,7 @@ pub fn special_frames() -> Vec<[f32; 7]> {
 }
 
 /// Magnitudes that are odd in one way or another: zero, denormals, the ends of the range of usable norms, infinity, and
-/// what axes, octant corners and diagonals have.
+/// components of axes, octant corners and diagonals.
 const MAGNITUDES: [f32; 18] = [
     0.0,
     f32::from_bits(1),

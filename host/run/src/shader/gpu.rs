@@ -21,7 +21,7 @@ pub struct LanguageGpu {
 }
 
 impl LanguageGpu {
-    /// A backend on `device`. What a kernel fails to write cannot pass for its result.
+    /// A backend on `device`. Output that a kernel fails to write cannot pass for its result.
     ///
     /// # Errors
     /// A failed Vulkan call.
@@ -91,7 +91,7 @@ impl Backend for LanguageGpu {
 /// The SPIR-V of a kernel's whole text in HLSL or WGSL, whose entry point is [`ENTRY_POINT`].
 ///
 /// # Errors
-/// [`Error::Rejected`], [`Error::NoCompiler`], or that of a build without glslang.
+/// [`Error::Rejected`], [`Error::NoCompiler`], or the error of a build without glslang.
 pub fn compile(language: Language, name: &str, text: &str) -> Result<Vec<u8>> {
     let module = match language {
         Language::Hlsl => glsl::Compiler::new()?.compile_hlsl(name, text),

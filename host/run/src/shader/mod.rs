@@ -1,4 +1,4 @@
-//! The codecs in shading languages: their text, and what runs it.
+//! The codecs in shading languages: their text, and its backend.
 
 mod gpu;
 pub mod kernel;

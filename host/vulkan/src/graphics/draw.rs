@@ -22,7 +22,7 @@ impl Graphics {
     /// Shaders are trusted to read no texture that is not bound, nor one of another type, and no texel outside of it.
     ///
     /// # Errors
-    /// [`Error::BadDraw`] for what does not fit together, or a failed call.
+    /// [`Error::BadDraw`] for parts that do not fit together, or a failed call.
     pub fn draw(
         self: &Arc<Self>,
         target: &Target,

@@ -20,7 +20,7 @@ pub struct Target {
 }
 
 impl Target {
-    /// Attachments of these formats. With `has_depth`, the nearest of what is drawn to a pixel stays.
+    /// Attachments of these formats. With `has_depth`, the nearest fragment of a pixel stays.
     ///
     /// # Errors
     /// [`Error::UnsupportedFormat`], [`Error::BadSize`], or a failed call.

@@ -65,7 +65,7 @@ pub fn run(
     Ok(())
 }
 
-/// All kernels in one file, each with its own copy of what it needs, as people get it.
+/// All kernels in one file, each with its own copy of the functions it needs, as people get it.
 fn source(jobs: &[Job<'_>]) -> String {
     let mut text = "#include <metal_stdlib>\n".to_owned();
     let mut table = String::new();

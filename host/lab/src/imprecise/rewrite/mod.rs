@@ -20,7 +20,7 @@ use unitvec_vulkan::check_spirv;
 /// A module that cannot be rewritten.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The parser does not take it.
+    /// The parser rejects the module.
     #[error("the SPIR-V module {module} cannot be parsed ({reason}); `cargo xtask spirv` rebuilds it")]
     NotSpirv {
         /// Kernel it is of.
@@ -52,7 +52,7 @@ pub fn rewrite(
     seed: u32,
 ) -> Result<Vec<u8>, Error> {
     let not_spirv = |reason: String| Error::NotSpirv { module: kernel.to_owned(), reason };
-    // The parser panics where an instruction is longer than what is left.
+    // The parser panics where an instruction is longer than the rest of the module.
     check_spirv(spirv, entry_point).map_err(|error| not_spirv(error.to_string()))?;
     let mut module = rspirv::dr::load_bytes(spirv).map_err(|error| not_spirv(format!("{error:?}")))?;
     let mut functions = std::mem::take(&mut module.functions);
@@ -147,7 +147,7 @@ struct Value {
 enum Meaning {
     /// No operation on floats, or a copy of them as bits.
     Other,
-    /// Arithmetic that a model may do by a function of its own.
+    /// Arithmetic that a model may replace by a function of its own.
     Arithmetic(Function),
     /// Exact, but for denormals.
     Exact,

@@ -1,4 +1,4 @@
-//! The offset of a dithered code, from what both passes know of a pixel.
+//! The offset of a dithered code, from the facts that both passes know about a pixel.
 
 use crate::pixel::pixel_at;
 use spirv_std::glam::{UVec2, Vec2, Vec3, Vec4};

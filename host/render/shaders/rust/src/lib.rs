@@ -27,8 +27,8 @@ pub mod vertex;
 /// A flag of both passes: normals are the points of a conformance run, not to be rotated, normalised or lit.
 pub const RAW: u32 = 1;
 
-/// Calls a macro of this crate, which takes an identifier and what implements [`Normals`](normals::Normals), for all that do.
-/// The first argument is a dollar sign, which one macro cannot write for another.
+/// Calls a macro of this crate, which takes an identifier and an implementation of [`Normals`](normals::Normals), for
+/// each. The first argument is a dollar sign, which one macro cannot write for another.
 macro_rules! for_all_normals {
     ($d:tt $callback:ident) => {
         macro_rules! rows {

@@ -14,10 +14,10 @@ const SUN_COLOUR: Vec3 = Vec3::new(24.0, 22.0, 18.0);
 /// The light that falls on a surface facing the sun, over pi.
 const SUN_LIGHT: Vec3 = Vec3::new(1.1, 1.0, 0.85);
 
-/// The sky above the horizon, and what is added to it at the zenith.
+/// The sky above the horizon, and its increase at the zenith.
 const HORIZON: Vec3 = Vec3::new(0.72, 0.82, 0.92);
 const TO_ZENITH: Vec3 = Vec3::new(-0.6, -0.54, -0.26);
-/// Light from all around on a surface that faces the ground, and what is added to it where that faces the zenith.
+/// Light from all around on a surface that faces the ground, and its increase where the surface faces the zenith.
 const LIGHT_FROM_BELOW: Vec3 = Vec3::new(0.09, 0.08, 0.06);
 const LIGHT_TO_ZENITH: Vec3 = Vec3::new(0.13, 0.2, 0.32);
 const GROUND: Vec3 = Vec3::new(0.22, 0.19, 0.16);
@@ -124,7 +124,7 @@ fn facing(a: Vec3, b: Vec3) -> f32 {
     max(dot(a, b), 0.0)
 }
 
-/// Sunlight and what comes from sky and ground, as a smooth surface without a direction of its own sends it back.
+/// Sunlight and light from sky and ground, as a smooth surface without a direction of its own sends it back.
 fn diffuse(n: Vec3) -> Vec3 {
     let above = n.y * 0.5 + 0.5;
     let from_around = LIGHT_FROM_BELOW + LIGHT_TO_ZENITH * above;

@@ -17,7 +17,7 @@ pub trait Storage {
     type Code;
     /// Type of a vertex attribute.
     type Attribute;
-    /// Type of a texel, and of what is written to an attachment.
+    /// Type of a texel, and of the value written to an attachment.
     type Value: Copy;
     /// Type of a texture.
     type Texture;
