@@ -53,7 +53,7 @@ pub struct Record {
     pub kind: Kind,
     /// The time that it takes on 2 cores, when everything is built.
     pub minutes: u32,
-    /// The requirements that a machine may lack: the record is left stale then. Empty where `cargo xtask setup` suffices.
+    /// Requirements that a machine may lack: the record is left stale then. Empty where `cargo xtask setup` suffices.
     pub needs: &'static str,
     pub renew: fn() -> Result<(), String>,
 }
