@@ -537,7 +537,7 @@ fn choose_takes_the_costs_of_a_gpu() {
     assert_ne!(lavapipe["candidates"][0]["encode_cost"], default["candidates"][0]["encode_cost"]);
     let unknown = run(["choose", "--max-error", "0.05", "--gpu", "voodoo2"]);
     assert_eq!(unknown.status.code(), Some(2));
-    assert!(stderr(&unknown).contains("bench --isa --gpu voodoo2 --json FILE"), "{}", stderr(&unknown));
+    assert!(stderr(&unknown).contains("bench compiler --gpu voodoo2 --json FILE"), "{}", stderr(&unknown));
 }
 
 /// A report without `oct32` has no reference for the costs.

@@ -211,7 +211,7 @@ fn unknown_operations_are_refused() {
     assert!(matches!(error, Error::NotSpirv { .. }), "{error}");
 }
 
-/// One codec of each kind of arithmetic, and those that are chosen by default; `unitvec conform --imprecise` takes all.
+/// One codec of each kind of arithmetic, and those that are chosen by default; `unitvec conform imprecise` takes all.
 const CODECS: [&str; 20] = [
     "oct16",
     "oct16p",

@@ -22,7 +22,7 @@ fn tables() -> Vec<Vec<&'static str>> {
         ],
     ];
     if cfg!(feature = "glsl") {
-        commands.push(vec!["bench", "--isa", "--gpu", "navi21", "--codec", "stereo_concentric32"]);
+        commands.push(vec!["bench", "compiler", "--gpu", "navi21", "--codec", "stereo_concentric32"]);
         commands.push(vec!["bench", "--count", "100", "--samples", "1", "--codec", "stereo_concentric32"]);
     }
     commands

@@ -216,7 +216,7 @@ pub fn raw() -> Vec<Vec<u8>> {
     vec![Vec::new(), floats, vec![0x7f; 84]]
 }
 
-/// Reports of `unitvec bench`, with `--isa` and without, cut to a few rows.
+/// Reports of `unitvec bench device` and `unitvec bench compiler`, cut to a few rows.
 pub fn costs() -> Vec<Vec<u8>> {
     let shorter = |name: &str| {
         let report = std::fs::read(repository().join("host/choose/data").join(name)).unwrap();

@@ -16,7 +16,7 @@ const NEWER_DRIVER: &str = "UNITVEC_NEWER_RADV_ICD";
 
 /// The report of the driver, the system's or the one in this file, on all kernels for a GPU.
 fn compiled(generation: &Generation, driver: Option<&Path>) -> Result<Report, String> {
-    let mut bench = command(["bench", "--isa", "--json", "-", "--gpu", generation.gpu]);
+    let mut bench = command(["bench", "compiler", "--json", "-", "--gpu", generation.gpu]);
     match driver {
         Some(driver) => bench.arg("--driver").arg(driver),
         None => bench.env_remove("UNITVEC_RADV_ICD"),
@@ -119,7 +119,7 @@ fn two_per_cent_are_noticed() {
 #[test]
 fn failures_name_the_remedy() {
     let failed = |arguments: &[&str], status: i32| {
-        let output = run([&["bench", "--isa", "--codec", "oct32"], arguments].concat());
+        let output = run([&["bench", "compiler", "--codec", "oct32"], arguments].concat());
         assert_eq!(output.status.code(), Some(status), "{}", stderr(&output));
         let text = stderr(&output);
         assert_eq!(text.lines().count(), 1, "{text}");
@@ -148,7 +148,7 @@ fn other_drivers_are_refused() {
         r#"{"file_format_version": "1.0.0", "ICD": {"library_path": "none.so", "api_version": "1.3.0"}}"#,
     )
     .unwrap();
-    let output = run(["bench", "--isa", "--gpu", "navi21", "--driver", file.to_str().unwrap()]);
+    let output = run(["bench", "compiler", "--gpu", "navi21", "--driver", file.to_str().unwrap()]);
     assert_eq!(output.status.code(), Some(1));
     assert!(stderr(&output).contains("cannot be used"), "{}", stderr(&output));
 }
@@ -161,7 +161,7 @@ fn reports_agree() {
     let [json, csv, markdown, chart] = ["json", "csv", "md", "svg"].map(file);
     let codecs = ["--codec", "oct32", "--codec", "frame32", "--codec", "snorm8x3p"];
     let outputs = ["--json", &json, "--csv", &csv, "--markdown", &markdown, "--chart", &chart];
-    let output = run([&["bench", "--isa", "--gpu", "rdna2"], &codecs[..], &outputs[..]].concat());
+    let output = run([&["bench", "compiler", "--gpu", "rdna2"], &codecs[..], &outputs[..]].concat());
     if !output.status.success() && stderr(&output).contains("is not installed") {
         return cannot_compare(&stderr(&output));
     }

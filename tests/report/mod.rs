@@ -80,7 +80,7 @@ fn the_page_says_what_it_lacks() {
 
     let place = tempfile::tempdir().unwrap();
     let file = place.path().join("pipeline.json");
-    let run = ["conform", "--pipeline", "--codec", "oct16", "--codec", "snorm8x3", "--count", "16", "--json"];
+    let run = ["conform", "pipeline", "--codec", "oct16", "--codec", "snorm8x3", "--count", "16", "--json"];
     let output = command(run).arg(&file).output().unwrap();
     assert!(output.status.success(), "{}", stderr(&output));
 
@@ -110,7 +110,7 @@ fn faults_leave_no_page() {
     let file = file.to_str().unwrap();
     for (arguments, word) in [
         (["--conform", file], "unitvec conform --json"),
-        (["--pipeline", file], "unitvec conform --pipeline --json"),
+        (["--pipeline", file], "unitvec conform pipeline --json"),
         (["--costs", file], "unitvec bench --json"),
         (["--figures", place.path().to_str().unwrap()], "figures.json"),
     ] {

@@ -106,13 +106,14 @@ fn conform(arguments: &[String]) -> Result<(), String> {
         return drivers::run(&options, &unitvec, &repository());
     }
     let mut command = Command::new(unitvec);
-    command.args(["conform", "--validate"]);
+    // A subcommand comes first.
+    command.arg("conform").args(arguments).arg("--validate");
     let chosen = env::var_os("UNITVEC_DEVICE").is_some()
         || arguments.iter().any(|argument| argument.starts_with("--device"));
     if !chosen {
         command.args(["--device", "lavapipe"]);
     }
-    run(command.args(arguments))
+    run(&mut command)
 }
 
 /// Builds `unitvec`, and installs its requirements.

@@ -145,7 +145,7 @@ pub struct Row {
 }
 
 impl Report {
-    /// A report of `unitvec bench --isa --json`.
+    /// A report of `unitvec bench compiler --json`.
     ///
     /// # Errors
     /// [`Error::BadCosts`] if the bytes are no such report.

@@ -112,7 +112,7 @@ impl Costs {
         )
     }
 
-    /// The costs in a report of `unitvec bench --json`, with `--isa` or without.
+    /// The costs in a report of `unitvec bench device --json` or `unitvec bench compiler --json`.
     ///
     /// # Errors
     /// [`Error::BadCosts`] if the file is no such report.

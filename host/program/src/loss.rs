@@ -310,7 +310,6 @@ mod tests {
     use crate::stream::Named;
     use std::path::Path;
     use unitvec_catalogue::find;
-    use unitvec_catalogue::find;
 
     /// Decodes the last element to NaN.
     struct Broken;

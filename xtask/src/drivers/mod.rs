@@ -50,7 +50,7 @@ impl Options {
             let is_it = |argument: &&String| names.contains(&argument.split('=').next().unwrap_or_default());
             arguments.iter().find(is_it)
         };
-        if let Some(argument) = given(&["--device", "--imprecise", "--json", "--summary"]) {
+        if let Some(argument) = given(&["--device", "imprecise", "pipeline", "--json", "--summary"]) {
             return Err(format!("--drivers runs one driver after the other, and takes no {argument}"));
         }
         if let Some(argument) = given(&["--codec", "--count", "--seed"]).filter(|_| has("--record")) {

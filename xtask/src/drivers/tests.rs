@@ -31,7 +31,7 @@ fn other_arguments_are_those_of_conform() {
     assert_eq!(options.others, strings(&["--count", "9", "x.obj"]));
     assert!(Options::of(&strings(&["--device", "lavapipe"])).unwrap().is_none());
     assert!(Options::of(&strings(&["--drivers", "--codec"])).unwrap().is_some());
-    for refused in ["--device", "--device=0", "--imprecise", "--json", "--summary=x", "--codec"] {
+    for refused in ["--device", "--device=0", "imprecise", "--json", "--summary=x", "--codec"] {
         let error = Options::of(&strings(&["--drivers", "--record", refused])).err().unwrap();
         assert!(error.contains(refused), "{error}");
     }

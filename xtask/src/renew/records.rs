@@ -139,7 +139,7 @@ pub static RECORDS: &[Record] = &[
         inputs: &[&[
             Bytes("glsl/unitvec/*"),
             Code("languages/src/*.rs shader-crate/src/list.rs"),
-            Bytes("host/*link/stubs.rs"),
+            Bytes("host/link/src/stubs.rs"),
             Versions(|| locked(&["unitvec"])),
         ]],
         renew: || {
@@ -229,7 +229,9 @@ pub static RECORDS: &[Record] = &[
         inputs: &[&[Code("shader-crate/src/list.rs")]],
         minutes: 5,
         renew: || {
-            unitvec(&["bench", "--device", "lavapipe", "--json", "host/choose/data/costs_lavapipe.json"])
+            spirv(&["--cost".to_owned()])?;
+            let json = "host/choose/data/costs_lavapipe.json";
+            unitvec(&["bench", "--device", "lavapipe", "--cost-kernels", "target/spirv-cost", "--json", json])
         },
         ..FILE
     },
@@ -267,7 +269,7 @@ pub static RECORDS: &[Record] = &[
         minutes: 6,
         renew: || {
             let file = repository().join("docs/data/imprecise.csv").display().to_string();
-            conform(&["--imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))
+            conform(&["imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))
         },
         ..FILE
     },

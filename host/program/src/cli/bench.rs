@@ -1,8 +1,10 @@
-use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{
-    Vulkan, chosen_formats, isa, print, progress, reports_to_stdout, status_after_validation, to_csv, to_json,
-};
-use clap::Args;
+//! `unitvec bench`.
+
+use super::run::{CODECS_LEFT, Live, Run, close};
+use super::table::{Layout, left, left_out, right, wrapped};
+use super::{print, reports_to_stdout, status_after_validation, to_csv, to_json};
+use clap::{Args, Subcommand};
+use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -14,23 +16,25 @@ use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{DeviceInfo, DeviceKind};
 
 #[derive(Args)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct Arguments {
-    /// Codec to measure, as `unitvec codecs` lists them; may be given again. All of them if not given.
-    #[arg(long, value_name = "ID")]
-    pub codec: Vec<String>,
-    /// Vectors in a dispatch.
-    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(1..=4_000_000))]
-    count: u32,
-    /// Dispatches of each kernel that measures arithmetic, of which the median counts; the others run twice as often.
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
-    samples: u32,
-    /// Folder of the kernels from Rust that measure arithmetic: `cargo xtask spirv --cost` builds target/spirv-cost in the
-    /// repository. They run as they are: only their framing is checked. Without it that from GLSL alone is measured.
-    #[arg(long, value_name = "FOLDER")]
-    cost_kernels: Option<PathBuf>,
-    /// Write the report as JSON as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE")]
-    pub json: Option<PathBuf>,
+    #[command(subcommand)]
+    mode: Option<Mode>,
+    #[command(flatten)]
+    on_device: OnDevice,
+}
+
+#[derive(Subcommand)]
+enum Mode {
+    /// Run the kernels on a device; `unitvec bench` alone does the same.
+    Device(OnDevice),
+    /// Count the instructions that a GPU's compiler makes of the kernels; run nothing, so that no GPU is needed.
+    Compiler(super::isa::Arguments),
+}
+
+/// Where the outcome of a measurement goes.
+#[derive(Args)]
+pub struct Outputs {
     /// Write the rows as CSV as well; - for the standard output, instead of the table.
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
@@ -38,66 +42,88 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     pub markdown: Option<PathBuf>,
     #[command(flatten)]
-    pub compiler: isa::Compiler,
+    pub run: Run,
+}
+
+impl Outputs {
+    /// True where a report takes the standard output.
+    pub fn to_stdout(&self) -> Result<bool> {
+        reports_to_stdout(self.run.json.as_deref(), self.csv.as_deref())
+    }
+
+    /// Writes the files that are asked for.
+    pub fn write<R: Serialize>(&self, rows: &[R], json: &str, markdown: &str) -> Result<()> {
+        if let Some(path) = &self.csv {
+            unitvec_files::write_file(path, &to_csv(path, rows)?)?;
+        }
+        for (path, text) in [(&self.run.json, json), (&self.markdown, markdown)] {
+            if let Some(path) = path {
+                unitvec_files::write_file(path, text.as_bytes())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[derive(Args)]
+struct OnDevice {
+    /// Vectors in a dispatch.
+    #[arg(long, value_name = "N", default_value_t = 1_000_000, value_parser = clap::value_parser!(u32).range(1..=4_000_000))]
+    count: u32,
+    /// Dispatches of each kernel that measures arithmetic, of which the median counts; the others run twice as often.
+    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    samples: u32,
+    /// Folder of the kernels from Rust that measure arithmetic: `cargo xtask spirv --cost` builds target/spirv-cost in the
+    /// repository. They run as they are: only their framing is checked. Without it only kernels from GLSL are measured.
+    #[arg(long, value_name = "FOLDER")]
+    cost_kernels: Option<PathBuf>,
     #[command(flatten)]
-    pub wide: Wide,
-    #[command(flatten)]
-    pub vulkan: Vulkan,
+    outputs: Outputs,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    if arguments.compiler.isa {
-        return isa::run(arguments);
+    match &arguments.mode {
+        None => run_on_device(&arguments.on_device),
+        Some(Mode::Device(arguments)) => run_on_device(arguments),
+        Some(Mode::Compiler(arguments)) => super::isa::run(arguments),
     }
-    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
-    let chosen = chosen_formats(&arguments.codec)?;
-    let device = arguments.vulkan.device()?;
+}
+
+fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
+    let (outputs, run) = (&arguments.outputs, &arguments.outputs.run);
+    let to_stdout = outputs.to_stdout()?;
+    let chosen = run.formats()?;
+    let device = run.vulkan.device()?;
     let options = Options {
         count: arguments.count as usize,
         samples: arguments.samples as usize,
         throughput_samples: 2 * arguments.samples as usize,
         cost_kernels: arguments.cost_kernels.clone(),
     };
-    let columns = arguments.wide.columns()?;
+    let columns = run.wide.columns()?;
     let table = table(columns);
     if !to_stdout {
         print(&(wrapped(&legend(device.info(), &options), "    ", columns) + &table.heading()))?;
     }
-    let length = chosen.len() as u64;
-    let bar = progress::bar(Some(length), "{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left");
-    bar.enable_steady_tick(std::time::Duration::from_secs(1));
-    let mut bench = Bench::new(&device, arguments.vulkan.modules()?, options)?;
+    let live = Live::new(chosen.len() as u64, CODECS_LEFT, to_stdout);
+    let mut bench = Bench::new(&device, run.vulkan.modules()?, options)?;
     let mut rows = Vec::new();
     for format in chosen {
-        progress::show_if_due(&bar);
-        bar.set_message(format.id);
         let measured = bench.measure(format)?;
-        if !to_stdout {
-            let mut printed = Ok(ExitCode::SUCCESS);
-            bar.suspend(|| printed = print(&lines(&table, &measured)));
-            printed?;
-        }
+        live.print(format.id, || lines(&table, &measured))?;
+        live.advance(1);
         rows.extend(measured);
-        bar.inc(1);
     }
-    bar.finish_and_clear();
+    live.finish();
     let report = bench.report(rows);
-    let instance = device.instance().clone();
-    drop((bench, device));
+    drop(bench);
+    let (_, messages) = close(device);
 
-    if let Some(path) = &arguments.csv {
-        unitvec_files::write_file(path, &to_csv(path, &report.rows)?)?;
-    }
-    if let Some(path) = &arguments.json {
-        unitvec_files::write_file(path, to_json(&report).as_bytes())?;
-    }
-    if let Some(path) = &arguments.markdown {
-        unitvec_files::write_file(path, markdown(&report).as_bytes())?;
-    }
+    outputs.write(&report.rows, &to_json(&report), &markdown(&report))?;
     if !to_stdout {
         print(&(wrapped(&summary(&report), "", columns) + &left_out(&[&table])))?;
     }
-    Ok(status_after_validation(&instance.validation_messages(), true))
+    Ok(status_after_validation(&messages, true))
 }
 
 fn legend(device: &DeviceInfo, options: &Options) -> String {

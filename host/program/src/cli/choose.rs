@@ -29,7 +29,7 @@ pub struct Arguments {
     /// GPU whose costs to choose by, by generation or code name (rdna2, navi21); or lavapipe.
     #[arg(long, value_name = "NAME", default_value = USUAL)]
     gpu: String,
-    /// Costs to choose by instead: a report that `unitvec bench --json FILE` wrote, with --isa or without.
+    /// Costs to choose by instead: a report that `unitvec bench device --json FILE` or `unitvec bench compiler --json FILE` wrote.
     #[arg(long, value_name = "FILE", conflicts_with = "gpu")]
     costs: Option<PathBuf>,
     /// Print JSON instead of a table.

@@ -1,84 +1,84 @@
-use super::table::{Layout, Wide, left, right, wrapped};
-use super::{
-    Vulkan, chosen_formats, counts, print, progress, status_after_validation, to_json, to_separated,
-};
-use clap::Args;
-use std::collections::BTreeMap;
+use super::run::{Live, PERCENT, Run, close};
+use super::table::{Layout, left, right, wrapped};
+use super::{counts, print, status_after_validation, to_json, to_separated};
+use clap::{Args, Subcommand};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use unitvec_catalogue::AnyCodec;
 use unitvec_host::Result;
 use unitvec_host::input::Input;
-use unitvec_lab::imprecise::Model;
 use unitvec_mesh as mesh;
 use unitvec_run::backend::BackendKind;
-use unitvec_run::conform;
-use unitvec_run::conform::{Options, Plan, Report, Rounding, Row, Summary};
+use unitvec_run::conform::{
+    self, Options, Plan, Report, Rounding, Roundings, Row, Summary, all_round_to_nearest as is_nearest,
+};
 use unitvec_vulkan::DeviceInfo;
 
 #[derive(Args)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct Arguments {
-    /// Codec to run, as `unitvec codecs` lists them; may be given again. All of them if not given.
-    #[arg(long, value_name = "ID")]
-    pub codec: Vec<String>,
+    #[command(subcommand)]
+    mode: Option<Mode>,
+    #[command(flatten)]
+    kernels: Kernels,
+}
+
+#[derive(Subcommand)]
+enum Mode {
+    /// Compare the kernels with the CPU, to the bit; `unitvec conform` alone does the same.
+    Kernels(Kernels),
+    /// Compare attachments, textures and vertex attributes with the CPU: the hardware converts codes to formats and back.
+    #[cfg(feature = "render")]
+    Pipeline(super::pipeline::Arguments),
+    /// Run devices that round as loosely as Vulkan allows: kernels rewritten so that quotients and square roots are off,
+    /// denormals are flushed, or sums are truncated. Differences are held against their bounds, and each code has to come back
+    /// from any two devices.
+    #[cfg(feature = "lab")]
+    Imprecise(super::imprecise::Arguments),
+}
+
+/// The options of all modes.
+#[derive(Args)]
+pub struct Inputs {
     /// Run only the widest codec of each series, whose others differ in their bits alone. Takes a third of the time.
     #[arg(long, conflicts_with = "codec")]
     widest: bool,
     /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded; 2^18 if not
-    /// given, 10^6 with --exhaustive.
+    /// given, 10^6 with --exhaustive, 2^16 by `imprecise`, 2^15 by `pipeline`.
     #[arg(long, value_name = "N", value_parser = counts())]
     pub count: Option<u64>,
-    /// Decode all codes of up to 24 bits instead of up to 16. Takes several times as long.
-    #[arg(long)]
-    pub exhaustive: bool,
     /// Seed of the random directions.
     #[arg(long, value_name = "N", default_value_t = 1)]
     pub seed: u64,
-    /// Run the graphics pipeline instead: what an attachment of the codec's Vulkan format holds after the hardware's conversion
-    /// is compared with the CPU's code, and what vertex and texel fetch give with the CPU's vector; 2^15 random vectors, and as
-    /// many random codes of more than 16 bits, if --count does not say otherwise.
-    #[arg(long, conflicts_with_all = ["imprecise", "exhaustive", "summary", "mesh"])]
-    pipeline: bool,
     #[command(flatten)]
-    pub imprecise: Imprecise,
-    /// Write the report as JSON as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE")]
-    pub json: Option<PathBuf>,
+    pub run: Run,
+}
+
+impl Inputs {
+    pub fn formats(&self) -> Result<Vec<&'static AnyCodec>> {
+        if self.widest { Ok(conform::widest_of_each_series()) } else { self.run.formats() }
+    }
+}
+
+/// Decodes all codes of up to so many bits, with --exhaustive or without.
+pub fn all_codes_up_to(is_exhaustive: bool) -> u32 {
+    if is_exhaustive { 24 } else { 16 }
+}
+
+#[derive(Args)]
+struct Kernels {
+    /// Decode all codes of up to 24 bits instead of up to 16. Takes several times as long.
+    #[arg(long)]
+    exhaustive: bool,
     /// Write the outcome in one line as well, tab-separated, below the names of its fields: device, driver, vulkan, codecs,
     /// vectors, codes, mismatches.
-    #[arg(long, value_name = "FILE", conflicts_with = "imprecise")]
+    #[arg(long, value_name = "FILE")]
     summary: Option<PathBuf>,
     #[command(flatten)]
-    pub wide: Wide,
-    #[command(flatten)]
-    pub vulkan: Vulkan,
+    inputs: Inputs,
     /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given.
     mesh: Vec<PathBuf>,
-}
-
-/// Devices that round as badly as Vulkan allows.
-#[derive(Args)]
-pub struct Imprecise {
-    /// Run on devices that round as badly as Vulkan allows: kernels rewritten so that quotients and square roots are off,
-    /// denormals are flushed, or sums are truncated. Differences are held against their bounds, and each code has to come back
-    /// from any two devices.
-    #[arg(long, conflicts_with = "mesh")]
-    pub imprecise: bool,
-    /// A kind of device; may be given again. All of them if not given.
-    #[arg(long, value_name = "MODEL", requires = "imprecise")]
-    pub model: Vec<Model>,
-    /// Number of seeds, from --seed on; each is a run of its own.
-    #[arg(long, value_name = "N", requires = "imprecise", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
-    pub seeds: u64,
-    /// Write the table as CSV as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE", requires = "imprecise")]
-    pub csv: Option<PathBuf>,
-}
-
-impl Arguments {
-    pub fn all_codes_up_to(&self) -> u32 {
-        if self.exhaustive { 24 } else { 16 }
-    }
 }
 
 /// Random directions of a codec: enough to hit the rare cases, few enough to run all codecs while a person waits.
@@ -88,72 +88,57 @@ const COUNT: u64 = 1 << 18;
 const EXHAUSTIVE_COUNT: u64 = 1_000_000;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let formats =
-        if arguments.widest { conform::widest_of_each_series() } else { chosen_formats(&arguments.codec)? };
-    if arguments.imprecise.imprecise {
-        return super::imprecise::run(arguments, formats);
+    match &arguments.mode {
+        None => run_kernels(&arguments.kernels),
+        Some(Mode::Kernels(kernels)) => run_kernels(kernels),
+        #[cfg(feature = "render")]
+        Some(Mode::Pipeline(arguments)) => super::pipeline::run(arguments),
+        #[cfg(feature = "lab")]
+        Some(Mode::Imprecise(arguments)) => super::imprecise::run(arguments),
     }
-    if arguments.pipeline {
-        return super::pipeline::run(arguments, formats);
-    }
+}
+
+fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
+    let Inputs { count, seed, run, .. } = &arguments.inputs;
     let default_count = if arguments.exhaustive { EXHAUSTIVE_COUNT } else { COUNT };
     let options = Options {
-        count: arguments.count.unwrap_or(default_count) as usize,
-        seed: arguments.seed,
+        count: count.unwrap_or(default_count) as usize,
+        seed: *seed,
         normals: normals(&arguments.mesh)?,
-        all_codes_up_to: arguments.all_codes_up_to(),
+        all_codes_up_to: all_codes_up_to(arguments.exhaustive),
     };
-    let device = arguments.vulkan.device()?;
-    let open = || arguments.vulkan.backends(&device);
+    let formats = arguments.inputs.formats()?;
+    let device = run.vulkan.device()?;
+    let open = || run.vulkan.backends(&device);
 
     let rounding = open()?
         .iter_mut()
         .map(|(kind, backend)| Ok((*kind, Rounding::of(backend.as_mut())?)))
         .collect::<Result<Roundings>>()?;
-    let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
-    let columns = arguments.wide.columns()?;
+    let columns = run.wide.columns()?;
     let table = table(columns);
-    if !to_stdout {
+    if !run.to_stdout() {
         print(&(heading(device.info(), &options, &rounding, columns) + &table.heading()))?;
     }
     let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
-    let work = plans.iter().map(Plan::work).sum();
-    let bar = progress::bar(Some(work), "{msg:<20} {wide_bar} {percent}%, {eta} left");
+    let live = Live::new(plans.iter().map(Plan::work).sum(), PERCENT, run.to_stdout());
     let mut rows = Vec::new();
-    let mut advance = |done| {
-        progress::show_if_due(&bar);
-        bar.inc(done);
-    };
-    conform::run(plans, open, &mut advance, &mut |row| {
-        bar.set_message(row.id);
-        if !to_stdout {
-            bar.suspend(|| print(&lines(&table, &row, columns)))?;
-        }
+    conform::run(plans, open, &mut |done| live.advance(done), &mut |row| {
+        live.print(row.id, || lines(&table, &row, columns))?;
         rows.push(row);
         Ok(())
     })?;
-    bar.finish_and_clear();
-    // What the layer says of objects that outlive their device counts as well.
-    let (info, instance) = (device.info().clone(), device.instance().clone());
-    drop(device);
-    let messages = instance.validation_messages();
+    live.finish();
+    let (device, messages) = close(device);
 
-    let report = Report {
-        device: info,
-        random_directions: options.count,
-        all_codes_up_to: options.all_codes_up_to,
-        glsl_compared: cfg!(feature = "glsl"),
-        agreed: rows.iter().all(Row::agrees) && is_nearest(&rounding),
-        rounding,
-        rows,
-    };
-    if let Some(path) = &arguments.json {
+    let report = Report::new(device, &options, rounding, rows);
+    if let Some(path) = &run.json {
         unitvec_files::write_file(path, to_json(&report).as_bytes())?;
     }
     if let Some(path) = &arguments.summary {
         unitvec_files::write_file(path, &to_separated(path, &[report.summary()], b'\t')?)?;
     }
-    if !to_stdout {
+    if !run.to_stdout() {
         print(&wrapped(&verdict(&report, messages.len()), "", columns))?;
     }
     Ok(status_after_validation(&messages, report.agreed))
@@ -187,13 +172,6 @@ fn heading(device: &DeviceInfo, options: &Options, rounding: &Roundings, columns
         codes_covered(options.all_codes_up_to, options.count),
     );
     wrapped(&text, "    ", columns)
-}
-
-/// How each backend rounds.
-type Roundings = BTreeMap<BackendKind, Rounding>;
-
-fn is_nearest(rounding: &Roundings) -> bool {
-    rounding.values().all(|rounding| *rounding == Rounding::Nearest)
 }
 
 fn table(columns: Option<usize>) -> Layout {

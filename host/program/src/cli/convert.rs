@@ -6,6 +6,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, find};
+use unitvec_files::{Output, is_same_file};
 use unitvec_host::input::{Elements, Input, to_bytes};
 use unitvec_host::stream;
 use unitvec_host::stream::{Counts, Named, Sink};

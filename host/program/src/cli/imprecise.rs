@@ -1,11 +1,15 @@
-use super::conform::Arguments;
+//! `unitvec conform imprecise`.
+
+use super::conform::{Inputs, all_codes_up_to};
+use super::run::{Live, PERCENT, close};
 use super::table::{Layout, left, right, wrapped};
-use super::{print, progress, reports_to_stdout, status_after_validation, to_csv, to_json};
+use super::{print, reports_to_stdout, status_after_validation, to_csv, to_json};
+use clap::Args;
 use serde::Serialize;
 use std::fmt::Display;
+use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, find};
-use unitvec_files as output;
+use unitvec_catalogue::find;
 use unitvec_host::Result;
 use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Gpus, Model, Options, Row, Summary};
@@ -15,43 +19,51 @@ use unitvec_vulkan::DeviceInfo;
 /// Random elements and codes of a codec and seed.
 const COUNT: u64 = 1 << 16;
 
-/// `conform --imprecise`.
-pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<ExitCode> {
-    let imprecise = &arguments.imprecise;
+#[derive(Args)]
+pub struct Arguments {
+    /// A kind of device; may be given again. All of them if not given.
+    #[arg(long, value_name = "MODEL")]
+    model: Vec<Model>,
+    /// Number of seeds, from --seed on; each is a run of its own.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u64).range(1..=1000))]
+    seeds: u64,
+    /// Decode all codes of up to 24 bits instead of up to 16. Takes several times as long.
+    #[arg(long)]
+    exhaustive: bool,
+    /// Write the table as CSV as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    #[command(flatten)]
+    inputs: Inputs,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let Inputs { count, seed, run, .. } = &arguments.inputs;
     let options = Options {
-        count: arguments.count.unwrap_or(COUNT) as usize,
-        seeds: (0..imprecise.seeds).map(|index| arguments.seed.wrapping_add(index)).collect(),
-        models: if imprecise.model.is_empty() { Model::ALL.to_vec() } else { imprecise.model.clone() },
-        all_codes_up_to: arguments.all_codes_up_to(),
+        count: count.unwrap_or(COUNT) as usize,
+        seeds: (0..arguments.seeds).map(|index| seed.wrapping_add(index)).collect(),
+        models: if arguments.model.is_empty() { Model::ALL.to_vec() } else { arguments.model.clone() },
+        all_codes_up_to: all_codes_up_to(arguments.exhaustive),
     };
-    let device = arguments.vulkan.device()?;
-    let open = || arguments.vulkan.gpus(&device);
+    let formats = arguments.inputs.formats()?;
+    let device = run.vulkan.device()?;
+    let open = || run.vulkan.gpus(&device);
     let truncation_is_seen = truncation_is_seen(&options, open()?)?;
 
-    let outputs = [&arguments.json, &imprecise.csv].map(|path| path.as_deref());
-    let to_stdout = reports_to_stdout(outputs[0], outputs[1])?;
-    let columns = arguments.wide.columns()?;
+    let to_stdout = reports_to_stdout(run.json.as_deref(), arguments.csv.as_deref())?;
+    let columns = run.wide.columns()?;
     let table = table(columns);
     if !to_stdout {
         print(&(heading(device.info(), &options, columns) + &table.heading()))?;
     }
     let work = formats.iter().map(|format| options.work(format)).sum();
-    let bar = progress::bar(Some(work), "{msg:<20} {wide_bar} {percent}%, {eta} left");
-    let mut advance = |done| {
-        progress::show_if_due(&bar);
-        bar.inc(done);
-    };
-    let mut lines = Vec::new();
-    let mut rows = Vec::new();
-    let mut failed = Vec::new();
-    imprecise::run(formats, &options, open, &mut advance, &mut |row| {
-        bar.set_message(row.id.clone());
+    let live = Live::new(work, PERCENT, to_stdout);
+    let (mut lines, mut rows, mut failed) = (Vec::new(), Vec::new(), Vec::new());
+    imprecise::run(formats, &options, open, &mut |done| live.advance(done), &mut |row| {
         let bounds = Bounds::of(find(&row.id)?);
         let objections = row.objections(&bounds);
         let line = Summary::new(&row, &bounds);
-        if !to_stdout {
-            bar.suspend(|| print(&text(&line, &table, &objections, columns)))?;
-        }
+        live.print(&row.id, || text(&line, &table, &objections, columns))?;
         if !objections.is_empty() {
             failed.push(row.id.clone());
         }
@@ -59,18 +71,16 @@ pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<Exi
         rows.push(row);
         Ok(())
     })?;
-    bar.finish_and_clear();
-    let (info, instance) = (device.info().clone(), device.instance().clone());
-    drop(device);
-    let messages = instance.validation_messages();
+    live.finish();
+    let (device, messages) = close(device);
 
     let agreed = failed.is_empty() && truncation_is_seen;
     let verdict = verdict(&failed, truncation_is_seen, &rows, messages.len());
-    let report = Report { device: info, options, agreed, rows };
-    if let Some(path) = outputs[0] {
+    let report = Report { device, options, agreed, rows };
+    if let Some(path) = &run.json {
         unitvec_files::write_file(path, to_json(&report).as_bytes())?;
     }
-    if let Some(path) = outputs[1] {
+    if let Some(path) = &arguments.csv {
         unitvec_files::write_file(path, &to_csv(path, &lines)?)?;
     }
     if !to_stdout {
@@ -148,20 +158,20 @@ fn heading(device: &DeviceInfo, options: &Options, columns: Option<usize>) -> St
 
 fn verdict(failed: &[String], truncation_is_seen: bool, rows: &[Row], messages: usize) -> String {
     if messages > 0 {
-        return format!("\nconform --imprecise: FAIL: {messages} messages of the validation layer\n");
+        return format!("\nconform imprecise: FAIL: {messages} messages of the validation layer\n");
     }
     if !truncation_is_seen {
-        return "\nconform --imprecise: FAIL: a device that truncates sums passes for one that rounds them\n"
+        return "\nconform imprecise: FAIL: a device that truncates sums passes for one that rounds them\n"
             .to_owned();
     }
     if failed.is_empty() {
         let elements: u64 = rows.iter().map(|row| row.elements).sum();
         let codes: u64 = rows.iter().map(|row| row.codes).sum();
         return format!(
-            "\nconform --imprecise: PASS: all is within its bounds, and comes back where that is promised: {} codecs, \
+            "\nconform imprecise: PASS: all is within its bounds, and comes back where that is promised: {} codecs, \
              {elements} elements and {codes} codes on each device\n",
             rows.len()
         );
     }
-    format!("\nconform --imprecise: FAIL: {}\n", failed.join(", "))
+    format!("\nconform imprecise: FAIL: {}\n", failed.join(", "))
 }

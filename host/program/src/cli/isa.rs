@@ -1,9 +1,9 @@
-//! `unitvec bench --isa`: what a compiler makes of the kernels.
+//! `unitvec bench compiler`.
 
+use super::bench::Outputs;
+use super::run::CODECS_LEFT;
 use super::table::{Layout, left, left_out, right, wrapped};
-use super::{
-    bench, chosen_formats, print, progress, reports_to_stdout, status_after_validation, to_csv, variable,
-};
+use super::{print, progress, status_after_validation, variable};
 use clap::Args;
 use std::fmt::Write;
 use std::io;
@@ -19,24 +19,23 @@ use unitvec_lab::isa::radv::Radv;
 use unitvec_vulkan::{DeviceInfo, Inspector};
 
 #[derive(Args)]
-pub struct Compiler {
-    /// Compile the kernels and count instructions; run nothing. For devices whose drivers have
+pub struct Arguments {
+    /// Ask the compiler of Mesa's driver RADV for an AMD GPU, which need not be there. A code name as RADV has it (navi21), or a
+    /// generation (gcn4, gcn5, rdna2, rdna3, rdna4). Without it, the compiler of --device, whose driver has to have
     /// VK_KHR_pipeline_executable_properties.
-    #[arg(long, conflicts_with_all = ["count", "samples"])]
-    pub isa: bool,
-    /// With --isa: ask the compiler of Mesa's driver RADV for an AMD GPU, which need not be there. A code name as RADV has it
-    /// (navi21), or a generation (gcn4, gcn5, rdna2, rdna3, rdna4).
-    #[arg(long, value_name = "NAME", requires = "isa")]
+    #[arg(long, value_name = "NAME")]
     gpu: Option<String>,
     /// With --gpu: the file of the RADV to ask, radeon_icd*.json, instead of the system's; or the variable UNITVEC_RADV_ICD.
     #[arg(long, value_name = "FILE", requires = "gpu")]
     driver: Option<PathBuf>,
-    /// With --isa: draw a chart of the codecs' maximum errors against their costs, as SVG.
-    #[arg(long, value_name = "FILE", requires = "isa")]
+    /// Draw a chart of the codecs' maximum errors against their costs, as SVG.
+    #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
+    #[command(flatten)]
+    outputs: Outputs,
 }
 
-impl Compiler {
+impl Arguments {
     /// The driver's environment, where it is asked for.
     fn radv(&self) -> Result<Option<Radv>> {
         let Some(gpu) = &self.gpu else { return Ok(None) };
@@ -45,9 +44,10 @@ impl Compiler {
     }
 }
 
-pub fn run(arguments: &bench::Arguments) -> Result<ExitCode> {
-    if let Some(radv) = arguments.compiler.radv()? {
-        if arguments.vulkan.names_device() {
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let (outputs, run) = (&arguments.outputs, &arguments.outputs.run);
+    if let Some(radv) = arguments.radv()? {
+        if run.vulkan.names_device() {
             return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));
         }
         if !radv.is_here() {
@@ -56,15 +56,14 @@ pub fn run(arguments: &bench::Arguments) -> Result<ExitCode> {
             return Ok(code.map_or(ExitCode::FAILURE, ExitCode::from));
         }
     }
-    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
-    let chosen = chosen_formats(&arguments.codec)?;
-    let columns = arguments.wide.columns()?;
-    let instance = arguments.vulkan.instance()?;
-    let inspector = Inspector::open(&instance, &arguments.vulkan.choice())?;
+    let to_stdout = outputs.to_stdout()?;
+    let chosen = run.formats()?;
+    let columns = run.wide.columns()?;
+    let instance = run.vulkan.instance()?;
+    let inspector = Inspector::open(&instance, &run.vulkan.choice())?;
 
-    let bar =
-        progress::bar(Some(chosen.len() as u64), "{msg:<20} {wide_bar} {pos} of {len} codecs, {eta} left");
-    let report = isa::measure(&inspector, &arguments.vulkan.modules()?, &chosen, |format| {
+    let bar = progress::bar(Some(chosen.len() as u64), CODECS_LEFT);
+    let report = isa::measure(&inspector, &run.vulkan.modules()?, &chosen, |format| {
         progress::show_if_due(&bar);
         bar.set_message(format.id);
         bar.inc(1);
@@ -72,16 +71,8 @@ pub fn run(arguments: &bench::Arguments) -> Result<ExitCode> {
     bar.finish_and_clear();
     drop(inspector);
 
-    if let Some(path) = &arguments.csv {
-        unitvec_files::write_file(path, &to_csv(path, &report.rows)?)?;
-    }
-    if let Some(path) = &arguments.json {
-        unitvec_files::write_file(path, report.to_json().as_bytes())?;
-    }
-    if let Some(path) = &arguments.markdown {
-        unitvec_files::write_file(path, markdown(&report).as_bytes())?;
-    }
-    if let Some(path) = &arguments.compiler.chart {
+    outputs.write(&report.rows, &report.to_json(), &markdown(&report))?;
+    if let Some(path) = &arguments.chart {
         let failed = |error: Box<dyn std::error::Error>| {
             unitvec_files::Error::writing(path, io::Error::other(error.to_string()))
         };
@@ -188,7 +179,7 @@ fn summary(report: &Report) -> String {
     let verdict = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
     let is_counted = |row: &&Row| (row.source, row.operation) == (Source::Glsl, Operation::Encode);
     format!(
-        "\nbench --isa: {} codecs; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",
+        "\nbench compiler: {} codecs; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",
         report.rows.iter().filter(is_counted).count()
     )
 }

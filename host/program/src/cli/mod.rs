@@ -1,6 +1,8 @@
 //! The command line.
 
+#[cfg(feature = "lab")]
 mod accuracy;
+#[cfg(feature = "lab")]
 mod bench;
 mod choose;
 mod codecs;
@@ -8,13 +10,19 @@ mod conform;
 mod convert;
 mod devices;
 mod error;
+#[cfg(feature = "render")]
 mod figures;
+#[cfg(feature = "lab")]
 mod imprecise;
+#[cfg(feature = "lab")]
 mod isa;
 mod link;
+#[cfg(feature = "render")]
 mod pipeline;
 mod progress;
+#[cfg(feature = "render")]
 mod report;
+mod run;
 mod shader;
 mod summary;
 mod table;
@@ -26,6 +34,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, CODECS, find};
 use unitvec_host::{Error, Result};
+#[cfg(feature = "lab")]
 use unitvec_lab::imprecise::Gpus;
 use unitvec_manifest::modules::Modules;
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
@@ -75,15 +84,18 @@ enum Command {
     /// perpendicular to its normal comes back perpendicular, and the turn counts as error.
     Error(error::Arguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
+    #[cfg(feature = "lab")]
     Accuracy(accuracy::Arguments),
-    /// Measure what encoding and decoding cost on a device, beside the survey's figures; with --isa, what its compiler makes of
-    /// the kernels.
+    /// Measure the cost of encoding and decoding: `device` beside the survey's figures, `compiler` by a GPU's compiler.
+    #[cfg(feature = "lab")]
     Bench(bench::Arguments),
     /// Find the cheapest codecs of vectors that meet a demand.
     Choose(choose::Arguments),
     /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
+    #[cfg(feature = "render")]
     Figures(figures::Arguments),
     /// Write a page to decide from: what to take, the published tables, the figures, and whether this device agrees.
+    #[cfg(feature = "render")]
     Report(report::Arguments),
     /// Write the functions of codecs in a shading language, ready to paste, with all that they need.
     Shader(shader::Arguments),
@@ -108,10 +120,14 @@ impl Arguments {
             Command::Decode(arguments) => convert::decode(&arguments),
             Command::Normals(arguments) => convert::normals(&arguments),
             Command::Error(arguments) => error::run(&arguments),
+            #[cfg(feature = "lab")]
             Command::Accuracy(arguments) => accuracy::run(&arguments),
+            #[cfg(feature = "lab")]
             Command::Bench(arguments) => bench::run(&arguments),
             Command::Choose(arguments) => choose::run(&arguments),
+            #[cfg(feature = "render")]
             Command::Figures(arguments) => figures::run(&arguments),
+            #[cfg(feature = "render")]
             Command::Report(arguments) => report::run(&arguments),
             Command::Shader(arguments) => shader::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
@@ -155,8 +171,7 @@ impl Vulkan {
     /// Fails where the command line names modules that a command does not take.
     fn refuse_modules(&self) -> Result<()> {
         if self.spirv.is_some() || self.trust {
-            let options =
-                "--spirv and --trust are of the kernels; the renderer's shaders are inside the program";
+            let options = "--spirv and --trust apply to the kernels; the renderer's shaders are built in";
             return Err(Error::Usage(options.to_owned()));
         }
         Ok(())
@@ -176,7 +191,7 @@ impl Vulkan {
         match (self.folder(), self.trust) {
             (Some(folder), true) => Ok(Modules::open_trusted(&folder)?),
             (None, true) => {
-                Err(Error::Usage("--trust is of the modules of --spirv; name their folder".to_owned()))
+                Err(Error::Usage("--trust applies to the modules of --spirv; name their folder".to_owned()))
             }
             (folder, false) => Ok(Modules::open(folder.as_deref())?),
         }
@@ -192,6 +207,7 @@ impl Vulkan {
     }
 
     /// Kernels from Rust and, in a build with a GLSL compiler, from GLSL; what they fail to write cannot pass for their results.
+    #[cfg(feature = "lab")]
     fn gpus(&self, device: &Arc<Device>) -> Result<Gpus> {
         let mut gpus = Gpus::new();
         for kind in BackendKind::of_devices() {

@@ -1,13 +1,12 @@
-//! `unitvec conform --pipeline`.
+//! `unitvec conform pipeline`.
 
-use super::conform::Arguments;
+use super::conform::Inputs;
+use super::run::{Live, PERCENT, close};
 use super::table::{Layout, left, right, wrapped};
-use super::{print, progress, status_after_validation, to_json};
+use super::{print, status_after_validation, to_json};
+use clap::Args;
 use std::fmt::Write;
-use std::path::Path;
 use std::process::ExitCode;
-use unitvec_catalogue::AnyCodec;
-use unitvec_files as output;
 use unitvec_host::{Error, Result};
 use unitvec_render::conform;
 use unitvec_render::conform::{Options, Projected, Report, Row, Traits};
@@ -20,53 +19,51 @@ const COUNT: u64 = 1 << 15;
 /// The most points that are drawn at once: what every device's attachments have room for.
 const MAX_COUNT: u64 = 1 << 20;
 
-pub fn run(arguments: &Arguments, formats: Vec<&'static AnyCodec>) -> Result<ExitCode> {
-    arguments.vulkan.refuse_modules()?;
-    let count = arguments.count.unwrap_or(COUNT);
+#[derive(Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    inputs: Inputs,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let Inputs { count, seed, run, .. } = &arguments.inputs;
+    run.vulkan.refuse_modules()?;
+    let count = count.unwrap_or(COUNT);
     if count > MAX_COUNT {
-        return Err(Error::Usage(format!("--count of --pipeline is at most {MAX_COUNT}, not {count}")));
+        return Err(Error::Usage(format!("--count of `pipeline` is at most {MAX_COUNT}, not {count}")));
     }
-    let count = count as usize;
-    let options = Options { count, seed: arguments.seed };
-    let device = arguments.vulkan.device_for_graphics()?;
-    let to_stdout = arguments.json.as_deref() == Some(Path::new("-"));
-    let columns = arguments.wide.columns()?;
+    let options = Options { count: count as usize, seed: *seed };
+    let formats = arguments.inputs.formats()?;
+    let device = run.vulkan.device_for_graphics()?;
+    let columns = run.wide.columns()?;
     let table = table(columns);
     let traits = conform::traits(&device, &options)?;
-    if !to_stdout {
+    if !run.to_stdout() {
         print(&(heading(device.info(), &options, &traits, columns) + &table.heading()))?;
     }
-    // One codec says nothing of projections.
-    let pairs = if arguments.codec.is_empty() { conform::pairs() } else { Vec::new() };
-    let count = (formats.len() + pairs.len()) as u64;
-    let bar = progress::bar(Some(count), "{msg:<20} {wide_bar} {percent}%, {eta} left");
+    // A choice of codecs leaves projections out.
+    let pairs = if run.codec.is_empty() { conform::pairs() } else { Vec::new() };
+    let live = Live::new((formats.len() + pairs.len()) as u64, PERCENT, run.to_stdout());
     let (mut rows, mut projections) = (Vec::new(), Vec::new());
     let show = |row: Row, rows: &mut Vec<Row>| {
-        progress::show_if_due(&bar);
-        bar.inc(1);
-        bar.set_message(row.id);
-        if !to_stdout {
-            bar.suspend(|| print(&lines(&table, &row, columns)))?;
-        }
+        live.advance(1);
+        live.print(row.id, || lines(&table, &row, columns))?;
         rows.push(row);
         Ok::<(), Error>(())
     };
     conform::run(formats, &options, &device, &traits, &mut |row| show(row, &mut rows))?;
-    if !to_stdout && !pairs.is_empty() {
-        bar.suspend(|| print(&("\n".to_owned() + &wrapped(PROJECTIONS, "", columns))))?;
+    if !pairs.is_empty() {
+        live.print("", || "\n".to_owned() + &wrapped(PROJECTIONS, "", columns))?;
     }
     conform::run_pairs(pairs, &options, &device, &traits, &mut |row| show(row, &mut projections))?;
-    bar.finish_and_clear();
-    // What the layer says of objects that outlive their device counts as well.
-    let (info, instance) = (device.info().clone(), device.instance().clone());
-    drop(device);
-    let messages = instance.validation_messages();
+    live.finish();
+    let (device, messages) = close(device);
 
-    let report = Report::new(&info, &options, traits, rows, projections);
-    if let Some(path) = &arguments.json {
+    let report = Report::new(&device, &options, traits, rows, projections);
+    if let Some(path) = &run.json {
         unitvec_files::write_file(path, to_json(&report).as_bytes())?;
     }
-    if !to_stdout {
+    if !run.to_stdout() {
         print(&wrapped(&verdict(&report, messages.len()), "", columns))?;
     }
     Ok(status_after_validation(&messages, report.agreed))
@@ -145,7 +142,7 @@ fn projected(row: &Row) -> String {
 }
 
 fn verdict(report: &Report, validation_messages: usize) -> String {
-    let fail = |reason: String| format!("\nconform --pipeline: FAIL: {reason}\n");
+    let fail = |reason: String| format!("\nconform pipeline: FAIL: {reason}\n");
     if validation_messages > 0 {
         return fail(format!("{validation_messages} messages of the validation layer"));
     }
@@ -166,7 +163,7 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
         count => format!(", {count} pairs of projection and format"),
     };
     format!(
-        "\nconform --pipeline: PASS: cpu, {}{without} agree to the bit: {} codecs{projections}, {compared} texels and \
+        "\nconform pipeline: PASS: cpu, {}{without} agree to the bit: {} codecs{projections}, {compared} texels and \
          vertices\n",
         sources.join(", "),
         report.rows.len(),

@@ -6,9 +6,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, CODECS, find};
 use unitvec_choose::{Costs, RECOMMENDED};
-use unitvec_files as output;
 use unitvec_files::read_small;
-use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
 use unitvec_render as render;
 use unitvec_render::Material;
@@ -33,11 +31,11 @@ pub struct Arguments {
     /// Report of `unitvec conform --json` to show; a short run is made now if it is not given.
     #[arg(long, value_name = "FILE")]
     conform: Option<PathBuf>,
-    /// Report of `unitvec conform --pipeline --json` to show; a short run with the recommended codecs is made now if it
+    /// Report of `unitvec conform pipeline --json` to show; a short run with the recommended codecs is made now if it
     /// is not given.
     #[arg(long, value_name = "FILE")]
     pipeline: Option<PathBuf>,
-    /// Costs to begin with: a report of `unitvec bench --json`, with --isa or without.
+    /// Costs to begin with: a report of `unitvec bench device --json` or `unitvec bench compiler --json`.
     #[arg(long, value_name = "FILE")]
     costs: Option<PathBuf>,
     /// Use no Vulkan device: leave out rendered figures and the runs of `conform`, unless their files are given.
@@ -131,7 +129,7 @@ fn pipeline_of(path: &Path) -> Result<Pipeline> {
 }
 
 fn parse_pipeline(path: &Path, json: &[u8]) -> Result<Pipeline> {
-    Pipeline::parse(json).map_err(|error| not_of(path, "unitvec conform --pipeline --json", error))
+    Pipeline::parse(json).map_err(|error| not_of(path, "unitvec conform pipeline --json", error))
 }
 
 /// A device that draws; else why there is none, in a sentence. One that fails for another reason is an error.

@@ -5,8 +5,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::Operation;
-use unitvec_files as output;
+use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_host::{Error, Result};
 use unitvec_run::shader;
 use unitvec_run::shader::{Edition, Language, library, text};
@@ -73,8 +72,8 @@ fn write_all(language: Language, folder: &Path) -> Result<ExitCode> {
     for (name, text) in &files {
         let path = folder.join(name);
         let below = path.parent().unwrap_or(folder);
-        fs::create_dir_all(below).map_err(|source| Error::writing(below, source))?;
-        output::write_file(&path, text.as_bytes())?;
+        fs::create_dir_all(below).map_err(|source| unitvec_files::Error::writing(below, source))?;
+        unitvec_files::write_file(&path, text.as_bytes())?;
     }
     print(&format!("shader: {} files of {language} in {}\n", files.len(), folder.display()))
 }

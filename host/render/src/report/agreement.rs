@@ -59,7 +59,7 @@ impl Agreement {
     }
 }
 
-/// The graphics pipeline's agreement with the CPU, from a report of `unitvec conform --pipeline --json`.
+/// The graphics pipeline's agreement with the CPU, from a report of `unitvec conform pipeline --json`.
 #[derive(Clone, Debug, Serialize)]
 pub struct Pipeline {
     device: DeviceInfo,
@@ -173,7 +173,7 @@ mod tests {
         assert!(Agreement::parse(b"{}").is_err());
     }
 
-    /// A report of `conform --pipeline` with one codec that differs in a texture.
+    /// A report of `conform pipeline` with one codec that differs in a texture.
     #[test]
     fn the_pipeline_is_read_from_conforms_report() {
         let json = br#"{"device": {"index": 0, "name": "n", "kind": "software", "driver": "d", "api_version": "1.3"}, "agreed": false,

@@ -101,7 +101,28 @@ pub struct Summary<'a> {
     pub mismatches: u64,
 }
 
+/// How each backend rounds.
+pub type Roundings = BTreeMap<BackendKind, Rounding>;
+
+/// True where all backends round sums to nearest, which encoders need.
+pub fn all_round_to_nearest(rounding: &Roundings) -> bool {
+    rounding.values().all(|rounding| *rounding == Rounding::Nearest)
+}
+
 impl Report {
+    /// The report on a device. The backends agree where nothing differs and sums are rounded to nearest.
+    pub fn new(device: DeviceInfo, options: &Options, rounding: Roundings, rows: Vec<Row>) -> Self {
+        Self {
+            device,
+            random_directions: options.count,
+            all_codes_up_to: options.all_codes_up_to,
+            glsl_compared: cfg!(feature = "glsl"),
+            agreed: rows.iter().all(Row::agrees) && all_round_to_nearest(&rounding),
+            rounding,
+            rows,
+        }
+    }
+
     /// Summarises this report in one line.
     pub fn summary(&self) -> Summary<'_> {
         let total = |of: fn(&Row) -> u64| self.rows.iter().map(of).sum();
