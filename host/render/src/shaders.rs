@@ -59,7 +59,6 @@ mod tests {
     use rspirv::spirv::{Decoration, ExecutionModel, Op, StorageClass, Word};
     use std::collections::{BTreeMap, BTreeSet};
     use unitvec_catalogue::{AnyCodec, CODECS, find};
-    use unitvec_catalogue::{AnyCodec, CODECS, find};
 
     /// The interface of an entry point: types by location, textures by binding in set 0, bytes of push constants.
     #[derive(Debug, Default, PartialEq)]
