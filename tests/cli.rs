@@ -515,6 +515,9 @@ fn choose_gives_the_cheapest_that_meets_the_demand() {
 
     let hemisphere = stdout(&run(["choose", "--max-error", "0.6", "--bits", "16", "--hemisphere"]));
     assert!(hemisphere.contains("hemioct16"), "{hemisphere}");
+    let finest = stdout(&run(["choose", "--bits", "24"]));
+    assert!(finest.contains("ico24: no codec of so many bits has a smaller maximum error"), "{finest}");
+    assert_eq!(run(["choose"]).status.code(), Some(2));
     let none = run(["choose", "--max-error", "1e-9"]);
     assert_eq!(none.status.code(), Some(1));
     assert!(stdout(&none).contains("no codec meets this demand"));

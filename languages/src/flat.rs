@@ -1,26 +1,10 @@
 //! The families' files in GLSL without any include: each with only what it needs of the others.
 
 use crate::print::{ARITH, Printer};
-use crate::syntax::{File, Item};
+use crate::syntax::{Families, File, Item, Part};
 use crate::{ALL, Edition, Error, Language, Library};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
-
-/// Declarations that the same families need.
-pub struct Part<'a> {
-    /// Indices of these families. Parts that more families need come first, since others may need them.
-    families: (Reverse<usize>, Vec<usize>),
-    pub items: Vec<(&'a File, &'a Item)>,
-}
-
-impl Part<'_> {
-    /// The macro that keeps it from being declared twice; none for what one family alone needs.
-    pub fn guard(&self) -> Option<String> {
-        let name = self.items.first()?.1.kind.name()?.to_uppercase();
-        let is_shared = self.families.1.len() > 1;
-        is_shared.then(|| format!("UNITVEC_HAS_{}", name.trim_start_matches("UNITVEC_")))
-    }
-}
 
 impl Library {
     /// The families' files in GLSL for loaders without `#include`, by name: `oct.glsl`. Each has what its family needs of the
@@ -51,7 +35,7 @@ impl Library {
     /// All that families need, in parts, given what each needs. What half of them need goes to all, in one part: it takes fewer
     /// lines than guards would.
     fn parts(&self, needs: &[BTreeSet<&str>]) -> Vec<Part<'_>> {
-        let mut parts: BTreeMap<(Reverse<usize>, Vec<usize>), Vec<(&File, &Item)>> = BTreeMap::new();
+        let mut parts: BTreeMap<Families, Vec<(&File, &Item)>> = BTreeMap::new();
         for file in &self.files {
             for item in &file.items {
                 let Some(name) = item.kind.name() else { continue };

@@ -1,5 +1,7 @@
 //! The tree of a file: the part of GLSL that the includes use, each expression with its type.
 
+use std::cmp::Reverse;
+
 /// Lines of comment before something, whole; an empty one for blank lines.
 pub type Lead = Vec<String>;
 
@@ -377,4 +379,23 @@ fn add_variables<'a>(statements: &'a [Statement], names: &mut Vec<&'a str>) {
             names.push(&declaration.name);
         }
     });
+}
+
+/// Indices of families, and first their number: parts that more families need come before those that fewer need.
+pub type Families = (Reverse<usize>, Vec<usize>);
+
+/// Declarations that the same families need.
+pub struct Part<'a> {
+    /// Indices of these families. Parts that more families need come first, since others may need them.
+    pub families: Families,
+    pub items: Vec<(&'a File, &'a Item)>,
+}
+
+impl Part<'_> {
+    /// The macro that keeps it from being declared twice; none for what one family alone needs.
+    pub fn guard(&self) -> Option<String> {
+        let name = self.items.first()?.1.kind.name()?.to_uppercase();
+        let is_shared = self.families.1.len() > 1;
+        is_shared.then(|| format!("UNITVEC_HAS_{}", name.trim_start_matches("UNITVEC_")))
+    }
 }

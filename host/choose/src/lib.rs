@@ -56,8 +56,8 @@ impl Recommendation {
 /// The demands on a codec.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
-    /// The largest error that is allowed in any direction, in degrees.
-    pub max_error_deg: f64,
+    /// The largest error that is allowed in any direction, in degrees; without it the least error is the choice.
+    pub max_error_deg: Option<f64>,
     /// The largest mean error that is allowed, in degrees.
     pub mean_error_deg: Option<f64>,
     /// Most bits of a code.
@@ -208,10 +208,9 @@ pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
         });
     }
     candidates.sort_by(|a, b| {
-        a.bytes
-            .cmp(&b.bytes)
-            .then(a.cost().total_cmp(&b.cost()))
-            .then(a.mean_error_deg.total_cmp(&b.mean_error_deg))
+        let by_error = a.max_error_deg.total_cmp(&b.max_error_deg);
+        let by_demand = if demand.max_error_deg.is_some() { a.bytes.cmp(&b.bytes) } else { by_error };
+        by_demand.then(a.cost().total_cmp(&b.cost())).then(a.mean_error_deg.total_cmp(&b.mean_error_deg))
     });
     Ok(candidates)
 }
@@ -227,7 +226,7 @@ impl Candidate {
 /// they do not decode to unit vectors.
 fn meets(codec: &AnyCodec, demand: &Demand) -> bool {
     codec.is_unit
-        && f64::from(codec.max_error_deg()) <= demand.max_error_deg
+        && demand.max_error_deg.is_none_or(|limit| f64::from(codec.max_error_deg()) <= limit)
         && demand.bits.is_none_or(|bits| codec.bits <= bits)
         && !(demand.no_table && codec.encodes_by_table)
         && (demand.hemisphere || codec.domain == Domain::Sphere)

@@ -152,6 +152,8 @@ impl Error {
             Self::Files(error) => error.is_usage(),
             Self::Run(error) => error.is_usage(),
             Self::Choose(unitvec_choose::Error::UnknownGpu { .. }) => true,
+            #[cfg(feature = "render")]
+            Self::Render(error) => error.is_usage(),
             _ => false,
         }
     }

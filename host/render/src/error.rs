@@ -83,6 +83,13 @@ pub enum Error {
     },
 }
 
+impl Error {
+    /// True where the command line is at fault: the folder that it names has other figures than are needed.
+    pub fn is_usage(&self) -> bool {
+        matches!(self, Self::Earlier { .. } | Self::Lacking { .. } | Self::Unlike { .. })
+    }
+}
+
 macro_rules! lab_errors {
     ($($error:ty),*) => {$(
         impl From<$error> for Error {

@@ -89,7 +89,7 @@ impl Renderer {
     /// [`Error::BadSamples`], a feature that the device lacks, or a failed call.
     pub fn new(device: &Arc<Device>, source: BackendKind, size: Size, samples: u32) -> Result<Self> {
         if !(1..=MAX_SAMPLES).contains(&samples) {
-            return Err(Error::BadSamples { samples, limit: MAX_SAMPLES }.into());
+            return Err(Error::BadSamples { samples, limit: MAX_SAMPLES });
         }
         let graphics = Graphics::new(device)?;
         let light = Target::new(&graphics, size.pair(), &FLOATS, false)?;

@@ -123,7 +123,7 @@ impl Shaders {
                 Ok(Self::Glsl { compiler, compiled: RefCell::default() })
             }
             BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => {
-                Err(super::Error::NoSuchShaders { language: source }.into())
+                Err(super::Error::NoSuchShaders { language: source })
             }
         }
     }

@@ -82,7 +82,10 @@ pub const ENTRY_POINT: &str = "main";
 
 /// Kernels of codecs that this process has compiled. glslang takes about a tenth of a second for each, and several devices,
 /// threads and tests want the same ones.
-static KERNELS: LazyLock<Mutex<HashMap<(&str, Operation), Vec<u8>>>> = LazyLock::new(Mutex::default);
+static KERNELS: LazyLock<Mutex<Modules>> = LazyLock::new(Mutex::default);
+
+/// SPIR-V by codec and operation.
+type Modules = HashMap<(&'static str, Operation), Vec<u8>>;
 
 /// A GLSL compiler.
 pub struct Compiler(Glslang);

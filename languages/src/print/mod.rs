@@ -3,11 +3,10 @@
 mod comment;
 mod expr;
 
-use crate::flat::Part;
 use crate::parse::{Declared, PRECISE};
 use crate::syntax::{
     Block, Branch, Condition, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind,
-    Parameter, Statement, StatementKind, Struct, Type,
+    Parameter, Part, Statement, StatementKind, Struct, Type,
 };
 use crate::wrap::{WIDTH, wrapped};
 use crate::{ALL, Edition, Error, Language};

@@ -71,15 +71,15 @@ const CODECS: &[Source] = &[Code("shader-crate/src/*.rs")];
 /// hold both together on every run.
 const KERNELS: &[Source] = &[Bytes("spirv/kernels/*")];
 const GLSL: &[Source] = &[Code("glsl/unitvec/* glsl/kernels/*")];
-const RENDER: &[Source] = &[Bytes("host/render*shaders/rust/Cargo.*"), Code("host/render*shaders/rust/*.rs")];
+const RENDER: &[Source] = &[Bytes("host/render/shaders/rust/Cargo.*"), Code("host/render/shaders/rust/*.rs")];
 /// The programs that build and describe the modules. The comments of the manifest's types are in its schema.
 const SPIRV_BUILD: &[Source] = &[
     Bytes("shader-crate/Cargo.toml"),
     Code("xtask/spirv/src/*.rs"),
     Bytes("xtask/spirv/Cargo.toml"),
     Code("catalogue/src/*.rs"),
-    Bytes("host/*manifest*.rs"),
-    Code("host/*link/*.rs"),
+    Bytes("host/manifest/src/*.rs"),
+    Code("host/link/src/*.rs"),
     Versions(|| {
         locked(&["glam", "libm", "rspirv", "spirv-builder", "spirv-std", "spirv-tools", "spirv-tools-sys"])
     }),
@@ -111,7 +111,7 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "render-modules",
-        outputs: &[Bytes("host/render*shaders/spirv/*")],
+        outputs: &[Bytes("host/render/shaders/spirv/*")],
         from: "the renderer's shaders in Rust, the same way",
         inputs: &[CODECS, SPIRV_BUILD, RENDER],
         kind: Kind::Run,
@@ -144,7 +144,7 @@ pub static RECORDS: &[Record] = &[
         ]],
         renew: || {
             shaders(&[])?;
-            bless(&["docs::flat::flattened_files_are_current", "docs::stubs::stubs_are_current"])
+            bless(&["docs::stubs::stubs_are_current"])
         },
         ..FILE
     },
@@ -187,7 +187,10 @@ pub static RECORDS: &[Record] = &[
         // The search for the worst direction, and the sample, decide the last digits.
         inputs: &[
             CODECS,
-            &[Code("host/*accuracy/meyer.rs host/*sampling*.rs"), Bytes("shaders/blue_noise_64x64.rg8")],
+            &[
+                Code("host/lab/src/accuracy/meyer.rs host/run/src/sampling/*.rs"),
+                Bytes("shaders/blue_noise_64x64.rg8"),
+            ],
         ],
         minutes: 3,
         renew: || measure(&["docs::accuracy::measure", "docs::dither::measure", "docs::projected::measure"]),
@@ -264,7 +267,7 @@ pub static RECORDS: &[Record] = &[
         name: "imprecise",
         outputs: &[Bytes("docs/data/imprecise.csv")],
         from: "the modules and the GLSL, rewritten for devices that round badly",
-        inputs: &[KERNELS, GLSL, &[Code("host/*imprecise/*.rs")]],
+        inputs: &[KERNELS, GLSL, &[Code("host/lab/src/imprecise/*.rs")]],
         kind: Kind::Run,
         minutes: 6,
         renew: || {
@@ -288,7 +291,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/languages.csv docs/data/barriers.csv")],
         from: "`shaders/` by the compilers of all languages",
         inputs: &[&[
-            Code("shaders/*/* host/*shader/kernel.rs tests/languages/src/*.rs"),
+            Code("shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs"),
             Versions(languages::versions),
         ]],
         kind: Kind::Run,
@@ -317,8 +320,8 @@ pub static RECORDS: &[Record] = &[
         inputs: &[
             KERNELS,
             &[
-                Bytes("host/render*shaders/spirv/*"),
-                Code("host/*figures/*.rs"),
+                Bytes("host/render/shaders/spirv/*"),
+                Code("host/render/src/figures/*.rs"),
                 Bytes("host/choose/data/costs_*"),
             ],
         ],

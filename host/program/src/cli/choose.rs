@@ -10,10 +10,14 @@ use unitvec_files::read_small;
 use unitvec_host::Result;
 
 #[derive(Args)]
+#[command(
+    after_help = "Examples:\n  unitvec choose --max-error 0.05\n  unitvec choose --bits 24\n  unitvec choose --bits 16 --hemisphere --gpu rdna3"
+)]
 pub struct Arguments {
-    /// Largest error that is allowed for any direction, in degrees.
-    #[arg(long, value_name = "DEG", value_parser = degrees)]
-    max_error: f64,
+    /// Largest error that is allowed for any direction, in degrees. Codecs of few bytes come first; with --bits alone, those of
+    /// the least error.
+    #[arg(long, value_name = "DEG", value_parser = degrees, required_unless_present = "bits")]
+    max_error: Option<f64>,
     /// Largest mean error that is allowed, in degrees.
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     mean_error: Option<f64>,
@@ -62,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         hemisphere: arguments.hemisphere,
     };
     let found = candidates(&demand, &costs)?;
-    let reason = reason(&found);
+    let reason = if demand.max_error_deg.is_some() { reason(&found) } else { finest(&found) };
     if arguments.json {
         print(&to_json(&Report { costs_of: costs.device(), reason, candidates: &found }))?;
     } else {
@@ -75,6 +79,14 @@ fn degrees(text: &str) -> std::result::Result<f64, String> {
     match text.parse() {
         Ok(degrees) if degrees > 0.0 => Ok(degrees),
         _ => Err("not a number of degrees above 0".to_owned()),
+    }
+}
+
+/// The choice where only bits are limited.
+fn finest(found: &[Candidate]) -> String {
+    match found {
+        [] => "no codec has so few bits".to_owned(),
+        [best, ..] => format!("{}: no codec of so many bits has a smaller maximum error", best.id),
     }
 }
 

@@ -16,7 +16,7 @@ use unitvec_run::backend::BackendKind;
 pub struct Arguments {
     /// Codec, as `unitvec codecs` lists them; may be given again: all of vectors, or all of frames. If none is given, those
     /// that the README recommends for vectors in any direction.
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]

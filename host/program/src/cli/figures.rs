@@ -20,7 +20,7 @@ pub struct Arguments {
     #[arg(long, value_name = "DIR", default_value = "figures")]
     out: PathBuf,
     /// Codec to show in place of those that figures 1, 5, 6, 7, 8, meyer and errors have; may be given again.
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
     /// Material of figure 8; may be given again. All three if not given.
     #[arg(long, value_name = "NAME")]

@@ -16,7 +16,7 @@ pub struct Arguments {
     #[arg(long, value_name = "LANGUAGE", required_unless_present = "list", value_parser = languages())]
     language: Option<Language>,
     /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.
-    #[arg(long, value_name = "ID")]
+    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
     /// The exact edition, for languages without `precise`: compilers cannot fuse and reorder operations. It costs one more
     /// operation for each that is rounded.

@@ -127,7 +127,7 @@ pub(super) fn vectors(texels: &[u8]) -> impl Iterator<Item = Option<[f32; 3]>> {
 fn all_vectors(texels: &[u8], count: usize) -> Result<Vec<[f32; 3]>> {
     let drawn: Vec<[f32; 3]> = vectors(texels).take(count).flatten().collect();
     if drawn.len() < count {
-        return Err(Error::NotDrawn { drawn: drawn.len(), wanted: count }.into());
+        return Err(Error::NotDrawn { drawn: drawn.len(), wanted: count });
     }
     Ok(drawn)
 }

@@ -1,0 +1,136 @@
+//! The house: which rooms import which, and how large they are.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use unitvec_tests::repository;
+
+/// Lines of the largest crate. A larger one has rooms that want walls: see ARCHITECTURE.md.
+const MOST_LINES: usize = 10_000;
+
+/// The folders of the sources of all crates but the tests, each with its name.
+fn crates() -> Vec<(String, PathBuf)> {
+    let host = fs::read_dir(repository().join("host")).unwrap();
+    let host = host.map(|entry| format!("host/{}", entry.unwrap().file_name().to_string_lossy()));
+    let others = ["shader-crate", "catalogue", "oracle", "languages", "c", "bench", "xtask", "xtask/spirv"];
+    let names = others.into_iter().map(str::to_owned).chain(host);
+    let crates: Vec<_> = names.map(|name| (repository().join(&name).join("src"), name)).collect();
+    let crates = crates.into_iter().filter(|(source, _)| source.is_dir());
+    crates.map(|(source, name)| (name, source)).collect()
+}
+
+/// The Rust files below a folder.
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries
+        .flat_map(|path| match path.is_dir() {
+            true => rust_files(&path),
+            false => {
+                Vec::from_iter(Some(path).filter(|path| path.extension().is_some_and(|end| end == "rs")))
+            }
+        })
+        .collect()
+}
+
+/// Code without comments.
+fn code(file: &Path) -> String {
+    let text = fs::read_to_string(file).unwrap();
+    text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
+}
+
+/// The first names of the paths that begin with `crate::`, of those in braces all.
+fn imported(code: &str) -> BTreeSet<String> {
+    let name = |text: &str| text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+    let mut found = BTreeSet::new();
+    for path in code.split("crate::").skip(1) {
+        let Some(list) = path.strip_prefix('{') else {
+            found.insert(name(path));
+            continue;
+        };
+        let mut depth = 0;
+        let mut start = true;
+        for (at, char) in list.char_indices() {
+            match char {
+                '{' => depth += 1,
+                '}' if depth == 0 => break,
+                '}' => depth -= 1,
+                ',' if depth == 0 => start = true,
+                c if start && !c.is_whitespace() => {
+                    found.insert(name(&list[at..]));
+                    start = false;
+                }
+                _ => {}
+            }
+        }
+    }
+    found
+}
+
+/// The imports between a crate's rooms: the folders and files right below its sources.
+fn arrows(source: &Path) -> BTreeMap<String, BTreeSet<String>> {
+    let room = |path: &Path| {
+        let first = path.strip_prefix(source).unwrap().components().next().unwrap();
+        first.as_os_str().to_string_lossy().trim_end_matches(".rs").to_owned()
+    };
+    let files = rust_files(source);
+    let rooms: BTreeSet<String> = files.iter().map(|file| room(file)).collect();
+    let mut arrows: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    for file in &files {
+        let from = room(file);
+        let to = imported(&code(file)).into_iter().filter(|name| rooms.contains(name) && *name != from);
+        arrows.entry(from.clone()).or_default().extend(to);
+    }
+    arrows
+}
+
+/// A way from a room back to it.
+fn circle(arrows: &BTreeMap<String, BTreeSet<String>>, start: &str) -> Option<Vec<String>> {
+    let mut ways = vec![vec![start.to_owned()]];
+    let mut seen = BTreeSet::new();
+    while let Some(way) = ways.pop() {
+        for next in way.last().and_then(|room| arrows.get(room)).into_iter().flatten() {
+            if next == start {
+                return Some(way);
+            }
+            if seen.insert(next.clone()) {
+                ways.push([&way[..], std::slice::from_ref(next)].concat());
+            }
+        }
+    }
+    None
+}
+
+/// No room of a crate imports one that imports it. Between crates cargo holds the same.
+#[test]
+fn no_import_runs_in_a_circle() {
+    for (name, source) in crates() {
+        let arrows = arrows(&source);
+        let circles = arrows.keys().filter_map(|room| circle(&arrows, room));
+        assert_eq!(circles.collect::<Vec<_>>(), Vec::<Vec<String>>::new(), "{name}");
+    }
+}
+
+/// A circle is found, also one that leads through a list of imports.
+#[test]
+fn a_circle_is_found() {
+    let names = imported("use crate::{a::{self, x}, b, Error}; crate::c::d()");
+    assert_eq!(names, ["Error", "a", "b", "c"].map(str::to_owned).into());
+    let to = |rooms: &[&str]| rooms.iter().map(|room| (*room).to_owned()).collect::<BTreeSet<_>>();
+    let arrows = BTreeMap::from([
+        ("a".to_owned(), to(&["b"])),
+        ("b".to_owned(), to(&["c"])),
+        ("c".to_owned(), to(&["a"])),
+        ("d".to_owned(), to(&["a"])),
+    ]);
+    assert_eq!(circle(&arrows, "a").map(|way| way.len()), Some(3));
+    assert_eq!(circle(&arrows, "d"), None);
+}
+
+#[test]
+fn no_crate_is_too_large() {
+    for (name, source) in crates() {
+        let lines: usize =
+            rust_files(&source).iter().map(|file| fs::read_to_string(file).unwrap().lines().count()).sum();
+        assert!(lines <= MOST_LINES, "{name} has {lines} lines");
+    }
+}
