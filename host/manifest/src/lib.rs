@@ -22,7 +22,7 @@ pub const RENDER_SOURCES: &str = "sources.sha256";
 /// Name of the manifest's JSON schema in the same folder.
 pub const SCHEMA: &str = "manifest.schema.json";
 
-/// File of the table of lengths of [`unitvec::best_fit`].
+/// File of the table of lengths of `unitvec::best_fit`.
 pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
 
 /// The kernel that decodes two-byte codes of any codec by a table.

@@ -60,7 +60,7 @@ pub struct Codec {
 /// Costs that ship with the program: that of `choose`, then the others, the newest first, then lavapipe's.
 ///
 /// # Errors
-/// [`Error::BadCosts`](crate::Error::BadCosts), which would be a fault of this crate.
+/// [`Error::BadCosts`](unitvec_choose::Error::BadCosts), which would be a fault of this crate.
 pub fn shipped_costs() -> Result<Vec<Costs>> {
     let others = GENERATIONS.iter().rev().map(|one| one.name).filter(|name| *name != USUAL);
     [USUAL].into_iter().chain(others).chain(["lavapipe"]).map(|name| Ok(Costs::shipped(name)?)).collect()
