@@ -7,8 +7,11 @@ use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_catalogue::Element;
 use unitvec_catalogue::Operation;
-use unitvec_catalogue::{CODECS, Domain, find, frames, vectors};
+#[cfg(feature = "glsl")]
+use unitvec_catalogue::find;
+use unitvec_catalogue::{CODECS, Domain, frames, vectors};
 use unitvec_mesh as mesh;
+#[cfg(feature = "glsl")]
 use unitvec_run::glsl::Compiler;
 use unitvec_run::sampling;
 use unitvec_tests::program::{command, run, run_with_input, stderr, stdout};
