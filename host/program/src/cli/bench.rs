@@ -26,9 +26,10 @@ pub struct Arguments {
 
 #[derive(Subcommand)]
 enum Mode {
-    /// Run the kernels on a device; `unitvec bench` alone does the same.
+    /// Run the kernels on a device; `unitvec bench` alone does the same. Needs a build with `--features glsl`.
     Device(OnDevice),
-    /// Count the instructions that a GPU's compiler makes of the kernels; run nothing, so that no GPU is needed.
+    /// Count the instructions that a GPU's compiler makes of the kernels; run nothing, so that no GPU is needed. Needs a build
+    /// with `--features glsl`.
     Compiler(super::isa::Arguments),
 }
 

@@ -18,7 +18,7 @@ pub struct Arguments {
     /// the least error.
     #[arg(long, value_name = "DEG", value_parser = degrees, required_unless_present = "bits")]
     max_error: Option<f64>,
-    /// Largest mean error that is allowed, in degrees.
+    /// Largest mean error that is allowed, in degrees; besides --max-error or --bits.
     #[arg(long, value_name = "DEG", value_parser = degrees)]
     mean_error: Option<f64>,
     /// Most bits of a code.

@@ -41,11 +41,12 @@ enum Mode {
 /// The options of all modes.
 #[derive(Args)]
 pub struct Inputs {
-    /// Run only the widest codec of each series, whose others differ in their bits alone. Takes a third of the time.
+    /// Run only the widest codec of each series, such as oct32 of oct8 to oct32: the others differ only in width. Takes a third
+    /// of the time.
     #[arg(long, conflicts_with = "codec")]
     widest: bool,
-    /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded; 2^18 if not
-    /// given, 10^6 with --exhaustive, 2^16 by `imprecise`, 2^15 by `pipeline`.
+    /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded. If not given: 2^18
+    /// by `kernels`, or 10^6 with --exhaustive; 2^16 by `imprecise`; 2^15 by `pipeline`, and at most 2^20.
     #[arg(long, value_name = "N", value_parser = counts())]
     pub count: Option<u64>,
     /// Seed of the random directions.
@@ -77,7 +78,8 @@ struct Kernels {
     summary: Option<PathBuf>,
     #[command(flatten)]
     inputs: Inputs,
-    /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given.
+    /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given. A command stands
+    /// before all options: `conform pipeline --codec oct16`.
     mesh: Vec<PathBuf>,
 }
 

@@ -89,7 +89,7 @@ enum Command {
     /// Measure the cost of encoding and decoding: `device` beside the survey's figures, `compiler` by a GPU's compiler.
     #[cfg(feature = "lab")]
     Bench(bench::Arguments),
-    /// Find the cheapest codecs of vectors that meet a demand.
+    /// Find the cheapest codecs of vectors that meet a demand: --max-error, --bits or both.
     Choose(choose::Arguments),
     /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
     #[cfg(feature = "render")]
