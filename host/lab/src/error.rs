@@ -23,13 +23,4 @@ pub enum Error {
     NoKernels,
 }
 
-macro_rules! run_errors {
-    ($($error:ty),*) => {$(
-        impl From<$error> for Error {
-            fn from(error: $error) -> Self {
-                Self::Run(error.into())
-            }
-        }
-    )*};
-}
-run_errors!(UnknownCodec, unitvec::slice::LengthMismatch, unitvec_vulkan::Error, modules::Error, glsl::Error);
+unitvec_run::pass_on_errors!(Error::Run: UnknownCodec, unitvec::slice::LengthMismatch, unitvec_vulkan::Error, modules::Error, glsl::Error);

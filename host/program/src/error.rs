@@ -88,17 +88,8 @@ pub enum Error {
     },
 }
 
-/// Errors that a backend returns, by the crates that it calls.
-macro_rules! run_errors {
-    ($($error:ty),*) => {$(
-        impl From<$error> for Error {
-            fn from(error: $error) -> Self {
-                Self::Run(error.into())
-            }
-        }
-    )*};
-}
-run_errors!(
+unitvec_run::pass_on_errors!(
+    Error::Run:
     unitvec_catalogue::UnknownCodec,
     unitvec::slice::LengthMismatch,
     unitvec_vulkan::Error,

@@ -90,16 +90,8 @@ impl Error {
     }
 }
 
-macro_rules! lab_errors {
-    ($($error:ty),*) => {$(
-        impl From<$error> for Error {
-            fn from(error: $error) -> Self {
-                Self::Lab(error.into())
-            }
-        }
-    )*};
-}
-lab_errors!(
+unitvec_run::pass_on_errors!(
+    Error::Lab:
     unitvec_catalogue::UnknownCodec,
     unitvec::slice::LengthMismatch,
     unitvec_vulkan::Error,

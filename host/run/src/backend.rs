@@ -167,10 +167,7 @@ impl KernelSource {
     }
 
     /// The kernel with this name among the modules, or as it is compiled now.
-    ///
-    /// # Errors
-    /// A module that is missing or does not compile, or a failed Vulkan call.
-    pub fn load(
+    fn load(
         &self,
         runner: &Runner,
         name: &str,

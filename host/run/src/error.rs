@@ -31,6 +31,18 @@ pub enum Error {
     Rewrite(Box<dyn StdError + Send + Sync>),
 }
 
+/// Implements `From` for errors that an error type passes on in a variant, whose own `From` takes them.
+#[macro_export]
+macro_rules! pass_on_errors {
+    ($own:ident::$variant:ident: $($error:ty),* $(,)?) => {$(
+        impl From<$error> for $own {
+            fn from(error: $error) -> Self {
+                Self::$variant(error.into())
+            }
+        }
+    )*};
+}
+
 impl Error {
     /// True where the command line is at fault: an unknown codec or device.
     pub fn is_usage(&self) -> bool {

@@ -1,9 +1,9 @@
 //! `unitvec bench compiler`.
 
 use super::bench::Outputs;
-use super::run::CODECS_LEFT;
+use super::run::{CODECS_LEFT, Live};
 use super::table::{Layout, left, left_out, right, wrapped};
-use super::{print, progress, status_after_validation, variable};
+use super::{print, status_after_validation, variable};
 use clap::Args;
 use std::fmt::Write;
 use std::io;
@@ -62,13 +62,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let instance = run.vulkan.instance()?;
     let inspector = Inspector::open(&instance, &run.vulkan.choice())?;
 
-    let bar = progress::bar(Some(chosen.len() as u64), CODECS_LEFT);
+    let live = Live::new(chosen.len() as u64, CODECS_LEFT, true);
     let report = isa::measure(&inspector, &run.vulkan.modules()?, &chosen, |format| {
-        progress::show_if_due(&bar);
-        bar.set_message(format.id);
-        bar.inc(1);
+        live.name(format.id);
+        live.advance(1);
     })?;
-    bar.finish_and_clear();
+    live.finish();
     drop(inspector);
 
     outputs.write(&report.rows, &report.to_json(), &markdown(&report))?;

@@ -1,4 +1,5 @@
 use super::figures::{Rendering, Studio, draw_all};
+use super::run::{Live, close};
 use super::{print, progress, to_json};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -178,17 +179,17 @@ fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<Pip
     let traits = render::conform::traits(&device, &options)?;
     let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
     let formats = ids.map(|id| Ok(find(id)?)).collect::<Result<Vec<&'static AnyCodec>>>()?;
-    let bar = progress::bar(Some(formats.len() as u64), "graphics pipeline {wide_bar} {pos} of {len}");
+    let live = Live::new(formats.len() as u64, "graphics pipeline {wide_bar} {pos} of {len}", true);
     let mut rows = Vec::new();
     render::conform::run(formats, &options, &device, &traits, &mut |row| {
-        progress::show_if_due(&bar);
-        bar.inc(1);
+        live.advance(1);
         rows.push(row);
         Ok::<(), Error>(())
     })?;
-    bar.finish_and_clear();
-    let report = render::conform::Report::new(device.info(), &options, traits, rows, Vec::new());
-    close(device, messages);
+    live.finish();
+    let (device, closing) = close(device);
+    messages.extend(closing);
+    let report = render::conform::Report::new(&device, &options, traits, rows, Vec::new());
     parse_pipeline(Path::new("this run"), to_json(&report).as_bytes())
 }
 
@@ -199,16 +200,18 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<Ag
     let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend(rendering, &device)?)].into()) };
     let rounding = [(BackendKind::Rust, Rounding::of(backend(rendering, &device)?.as_mut())?)].into();
     let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
-    let bar = progress::bar(Some(plans.len() as u64), "agreement {wide_bar} {pos} of {len}");
+    let live = Live::new(plans.len() as u64, "agreement {wide_bar} {pos} of {len}", true);
     let mut rows = Vec::new();
-    conform::run(plans, open, &mut |_| progress::show_if_due(&bar), &mut |row| {
-        bar.inc(1);
+    conform::run(plans, open, &mut |_| live.advance(0), &mut |row| {
+        live.advance(1);
         rows.push(row);
         Ok::<(), Error>(())
     })?;
-    bar.finish_and_clear();
+    live.finish();
+    let (device, closing) = close(device);
+    messages.extend(closing);
     let report = conform::Report {
-        device: device.info().clone(),
+        device,
         random_directions: options.count,
         all_codes_up_to: options.all_codes_up_to,
         glsl_compared: false,
@@ -216,15 +219,7 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<Ag
         rounding,
         rows,
     };
-    close(device, messages);
     parse_conform(Path::new("this run"), to_json(&report).as_bytes())
-}
-
-/// Closes a device, and tells what the validation layer said, of closing too.
-fn close(device: Arc<Device>, messages: &mut Vec<String>) {
-    let instance = device.instance().clone();
-    drop(device);
-    messages.extend(instance.validation_messages());
 }
 
 fn backend(rendering: &Rendering, device: &Arc<Device>) -> Result<Box<dyn unitvec_run::backend::Backend>> {

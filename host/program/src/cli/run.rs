@@ -56,10 +56,15 @@ impl Live {
         self.bar.inc(done);
     }
 
-    /// Prints the lines of a codec above the bar.
-    pub fn print(&self, id: &str, lines: impl FnOnce() -> String) -> Result<()> {
+    /// Names the codec beside the bar.
+    pub fn name(&self, id: &str) {
         progress::show_if_due(&self.bar);
         self.bar.set_message(id.to_owned());
+    }
+
+    /// Prints the lines of a codec above the bar.
+    pub fn print(&self, id: &str, lines: impl FnOnce() -> String) -> Result<()> {
+        self.name(id);
         if self.is_quiet {
             return Ok(());
         }
