@@ -23,9 +23,7 @@
 //!   square root. Eight more bits divide the error there by 4, elsewhere by 16.
 
 use super::{around_z, azimuth, scaled};
-use crate::arith::{
-    biased, dot, max, min, nearest_code, snorm_clamp, snorm_integer, snorm_max, sqrt, unbiased, with_sign,
-};
+use crate::arith::{dot, max, min, nearest_code, snorm_clamp, snorm_integer, snorm_max, sqrt, with_sign};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
@@ -74,17 +72,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
-#[inline(always)]
-pub fn project_unorm(v: Vec3) -> Vec2 {
-    biased(project(v))
-}
-
-/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm(e: Vec2) -> Vec3 {
-    unproject(unbiased(e))
-}
+unorm_projection!();
 
 /// Cylindrical coordinates in `BITS` bits (16, 24 or 32).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -31,8 +31,8 @@
 
 use super::{around_z, azimuth, quarter, scaled};
 use crate::arith::{
-    biased, exp2, from_diagonal, horizontal_length, nearest_code, negate_if, signed_integer, snorm_clamp,
-    snorm_integer, snorm_max, unbiased, with_sign,
+    exp2, from_diagonal, horizontal_length, nearest_code, negate_if, signed_integer, snorm_clamp,
+    snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -90,17 +90,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(Vec2::new(if e.x.abs() > LEAST_LATITUDE { e.x } else { 0.0 }, e.y), 1.0, 1.0)
 }
 
-/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
-#[inline(always)]
-pub fn project_unorm(v: Vec3) -> Vec2 {
-    biased(project(v))
-}
-
-/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm(e: Vec2) -> Vec3 {
-    unproject(unbiased(e))
-}
+unorm_projection!();
 
 /// The j of half a turn: 2^(b-1).
 const fn half_turn(bits: u32) -> f32 {

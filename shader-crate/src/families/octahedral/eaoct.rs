@@ -52,8 +52,8 @@
 
 use super::{unpack, usable_code};
 use crate::arith::{
-    atan_quarter, biased, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one,
-    sin_eighth, snorm_clamp, snorm_max, sqrt, unbiased, with_sign,
+    atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one, sin_eighth,
+    snorm_clamp, snorm_max, sqrt, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -135,17 +135,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
-#[inline(always)]
-pub fn project_unorm(v: Vec3) -> Vec2 {
-    biased(project(v))
-}
-
-/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm(e: Vec2) -> Vec3 {
-    unproject(unbiased(e))
-}
+unorm_projection!();
 
 /// The precise code of `BITS` bits (even, 16 to 32) as values of an SNORM format of half as many bits, which stores them
 /// exactly.

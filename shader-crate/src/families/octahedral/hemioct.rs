@@ -20,7 +20,7 @@
 //! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
 //!   where x or y is 0.
 
-use crate::arith::{biased, max, nearest_pair, normalize, snorm_clamp, snorm_integers, snorm_max, unbiased};
+use crate::arith::{max, nearest_pair, normalize, snorm_clamp, snorm_integers, snorm_max};
 use crate::codec::Codec;
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
@@ -71,17 +71,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
-#[inline(always)]
-pub fn project_unorm(v: Vec3) -> Vec2 {
-    biased(project(v))
-}
-
-/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm(e: Vec2) -> Vec3 {
-    unproject(unbiased(e))
-}
+unorm_projection!();
 
 /// `sqrt(3/2) / m` radians in degrees, and the error of rounding the position in f32 (at most 2^-21 of the square's
 /// half side). The snorms have half of `bits`, rounded down.

@@ -40,8 +40,7 @@
 
 use super::{fold, unpack, usable_code};
 use crate::arith::{
-    TWO_23, biased, exp2, floor, is_nan, max, min, normalize, snorm_clamp, snorm_max, unbiased, whole_to_u32,
-    with_sign,
+    TWO_23, exp2, floor, is_nan, max, min, normalize, snorm_clamp, snorm_max, whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -112,17 +111,7 @@ pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
 }
 
-/// [`project`] with values on \[0, 1\], for a UNORM format, which cannot hold the middle exactly.
-#[inline(always)]
-pub fn project_unorm(v: Vec3) -> Vec2 {
-    biased(project(v))
-}
-
-/// [`unproject`] of a point on \[0, 1\]<sup>2</sup>, as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm(e: Vec2) -> Vec3 {
-    unproject(unbiased(e))
-}
+unorm_projection!();
 
 /// Listing 3: the precise code of `BITS` bits (even, 4 to 32) as values of an SNORM format of half as many bits, which stores
 /// them exactly.
