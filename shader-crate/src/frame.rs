@@ -41,8 +41,8 @@
 //!   interpolated.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, dot, flip_sign, mask, nearest_code, nearest_pair, normalize, snorm_integer, snorm_max,
-    with_sign,
+    SIGN_BIT, TWO_23, coefficients, dot, flip_sign, mask, nearest_code, nearest_pair, normalize,
+    snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
@@ -152,21 +152,15 @@ pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static
     fn decode(code: Self::Code) -> Frame;
 }
 
-/// `w = v (WARP_0 + WARP_1 v^2 + WARP_2 v^4)`, near `tan(pi v / 4)`: equal steps of v from -1 to 1 are angles of
-/// `atan(w)` that are equal but for 0.26 %. The least maximum that three terms allow is 0.25 %; these are rounded to
-/// multiples of 2^-12 so that their sum is 1 and both ends are exact.
-pub const WARP_0: f32 = 3225.0 / 4096.0;
-/// See [`WARP_0`].
-pub const WARP_1: f32 = 624.0 / 4096.0;
-/// See [`WARP_0`].
-pub const WARP_2: f32 = 247.0 / 4096.0;
+coefficients! {
+    /// `w = v (WARP_0 + WARP_1 v^2 + WARP_2 v^4)`, near `tan(pi v / 4)`: equal steps of v from -1 to 1 are angles of
+    /// `atan(w)` that are equal but for 0.26 %. The least maximum that three terms allow is 0.25 %; these are rounded to
+    /// multiples of 2^-12 so that their sum is 1 and both ends are exact.
+    pub WARP_0 = 3225.0 / 4096.0, WARP_1 = 624.0 / 4096.0, WARP_2 = 247.0 / 4096.0;
 
-/// The inverse warp, `v = w + w (1 - u) (UNWARP_0 + u (UNWARP_1 + u UNWARP_2))` with `u = w^2`: within 3.0e-5.
-pub const UNWARP_0: f32 = 0.27020066;
-/// See [`UNWARP_0`].
-pub const UNWARP_1: f32 = -0.13198552;
-/// See [`UNWARP_0`].
-pub const UNWARP_2: f32 = 0.0392082;
+    /// The inverse warp, `v = w + w (1 - u) (UNWARP_0 + u (UNWARP_1 + u UNWARP_2))` with `u = w^2`: within 3.0e-5.
+    pub UNWARP_0 = 0.27020066, UNWARP_1 = -0.13198552, UNWARP_2 = 0.0392082;
+}
 
 /// Two unit vectors that make an orthonormal basis with the unit vector `n`: right-handed, (first, second, `n`).
 ///

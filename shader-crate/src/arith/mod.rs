@@ -1,6 +1,19 @@
 //! The arithmetic that the codecs share. Every function gives the same result on every target: it keeps to operations
 //! that IEEE 754 and Vulkan define alike, and to plain comparisons where they differ.
 
+/// Declares the coefficients of polynomials, lowest power first: the first of each is documented, the others refer to it.
+macro_rules! coefficients {
+    ($($(#[$doc:meta])* $vis:vis $first:ident = $value:expr $(, $name:ident = $other:expr)*;)*) => { $(
+        $(#[$doc])*
+        $vis const $first: f32 = $value;
+        $(
+            #[doc = concat!("See [`", stringify!($first), "`].")]
+            $vis const $name: f32 = $other;
+        )*
+    )* };
+}
+pub(crate) use coefficients;
+
 #[cfg(all(any(not(feature = "std"), test), not(target_arch = "spirv")))]
 mod bare;
 mod elementary;

@@ -16,113 +16,47 @@ use super::{ENORMOUS, NEGLIGIBLE, floor, is_negative, is_within, negate_if, sqrt
 use core::f32::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_4, PI};
 use glam::Vec2;
 
-/// `sin(pi r) = r (PI + (SIN_0 + u (SIN_1 + u (SIN_2 + u SIN_3))))` with `u = r^2`, for r in \[0, 1/4\]: relative error
-/// 3.3e-9 before rounding. `PI` is the `f32`; `SIN_0` holds the rest.
-pub const SIN_0: f32 = -9.759589e-8;
-/// See [`SIN_0`].
-pub const SIN_1: f32 = -5.167708;
-/// See [`SIN_0`].
-pub const SIN_2: f32 = 2.549761;
-/// See [`SIN_0`].
-pub const SIN_3: f32 = -0.5890122;
+coefficients! {
+    /// `sin(pi r) = r (PI + (SIN_0 + u (SIN_1 + u (SIN_2 + u SIN_3))))` with `u = r^2`, for r in \[0, 1/4\]: relative error
+    /// 3.3e-9 before rounding. `PI` is the `f32`; `SIN_0` holds the rest.
+    pub SIN_0 = -9.759589e-8, SIN_1 = -5.167708, SIN_2 = 2.549761, SIN_3 = -0.5890122;
 
-/// `cos(pi r) = 1 + u (COS_0 + u (COS_1 + u (COS_2 + u COS_3)))` with `u = r^2`, for r in \[0, 1/4\]: absolute error
-/// 4.1e-10 before rounding. `COS_0` is -pi^2/2 and the others are fitted with it as `f32`, by which sine and cosine
-/// of 1/4 come out equal.
-pub const COS_0: f32 = -4.934802;
-/// See [`COS_0`].
-pub const COS_1: f32 = 4.0586963;
-/// See [`COS_0`].
-pub const COS_2: f32 = -1.3347237;
-/// See [`COS_0`].
-pub const COS_3: f32 = 0.22859502;
+    /// `cos(pi r) = 1 + u (COS_0 + u (COS_1 + u (COS_2 + u COS_3)))` with `u = r^2`, for r in \[0, 1/4\]: absolute error
+    /// 4.1e-10 before rounding. `COS_0` is -pi^2/2 and the others are fitted with it as `f32`, by which sine and cosine
+    /// of 1/4 come out equal.
+    pub COS_0 = -4.934802, COS_1 = 4.0586963, COS_2 = -1.3347237, COS_3 = 0.22859502;
 
-/// `4/pi atan(r) = r + r (1 - u) (ATAN_0 + u (ATAN_1 + ... + u ATAN_8))` with `u = r^2`, for r in \[0, 1\]: relative
-/// error 2.5e-9 before rounding. The factors make both ends exact.
-pub const ATAN_0: f32 = 0.27323955;
-/// See [`ATAN_0`].
-pub const ATAN_1: f32 = -0.15117298;
-/// See [`ATAN_0`].
-pub const ATAN_2: f32 = 0.103452094;
-/// See [`ATAN_0`].
-pub const ATAN_3: f32 = -0.078128025;
-/// See [`ATAN_0`].
-pub const ATAN_4: f32 = 0.06114309;
-/// See [`ATAN_0`].
-pub const ATAN_5: f32 = -0.04537342;
-/// See [`ATAN_0`].
-pub const ATAN_6: f32 = 0.027637284;
-/// See [`ATAN_0`].
-pub const ATAN_7: f32 = -0.0113028735;
-/// See [`ATAN_0`].
-pub const ATAN_8: f32 = 0.0021957082;
+    /// `4/pi atan(r) = r + r (1 - u) (ATAN_0 + u (ATAN_1 + ... + u ATAN_8))` with `u = r^2`, for r in \[0, 1\]: relative
+    /// error 2.5e-9 before rounding. The factors make both ends exact.
+    pub ATAN_0 = 0.27323955, ATAN_1 = -0.15117298, ATAN_2 = 0.103452094, ATAN_3 = -0.078128025,
+        ATAN_4 = 0.06114309, ATAN_5 = -0.04537342, ATAN_6 = 0.027637284, ATAN_7 = -0.0113028735,
+        ATAN_8 = 0.0021957082;
 
-/// `tan(pi t / 4) = t + t (1 - u) (TAN_0 + u (TAN_1 + ... + u TAN_6))` with `u = t^2`, for t in \[0, 1\]: relative
-/// error 1.3e-9 before rounding. The factors make both ends exact.
-pub const TAN_0: f32 = -0.21460184;
-/// See [`TAN_0`].
-pub const TAN_1: f32 = -0.053110685;
-/// See [`TAN_0`].
-pub const TAN_2: f32 = -0.013266972;
-/// See [`TAN_0`].
-pub const TAN_3: f32 = -0.0032981238;
-/// See [`TAN_0`].
-pub const TAN_4: f32 = -0.00088685006;
-/// See [`TAN_0`].
-pub const TAN_5: f32 = -0.00011413961;
-/// See [`TAN_0`].
-pub const TAN_6: f32 = -0.00011944919;
+    /// `tan(pi t / 4) = t + t (1 - u) (TAN_0 + u (TAN_1 + ... + u TAN_6))` with `u = t^2`, for t in \[0, 1\]: relative
+    /// error 1.3e-9 before rounding. The factors make both ends exact.
+    pub TAN_0 = -0.21460184, TAN_1 = -0.053110685, TAN_2 = -0.013266972, TAN_3 = -0.0032981238,
+        TAN_4 = -0.00088685006, TAN_5 = -0.00011413961, TAN_6 = -0.00011944919;
 
-/// `asin(w)/pi = w (FRAC_1_PI + (ASIN_0 + u (ASIN_1 + ... + u ASIN_5)))` with `u = w^2`, for w in \[0, 1/2\]: relative
-/// error 4.5e-9 before rounding. `FRAC_1_PI` is the `f32`; `ASIN_0` holds the rest.
-pub const ASIN_0: f32 = 1.14357475e-8;
-/// See [`ASIN_0`].
-pub const ASIN_1: f32 = 0.05305204;
-/// See [`ASIN_0`].
-pub const ASIN_2: f32 = 0.023855526;
-/// See [`ASIN_0`].
-pub const ASIN_3: f32 = 0.014499074;
-/// See [`ASIN_0`].
-pub const ASIN_4: f32 = 0.0075942916;
-/// See [`ASIN_0`].
-pub const ASIN_5: f32 = 0.013571346;
+    /// `asin(w)/pi = w (FRAC_1_PI + (ASIN_0 + u (ASIN_1 + ... + u ASIN_5)))` with `u = w^2`, for w in \[0, 1/2\]: relative
+    /// error 4.5e-9 before rounding. `FRAC_1_PI` is the `f32`; `ASIN_0` holds the rest.
+    pub ASIN_0 = 1.14357475e-8, ASIN_1 = 0.05305204, ASIN_2 = 0.023855526, ASIN_3 = 0.014499074,
+        ASIN_4 = 0.0075942916, ASIN_5 = 0.013571346;
 
-/// `2/pi atan(q) = q (TURN_0 + u (TURN_1 + ... + u TURN_7))` with `u = q^2`, for q in \[0, 1\]: absolute error 5.1e-8,
-/// 1.1e-7 with rounding. That is 2^-9 of a step at 32 bits, and 2^-8: less than
-/// [`atan_octant`] gives, at two thirds of the cost.
-pub const TURN_0: f32 = 0.6366193;
-/// See [`TURN_0`].
-pub const TURN_1: f32 = -0.21218449;
-/// See [`TURN_0`].
-pub const TURN_2: f32 = 0.12698378;
-/// See [`TURN_0`].
-pub const TURN_3: f32 = -0.088545084;
-/// See [`TURN_0`].
-pub const TURN_4: f32 = 0.061384138;
-/// See [`TURN_0`].
-pub const TURN_5: f32 = -0.035594895;
-/// See [`TURN_0`].
-pub const TURN_6: f32 = 0.013918393;
-/// See [`TURN_0`].
-pub const TURN_7: f32 = -0.002581218;
+    /// `2/pi atan(q) = q (TURN_0 + u (TURN_1 + ... + u TURN_7))` with `u = q^2`, for q in \[0, 1\]: absolute error 5.1e-8,
+    /// 1.1e-7 with rounding. That is 2^-9 of a step at 32 bits, and 2^-8: less than
+    /// [`atan_octant`] gives, at two thirds of the cost.
+    pub TURN_0 = 0.6366193, TURN_1 = -0.21218449, TURN_2 = 0.12698378, TURN_3 = -0.088545084,
+        TURN_4 = 0.061384138, TURN_5 = -0.035594895, TURN_6 = 0.013918393, TURN_7 = -0.002581218;
 
-/// `cos(pi d / 2) / sqrt(2) = 1/2 + w (DIAGONAL_COS_0 + w (... + w DIAGONAL_COS_3))` with `w = 1/4 - d^2`, for d in
-/// \[-1/2, 1/2\]: absolute error 3.8e-11 before rounding. The factor makes the ends exact.
-pub const DIAGONAL_COS_0: f32 = FRAC_PI_4;
-/// See [`DIAGONAL_COS_0`].
-pub const DIAGONAL_COS_1: f32 = 0.16854808;
-/// See [`DIAGONAL_COS_0`].
-pub const DIAGONAL_COS_2: f32 = 0.014111487;
-/// See [`DIAGONAL_COS_0`].
-pub const DIAGONAL_COS_3: f32 = 0.00063868886;
+    /// `cos(pi d / 2) / sqrt(2) = 1/2 + w (DIAGONAL_COS_0 + w (... + w DIAGONAL_COS_3))` with `w = 1/4 - d^2`, for d in
+    /// \[-1/2, 1/2\]: absolute error 3.8e-11 before rounding. The factor makes the ends exact.
+    pub DIAGONAL_COS_0 = FRAC_PI_4, DIAGONAL_COS_1 = 0.16854808, DIAGONAL_COS_2 = 0.014111487,
+        DIAGONAL_COS_3 = 0.00063868886;
 
-/// `sin(pi d / 2) / sqrt(2) = d + d w (DIAGONAL_SIN_0 + w (DIAGONAL_SIN_1 + w DIAGONAL_SIN_2))` with
-/// `w = 1/4 - d^2`, for d in \[-1/2, 1/2\]: absolute error 9.8e-10 before rounding. The factor makes the ends exact.
-pub const DIAGONAL_SIN_0: f32 = 0.42920387;
-/// See [`DIAGONAL_SIN_0`].
-pub const DIAGONAL_SIN_1: f32 = 0.053904664;
-/// See [`DIAGONAL_SIN_0`].
-pub const DIAGONAL_SIN_2: f32 = 0.003245287;
+    /// `sin(pi d / 2) / sqrt(2) = d + d w (DIAGONAL_SIN_0 + w (DIAGONAL_SIN_1 + w DIAGONAL_SIN_2))` with
+    /// `w = 1/4 - d^2`, for d in \[-1/2, 1/2\]: absolute error 9.8e-10 before rounding. The factor makes the ends exact.
+    pub DIAGONAL_SIN_0 = 0.42920387, DIAGONAL_SIN_1 = 0.053904664, DIAGONAL_SIN_2 = 0.003245287;
+}
 
 /// The first part of pi/2 as Cody and Waite split it: pi/2 cut off after 8 bits. With the next, of 11 bits,
 /// products with whole numbers up to 2^13 are exact.

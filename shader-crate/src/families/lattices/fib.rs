@@ -39,8 +39,8 @@
 //! itself elsewhere. Encoding and decoding are off by at most 2e-7 radians each.
 
 use crate::arith::{
-    LEAST_X, LEAST_Y, atan_octant_of_normal, cos_eighth, exp2, integer_part, is_negative, mask, max, min,
-    negate_if, scale_to_one, sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
+    LEAST_X, LEAST_Y, atan_octant_of_normal, coefficients, cos_eighth, exp2, integer_part, is_negative, mask,
+    max, min, negate_if, scale_to_one, sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -51,17 +51,11 @@ pub const GOLDEN_HIGH: u32 = 0x9e37_79b9;
 /// The lower 32 of the 64 bits of g, rounded.
 pub const GOLDEN_LOW: u32 = 0x7f4a_7c16;
 
-/// `2 sin(pi d)^2 = u (CHORD_0 + u (CHORD_1 + u (CHORD_2 + u (CHORD_3 + u CHORD_4))))` with `u = d^2`, for d in
-/// \[-1/2, 1/2\]: relative error 1.0e-6 before rounding.
-pub const CHORD_0: f32 = 19.73919;
-/// See [`CHORD_0`].
-pub const CHORD_1: f32 = -64.93598;
-/// See [`CHORD_0`].
-pub const CHORD_2: f32 = 85.35731;
-/// See [`CHORD_0`].
-pub const CHORD_3: f32 = -59.191452;
-/// See [`CHORD_0`].
-pub const CHORD_4: f32 = 21.72156;
+coefficients! {
+    /// `2 sin(pi d)^2 = u (CHORD_0 + u (CHORD_1 + u (CHORD_2 + u (CHORD_3 + u CHORD_4))))` with `u = d^2`, for d in
+    /// \[-1/2, 1/2\]: relative error 1.0e-6 before rounding.
+    pub CHORD_0 = 19.73919, CHORD_1 = -64.93598, CHORD_2 = 85.35731, CHORD_3 = -59.191452, CHORD_4 = 21.72156;
+}
 
 /// The number that is added to those of points so that those of a cell beside a pole are not negative.
 const SHIFT: u32 = 64;

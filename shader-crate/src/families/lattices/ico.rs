@@ -74,8 +74,8 @@
 //!   a lattice step at 24 bits; the best that we found leaves 0.008. Neighbouring rows are unrelated, so that codes must not be interpolated.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, flip_sign, floor, is_negative, mask, max, min, negate_if, normalize, whole_to_u32,
-    with_sign,
+    SIGN_BIT, TWO_23, coefficients, flip_sign, floor, is_negative, mask, max, min, negate_if, normalize,
+    whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -90,13 +90,11 @@ const GOLDEN_LESS_1: f32 = 0.618_034;
 /// The number that reflection adds to the sum of the coordinates, for a coordinate of -1.
 const ADDED_BY_REFLECTION: f32 = 0.763_932;
 
-/// Coefficients of the cubic that approximates the inverse warp: fitted to N = n / 0.215 so that its greatest error is
-/// least.
-const INVERSE_0: f32 = 0.214316;
-/// See [`INVERSE_0`].
-const INVERSE_1: f32 = -0.121124;
-/// See [`INVERSE_0`].
-const INVERSE_2: f32 = 0.117389;
+coefficients! {
+    /// Coefficients of the cubic that approximates the inverse warp: fitted to N = n / 0.215 so that its greatest error is
+    /// least.
+    INVERSE_0 = 0.214316, INVERSE_1 = -0.121124, INVERSE_2 = 0.117389;
+}
 
 /// 1 plus half of [`INVERSE_2`]. Where x + y + z = 1, the sum of the cubes is `3 x y z + (3 s - 1) / 2`, with s the sum
 /// of the squares: this and the next two constants fold that identity in.

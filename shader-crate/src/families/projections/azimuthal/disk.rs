@@ -1,6 +1,6 @@
 //! The hemisphere on the disk.
 
-use crate::arith::{NEGLIGIBLE, atan_octant_ratio, dot, horizontal_length, sqrt};
+use crate::arith::{NEGLIGIBLE, atan_octant_ratio, coefficients, dot, horizontal_length, sqrt};
 use core::fmt::Debug;
 use core::hash::Hash;
 use glam::{Vec2, Vec3};
@@ -79,25 +79,15 @@ impl Projection for Eqarea {
     }
 }
 
-/// `sin(pi r / 2) / r = 1 + c (SINC_0 + c (SINC_1 + c (SINC_2 + c SINC_3)))` with `c = 1 - r^2`, for r in \[0, 1\]:
-/// absolute error 7.6e-9 before rounding. Exact on the rim.
-pub const SINC_0: f32 = 0.49999976;
-/// See [`SINC_0`].
-pub const SINC_1: f32 = 0.066577174;
-/// See [`SINC_0`].
-pub const SINC_2: f32 = 0.0040679215;
-/// See [`SINC_0`].
-pub const SINC_3: f32 = 0.00015146394;
+coefficients! {
+    /// `sin(pi r / 2) / r = 1 + c (SINC_0 + c (SINC_1 + c (SINC_2 + c SINC_3)))` with `c = 1 - r^2`, for r in \[0, 1\]:
+    /// absolute error 7.6e-9 before rounding. Exact on the rim.
+    pub SINC_0 = 0.49999976, SINC_1 = 0.066577174, SINC_2 = 0.0040679215, SINC_3 = 0.00015146394;
 
-/// `cos(pi r / 2) / (1 - r^2) = 1 + w (COSC_0 + w (COSC_1 + w (COSC_2 + w COSC_3)))` with `w = r^2`, for r in
-/// \[0, 1\]: absolute error 1e-9 before rounding. Exact in the middle.
-pub const COSC_0: f32 = -0.23370051;
-/// See [`COSC_0`].
-pub const COSC_1: f32 = 0.019968653;
-/// See [`COSC_0`].
-pub const COSC_2: f32 = -0.0008935995;
-/// See [`COSC_0`].
-pub const COSC_3: f32 = 2.3629505e-5;
+    /// `cos(pi r / 2) / (1 - r^2) = 1 + w (COSC_0 + w (COSC_1 + w (COSC_2 + w COSC_3)))` with `w = r^2`, for r in
+    /// \[0, 1\]: absolute error 1e-9 before rounding. Exact in the middle.
+    pub COSC_0 = -0.23370051, COSC_1 = 0.019968653, COSC_2 = -0.0008935995, COSC_3 = 2.3629505e-5;
+}
 
 /// Azimuthal equidistant projection: the distance from the middle is the angle from the pole.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
