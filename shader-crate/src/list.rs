@@ -59,7 +59,7 @@ macro_rules! for_each_codec {
             [eaoct32p EaOctPrecise32 = eaoct::EaOctPrecise<32>, "eaoct32P", Sphere, Some("VK_FORMAT_R16G16_SNORM")]
             [soct17 SOct17 = soct::SOct<17>, "soct17", Sphere, None]
             [soct25 SOct25 = soct::SOct<25>, "soct25", Sphere, None]
-            [soct33 SOct33 = soct::SOct33, "soct33", Sphere, None]
+            [soct33 SOct33 = soct::SOct<33, [u32; 2]>, "soct33", Sphere, None]
             [oct48 Oct48 = oct_wide::OctWide<48>, "oct48", Sphere, None]
             [oct48p OctPrecise48 = oct_wide::OctWidePrecise<48>, "oct48P", Sphere, None]
             [oct52p OctPrecise52 = oct_wide::OctWidePrecise<52>, "oct52P", Sphere, None]
@@ -154,11 +154,11 @@ macro_rules! for_each_codec {
             [pp16 Pp16 = parallel::Pp<16>, "PP16", Sphere, None]
             [pp24 Pp24 = parallel::Pp<24>, "PP24", Sphere, None]
             [pp32 Pp32 = parallel::Pp<32>, "PP32", Sphere, None]
-            [pp48 Pp48 = parallel::Pp48, "PP48", Sphere, None]
+            [pp48 Pp48 = parallel::Pp<48, [u32; 2]>, "PP48", Sphere, None]
             [spp16 Spp16 = parallel::Spp<16>, "SPP16", Sphere, None]
             [spp24 Spp24 = parallel::Spp<24>, "SPP24", Sphere, None]
             [spp32 Spp32 = parallel::Spp<32>, "SPP32", Sphere, None]
-            [spp48 Spp48 = parallel::Spp48, "SPP48", Sphere, None]
+            [spp48 Spp48 = parallel::Spp<48, [u32; 2]>, "SPP48", Sphere, None]
         }
     };
 }

@@ -1,13 +1,13 @@
 //! The codecs that round on a square: `oct`, `hemioct`, `soct`.
 
 use super::{Candidate, Dithered, unit, usable};
-use crate::arith::{floor, is_negative, max, min, nearest_pair, snorm_integers, snorm_max};
-use crate::codec::Codec;
-use crate::direction::{is_usable, l1_norm};
+use crate::arith::{floor, max, min, nearest_pair, snorm_integers, snorm_max};
+use crate::codec::Code;
+use crate::direction::l1_norm;
 use crate::families::octahedral::{unpack, usable_code};
 use crate::hemioct::{self, HemiOct};
 use crate::oct::{self, Oct, OctPrecise};
-use crate::soct::{self, SOct, SOct33};
+use crate::soct::{self, SOct};
 use glam::{Vec2, Vec3};
 
 /// The point of the square `[-m, m]^2` nearest to `e`.
@@ -79,43 +79,18 @@ impl<const BITS: u32> Dithered for HemiOct<BITS> {
     }
 }
 
-/// The code of u and v of `bits` bits each, and 1 below the equator, else 0. The code of +Z where `v` has no direction.
-#[inline(always)]
-fn soct_parts(v: Vec3, offset: Vec2, bits: u32) -> (u32, u32) {
-    let (norm, m) = (l1_norm(v), snorm_max(bits));
-    let code = nearest_pair(moved(hemioct::position(v, norm, m), offset, m), bits);
-    if is_usable(norm) { (code, if is_negative(v.z) { 1 } else { 0 }) } else { (0, 0) }
-}
-
-/// The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31.
-#[inline(always)]
-fn soct_direction(code: u32, sign_bit: u32, offset: Vec2, bits: u32) -> Vec3 {
-    let m = snorm_max(bits);
-    soct::from_lattice(moved_back(snorm_integers(code, bits), offset, m), sign_bit, m)
-}
-
-impl<const BITS: u32> Dithered for SOct<BITS> {
+impl<const BITS: u32, C: Code> Dithered for SOct<BITS, C> {
     #[inline(always)]
-    fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
-        let (code, below) = soct_parts(v, offset, BITS / 2);
-        code | (below << (BITS - 1))
+    fn encode_dithered(v: Vec3, offset: Vec2) -> C {
+        let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
+        let uv = nearest_pair(moved(hemioct::position(v, norm, m), offset, m), BITS / 2);
+        soct::code(v, norm, uv, BITS)
     }
 
     #[inline(always)]
-    fn decode_dithered(code: u32, offset: Vec2) -> Vec3 {
-        soct_direction(code, code << (32 - BITS), offset, BITS / 2)
-    }
-}
-
-impl Dithered for SOct33 {
-    #[inline(always)]
-    fn encode_dithered(v: Vec3, offset: Vec2) -> [u32; 2] {
-        let (code, below) = soct_parts(v, offset, SOct33::BITS / 2);
-        [code, below]
-    }
-
-    #[inline(always)]
-    fn decode_dithered([low, high]: [u32; 2], offset: Vec2) -> Vec3 {
-        soct_direction(low, high << 31, offset, SOct33::BITS / 2)
+    fn decode_dithered(code: C, offset: Vec2) -> Vec3 {
+        let (words, m) = (code.to_words(), snorm_max(BITS / 2));
+        let e = moved_back(snorm_integers(words[0], BITS / 2), offset, m);
+        soct::from_lattice(e, soct::sign_bit(words, BITS), m)
     }
 }

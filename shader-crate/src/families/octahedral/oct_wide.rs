@@ -162,20 +162,6 @@ fn decode_octant<const BITS: u32>(x: i32, y: i32, z: i32) -> Vec3 {
 }
 
 #[inline(always)]
-fn encode_fast<const BITS: u32>(v: Vec3) -> [u32; 2] {
-    let (v, norm) = or_z(v);
-    let (x, y) = nearest_on_axes(position(v, norm, BITS / 2));
-    pack::<BITS>(v, x, y)
-}
-
-#[inline(always)]
-fn encode_precise<const BITS: u32>(v: Vec3) -> [u32; 2] {
-    let (v, norm) = or_z(v);
-    let (x, y) = nearest_corner::<BITS>(position(v, norm, BITS / 2));
-    pack::<BITS>(v, x, y)
-}
-
-#[inline(always)]
 fn decode<const BITS: u32>([low, high]: [u32; 2]) -> Vec3 {
     let x = snorm_integer::<BITS>(low);
     let y = snorm_integer::<BITS>((low >> (BITS / 2)) | (high << (32 - BITS / 2)));
@@ -205,7 +191,9 @@ impl<const BITS: u32> Codec for OctWide<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> [u32; 2] {
-        encode_fast::<BITS>(v)
+        let (v, norm) = or_z(v);
+        let (x, y) = nearest_on_axes(position(v, norm, BITS / 2));
+        pack::<BITS>(v, x, y)
     }
 
     #[inline(always)]
@@ -235,7 +223,9 @@ impl<const BITS: u32> Codec for OctWidePrecise<BITS> {
 
     #[inline(always)]
     fn encode_vec3(v: Vec3) -> [u32; 2] {
-        encode_precise::<BITS>(v)
+        let (v, norm) = or_z(v);
+        let (x, y) = nearest_corner::<BITS>(position(v, norm, BITS / 2));
+        pack::<BITS>(v, x, y)
     }
 
     #[inline(always)]

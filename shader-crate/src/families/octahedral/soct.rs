@@ -31,15 +31,10 @@ use crate::arith::{
     SIGN_BIT, biased, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers,
     snorm_max, unbiased, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Code, Codec};
 use crate::direction::{is_usable, l1_norm};
+use core::marker::PhantomData;
 use glam::{Vec2, Vec3};
-
-/// The code of u and v, of `bits` bits each, of the direction of `v` of this L1 norm.
-#[inline(always)]
-fn pair(v: Vec3, norm: f32, bits: u32) -> u32 {
-    nearest_pair(position(v, norm, snorm_max(bits)), bits)
-}
 
 /// The direction of a point of `[-m, m]^2` and the sign, in bit 31: unit length to within 2 ULP.
 ///
@@ -52,10 +47,20 @@ pub(crate) fn from_lattice(e: Vec2, sign_bit: u32, m: f32) -> Vec3 {
     normalize(Vec3::new(e.x + e.y, e.x - e.y, z))
 }
 
-/// [`from_lattice`] of the code of u and v, of `bits` bits each.
+/// The code, of `bits` bits, of the direction of `v`, of an L1 norm of `norm`, whose u and v are packed in `uv`. The code of
+/// +Z where `v` has no direction.
 #[inline(always)]
-fn from_parts(code: u32, sign_bit: u32, bits: u32) -> Vec3 {
-    from_lattice(snorm_integers(code, bits), sign_bit, snorm_max(bits))
+pub(crate) fn code<C: Code>(v: Vec3, norm: f32, uv: u32, bits: u32) -> C {
+    let sign = if is_negative(v.z) { 1 } else { 0 };
+    let (low, high) = if bits <= 32 { (uv | (sign << (bits - 1)), 0) } else { (uv, sign) };
+    let usable = is_usable(norm);
+    C::from_low_high(if usable { low } else { 0 }, if usable { high } else { 0 })
+}
+
+/// The sign of a code of `bits` bits, in bit 31.
+#[inline(always)]
+pub(crate) fn sign_bit([low, high]: [u32; 2], bits: u32) -> u32 {
+    if bits <= 32 { low << (32 - bits) } else { high << 31 }
 }
 
 /// The unquantised projection of the direction of `v`: u and v on \[-1, 1\], for an SNORM format, and 1 for z < 0,
@@ -89,46 +94,24 @@ pub fn unproject_unorm(e: Vec3) -> Vec3 {
     unproject(unbiased(Vec2::new(e.x, e.y)).extend(e.z))
 }
 
-/// Signed octahedral code of `BITS` bits (17 or 25).
+/// Signed octahedral code of `BITS` bits (17 or 25; 33 with codes of two words).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct SOct<const BITS: u32>;
+pub struct SOct<const BITS: u32, C = u32>(PhantomData<C>);
 
-impl<const BITS: u32> Codec for SOct<BITS> {
+impl<const BITS: u32, C: Code> Codec for SOct<BITS, C> {
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(BITS);
-    type Code = u32;
+    type Code = C;
 
     #[inline(always)]
-    fn encode_vec3(v: Vec3) -> u32 {
+    fn encode_vec3(v: Vec3) -> C {
         let norm = l1_norm(v);
-        let code = pair(v, norm, BITS / 2) | if is_negative(v.z) { 1 << (BITS - 1) } else { 0 };
-        if is_usable(norm) { code } else { 0 }
+        code(v, norm, nearest_pair(position(v, norm, snorm_max(BITS / 2)), BITS / 2), BITS)
     }
 
     #[inline(always)]
-    fn decode_vec3(code: u32) -> Vec3 {
-        from_parts(code, code << (32 - BITS), BITS / 2)
-    }
-}
-
-/// Signed octahedral code of 33 bits: two snorm16, and the sign of z in a second word.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct SOct33;
-
-impl Codec for SOct33 {
-    const BITS: u32 = 33;
-    const MAX_ERROR_DEG: f32 = error_bound(33);
-    type Code = [u32; 2];
-
-    #[inline(always)]
-    fn encode_vec3(v: Vec3) -> [u32; 2] {
-        let norm = l1_norm(v);
-        let code = [pair(v, norm, 16), if is_negative(v.z) { 1 } else { 0 }];
-        if is_usable(norm) { code } else { [0, 0] }
-    }
-
-    #[inline(always)]
-    fn decode_vec3([low, high]: [u32; 2]) -> Vec3 {
-        from_parts(low, high << 31, 16)
+    fn decode_vec3(code: C) -> Vec3 {
+        let words = code.to_words();
+        from_lattice(snorm_integers(words[0], BITS / 2), sign_bit(words, BITS), snorm_max(BITS / 2))
     }
 }

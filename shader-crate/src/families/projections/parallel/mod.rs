@@ -62,8 +62,9 @@ use crate::arith::{
     dot, face_of, from_face, is_negative, mask, max, negate_positive, scale_to_one, snorm_integer, sqrt,
     to_face, whole_to_u32,
 };
-use crate::codec::Codec;
+use crate::codec::{Code, Codec};
 use crate::direction::or_z;
+use core::marker::PhantomData;
 use glam::{Vec2, Vec3};
 use plane::Plane;
 
@@ -131,141 +132,75 @@ fn from_plane(plane: Plane, e: Vec2, negative: bool) -> Vec3 {
     )
 }
 
-#[inline(always)]
-fn pp_encode(v: Vec3, plane: Plane) -> [u32; 2] {
-    let (v, norm) = or_z(v);
-    let n = unit(v, norm);
-    let e = plane.round(Vec2::new(n.x.abs(), n.y.abs()));
-    // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
-    pack(plane, n, e, if is_negative(v.z) { 1 } else { 0 })
-}
-
-#[inline(always)]
-fn pp_decode(words: [u32; 2], plane: Plane) -> Vec3 {
-    let (e, top) = unpack(plane, words);
-    from_plane(plane, e, (top & 1) != 0)
-}
-
-#[inline(always)]
-fn spp_encode(v: Vec3, plane: Plane) -> [u32; 2] {
-    let (v, norm) = or_z(v);
-    let face = face_of(v);
-    let n = to_face(unit(v, norm), face);
-    let e = plane.round(Vec2::new(n.x.abs(), n.y.abs()));
-    pack(plane, n, e, face)
-}
-
-#[inline(always)]
-fn spp_decode(words: [u32; 2], plane: Plane) -> Vec3 {
-    let (e, top) = unpack(plane, words);
-    let n = from_plane(plane, e, (top & 1) != 0);
-    from_face(n, top & 7)
-}
-
-/// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32).
+/// Parallel projection: x, y and the sign of z in `BITS` bits (16, 24 or 32; 48 with codes of two words).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Pp<const BITS: u32>;
+pub struct Pp<const BITS: u32, C = u32>(PhantomData<C>);
 
-impl<const BITS: u32> Pp<BITS> {
+impl<const BITS: u32, C> Pp<BITS, C> {
     const PLANE: Plane = Plane::disk(BITS / 2, BITS / 2 - 1);
 }
 
-impl<const BITS: u32> Codec for Pp<BITS> {
+impl<const BITS: u32, C: Code> Codec for Pp<BITS, C> {
     const BITS: u32 = BITS;
-    /// The bound `arccos(1 - d)` and the rounding of `f32`, in degrees.
+    /// The bound `arccos(1 - d)` and the rounding of `f32`, in degrees; at 48 bits `sqrt(2 d + 2^-20)`, rounded up: 2^-20 is
+    /// the rounding of `f32`.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 7.7,
         24 => 1.91,
-        _ => 0.49,
+        32 => 0.49,
+        _ => 0.064,
     };
-    type Code = u32;
+    type Code = C;
 
     #[inline(always)]
-    fn encode_vec3(v: Vec3) -> u32 {
-        pp_encode(v, Self::PLANE)[0]
+    fn encode_vec3(v: Vec3) -> C {
+        let (v, norm) = or_z(v);
+        let n = unit(v, norm);
+        let e = Self::PLANE.round(Vec2::new(n.x.abs(), n.y.abs()));
+        // The sign of v, not of n: n may have made a normal number of a denormal that another device flushes to zero.
+        C::from_words(pack(Self::PLANE, n, e, if is_negative(v.z) { 1 } else { 0 }))
     }
 
     #[inline(always)]
-    fn decode_vec3(code: u32) -> Vec3 {
-        pp_decode([code, 0], Self::PLANE)
+    fn decode_vec3(code: C) -> Vec3 {
+        let (e, top) = unpack(Self::PLANE, code.to_words());
+        from_plane(Self::PLANE, e, (top & 1) != 0)
     }
 }
 
-/// Parallel projection of 48 bits: x of 24, y of 23 and the sign of z.
+/// Sextant parallel projection: the two smaller components and the sextant in `BITS` bits (16, 24 or 32; 48 with codes of
+/// two words).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Pp48;
+pub struct Spp<const BITS: u32, C = u32>(PhantomData<C>);
 
-impl Pp48 {
-    const PLANE: Plane = Plane::disk(24, 23);
-}
-
-impl Codec for Pp48 {
-    const BITS: u32 = 48;
-    /// The bound `sqrt(2 d + 2^-20)` in degrees, rounded up: 2^-20 is the rounding of `f32`.
-    const MAX_ERROR_DEG: f32 = 0.064;
-    type Code = [u32; 2];
-
-    #[inline(always)]
-    fn encode_vec3(v: Vec3) -> [u32; 2] {
-        pp_encode(v, Self::PLANE)
-    }
-
-    #[inline(always)]
-    fn decode_vec3(code: [u32; 2]) -> Vec3 {
-        pp_decode(code, Self::PLANE)
-    }
-}
-
-/// Sextant parallel projection: the two smaller components and the sextant in `BITS` bits (16, 24 or 32).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Spp<const BITS: u32>;
-
-impl<const BITS: u32> Spp<BITS> {
+impl<const BITS: u32, C> Spp<BITS, C> {
     const PLANE: Plane = Plane::sextant(BITS / 2 - 1, BITS / 2 - 2);
 }
 
-impl<const BITS: u32> Codec for Spp<BITS> {
+impl<const BITS: u32, C: Code> Codec for Spp<BITS, C> {
     const BITS: u32 = BITS;
-    /// The bound `sqrt(a^2 + a b + b^2)`, plus its terms of higher order and the rounding of `f32`, in degrees.
+    /// The bound `sqrt(a^2 + a b + b^2)`, plus its terms of higher order and the rounding of `f32`, in degrees: see the
+    /// module's documentation.
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 1.32,
         24 => 0.077,
-        _ => 0.0048,
+        32 => 0.0048,
+        _ => 8.0e-5,
     };
-    type Code = u32;
+    type Code = C;
 
     #[inline(always)]
-    fn encode_vec3(v: Vec3) -> u32 {
-        spp_encode(v, Self::PLANE)[0]
+    fn encode_vec3(v: Vec3) -> C {
+        let (v, norm) = or_z(v);
+        let face = face_of(v);
+        let n = to_face(unit(v, norm), face);
+        let e = Self::PLANE.round(Vec2::new(n.x.abs(), n.y.abs()));
+        C::from_words(pack(Self::PLANE, n, e, face))
     }
 
     #[inline(always)]
-    fn decode_vec3(code: u32) -> Vec3 {
-        spp_decode([code, 0], Self::PLANE)
-    }
-}
-
-/// Sextant parallel projection of 48 bits: components of 23 and 22, the sextant of 3.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Spp48;
-
-impl Spp48 {
-    const PLANE: Plane = Plane::sextant(23, 22);
-}
-
-impl Codec for Spp48 {
-    const BITS: u32 = 48;
-    /// Meyer's bound and the rounding of `f32`, in degrees: see the module's documentation.
-    const MAX_ERROR_DEG: f32 = 8.0e-5;
-    type Code = [u32; 2];
-
-    #[inline(always)]
-    fn encode_vec3(v: Vec3) -> [u32; 2] {
-        spp_encode(v, Self::PLANE)
-    }
-
-    #[inline(always)]
-    fn decode_vec3(code: [u32; 2]) -> Vec3 {
-        spp_decode(code, Self::PLANE)
+    fn decode_vec3(code: C) -> Vec3 {
+        let (e, top) = unpack(Self::PLANE, code.to_words());
+        from_face(from_plane(Self::PLANE, e, (top & 1) != 0), top & 7)
     }
 }
