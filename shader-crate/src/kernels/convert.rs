@@ -101,40 +101,45 @@ fn decode<E: Element, W: Codes>(
     }
 }
 
+/// Declares a kernel with these statements, for each invocation; with a table, and none to process where that has fewer
+/// elements.
+macro_rules! kernel {
+    (
+        $doc:literal
+        $kernel:ident($group:ident, $input:ident, $output:ident $(, $table:ident: $Table:ty, $least:expr)?) $body:block
+    ) => {
+        #[doc = $doc]
+        #[spirv(compute(threads(64)))]
+        pub fn $kernel(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] count: &Count,
+            #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] $input: &[u32],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] $output: &mut [u32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $table: $Table,)?
+        ) {
+            let count = count.vectors as usize;
+            $(let count = if $table.len() < $least { 0 } else { count };)?
+            let $group = Group { index: id.x as usize, count, whole_groups };
+            $body
+        }
+    };
+}
+
 /// The kernel that encodes with this function of a codec; `by_table` as a last argument for codecs that encode by a table.
 macro_rules! encode_kernel {
     ($codec:ident $encode:ident) => {
-        /// Encodes four vectors or frames.
-        #[spirv(compute(threads(64)))]
-        pub fn encode(
-            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-            #[spirv(push_constant)] count: &Count,
-            #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-        ) {
-            let group = Group { index: id.x as usize, count: count.vectors as usize, whole_groups };
+        kernel!("Encodes four vectors or frames." encode(group, input, output) {
             super::encode::<_, FourCodes, _>(group, input, output, crate::$codec::$encode);
-        }
+        });
     };
     ($codec:ident $encode:ident by_table) => {
-        /// Encodes four vectors.
-        #[spirv(compute(threads(64)))]
-        pub fn encode(
-            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-            #[spirv(push_constant)] count: &Count,
-            #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[u32],
-        ) {
+        kernel!("Encodes four vectors." encode(group, input, output, table: &[u32], TABLE_WORDS) {
             // SAFETY: the table has all its words, or no vector is encoded, and encoders look up no others.
             #[allow(unsafe_code)]
             let word = |index| unsafe { element(table, index) };
-            let count = if table.len() < TABLE_WORDS { 0 } else { count.vectors as usize };
-            let group = Group { index: id.x as usize, count, whole_groups };
             super::encode::<_, FourCodes, _>(group, input, output, |v| crate::$codec::encode_by(v, word));
-        }
+        });
     };
 }
 
@@ -150,20 +155,11 @@ macro_rules! kernels {
 
             encode_kernel!($codec $encode $($by)?);
 
-            /// Decodes four codes.
-            #[spirv(compute(threads(64)))]
-            pub fn decode(
-                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-                #[spirv(push_constant)] count: &Count,
-                #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-            ) {
-                let group = Group { index: id.x as usize, count: count.vectors as usize, whole_groups };
+            kernel!("Decodes four codes." decode(group, input, output) {
                 super::decode::<_, FourCodes>(group, input, output, |words| {
                     crate::$codec::$decode(Code::from_words(words))
                 });
-            }
+            });
         }
     )* };
 }
@@ -183,22 +179,13 @@ macro_rules! frame_kernels {
 for_each_codec!(codec_kernels);
 for_each_frame!(frame_kernels);
 
-/// Decodes four codes of two bytes by looking their vectors up.
-#[spirv(compute(threads(64)))]
-pub fn decode_by_table(
-    #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-    #[spirv(push_constant)] count: &Count,
-    #[spirv(spec_constant(id = 0, default = 0))] whole_groups: u32,
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-    #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[[u32; 3]],
-) {
-    let count = if table.len() < 1 << 16 { 0 } else { count.vectors as usize };
-    let group = Group { index: id.x as usize, count, whole_groups };
-    decode::<_, [u32; 2]>(group, input, output, |[code, _]| {
-        // SAFETY: the table has 2^16 elements, or no code is decoded.
-        #[allow(unsafe_code)]
-        let [x, y, z] = unsafe { element(table, code & 0xffff) };
-        Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
-    });
-}
+kernel!("Decodes four codes of two bytes by looking their vectors up."
+    decode_by_table(group, input, output, table: &[[u32; 3]], 1 << 16) {
+        decode::<_, [u32; 2]>(group, input, output, |[code, _]| {
+            // SAFETY: the table has 2^16 elements, or no code is decoded.
+            #[allow(unsafe_code)]
+            let [x, y, z] = unsafe { element(table, code & 0xffff) };
+            Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
+        });
+    }
+);

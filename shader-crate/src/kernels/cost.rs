@@ -107,38 +107,39 @@ fn nothing_decoded([low, _]: CodeWords) -> Vec3 {
     Vec3::splat(f32::from_bits((low >> 9) | 0x3f80_0000))
 }
 
+/// Declares the kernel that sums, by `encode` or `decode`, what this function gives; with a table, where it has at least so
+/// many words.
+macro_rules! kernel {
+    ($doc:literal $kernel:ident = $sum:ident, $function:expr $(, $table:ident of $words:expr)?) => {
+        #[doc = $doc]
+        #[spirv(compute(threads(64)))]
+        pub fn $kernel(
+            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
+            #[spirv(push_constant)] work: &Work,
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
+            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
+            $(#[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $table: &[u32],)?
+        ) {
+            $(if $table.len() < $words {
+                return;
+            })?
+            super::$sum(id.x as usize, *work, input, output, $function);
+        }
+    };
+}
+
 /// The kernel that encodes with a codec; `by_table` as a second argument for codecs that encode by a table.
 macro_rules! encode_kernel {
     ($codec:ident) => {
-        /// Encodes a vector and its neighbours.
-        #[spirv(compute(threads(64)))]
-        pub fn encode_cost(
-            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-            #[spirv(push_constant)] work: &Work,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-        ) {
-            super::encode(id.x as usize, *work, input, output, crate::$codec::encode_vec3);
-        }
+        kernel!("Encodes a vector and its neighbours." encode_cost = encode, crate::$codec::encode_vec3);
     };
     ($codec:ident by_table) => {
-        /// Encodes a vector and its neighbours.
-        #[spirv(compute(threads(64)))]
-        pub fn encode_cost(
-            #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-            #[spirv(push_constant)] work: &Work,
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-            #[spirv(storage_buffer, descriptor_set = 0, binding = 2)] table: &[u32],
-        ) {
-            if table.len() < TABLE_WORDS {
-                return;
-            }
+        kernel!("Encodes a vector and its neighbours." encode_cost = encode, |v| {
             // SAFETY: the table has all its words, and encoders look up no others.
             #[allow(unsafe_code)]
             let word = |index| unsafe { element(table, index) };
-            super::encode(id.x as usize, *work, input, output, |v| crate::$codec::encode_by(v, word));
-        }
+            crate::$codec::encode_by(v, word)
+        }, table of TABLE_WORDS);
     };
 }
 
@@ -151,18 +152,9 @@ macro_rules! kernels {
 
             encode_kernel!($codec $($by)?);
 
-            /// Decodes a code and its successors.
-            #[spirv(compute(threads(64)))]
-            pub fn decode_cost(
-                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-                #[spirv(push_constant)] work: &Work,
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-            ) {
-                super::decode(id.x as usize, *work, input, output, |words| {
-                    crate::$codec::decode_vec3(Code::from_words(words))
-                });
-            }
+            kernel!("Decodes a code and its successors." decode_cost = decode, |words| {
+                crate::$codec::decode_vec3(Code::from_words(words))
+            });
         }
     )* };
 }
@@ -176,32 +168,16 @@ macro_rules! frame_kernels {
         pub mod $id {
             use super::*;
 
-            /// Encodes a vector and its neighbours, each as normal and, turned about (1, 1, 1), as tangent.
-            #[spirv(compute(threads(64)))]
-            pub fn encode_cost(
-                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-                #[spirv(push_constant)] work: &Work,
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-            ) {
-                super::encode(id.x as usize, *work, input, output, |v| {
+            kernel!(
+                "Encodes a vector and its neighbours, each as normal and, turned about (1, 1, 1), as tangent."
+                encode_cost = encode, |v| {
                     crate::$codec::encode(Frame { normal: v, tangent: Vec3::new(v.y, v.z, v.x), handedness: v.x })
-                });
-            }
-
-            /// Decodes a code and its successors.
-            #[spirv(compute(threads(64)))]
-            pub fn decode_cost(
-                #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-                #[spirv(push_constant)] work: &Work,
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-                #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-            ) {
-                super::decode(id.x as usize, *work, input, output, |words| {
-                    let frame = crate::$codec::decode(Code::from_words(words));
-                    frame.normal + frame.tangent * frame.handedness
-                });
-            }
+                }
+            );
+            kernel!("Decodes a code and its successors." decode_cost = decode, |words| {
+                let frame = crate::$codec::decode(Code::from_words(words));
+                frame.normal + frame.tangent * frame.handedness
+            });
         }
     )* };
 }
@@ -212,25 +188,6 @@ for_each_frame!(frame_kernels);
 pub mod baseline {
     use super::*;
 
-    /// Fetches and sums as `encode_cost` does.
-    #[spirv(compute(threads(64)))]
-    pub fn encode_cost(
-        #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-        #[spirv(push_constant)] work: &Work,
-        #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-        #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-    ) {
-        super::encode(id.x as usize, *work, input, output, nothing_encoded);
-    }
-
-    /// Fetches and sums as `decode_cost` does.
-    #[spirv(compute(threads(64)))]
-    pub fn decode_cost(
-        #[spirv(global_invocation_id)] id: spirv_std::glam::UVec3,
-        #[spirv(push_constant)] work: &Work,
-        #[spirv(storage_buffer, descriptor_set = 0, binding = 0)] input: &[[u32; 3]],
-        #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] output: &mut [u32],
-    ) {
-        super::decode(id.x as usize, *work, input, output, nothing_decoded);
-    }
+    kernel!("Fetches and sums as `encode_cost` does." encode_cost = encode, nothing_encoded);
+    kernel!("Fetches and sums as `decode_cost` does." decode_cost = decode, nothing_decoded);
 }
