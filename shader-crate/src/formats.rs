@@ -64,122 +64,58 @@ fn sint_code(i: IVec2, bits: u32) -> u32 {
     field(i.x) | (field(i.y) << bits)
 }
 
-/// The values of a code in VK_FORMAT_R8G8_SNORM.
-#[inline(always)]
-pub fn code_to_snorm8x2(code: u32) -> Vec2 {
-    snorm_pair::<8>(code)
+/// Declares the functions of formats: from a code to values, and from values to the code.
+macro_rules! formats {
+    ($(
+        $format:literal $($with_fourth:literal)?:
+        $to_values:ident($code:ident: $Code:ty) = $values_of:expr,
+        $to_code:ident($values:ident: $Values:ty) = $code_of:expr;
+    )*) => { $(
+        #[doc = concat!("The values of a code in ", $format $(, ", or in the first three components of ", $with_fourth)?, ".")]
+        #[inline(always)]
+        pub fn $to_values($code: $Code) -> $Values {
+            $values_of
+        }
+
+        #[doc = concat!("The code of values of ", $format, ".")]
+        #[inline(always)]
+        pub fn $to_code($values: $Values) -> $Code {
+            $code_of
+        }
+    )* };
 }
 
-/// The code of values of VK_FORMAT_R8G8_SNORM.
-#[inline(always)]
-pub fn snorm8x2_to_code(f: Vec2) -> u32 {
-    pair_code(f.x, f.y, 8)
-}
-
-/// The values of a code in VK_FORMAT_R16G16_SNORM.
-#[inline(always)]
-pub fn code_to_snorm16x2(code: u32) -> Vec2 {
-    snorm_pair::<16>(code)
-}
-
-/// The code of values of VK_FORMAT_R16G16_SNORM.
-#[inline(always)]
-pub fn snorm16x2_to_code(f: Vec2) -> u32 {
-    pair_code(f.x, f.y, 16)
-}
-
-/// The values of a code in VK_FORMAT_R8G8B8_SNORM, or in the first three components of VK_FORMAT_R8G8B8A8_SNORM.
-#[inline(always)]
-pub fn code_to_snorm8x3(code: u32) -> Vec3 {
-    snorm_pair::<8>(code).extend(snorm::<8>(code, 16))
-}
-
-/// The code of values of VK_FORMAT_R8G8B8_SNORM.
-#[inline(always)]
-pub fn snorm8x3_to_code(f: Vec3) -> u32 {
-    pair_code(f.x, f.y, 8) | (snorm_encode(f.z, 8) << 16)
-}
-
-/// The values of a code in the first three components of VK_FORMAT_A2B10G10R10_SNORM_PACK32.
-#[inline(always)]
-pub fn code_to_snorm10x3(code: u32) -> Vec3 {
-    snorm_pair::<10>(code).extend(snorm::<10>(code, 20))
-}
-
-/// The code of values of VK_FORMAT_A2B10G10R10_SNORM_PACK32.
-#[inline(always)]
-pub fn snorm10x3_to_code(f: Vec3) -> u32 {
-    pair_code(f.x, f.y, 10) | (snorm_encode(f.z, 10) << 20)
-}
-
-/// The values of a code in VK_FORMAT_R16G16B16_SNORM, or in the first three components of VK_FORMAT_R16G16B16A16_SNORM.
-#[inline(always)]
-pub fn code_to_snorm16x3(code: [u32; 2]) -> Vec3 {
-    snorm_pair::<16>(code[0]).extend(snorm::<16>(code[1], 0))
-}
-
-/// The code of values of VK_FORMAT_R16G16B16_SNORM.
-#[inline(always)]
-pub fn snorm16x3_to_code(f: Vec3) -> [u32; 2] {
-    [pair_code(f.x, f.y, 16), snorm_encode(f.z, 16)]
-}
-
-/// The values of a code in VK_FORMAT_R8G8B8_UNORM, or in the first three components of VK_FORMAT_R8G8B8A8_UNORM.
-#[inline(always)]
-pub fn code_to_unorm8x3(code: u32) -> Vec3 {
-    Vec3::new(unorm8(code, 0), unorm8(code, 8), unorm8(code, 16))
-}
-
-/// The code of values of VK_FORMAT_R8G8B8_UNORM.
-#[inline(always)]
-pub fn unorm8x3_to_code(f: Vec3) -> u32 {
-    unorm_encode(f.x, 8) | (unorm_encode(f.y, 8) << 8) | (unorm_encode(f.z, 8) << 16)
-}
-
-/// The values of a code in VK_FORMAT_R8G8_SINT.
-#[inline(always)]
-pub fn code_to_sint8x2(code: u32) -> IVec2 {
-    sint_pair(code, 8)
-}
-
-/// The code of values of VK_FORMAT_R8G8_SINT.
-#[inline(always)]
-pub fn sint8x2_to_code(i: IVec2) -> u32 {
-    sint_code(i, 8)
-}
-
-/// The values of a code in VK_FORMAT_R16G16_SINT.
-#[inline(always)]
-pub fn code_to_sint16x2(code: u32) -> IVec2 {
-    sint_pair(code, 16)
-}
-
-/// The code of values of VK_FORMAT_R16G16_SINT.
-#[inline(always)]
-pub fn sint16x2_to_code(i: IVec2) -> u32 {
-    sint_code(i, 16)
-}
-
-/// The values of a code in VK_FORMAT_R16G16_SFLOAT.
-#[inline(always)]
-pub fn code_to_float16x2(code: u32) -> Vec2 {
-    Vec2::new(half_decode(code), half_decode(code >> 16))
-}
-
-/// The code of values of VK_FORMAT_R16G16_SFLOAT.
-#[inline(always)]
-pub fn float16x2_to_code(f: Vec2) -> u32 {
-    half(f.x) | (half(f.y) << 16)
-}
-
-/// The values of a code in VK_FORMAT_R16G16B16_SFLOAT, or in the first three components of VK_FORMAT_R16G16B16A16_SFLOAT.
-#[inline(always)]
-pub fn code_to_float16x3(code: [u32; 2]) -> Vec3 {
-    Vec3::new(half_decode(code[0]), half_decode(code[0] >> 16), half_decode(code[1]))
-}
-
-/// The code of values of VK_FORMAT_R16G16B16_SFLOAT.
-#[inline(always)]
-pub fn float16x3_to_code(f: Vec3) -> [u32; 2] {
-    [half(f.x) | (half(f.y) << 16), half(f.z)]
+formats! {
+    "VK_FORMAT_R8G8_SNORM":
+        code_to_snorm8x2(code: u32) = snorm_pair::<8>(code),
+        snorm8x2_to_code(f: Vec2) = pair_code(f.x, f.y, 8);
+    "VK_FORMAT_R16G16_SNORM":
+        code_to_snorm16x2(code: u32) = snorm_pair::<16>(code),
+        snorm16x2_to_code(f: Vec2) = pair_code(f.x, f.y, 16);
+    "VK_FORMAT_R8G8B8_SNORM" "VK_FORMAT_R8G8B8A8_SNORM":
+        code_to_snorm8x3(code: u32) = snorm_pair::<8>(code).extend(snorm::<8>(code, 16)),
+        snorm8x3_to_code(f: Vec3) = pair_code(f.x, f.y, 8) | (snorm_encode(f.z, 8) << 16);
+    "the first three components of VK_FORMAT_A2B10G10R10_SNORM_PACK32":
+        code_to_snorm10x3(code: u32) = snorm_pair::<10>(code).extend(snorm::<10>(code, 20)),
+        snorm10x3_to_code(f: Vec3) = pair_code(f.x, f.y, 10) | (snorm_encode(f.z, 10) << 20);
+    "VK_FORMAT_R16G16B16_SNORM" "VK_FORMAT_R16G16B16A16_SNORM":
+        code_to_snorm16x3(code: [u32; 2]) = snorm_pair::<16>(code[0]).extend(snorm::<16>(code[1], 0)),
+        snorm16x3_to_code(f: Vec3) = [pair_code(f.x, f.y, 16), snorm_encode(f.z, 16)];
+    "VK_FORMAT_R8G8B8_UNORM" "VK_FORMAT_R8G8B8A8_UNORM":
+        code_to_unorm8x3(code: u32) = Vec3::new(unorm8(code, 0), unorm8(code, 8), unorm8(code, 16)),
+        unorm8x3_to_code(f: Vec3) =
+            unorm_encode(f.x, 8) | (unorm_encode(f.y, 8) << 8) | (unorm_encode(f.z, 8) << 16);
+    "VK_FORMAT_R8G8_SINT":
+        code_to_sint8x2(code: u32) = sint_pair(code, 8),
+        sint8x2_to_code(i: IVec2) = sint_code(i, 8);
+    "VK_FORMAT_R16G16_SINT":
+        code_to_sint16x2(code: u32) = sint_pair(code, 16),
+        sint16x2_to_code(i: IVec2) = sint_code(i, 16);
+    "VK_FORMAT_R16G16_SFLOAT":
+        code_to_float16x2(code: u32) = Vec2::new(half_decode(code), half_decode(code >> 16)),
+        float16x2_to_code(f: Vec2) = half(f.x) | (half(f.y) << 16);
+    "VK_FORMAT_R16G16B16_SFLOAT" "VK_FORMAT_R16G16B16A16_SFLOAT":
+        code_to_float16x3(code: [u32; 2]) =
+            Vec3::new(half_decode(code[0]), half_decode(code[0] >> 16), half_decode(code[1])),
+        float16x3_to_code(f: Vec3) = [half(f.x) | (half(f.y) << 16), half(f.z)];
 }
