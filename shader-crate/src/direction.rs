@@ -39,30 +39,3 @@ pub fn upper_or_z(v: Vec3) -> (Vec3, f32) {
     let (v, _) = or_z(v);
     or_z(Vec3::new(v.x, v.y, if is_negative(v.z) { 0.0 } else { v.z }))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bounds_of_the_usable_norms() {
-        assert_eq!(MIN_NORM, 2f32.powi(-64));
-        assert_eq!(MAX_NORM, 2f32.powi(100));
-        assert!(is_usable(MIN_NORM));
-        assert!(!is_usable(MIN_NORM.next_down()));
-        assert!(is_usable(MAX_NORM.next_down()));
-        assert!(!is_usable(MAX_NORM));
-    }
-
-    #[test]
-    fn vectors_without_a_direction_become_z() {
-        let odd = [0.0, -0.0, 1e-40, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, -f32::NAN, f32::MAX];
-        for a in odd {
-            for b in odd {
-                for c in odd {
-                    assert_eq!(or_z(Vec3::new(a, b, c)), (Vec3::Z, 1.0), "{a} {b} {c}");
-                }
-            }
-        }
-    }
-}

@@ -74,11 +74,4 @@ mod tests {
             }
         }
     }
-
-    #[test]
-    fn pairs_are_codes_side_by_side() {
-        assert_eq!(nearest_pair(Vec2::new(-1.25, 2.75), 16), 0x0003_ffff);
-        assert_eq!(nearest_pair(Vec2::new(-1.25, 2.75), 11), 0x1fff);
-        assert_eq!(nearest_pair(Vec2::new(-0.0, -127.0), 8), 0x8100);
-    }
 }
