@@ -1,8 +1,8 @@
 //! The octahedral codecs of 48 and 52 bits: codes finer than `f32` vectors.
 
 use glam::Vec3;
-use unitvec_oracle::oct::{self, angle};
-use unitvec_oracle::{Oct, Oracle, Summary, largest};
+use unitvec_oracle::oct;
+use unitvec_oracle::{Oct, Oracle, Summary, angle, largest};
 use unitvec_tests::checks::assert_rounds;
 use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere};
 use unitvec_tests::tested::{Tested, widen};

@@ -1,6 +1,6 @@
 //! Best fit: searches for the whole vector that points nearest, and the integers of three snorm components.
 
-use super::{angle_deg, cross, dot, normalize, raw, twos_complement};
+use super::{angle_deg, cheapest, cross, dot, neighbourhood, normalize, raw, twos_complement};
 
 /// The integers, of `bits` bits, in a code of three components, x lowest; `-2^(bits-1)` is the second pattern of -1.
 pub fn integers(code: u64, bits: u32) -> [i64; 3] {
@@ -19,40 +19,26 @@ pub fn all_directions(m: u32) -> Vec<[f64; 3]> {
 /// The angle in degrees from `v` to the nearest of [`all_directions`], by trial of every one.
 pub fn least_error_of_all(v: [f64; 3], all: &[[f64; 3]]) -> f64 {
     let magnitudes = normalize(v.map(f64::abs));
-    let mut best = (f64::NEG_INFINITY, [0.0; 3]);
-    for &direction in all {
-        let cosine = dot(magnitudes, direction);
-        if cosine > best.0 {
-            best = (cosine, direction);
-        }
-    }
-    angle_deg(best.1, magnitudes)
+    let nearest = cheapest(all.iter(), |direction| -dot(magnitudes, **direction));
+    nearest.map_or(f64::NAN, |(direction, _)| angle_deg(*direction, magnitudes))
 }
 
 /// The angle in degrees from `v` to the nearest whole vector of components up to `m`, by trial of the 9 around the
 /// point where the ray of `v` meets each of the planes `max = 1, 2, ... m`.
 pub fn least_error(v: [f64; 3], m: u32) -> f64 {
-    let u = sorted_on_cube(v);
-    let mut best = (f64::INFINITY, [0.0; 3]);
-    for length in 1..=m {
-        let length = f64::from(length);
-        for step in 0..9 {
-            let steps = [0.0, f64::from(step % 3) - 1.0, f64::from(step / 3) - 1.0];
-            let q = [0, 1, 2].map(|i| (u[i] * length).round() + steps[i]);
-            if q.iter().all(|&t| (0.0..=f64::from(m)).contains(&t)) {
-                let sine = sine_squared(u, q);
-                if sine < best.0 {
-                    best = (sine, q);
-                }
-            }
-        }
-    }
-    angle_deg(best.1, u)
+    let u = sorted(on_cube(v));
+    let whole = (1..=m).flat_map(|length| {
+        let [x, y, z] = u.map(|t| (t * f64::from(length)).round() as i64);
+        neighbourhood([z, y], 1).map(move |[z, y]| [x, y, z])
+    });
+    let whole =
+        whole.filter(|q| q.iter().all(|t| (0..=i64::from(m)).contains(t))).map(|q| q.map(|t| t as f64));
+    cheapest(whole, |q| sine_squared(u, *q)).map_or(f64::NAN, |(q, _)| angle_deg(q, u))
 }
 
 /// The angle in degrees from `v` to itself scaled to a largest component of `length` and rounded.
 pub fn error_at_length(v: [f64; 3], length: f64) -> f64 {
-    let u = sorted_on_cube(v);
+    let u = sorted(on_cube(v));
     angle_deg(u, u.map(|t| (t * length).round()))
 }
 
@@ -71,11 +57,10 @@ pub fn cell_directions(column: u32, row: u32, cells: f64) -> [[f64; 3]; 9] {
     })
 }
 
-/// Magnitudes in order of size, the largest 1.
-fn sorted_on_cube(v: [f64; 3]) -> [f64; 3] {
-    let mut u = v.map(f64::abs);
+/// Magnitudes in order of size, the largest first.
+fn sorted(mut u: [f64; 3]) -> [f64; 3] {
     u.sort_by(|a, b| b.total_cmp(a));
-    u.map(|t| t / u[0])
+    u
 }
 
 fn sine_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
@@ -114,12 +99,6 @@ fn at_length(u: [f64; 3], length: u32) -> Fit {
     Fit::of(u, u.map(|t| (t * f64::from(length)).round()))
 }
 
-/// The best rounding at one of the lengths `longest - 63` to `longest`.
-fn scan(u: [f64; 3], longest: u32) -> Fit {
-    let fits = (longest - 63..longest).rev().map(|length| at_length(u, length));
-    fits.fold(at_length(u, longest), Fit::or_nearer)
-}
-
 /// The code, in three snorms of `b` bits, of whole magnitudes with the signs of `v`.
 fn code(v: [f64; 3], whole: [f64; 3], b: u32) -> u64 {
     raw::pack(std::array::from_fn(|i| whole[i].copysign(v[i])), [b; 3])
@@ -144,8 +123,10 @@ pub fn snorm8x3_nearest(v: [f64; 3]) -> u64 {
 
 /// The code of the unit vector rounded, or of the best of the 64 greatest lengths.
 pub fn snorm16x3p(v: [f64; 3]) -> u64 {
-    let plain = Fit::of(on_cube(v), normalize(v).map(|t| (t.abs() * raw::snorm_max(16)).round()));
-    code(v, plain.or_nearer(scan(on_cube(v), 32767)).whole, 16)
+    let u = on_cube(v);
+    let scanned = (32767 - 63..=32767).rev().map(|length| at_length(u, length)).reduce(Fit::or_nearer);
+    let plain = Fit::of(u, normalize(v).map(|t| (t.abs() * raw::snorm_max(16)).round()));
+    code(v, scanned.map_or(plain, |scanned| plain.or_nearer(scanned)).whole, 16)
 }
 
 /// Cells of the best fit table from 0 to 1: 640, but that 1 is in the last.
@@ -157,10 +138,8 @@ const CLEARLY_LESS: f64 = 1.0 - 1.0 / 16_384.0;
 /// The four lengths of a direction's cell. The first fits nine directions of the cell best in the mean; each of the
 /// others is the one that leaves least of the mean error where those before it may be taken too.
 fn cell_lengths(u: [f64; 3]) -> [u32; 4] {
-    let mut sorted = u;
-    sorted.sort_by(|a, b| b.total_cmp(a));
     // Truncated by conversion.
-    let [column, row] = [sorted[1], sorted[2]].map(|t| (t * TABLE_CELLS) as u32);
+    let [_, column, row] = sorted(u).map(|t| (t * TABLE_CELLS) as u32);
     let directions = cell_directions(column, row, TABLE_CELLS);
     let errors: Vec<[f64; 9]> = (64..=127)
         .rev()

@@ -1,6 +1,6 @@
 //! The equal-area octahedral mapping of the sphere.
 
-use super::oct::{Oct, tangent_squared, wrap};
+use super::oct::{Oct, nearest_around};
 use super::{Oracle, largest, sign_not_zero, snorm};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
@@ -73,18 +73,8 @@ impl Oracle for EaOct {
 /// The code nearest in angle to the direction of `v`, by trial of the 7 x 7 lattice points around its position.
 pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
     let m = largest(bits);
-    let centre = EaOct::position(v).map(|t| (t * m).round() as i64);
-    let mut best = (f64::INFINITY, centre);
-    for x in centre[0] - 3..=centre[0] + 3 {
-        for y in centre[1] - 3..=centre[1] + 3 {
-            let point = wrap([x, y], m as i64);
-            let off = tangent_squared(v, EaOct::direction(point.map(|i| snorm(i, m))));
-            if off < best.0 {
-                best = (off, point);
-            }
-        }
-    }
-    EaOct::pack(best.1, bits)
+    let direction = |point: [i64; 2]| EaOct::direction(point.map(|i| snorm(i, m)));
+    EaOct::pack(nearest_around::<EaOct>(v, bits, direction), bits)
 }
 
 /// The maximal error in degrees of the nearest point on the nearest ring: from midway between two points of ring 1, out

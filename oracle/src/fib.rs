@@ -1,6 +1,6 @@
 //! Spherical Fibonacci points, from Keinert et al. 2015, "Spherical Fibonacci Mapping".
 
-use super::{Oracle, cross, dot, normalize};
+use super::{Oracle, cheapest, chord_squared, cross, difference, dot, normalize};
 use crate::spherical::{at, azimuth, colatitude};
 use std::f64::consts::{PI, TAU};
 
@@ -41,12 +41,6 @@ pub fn point(i: i64, bits: u32) -> [f64; 3] {
     [radius * x, radius * y, 1.0 - depth]
 }
 
-/// The square of the chord between a unit vector and point `i`.
-pub fn chord_squared(v: [f64; 3], i: i64, bits: u32) -> f64 {
-    let p = point(i, bits);
-    (0..3).map(|axis| (v[axis] - p[axis]).powi(2)).sum()
-}
-
 /// The code of the nearest point: among the 16 around the cell of the lattice, whose basis is that of the paper's
 /// section 3, and the first and last 64.
 pub fn nearest(v: [f64; 3], bits: u32) -> u64 {
@@ -67,14 +61,7 @@ pub fn nearest(v: [f64; 3], bits: u32) -> u64 {
     let around_cell = (0..16).map(|n| (a as i64 + n % 4 - 1) * f as i64 + (b as i64 + n / 4 - 1) * g as i64);
     let ends = (0..64).flat_map(|i| [i, count as i64 - 1 - i]).filter(|_| from_pole * count < 32.0);
     let candidates = around_cell.chain(ends).filter(|i| (0..count as i64).contains(i));
-    let (mut best, mut least) = (0, f64::INFINITY);
-    for i in candidates {
-        let distance = chord_squared(v, i, bits);
-        if distance < least {
-            (best, least) = (i as u64, distance);
-        }
-    }
-    best
+    cheapest(candidates, |i| chord_squared(v, point(*i, bits))).map_or(0, |(i, _)| i as u64)
 }
 
 /// The place farthest from all points: the middle of the circle through points 1, 2 and 4.
@@ -93,10 +80,6 @@ pub fn bound_deg(bits: u32) -> f64 {
 /// as (mean, max).
 pub fn hexagonal_deg(bits: u32) -> [f64; 2] {
     [0.29926, 0.49222].map(|t| t * 2f64.powi((16 - bits as i32) / 2))
-}
-
-fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
 #[cfg(test)]

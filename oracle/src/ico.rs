@@ -1,7 +1,7 @@
 //! Icosahedral lattices.
 
 use super::spherical::at;
-use super::{LatLong, Oracle, Summary, cross, dot, normalize};
+use super::{LatLong, Oracle, Summary, cheapest, chord_squared, cross, difference, dot, normalize};
 use std::sync::OnceLock;
 
 /// The mapping. Positions are colatitude and azimuth in half turns.
@@ -165,27 +165,16 @@ pub fn nearest(v: [f64; 3], bits: u32) -> [f64; 3] {
     let face = face_of(v);
     let [a, b, _] = position(face, v, bits).map(|t| t.floor() as i64);
     let unit = normalize(v);
-    let (mut best, mut least) = (unit, f64::INFINITY);
-    for i in a - 1..=a + 2 {
-        for j in b - 1..=b + 2 {
-            let numbers = [i, j, n - i - j];
-            if numbers.iter().all(|&t| t >= 0) {
-                let candidate = point(face, numbers, bits);
-                let chord: f64 = (0..3).map(|k| (candidate[k] - unit[k]).powi(2)).sum();
-                if chord < least {
-                    (best, least) = (candidate, chord);
-                }
-            }
-        }
-    }
-    best
+    let around = (a - 1..=a + 2).flat_map(|i| (b - 1..=b + 2).map(move |j| [i, j, n - i - j]));
+    let points =
+        around.filter(|numbers| numbers.iter().all(|&t| t >= 0)).map(|numbers| point(face, numbers, bits));
+    cheapest(points, |point| chord_squared(*point, unit)).map_or(unit, |(point, _)| point)
 }
 
 /// The centre of the circumcircle of the unit vectors of three lattice points, a unit vector, and its radius in degrees.
 pub fn circumcircle(corners: [[f64; 3]; 3]) -> ([f64; 3], f64) {
     let [a, b, c] = corners;
-    let to = |v: [f64; 3]| [v[0] - a[0], v[1] - a[1], v[2] - a[2]];
-    let axis = normalize(cross(to(b), to(c)));
+    let axis = normalize(cross(difference(b, a), difference(c, a)));
     let centre = if dot(axis, a) < 0.0 { axis.map(|t| -t) } else { axis };
     (centre, super::angle_deg(centre, a))
 }

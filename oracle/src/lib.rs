@@ -126,9 +126,42 @@ pub fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// The angle between two vectors of any length, in degrees: `atan2(|a x b|, a . b)`, exact for small angles too.
+/// The angle between two vectors of any length, in radians: `atan2(|a x b|, a . b)`, exact for small angles too.
+pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
+    length(cross(a, b)).atan2(dot(a, b))
+}
+
+/// [`angle`] in degrees.
 pub fn angle_deg(a: [f64; 3], b: [f64; 3]) -> f64 {
-    length(cross(a, b)).atan2(dot(a, b)).to_degrees()
+    angle(a, b).to_degrees()
+}
+
+/// The difference of two vectors.
+pub fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|i| a[i] - b[i])
+}
+
+/// The square of the distance between two points.
+pub fn chord_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
+    let chord = difference(a, b);
+    dot(chord, chord)
+}
+
+/// The first of the candidates whose cost is least, with that cost; none where every cost is infinite or NaN.
+pub fn cheapest<T>(candidates: impl Iterator<Item = T>, cost: impl Fn(&T) -> f64) -> Option<(T, f64)> {
+    let (mut best, mut least) = (None, f64::INFINITY);
+    for candidate in candidates {
+        let cost = cost(&candidate);
+        if cost < least {
+            (best, least) = (Some(candidate), cost);
+        }
+    }
+    Some((best?, least))
+}
+
+/// The points of the lattice up to `reach` steps from one along each axis, in order of x, then y.
+pub fn neighbourhood([x, y]: [i64; 2], reach: i64) -> impl Iterator<Item = [i64; 2]> {
+    (x - reach..=x + reach).flat_map(move |x| (y - reach..=y + reach).map(move |y| [x, y]))
 }
 
 /// The largest angle, in degrees, by which a position off by `steps` of the square's half side along each axis

@@ -1,6 +1,8 @@
 //! The octahedral mapping of the sphere.
 
-use super::{Oracle, cross, dot, join_halves, largest, length, normalize, sign_not_zero, split_halves};
+use super::{
+    Oracle, cheapest, cross, dot, join_halves, largest, neighbourhood, normalize, sign_not_zero, split_halves,
+};
 
 /// The oct mapping (survey, listings 1 and 2) and its codes' bits.
 pub struct Oct;
@@ -36,17 +38,12 @@ impl Oracle for Oct {
     }
 
     fn decode(code: u64, bits: u32) -> [f64; 3] {
-        lattice_direction(Self::unpack(code, bits), bits)
+        normalize(lattice_vector(Self::unpack(code, bits), bits))
     }
 }
 
-/// The unit vector of a lattice point (survey, section 1.2 and listing 2). In whole numbers up to the length: `f64` does
-/// not hold a quotient by `m`, and on the equator z is exactly 0.
-pub fn lattice_direction(point: [i64; 2], bits: u32) -> [f64; 3] {
-    normalize(lattice_vector(point, bits))
-}
-
-/// The vector of a lattice point, of any length.
+/// The vector, of any length, of a lattice point (survey, section 1.2 and listing 2). In whole numbers: `f64` does not hold a
+/// quotient by `m`, and on the equator z is exactly 0.
 fn lattice_vector(point: [i64; 2], bits: u32) -> [f64; 3] {
     let m = (1 << (bits / 2 - 1)) - 1;
     let [x, y] = point.map(|i| i.clamp(-m, m));
@@ -116,36 +113,24 @@ pub fn all_directions(bits: u32) -> Vec<[f64; 3]> {
 
 /// The code nearest in angle to the direction of `v`, by trial of every code: `all` is [`all_directions`].
 pub fn nearest_of_all(v: [f64; 3], all: &[[f64; 3]]) -> u64 {
-    let mut best = (f64::NEG_INFINITY, 0);
-    for (code, &direction) in (0..).zip(all) {
-        let cosine = dot(v, direction);
-        if cosine > best.0 {
-            best = (cosine, code);
-        }
-    }
-    best.1
-}
-
-/// The angle in radians between two vectors of any length, as [`super::angle_deg`] takes it.
-pub fn angle(a: [f64; 3], b: [f64; 3]) -> f64 {
-    length(cross(a, b)).atan2(dot(a, b))
+    cheapest((0..).zip(all), |(_, direction)| -dot(v, **direction)).map_or(0, |((code, _), _)| code)
 }
 
 /// The code nearest in angle to the direction of `v`, by trial of the 7 x 7 lattice points around its position.
 pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
-    let m = (1 << (bits / 2 - 1)) - 1;
-    let centre = Oct::position(v).map(|t| (t * m as f64).round() as i64);
-    let mut best = (f64::INFINITY, centre);
-    for x in centre[0] - 3..=centre[0] + 3 {
-        for y in centre[1] - 3..=centre[1] + 3 {
-            let point = wrap([x, y], m);
-            let off = tangent_squared(v, lattice_vector(point, bits));
-            if off < best.0 {
-                best = (off, point);
-            }
-        }
-    }
-    Oct::pack(best.1, bits)
+    Oct::pack(nearest_around::<Oct>(v, bits, |point| lattice_vector(point, bits)), bits)
+}
+
+/// The lattice point nearest in angle to the direction of `v`, of the 7 x 7 around its position, by the vector of each.
+pub(crate) fn nearest_around<O: Oracle>(
+    v: [f64; 3],
+    bits: u32,
+    vector: impl Fn([i64; 2]) -> [f64; 3],
+) -> [i64; 2] {
+    let m = largest(bits);
+    let centre = O::position(v).map(|t| (t * m).round() as i64);
+    let around = neighbourhood(centre, 3).map(|point| wrap(point, m as i64));
+    cheapest(around, |point| tangent_squared(v, vector(*point))).map_or(centre, |(point, _)| point)
 }
 
 /// The square of the tangent of the angle between two vectors of any length, which orders angles of less than 90 degrees.
