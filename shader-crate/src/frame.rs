@@ -48,11 +48,11 @@ use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
 use crate::oct::{from_lattice, lattice_precise};
 #[cfg(not(target_arch = "spirv"))]
-use crate::slice::machine::{as_chunks, as_chunks_mut};
+use crate::slice::machine::as_chunks;
 #[cfg(not(target_arch = "spirv"))]
 use crate::slice::stored::{Stored, with_size};
 #[cfg(not(target_arch = "spirv"))]
-use crate::slice::{LengthMismatch, expect_length};
+use crate::slice::{LengthMismatch, expect_length, store_each};
 use crate::{Oct22, OctPrecise22};
 use core::fmt::Debug;
 use core::hash::Hash;
@@ -337,13 +337,7 @@ impl FrameCodec for Frame64 {
 /// [`LengthMismatch`] unless `codes` has exactly `frames.len() * F::BYTES` bytes. Nothing is written then.
 #[cfg(not(target_arch = "spirv"))]
 pub fn encode_frames<F: FrameCodec>(frames: &[[f32; 7]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    expect_length(frames.len() * F::BYTES, codes.len())?;
-    with_size!(F::BYTES, SIZE => {
-        for (frame, stored) in frames.iter().zip(as_chunks_mut::<_, SIZE>(codes).0) {
-            *stored = Stored::of_words(F::encode(Frame::from_array(*frame)).to_words());
-        }
-    });
-    Ok(())
+    store_each(frames, codes, F::BYTES, |frame| F::encode(Frame::from_array(*frame)).to_words())
 }
 
 /// Decodes `codes`, packed as by [`encode_frames`], into `frames`.

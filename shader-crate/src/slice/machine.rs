@@ -32,28 +32,14 @@ impl Level {
     /// The level that the crate was compiled for: SSE2 on x86-64, NEON on AArch64, unless target features say more.
     pub const BASELINE: Self = Self(Kind::Baseline);
 
-    /// SSE4.1, where the machine has it. The standard library looks once and remembers.
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
-    #[inline]
-    fn sse41() -> Option<Self> {
-        std::arch::is_x86_feature_detected!("sse4.1").then_some(Self(Kind::Sse41))
-    }
-
-    /// AVX2, where the machine has it. The standard library looks once and remembers.
-    #[cfg(all(feature = "std", target_arch = "x86_64"))]
-    #[inline]
-    fn avx2() -> Option<Self> {
-        std::arch::is_x86_feature_detected!("avx2").then_some(Self(Kind::Avx2))
-    }
-
-    /// All that this machine has, the best first.
+    /// All that this machine has, the best first. The standard library looks once and remembers.
     #[inline]
     pub fn available() -> impl Iterator<Item = Self> {
         [
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
-            Self::avx2(),
+            std::arch::is_x86_feature_detected!("avx2").then_some(Self(Kind::Avx2)),
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
-            Self::sse41(),
+            std::arch::is_x86_feature_detected!("sse4.1").then_some(Self(Kind::Sse41)),
             Some(Self::BASELINE),
         ]
         .into_iter()
@@ -72,10 +58,10 @@ impl Level {
         match self.0 {
             Kind::Baseline => task.run(),
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
-            // SAFETY: a `Level` of this kind comes from `Level::sse41` alone, which found that the machine has SSE4.1.
+            // SAFETY: a `Level` of this kind comes from `available` alone, which found that the machine has SSE4.1.
             Kind::Sse41 => unsafe { run_sse41(task) },
             #[cfg(all(feature = "std", target_arch = "x86_64"))]
-            // SAFETY: a `Level` of this kind comes from `Level::avx2` alone, which found that the machine has AVX2.
+            // SAFETY: a `Level` of this kind comes from `available` alone, which found that the machine has AVX2.
             Kind::Avx2 => unsafe { run_avx2(task) },
         }
     }

@@ -98,10 +98,20 @@ pub fn encode_slice_with<C: Codec>(
     codes: &mut [u8],
     encode: impl Fn([f32; 3]) -> C::Code,
 ) -> Result<(), LengthMismatch> {
-    expect_length(vectors.len() * C::BYTES, codes.len())?;
-    with_size!(C::BYTES, SIZE => {
-        for (vector, stored) in vectors.iter().zip(as_chunks_mut::<_, SIZE>(codes).0) {
-            *stored = Stored::of_words(encode((*vector).into()).to_words());
+    store_each(vectors, codes, C::BYTES, |vector| encode((*vector).into()).to_words())
+}
+
+/// Writes the words of each element's code, of `size` bytes.
+pub(crate) fn store_each<T>(
+    elements: &[T],
+    codes: &mut [u8],
+    size: usize,
+    words: impl Fn(&T) -> [u32; 2],
+) -> Result<(), LengthMismatch> {
+    expect_length(elements.len() * size, codes.len())?;
+    with_size!(size, SIZE => {
+        for (element, stored) in elements.iter().zip(as_chunks_mut::<_, SIZE>(codes).0) {
+            *stored = Stored::of_words(words(element));
         }
     });
     Ok(())
