@@ -11,41 +11,15 @@ use spirv_std::spirv;
 /// A code as shaders pass it.
 pub trait Passed: Code {
     /// `u32`, or a vector of two.
-    type As: Copy;
-
-    /// The code, to pass.
-    fn pass(self) -> Self::As;
-
-    /// The code that was passed.
-    fn receive(passed: Self::As) -> Self;
+    type As: Copy + From<Self> + Into<Self>;
 }
 
 impl Passed for u32 {
     type As = u32;
-
-    #[inline(always)]
-    fn pass(self) -> u32 {
-        self
-    }
-
-    #[inline(always)]
-    fn receive(passed: u32) -> u32 {
-        passed
-    }
 }
 
 impl Passed for [u32; 2] {
     type As = UVec2;
-
-    #[inline(always)]
-    fn pass(self) -> UVec2 {
-        UVec2::new(self[0], self[1])
-    }
-
-    #[inline(always)]
-    fn receive(passed: UVec2) -> Self {
-        [passed.x, passed.y]
-    }
 }
 
 /// A module of functions for each codec, named after it.
@@ -61,13 +35,13 @@ macro_rules! functions {
             /// The code of a vector.
             #[spirv(vertex)]
             pub fn encode(v: Vec3, code: &mut PassedCode) {
-                *code = crate::$codec::encode_vec3(v).pass();
+                *code = crate::$codec::encode_vec3(v).into();
             }
 
             /// The vector of a code.
             #[spirv(vertex)]
             pub fn decode(code: PassedCode, v: &mut Vec3) {
-                *v = crate::$codec::decode_vec3(Passed::receive(code));
+                *v = crate::$codec::decode_vec3(code.into());
             }
         }
     )* };
@@ -89,13 +63,13 @@ macro_rules! frame_functions {
             #[spirv(vertex)]
             pub fn encode(normal: Vec3, tangent: Vec4, code: &mut PassedCode) {
                 let frame = Frame { normal, tangent: tangent.truncate(), handedness: tangent.w };
-                *code = crate::$codec::encode(frame).pass();
+                *code = crate::$codec::encode(frame).into();
             }
 
             /// The frame of a code.
             #[spirv(vertex)]
             pub fn decode(code: PassedCode, normal: &mut Vec3, tangent: &mut Vec4) {
-                let frame = crate::$codec::decode(Passed::receive(code));
+                let frame = crate::$codec::decode(code.into());
                 *normal = frame.normal;
                 *tangent = frame.tangent.extend(frame.handedness);
             }
