@@ -118,48 +118,34 @@ pub struct Rings {
 }
 
 /// The rings of the format of 16 bits.
-pub const RINGS_16: Rings = Rings {
-    n: 113.0,
-    a0: 0.7756357,
-    a1: -1.244649e-5,
-    a2: 7.392083e-11,
-    q0: 1.1121525,
-    q1: 1.7299868e-5,
-    q2: 0.0,
-    q3: 0.0,
-    q4: 0.0,
-    offset: 0.7887458,
-};
+pub const RINGS_16: Rings = Rings::new(
+    113.0,
+    [0.7756357, -1.244649e-5, 7.392083e-11],
+    [1.1121525, 1.7299868e-5, 0.0, 0.0, 0.0],
+    0.7887458,
+);
 
 /// The rings of the format of 24 bits.
-pub const RINGS_24: Rings = Rings {
-    n: 1782.0,
-    a0: 0.81366533,
-    a1: -5.2502063e-8,
-    a2: 1.2538275e-15,
-    q0: 1.1107166,
-    q1: 3.7894093e-8,
-    q2: 9.317108e-15,
-    q3: 0.0,
-    q4: 0.0,
-    offset: 0.23774427,
-};
+pub const RINGS_24: Rings = Rings::new(
+    1782.0,
+    [0.81366533, -5.2502063e-8, 1.2538275e-15],
+    [1.1107166, 3.7894093e-8, 9.317108e-15, 0.0, 0.0],
+    0.23774427,
+);
 
 /// The rings of the format of 32 bits.
-pub const RINGS_32: Rings = Rings {
-    n: 29225.0,
-    a0: 0.7753543,
-    a1: -1.8601036e-10,
-    a2: 1.6516002e-20,
-    q0: 1.135677,
-    q1: 1.7468939e-10,
-    q2: 8.533958e-20,
-    q3: 1.2860357e-30,
-    q4: 8.5294734e-38,
-    offset: 0.4510315,
-};
+pub const RINGS_32: Rings = Rings::new(
+    29225.0,
+    [0.7753543, -1.8601036e-10, 1.6516002e-20],
+    [1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30, 8.5294734e-38],
+    0.4510315,
+);
 
 impl Rings {
+    const fn new(n: f32, [a0, a1, a2]: [f32; 3], [q0, q1, q2, q3, q4]: [f32; 5], offset: f32) -> Self {
+        Self { n, a0, a1, a2, q0, q1, q2, q3, q4, offset }
+    }
+
     /// The start of ring i, 0 to n + 1, given h = i - 1/2: S(i) is the whole part.
     #[inline(always)]
     pub fn border(self, h: f32) -> f32 {

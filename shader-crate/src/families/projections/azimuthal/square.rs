@@ -25,7 +25,10 @@ pub trait SquareMap: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static 
     fn to_square(disk: Disk) -> Vec2;
 
     /// The lattice point to write where rounding gave `e`.
-    fn settle(e: Vec2, lattice: Lattice) -> Vec2;
+    #[inline(always)]
+    fn settle(e: Vec2, _: Lattice) -> Vec2 {
+        e
+    }
 
     /// The disk point of a lattice point.
     #[inline(always)]
@@ -138,11 +141,6 @@ impl SquareMap for Concentric {
     }
 
     #[inline(always)]
-    fn settle(e: Vec2, _: Lattice) -> Vec2 {
-        e
-    }
-
-    #[inline(always)]
     fn square_to_disk(s: Vec2) -> Disk {
         let steep = s.y > s.x;
         let (shorter, radius) = if steep { (s.x, s.y) } else { (s.y, s.x) };
@@ -177,11 +175,6 @@ impl SquareMap for Ellipse {
         let difference = (p.x - p.y) * (p.x + p.y);
         let sum = 2.0 + sqrt(difference * difference + 4.0 * disk.rim);
         Vec2::new(2.0 * p.x / sqrt(sum + difference), 2.0 * p.y / sqrt(sum - difference))
-    }
-
-    #[inline(always)]
-    fn settle(e: Vec2, _: Lattice) -> Vec2 {
-        e
     }
 
     #[inline(always)]
