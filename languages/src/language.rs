@@ -50,19 +50,24 @@ impl Language {
         Self::Wesl,
     ];
 
+    /// The names on a command line and in sentences, and the extension of its files.
+    const fn names(self) -> [&'static str; 3] {
+        match self {
+            Self::Glsl => ["glsl", "GLSL", "glsl"],
+            Self::Hlsl => ["hlsl", "HLSL", "hlsl"],
+            Self::Wgsl => ["wgsl", "WGSL", "wgsl"],
+            Self::Slang => ["slang", "Slang", "slang"],
+            Self::Msl => ["msl", "MSL", "metal"],
+            Self::GlslEs => ["glsl-es", "GLSL ES", "glsl"],
+            Self::Godot => ["godot", "Godot's shading language", "gdshaderinc"],
+            Self::NagaOil => ["naga-oil", "WGSL for naga_oil", "wgsl"],
+            Self::Wesl => ["wesl", "WESL", "wesl"],
+        }
+    }
+
     /// The name on a command line and of the folder of its files: `glsl-es`.
     pub const fn id(self) -> &'static str {
-        match self {
-            Self::Glsl => "glsl",
-            Self::Hlsl => "hlsl",
-            Self::Wgsl => "wgsl",
-            Self::Slang => "slang",
-            Self::Msl => "msl",
-            Self::GlslEs => "glsl-es",
-            Self::Godot => "godot",
-            Self::NagaOil => "naga-oil",
-            Self::Wesl => "wesl",
-        }
+        self.names()[0]
     }
 
     /// True for the languages whose files are committed, in `shaders/`. GLSL is the source, and WGSL's modules differ from its
@@ -73,30 +78,12 @@ impl Language {
 
     /// Its name in sentences.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Glsl => "GLSL",
-            Self::Hlsl => "HLSL",
-            Self::Wgsl => "WGSL",
-            Self::Slang => "Slang",
-            Self::Msl => "MSL",
-            Self::GlslEs => "GLSL ES",
-            Self::Godot => "Godot's shading language",
-            Self::NagaOil => "WGSL for naga_oil",
-            Self::Wesl => "WESL",
-        }
+        self.names()[1]
     }
 
     /// The extension of its files, without the point.
     pub const fn extension(self) -> &'static str {
-        match self {
-            Self::Glsl | Self::GlslEs => "glsl",
-            Self::Hlsl => "hlsl",
-            Self::Wgsl | Self::NagaOil => "wgsl",
-            Self::Wesl => "wesl",
-            Self::Slang => "slang",
-            Self::Msl => "metal",
-            Self::Godot => "gdshaderinc",
-        }
+        self.names()[2]
     }
 
     /// Its editions. GLSL and HLSL need no other than the plain one: they have `precise`.

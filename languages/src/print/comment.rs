@@ -1,9 +1,9 @@
 //! Comments in another language: types and files by their names there, without remarks on GLSL alone.
 
 use super::{ARITH, Printer};
-use crate::syntax::{File, ItemKind, Type};
+use crate::syntax::{File, Type};
 use crate::wrap::WIDTH;
-use crate::{ALL, Edition, Language};
+use crate::{ALL, Edition, Language, includes};
 
 impl Printer<'_> {
     /// A line of comment.
@@ -78,14 +78,7 @@ impl Printer<'_> {
     /// Notes on this language.
     fn notes(&self, file: &File) -> Vec<String> {
         let mut notes = Vec::new();
-        let needed: Vec<String> = file
-            .items
-            .iter()
-            .filter_map(|item| match &item.kind {
-                ItemKind::Include { file, .. } => Some(self.file_name(file)),
-                _ => None,
-            })
-            .collect();
+        let needed: Vec<String> = includes(file).map(|file| self.file_name(file)).collect();
         let is_joined = matches!(self.asked, Language::Wgsl | Language::GlslEs);
         if is_joined && !needed.is_empty() {
             notes.push(format!(
@@ -160,29 +153,23 @@ impl Printer<'_> {
     }
 }
 
-/// A paragraph as lines of comment. A line of code stays a line.
-fn filled(paragraph: &str) -> Vec<String> {
-    let mut lines = Vec::new();
-    for part in paragraph.lines() {
-        match part.strip_prefix(CODE) {
-            Some(code) => lines.push(format!("//   {code}")),
-            None => lines.extend(filled_prose(part)),
-        }
-    }
-    lines
-}
-
 /// The first character of a line of code in a paragraph.
 const CODE: char = '\t';
 
-fn filled_prose(text: &str) -> Vec<String> {
-    let mut lines = vec!["//".to_owned()];
-    for word in text.split_whitespace() {
-        let last = lines.len() - 1;
-        if lines[last].len() + 1 + word.len() > WIDTH {
-            lines.push(format!("// {word}"));
-        } else {
-            lines[last] += &format!(" {word}");
+/// A paragraph as lines of comment. A line of code stays a line.
+fn filled(paragraph: &str) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for part in paragraph.lines() {
+        if let Some(code) = part.strip_prefix(CODE) {
+            lines.push(format!("//   {code}"));
+            continue;
+        }
+        lines.push("//".to_owned());
+        for word in part.split_whitespace() {
+            match lines.last_mut() {
+                Some(line) if line.len() + 1 + word.len() <= WIDTH => *line += &format!(" {word}"),
+                _ => lines.push(format!("// {word}")),
+            }
         }
     }
     lines

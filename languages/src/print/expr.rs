@@ -1,6 +1,6 @@
 //! Expressions.
 
-use super::{BARRIER, Printer};
+use super::{BARRIER, Printer, joined};
 use crate::Language;
 use crate::parse::precedence;
 use crate::syntax::{Expr, ExprKind, Scalar, Type};
@@ -17,7 +17,7 @@ impl Printer<'_> {
     }
 
     pub(super) fn list(&self, exprs: &[Expr]) -> String {
-        exprs.iter().map(|expr| self.expr(expr)).collect::<Vec<_>>().join(", ")
+        joined(exprs.iter().map(|expr| self.expr(expr)))
     }
 
     /// An expression's text, in parentheses where it holds together less than `least`.
@@ -77,7 +77,7 @@ impl Printer<'_> {
         }
     }
 
-    fn number(&self, text: &str, ty: &Type) -> String {
+    pub(super) fn number(&self, text: &str, ty: &Type) -> String {
         let is_float = *ty == Type::FLOAT;
         if is_float && self.language == Language::Msl { format!("{text}f") } else { text.to_owned() }
     }
@@ -132,10 +132,8 @@ impl Printer<'_> {
         match operator {
             "<<" | ">>" => (UNARY, UNARY),
             "&" | "|" | "^" => (if is_same { level } else { UNARY }, UNARY),
-            "&&" | "||" => {
-                let above_both = 3;
-                (if is_same { level } else { above_both }, above_both)
-            }
+            // Above the levels of both.
+            "&&" | "||" => (if is_same { level } else { 3 }, 3),
             _ => (level, level + 1),
         }
     }
@@ -175,39 +173,30 @@ impl Printer<'_> {
     }
 
     fn call(&self, name: &str, arguments: &[Expr]) -> String {
-        let parameters = self.declared.functions.get(name).map(|(_, parameters)| parameters.as_slice());
+        let parameters = self.declared.functions.get(name).map_or(&[][..], |(_, parameters)| parameters);
         let is_out = |index: usize| {
-            self.language == Language::Wgsl
-                && parameters
-                    .and_then(|parameters| parameters.get(index))
-                    .is_some_and(|parameter| parameter.is_out)
+            self.language == Language::Wgsl && parameters.get(index).is_some_and(|parameter| parameter.is_out)
         };
-        let arguments: Vec<String> = arguments
-            .iter()
-            .enumerate()
-            .map(|(index, argument)| match &argument.kind {
-                ExprKind::Name(name) if is_out(index) && self.pointers.contains(name) => name.clone(),
-                _ if is_out(index) => format!("&{}", self.expr(argument)),
-                _ => self.expr(argument),
-            })
-            .collect();
-        format!("{name}({})", arguments.join(", "))
+        let arguments = arguments.iter().enumerate().map(|(index, argument)| match &argument.kind {
+            ExprKind::Name(name) if is_out(index) && self.pointers.contains(name) => name.clone(),
+            _ if is_out(index) => format!("&{}", self.expr(argument)),
+            _ => self.expr(argument),
+        });
+        format!("{name}({})", joined(arguments))
     }
 
     fn built_in(&self, name: &str, arguments: &[Expr], ty: &Type) -> String {
-        let of_types = || format!("{}({})", self.bit_cast(name, ty), self.expr(&arguments[0]));
         match (name, self.language) {
-            ("floatBitsToUint" | "uintBitsToFloat", language) if !language.is_glsl() => of_types(),
+            ("floatBitsToUint" | "uintBitsToFloat", language) if !language.is_glsl() => {
+                format!("{}({})", self.bit_cast(name, ty), self.expr(&arguments[0]))
+            }
             // Scalars beside vectors.
             (_, Language::Wgsl | Language::Msl | Language::Slang) => {
-                let spread: Vec<String> = arguments
-                    .iter()
-                    .map(|argument| match argument.ty.size() < ty.size() {
-                        true => self.spread(self.expr(argument), ty),
-                        false => self.expr(argument),
-                    })
-                    .collect();
-                format!("{name}({})", spread.join(", "))
+                let spread = arguments.iter().map(|argument| match argument.ty.size() < ty.size() {
+                    true => self.spread(self.expr(argument), ty),
+                    false => self.expr(argument),
+                });
+                format!("{name}({})", joined(spread))
             }
             _ => format!("{name}({})", self.list(arguments)),
         }

@@ -147,27 +147,15 @@ impl<'a> Printer<'a> {
             self.lines.extend(["#define_import_path unitvec".to_owned(), String::new()]);
         }
         if self.language == Language::Msl {
-            self.lines.extend(
-                [
-                    "#include <metal_stdlib>",
-                    "using namespace metal;",
-                    "",
-                    "// No product and sum in one rounding.",
-                ]
-                .map(str::to_owned),
-            );
-            self.line("#pragma clang fp contract(off)");
-            self.line("");
+            let head = "#include <metal_stdlib>\nusing namespace metal;\n\n// No product and sum in one rounding.\n\
+                        #pragma clang fp contract(off)\n\n";
+            self.lines.extend(head.lines().map(str::to_owned));
         }
         if self.is_exact() {
-            let value = match self.language {
-                Language::Wgsl => format!("const {BARRIER}: f32 = 3e38;"),
-                Language::Msl => format!("constant float {BARRIER} = 3e38f;"),
-                Language::Hlsl | Language::Slang => format!("static const float {BARRIER} = 3e38;"),
-                // It stands above the default precision.
-                Language::GlslEs => format!("const highp float {BARRIER} = 3e38;"),
-                _ => format!("const float {BARRIER} = 3e38;"),
-            };
+            // In GLSL ES it stands above the default precision.
+            let ty =
+                if self.language == Language::GlslEs { "highp float" } else { &self.type_name(&Type::FLOAT) };
+            let value = self.constant_text(ty, BARRIER, &self.number("3e38", &Type::FLOAT));
             let why = "// No result is larger, but compilers cannot know: what goes through `min` with it is rounded before.";
             self.lines.extend([why.to_owned(), value, String::new()]);
         }
@@ -233,10 +221,11 @@ impl<'a> Printer<'a> {
     }
 
     fn item(&mut self, file: &File, item: &Item) -> Result<(), Error> {
-        let is_of_glsl = matches!(item.kind, ItemKind::Precise(_) | ItemKind::Precision(_));
-        let is_precision = matches!(item.kind, ItemKind::Precision(_));
-        let is_left_out = is_of_glsl
-            && !(self.language == Language::Glsl || (is_precision && self.language == Language::GlslEs));
+        let is_left_out = match item.kind {
+            ItemKind::Precise(_) => self.language != Language::Glsl,
+            ItemKind::Precision(_) => !matches!(self.language, Language::Glsl | Language::GlslEs),
+            _ => false,
+        };
         if is_left_out {
             self.line("");
             return Ok(());
@@ -282,31 +271,29 @@ impl<'a> Printer<'a> {
     }
 
     fn constant(&mut self, constant: &Constant) {
-        let (ty, name) = (self.type_name(&constant.ty), &constant.name);
-        let value = self.value(&constant.value);
-        let text = match self.language {
+        let (ty, value) = (self.type_name(&constant.ty), self.value(&constant.value));
+        let text = self.constant_text(&ty, &constant.name, &value);
+        self.wrapped(0, &text);
+    }
+
+    fn constant_text(&self, ty: &str, name: &str, value: &str) -> String {
+        match self.language {
             Language::Wgsl => format!("const {name}: {ty} = {value};"),
             Language::Msl => format!("constant {ty} {name} = {value};"),
             Language::Hlsl | Language::Slang => format!("static const {ty} {name} = {value};"),
             _ => format!("const {ty} {name} = {value};"),
-        };
-        self.wrapped(0, &text);
+        }
     }
 
     /// The initial value of a variable: structs are lists in languages whose structs have no constructor.
     fn value(&self, value: &Expr) -> String {
+        let has_lists = matches!(self.language, Language::Hlsl | Language::Slang | Language::Msl);
         match &value.kind {
-            ExprKind::Construct(arguments)
-                if matches!(value.ty, Type::Struct(_)) && self.structs_are_lists() =>
-            {
+            ExprKind::Construct(arguments) if matches!(value.ty, Type::Struct(_)) && has_lists => {
                 format!("{{ {} }}", self.list(arguments))
             }
             _ => self.expr(value),
         }
-    }
-
-    fn structs_are_lists(&self) -> bool {
-        matches!(self.language, Language::Hlsl | Language::Slang | Language::Msl)
     }
 
     fn structure(&mut self, declared: &Struct) {
@@ -343,9 +330,8 @@ impl<'a> Printer<'a> {
     }
 
     fn function_head(&self, function: &Function, file: &File) -> String {
-        let parameters: Vec<String> =
-            function.parameters.iter().map(|parameter| self.parameter(parameter)).collect();
-        let (name, parameters) = (&function.name, parameters.join(", "));
+        let parameters = joined(function.parameters.iter().map(|parameter| self.parameter(parameter)));
+        let name = &function.name;
         let returns = self.type_name(&function.returns);
         match self.language {
             Language::Wgsl if function.returns == Type::Void => format!("fn {name}({parameters})"),
@@ -409,12 +395,9 @@ impl<'a> Printer<'a> {
             return;
         }
         match kind {
-            StatementKind::If { condition, then } => {
-                let head = format!("if {}", self.condition(condition));
-                self.block(indent, &head, then, Vec::new());
-            }
-            StatementKind::While { condition, body } => {
-                let head = format!("while {}", self.condition(condition));
+            StatementKind::If { condition, then: body } | StatementKind::While { condition, body } => {
+                let word = if matches!(kind, StatementKind::If { .. }) { "if" } else { "while" };
+                let head = format!("{word} {}", self.condition(condition));
                 self.block(indent, &head, body, Vec::new());
             }
             StatementKind::For { start, condition, step, body } => {
@@ -522,6 +505,11 @@ impl<'a> Printer<'a> {
     fn wrapped(&mut self, indent: usize, text: &str) {
         self.lines.extend(wrapped(indent, text));
     }
+}
+
+/// The parts of a list, as text.
+fn joined(parts: impl Iterator<Item = String>) -> String {
+    parts.collect::<Vec<_>>().join(", ")
 }
 
 /// A file's name without its extension.
