@@ -11,6 +11,21 @@ fn library() -> Library {
     Library::parse(glsl).unwrap()
 }
 
+/// The text of an include.
+fn source(file: &str) -> &'static str {
+    glsl(&format!("unitvec/{file}")).unwrap()
+}
+
+/// The words in a text.
+fn words(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
+}
+
+/// The lines of a text that are no comments.
+fn code(text: &str) -> impl Iterator<Item = &str> {
+    text.lines().filter(|line| !line.trim_start().starts_with("//"))
+}
+
 /// All languages and editions but GLSL.
 fn generated() -> impl Iterator<Item = (Language, Edition)> {
     let others = Language::ALL.into_iter().filter(|language| *language != Language::Glsl);
@@ -52,16 +67,14 @@ fn flat_files_are_current() {
 /// which all have.
 #[test]
 fn flat_files_have_what_their_families_need() {
-    fn code(text: &str) -> Vec<&str> {
-        let code = text.lines().filter(|line| !line.trim_start().starts_with("//") && !line.starts_with('#'));
-        let words = code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
-        words.filter(|word| !word.is_empty()).collect()
+    fn of_code(text: &str) -> Vec<&str> {
+        code(text).filter(|line| !line.starts_with('#')).flat_map(words).collect()
     }
     let flat = library().flat().unwrap();
-    let flat: Vec<(&String, Vec<&str>)> = flat.iter().map(|(file, text)| (file, code(text))).collect();
+    let flat: Vec<(&String, Vec<&str>)> = flat.iter().map(|(file, text)| (file, of_code(text))).collect();
     let is_in_all = |name: &str| flat.iter().all(|(_, words)| words.contains(&name));
     for (file, words) in &flat {
-        let own = code(glsl(&format!("unitvec/{file}")).unwrap());
+        let own = of_code(source(file));
         assert_eq!(own.iter().find(|word| !words.contains(word)), None, "{file} lacks it");
         let is_used =
             |name: &str| own.contains(&name) || words.iter().filter(|word| **word == name).count() > 1;
@@ -81,8 +94,7 @@ fn glsl_comes_back() {
     let library = library();
     for file in library.files() {
         let printed = library.file(file, Language::Glsl, Edition::Plain).unwrap();
-        let source = glsl(&format!("unitvec/{file}")).unwrap();
-        assert!(without_blanks(&printed) == without_blanks(source), "{file}");
+        assert!(without_blanks(&printed) == without_blanks(source(file)), "{file}");
     }
 }
 
@@ -105,7 +117,7 @@ fn files_are_as_long_as_their_sources() {
     let library = library();
     for (language, edition) in generated() {
         for file in library.files().filter(|file| *file != "unitvec.glsl") {
-            let source = lines(glsl(&format!("unitvec/{file}")).unwrap());
+            let source = lines(source(file));
             let text = library.file(file, language, edition).unwrap();
             let text = lines(&text);
             let ratio = text.len() as f64 / source.len() as f64;
@@ -119,14 +131,12 @@ fn files_are_as_long_as_their_sources() {
 
 /// The words of a comment that are the same in all languages.
 fn common_words(comment: &str) -> Vec<&str> {
-    let words =
-        comment.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty());
     let of_language = |word: &&str| {
         let is_type =
             ["vec", "float", "uint", "int", "u32"].iter().any(|stem| word.contains(stem)) && word.len() <= 6;
         is_type || Language::ALL.iter().any(|language| language.extension() == *word)
     };
-    words.filter(|word| !of_language(word)).collect()
+    words(comment).filter(|word| !of_language(word)).collect()
 }
 
 /// The comments below a file's head, in their order.
@@ -149,24 +159,21 @@ fn comments_stay_in_their_places() {
     for (language, edition) in generated() {
         for file in library.files() {
             let text = library.file(file, language, edition).unwrap();
-            let [source, text] = [glsl(&format!("unitvec/{file}")).unwrap(), &text]
+            let [source, text] = [source(file), &text]
                 .map(|text| comments(text).into_iter().filter(|words| !is_own(words)).collect::<Vec<_>>());
             assert_eq!(text, source, "{file} in {language}");
         }
     }
 }
 
-/// The words of the code of all files.
-fn words(texts: impl Iterator<Item = String>) -> BTreeSet<String> {
-    let code = |text: String| {
-        let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-        let words = lines.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && c != '_'));
-        words
-            .filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()))
-            .map(str::to_owned)
-            .collect::<Vec<_>>()
+/// The names in the code of all files.
+fn names(texts: impl Iterator<Item = String>) -> BTreeSet<String> {
+    let in_code = |text: String| {
+        let words =
+            code(&text).flat_map(words).filter(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()));
+        words.map(str::to_owned).collect::<Vec<_>>()
     };
-    texts.flat_map(code).collect()
+    texts.flat_map(in_code).collect()
 }
 
 /// No name is in a translation that is not in the source, but for words of the language, the barrier, and parameters that
@@ -174,10 +181,10 @@ fn words(texts: impl Iterator<Item = String>) -> BTreeSet<String> {
 #[test]
 fn names_are_those_of_the_source() {
     let library = library();
-    let source = words(library.files().map(|file| glsl(&format!("unitvec/{file}")).unwrap().to_owned()));
+    let source = names(library.files().map(|file| source(file).to_owned()));
     for (language, edition) in generated() {
         let files = library.files().filter(|file| library.file_name(file, language).is_some());
-        let text = words(files.map(|file| library.file(file, language, edition).unwrap()));
+        let text = names(files.map(|file| library.file(file, language, edition).unwrap()));
         let own = match language {
             Language::Hlsl => {
                 "static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint asfloat all any"
@@ -241,9 +248,7 @@ fn an_excerpt_has_nothing_else() {
         for codec in ["snorm8x3", "crytek_bfn24", "oct32p"] {
             let asked = [format!("{codec}_encode"), format!("{codec}_decode")];
             let text = library.excerpt(&[&asked[0], &asked[1]], language, edition).unwrap();
-            let code: Vec<&str> = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
-            let code = code.join("\n");
-            let words: Vec<&str> = code.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').collect();
+            let words: Vec<&str> = code(&text).flat_map(words).collect();
             for name in words.iter().filter(|word| word.to_lowercase().starts_with("unitvec_")) {
                 let count = words.iter().filter(|word| *word == name).count();
                 let is_frame = ["UNITVEC_HUGE", "UNITVEC_BEST_FIT_TABLE"].contains(name);
@@ -378,9 +383,8 @@ fn modules_import_what_they_use() {
 fn numbers_survive_godot() {
     let library = library();
     for file in library.files() {
-        let source = glsl(&format!("unitvec/{file}")).unwrap();
         let text = library.file(file, Language::Godot, Edition::Exact).unwrap();
-        assert!(floats(source).is_empty() || !floats(&text).is_empty(), "{file}");
+        assert!(floats(source(file)).is_empty() || !floats(&text).is_empty(), "{file}");
         for number in floats(&text) {
             let value: f32 = number.parse().unwrap();
             assert_eq!(format!("{value:.14}").parse(), Ok(value), "{number} in {file}");
@@ -396,9 +400,9 @@ fn numbers_survive_godot() {
 
 /// The numbers with a point in the code of a text.
 fn floats(text: &str) -> Vec<&str> {
-    let code = text.lines().filter(|line| !line.trim_start().starts_with("//"));
-    let words = code.flat_map(|line| line.split(|c: char| !c.is_ascii_alphanumeric() && !"._-".contains(c)));
-    let words = words.map(|word| word.trim_start_matches('-'));
+    let is_part = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
+    let words =
+        code(text).flat_map(|line| line.split(|c| !is_part(c))).map(|word| word.trim_start_matches('-'));
     words.filter(|word| word.starts_with(|c: char| c.is_ascii_digit()) && word.contains('.')).collect()
 }
 
