@@ -93,19 +93,14 @@ unsafe fn encode(
     (codes, codes_size): (*mut c_void, usize),
     run: Encode,
 ) -> Status {
-    guarded(|| {
-        let codec = any(codec)?;
-        let floats = checked(codec, elements.addr(), count, codes.addr(), codes_size)?;
-        if count == 0 {
-            return Ok(());
-        }
+    checked(codec, (elements.addr(), count), (codes.addr(), codes_size), |codec, floats| {
         // SAFETY: `checked` found the pointer to be aligned and not NULL, and the size to be less than isize::MAX. The
         // caller promises so many floats.
         let elements = unsafe { slice::from_raw_parts(elements, floats) };
         // SAFETY: not NULL, and of a size that is less than isize::MAX. The caller promises so many bytes, of which nothing
         // else makes use; `checked` found that the elements are none of them.
         let codes = unsafe { slice::from_raw_parts_mut(codes.cast::<u8>(), codes_size) };
-        run(codec, elements, codes).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+        run(codec, elements, codes)
     })
 }
 
@@ -117,19 +112,14 @@ unsafe fn decode(
     (elements, count): (*mut f32, usize),
     run: Decode,
 ) -> Status {
-    guarded(|| {
-        let codec = any(codec)?;
-        let floats = checked(codec, elements.addr(), count, codes.addr(), codes_size)?;
-        if count == 0 {
-            return Ok(());
-        }
+    checked(codec, (elements.addr(), count), (codes.addr(), codes_size), |codec, floats| {
         // SAFETY: `checked` found the pointer not to be NULL, and the size to be less than isize::MAX. The caller promises
         // so many bytes.
         let codes = unsafe { slice::from_raw_parts(codes.cast::<u8>(), codes_size) };
         // SAFETY: aligned, not NULL, and of a size that is less than isize::MAX. The caller promises so many floats, of
         // which nothing else makes use; `checked` found that the codes are none of them.
         let elements = unsafe { slice::from_raw_parts_mut(elements, floats) };
-        run(codec, codes, elements).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+        run(codec, codes, elements)
     })
 }
 
@@ -142,38 +132,36 @@ fn guarded(run: impl FnOnce() -> Result<(), Status>) -> Status {
     }
 }
 
-fn any(codec: *const Codec) -> Result<&'static AnyCodec, Status> {
-    Codec::at(codec).map(|codec| codec.any).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)
-}
-
-/// The number of floats of `count` elements, where slices can be made at both addresses, or `count` is 0.
+/// Runs a function of the codec with the number of floats of `count` elements, where slices can be made at both addresses. Does
+/// nothing where `count` is 0: then the addresses are not used.
 fn checked(
-    codec: &AnyCodec,
-    elements: usize,
-    count: usize,
-    codes: usize,
-    codes_size: usize,
-) -> Result<usize, Status> {
-    let floats = count.checked_mul(codec.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
-    let size = floats.checked_mul(size_of::<f32>()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
-    // Codes are smaller than their elements.
-    if size > isize::MAX as usize || count * codec.bytes != codes_size {
-        return Err(Status::UNITVEC_ERROR_SIZE);
-    }
-    if count == 0 {
-        // The pointers are not used.
-        return Ok(0);
-    }
-    if elements == 0 || codes == 0 {
-        return Err(Status::UNITVEC_ERROR_NULL_POINTER);
-    }
-    if elements % align_of::<f32>() != 0 {
-        return Err(Status::UNITVEC_ERROR_ALIGNMENT);
-    }
-    if elements < codes.saturating_add(codes_size) && codes < elements.saturating_add(size) {
-        return Err(Status::UNITVEC_ERROR_OVERLAP);
-    }
-    Ok(floats)
+    codec: *const Codec,
+    (elements, count): (usize, usize),
+    (codes, codes_size): (usize, usize),
+    run: impl FnOnce(&AnyCodec, usize) -> Result<(), LengthMismatch>,
+) -> Status {
+    guarded(|| {
+        let codec = Codec::at(codec).ok_or(Status::UNITVEC_ERROR_UNKNOWN_CODEC)?.any;
+        let floats = count.checked_mul(codec.element.floats()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
+        let size = floats.checked_mul(size_of::<f32>()).ok_or(Status::UNITVEC_ERROR_SIZE)?;
+        // Codes are smaller than their elements.
+        if size > isize::MAX as usize || count * codec.bytes != codes_size {
+            return Err(Status::UNITVEC_ERROR_SIZE);
+        }
+        if count == 0 {
+            return Ok(());
+        }
+        if elements == 0 || codes == 0 {
+            return Err(Status::UNITVEC_ERROR_NULL_POINTER);
+        }
+        if elements % align_of::<f32>() != 0 {
+            return Err(Status::UNITVEC_ERROR_ALIGNMENT);
+        }
+        if elements < codes.saturating_add(codes_size) && codes < elements.saturating_add(size) {
+            return Err(Status::UNITVEC_ERROR_OVERLAP);
+        }
+        run(codec, floats).map_err(|_| Status::UNITVEC_ERROR_SIZE)
+    })
 }
 
 #[cfg(test)]

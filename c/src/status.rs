@@ -24,36 +24,26 @@ pub enum Status {
 }
 
 impl Status {
-    const ALL: [Self; 7] = [
-        Self::UNITVEC_OK,
-        Self::UNITVEC_ERROR_UNKNOWN_CODEC,
-        Self::UNITVEC_ERROR_NULL_POINTER,
-        Self::UNITVEC_ERROR_SIZE,
-        Self::UNITVEC_ERROR_ALIGNMENT,
-        Self::UNITVEC_ERROR_OVERLAP,
-        Self::UNITVEC_ERROR_INTERNAL,
+    const TEXTS: [(Self, &'static CStr); 7] = [
+        (Self::UNITVEC_OK, c"success"),
+        (
+            Self::UNITVEC_ERROR_UNKNOWN_CODEC,
+            c"unknown codec: pass what unitvec_find or unitvec_codec_at gave, unless it is NULL",
+        ),
+        (Self::UNITVEC_ERROR_NULL_POINTER, c"the pointer to the elements or to the codes is NULL"),
+        (
+            Self::UNITVEC_ERROR_SIZE,
+            c"the size of the codes is not the count of elements times unitvec_codec_bytes",
+        ),
+        (Self::UNITVEC_ERROR_ALIGNMENT, c"the pointer to the elements is not aligned as float is"),
+        (Self::UNITVEC_ERROR_OVERLAP, c"the elements and the codes overlap"),
+        (Self::UNITVEC_ERROR_INTERNAL, c"internal error of unitvec: please report it"),
     ];
-
-    const fn text(self) -> &'static CStr {
-        match self {
-            Self::UNITVEC_OK => c"success",
-            Self::UNITVEC_ERROR_UNKNOWN_CODEC => {
-                c"unknown codec: pass what unitvec_find or unitvec_codec_at gave, unless it is NULL"
-            }
-            Self::UNITVEC_ERROR_NULL_POINTER => c"the pointer to the elements or to the codes is NULL",
-            Self::UNITVEC_ERROR_SIZE => {
-                c"the size of the codes is not the count of elements times unitvec_codec_bytes"
-            }
-            Self::UNITVEC_ERROR_ALIGNMENT => c"the pointer to the elements is not aligned as float is",
-            Self::UNITVEC_ERROR_OVERLAP => c"the elements and the codes overlap",
-            Self::UNITVEC_ERROR_INTERNAL => c"internal error of unitvec: please report it",
-        }
-    }
 }
 
 /// The meaning of a status, in a line of English that lives as long as the program. Any number may be given.
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_status_text(status: u32) -> *const c_char {
-    let known = Status::ALL.into_iter().find(|known| *known as u32 == status);
-    known.map_or(c"not a unitvec_status", Status::text).as_ptr()
+    let known = Status::TEXTS.into_iter().find(|(known, _)| *known as u32 == status);
+    known.map_or(c"not a unitvec_status", |(_, text)| text).as_ptr()
 }
