@@ -48,11 +48,9 @@ use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
 use crate::oct::{from_lattice, lattice_precise};
 #[cfg(not(target_arch = "spirv"))]
-use crate::slice::machine::as_chunks;
-#[cfg(not(target_arch = "spirv"))]
-use crate::slice::stored::{Stored, with_size};
-#[cfg(not(target_arch = "spirv"))]
-use crate::slice::{LengthMismatch, expect_length, store_each};
+use crate::slice::{
+    LengthMismatch, expect_length, machine::as_chunks, store_each, stored::Stored, stored::with_size,
+};
 use crate::{Oct22, OctPrecise22};
 use core::fmt::Debug;
 use core::hash::Hash;

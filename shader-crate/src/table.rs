@@ -22,8 +22,8 @@
 
 use crate::codec::{Code, Codec};
 use crate::slice::block::BLOCK;
-use crate::slice::machine::as_chunks;
-use crate::slice::machine::{Level, Task, prefetch};
+use crate::slice::machine::{Level, Task, as_chunks, prefetch};
+use crate::slice::stored::{Stored, with_size};
 use crate::slice::{self, LengthMismatch, Vector};
 use core::fmt;
 use core::marker::PhantomData;
@@ -91,15 +91,11 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
             }
             let codes = &codes[range.start * C::BYTES..range.end * C::BYTES];
             let vectors = &mut vectors[range];
-            if C::BYTES == 1 {
-                for (vector, code) in vectors.iter_mut().zip(codes) {
-                    *vector = self.entry(u32::from(*code)).into();
+            with_size!(C::BYTES, SIZE => {
+                for (vector, code) in vectors.iter_mut().zip(as_chunks::<_, SIZE>(codes).0) {
+                    *vector = self.entry(code.words().0).into();
                 }
-            } else {
-                for (vector, code) in vectors.iter_mut().zip(as_chunks(codes).0) {
-                    *vector = self.entry(u32::from(u16::from_le_bytes(*code))).into();
-                }
-            }
+            });
         }
         Ok(())
     }

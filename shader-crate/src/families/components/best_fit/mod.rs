@@ -119,93 +119,80 @@ const fn error_bound(length: f32, rounding: f32) -> f32 {
     ((core::f32::consts::FRAC_1_SQRT_2 + rounding) / length).to_degrees()
 }
 
-/// snorm8x3P, 24 bits: the best of a cell's four lengths. A VK_FORMAT_R8G8B8_SNORM.
-///
-/// This works the lengths out, 576 trials: with more than a few vectors to encode, take [`EncodeByTable`].
-/// Keeps the axes. Decodes to a vector that is not normalised.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct SnormBest8;
+/// Declares the codecs of three snorm8, each by the length whose bound it has and its encoder.
+macro_rules! codecs_of_24_bits {
+    ($(
+        $(#[$doc:meta])* $codec:ident,
+        $(#[$bound_doc:meta])* $length:literal,
+        |$v:ident| $encode:expr;
+    )*) => { $(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+        pub struct $codec;
 
-impl Codec for SnormBest8 {
-    const BITS: u32 = 24;
-    const IS_UNIT: bool = false;
-    const STABLE_ACROSS_DEVICES: bool = false;
+        impl Codec for $codec {
+            const BITS: u32 = 24;
+            const IS_UNIT: bool = false;
+            const STABLE_ACROSS_DEVICES: bool = false;
+            $(#[$bound_doc])*
+            const MAX_ERROR_DEG: f32 = error_bound($length, 1.0 / 16_384.0);
+            type Code = u32;
+
+            #[inline(always)]
+            fn encode_vec3(v: Vec3) -> u32 {
+                let ($v, _) = or_z(v);
+                $encode
+            }
+
+            #[inline(always)]
+            fn decode_vec3(code: u32) -> Vec3 {
+                Vec3::new(snorm_decode(code, 8), snorm_decode(code >> 8, 8), snorm_decode(code >> 16, 8))
+            }
+        }
+    )* };
+}
+
+codecs_of_24_bits! {
+    /// snorm8x3P, 24 bits: the best of a cell's four lengths. A VK_FORMAT_R8G8B8_SNORM.
+    ///
+    /// This works the lengths out, 576 trials: with more than a few vectors to encode, take [`EncodeByTable`].
+    /// Keeps the axes. Decodes to a vector that is not normalised.
+    SnormBest8,
     /// The bound for a length of 120. 127, which leaves 0.319 at most, need not be among a cell's lengths: found by
     /// trial of the cells, in directions 1/8 of a cell apart, that none leaves more. The rest is for directions in
     /// between.
-    const MAX_ERROR_DEG: f32 = error_bound(120.0, 1.0 / 16_384.0);
-    type Code = u32;
-
-    #[inline(always)]
-    fn encode_vec3(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
+    120.0,
+    |v| {
         let (parts, reciprocal) = parts_and_reciprocal(v);
         let (column, row) = cell_of(parts);
         code_at_length(v, reciprocal, best_of(parts, cell_lengths(column, row)))
-    }
+    };
 
-    #[inline(always)]
-    fn decode_vec3(code: u32) -> Vec3 {
-        Vec3::new(snorm_decode(code, 8), snorm_decode(code >> 8, 8), snorm_decode(code >> 16, 8))
-    }
-}
-
-/// The format of [`SnormBest8`], 24 bits, with an encoder that misses nothing: of all whole vectors the one that points
-/// nearest.
-///
-/// Keeps the direction of any code. Decodes to a vector that is not normalised.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct SnormNearest8;
-
-impl Codec for SnormNearest8 {
-    const BITS: u32 = 24;
-    const IS_UNIT: bool = false;
-    const STABLE_ACROSS_DEVICES: bool = false;
+    /// The format of [`SnormBest8`], 24 bits, with an encoder that misses nothing: of all whole vectors the one that points
+    /// nearest.
+    ///
+    /// Keeps the direction of any code. Decodes to a vector that is not normalised.
+    SnormNearest8,
     /// The bound for a length of 127, which is among those tried. Positions are off by 2^-17 at most.
-    const MAX_ERROR_DEG: f32 = error_bound(127.0, 1.0 / 16_384.0);
-    type Code = u32;
-
-    #[inline(always)]
-    fn encode_vec3(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
+    127.0,
+    |v| {
         let u = on_cube(v);
         pack8(at_scale(v, u, best_scale(by_size(u))))
-    }
+    };
 
-    #[inline(always)]
-    fn decode_vec3(code: u32) -> Vec3 {
-        SnormBest8::decode_vec3(code)
-    }
-}
-
-/// CrytekBFN24, 24 bits: Kaplanyan's method, one length for all directions of a cell. A VK_FORMAT_R8G8B8_SNORM.
-///
-/// This works the length out; with a table at hand, take [`EncodeByTable`].
-/// Decodes to a vector that is not normalised.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct CrytekBfn24;
-
-impl Codec for CrytekBfn24 {
-    const BITS: u32 = 24;
-    const IS_UNIT: bool = false;
-    const STABLE_ACROSS_DEVICES: bool = false;
+    /// CrytekBFN24, 24 bits: Kaplanyan's method, one length for all directions of a cell. A VK_FORMAT_R8G8B8_SNORM.
+    ///
+    /// This works the length out; with a table at hand, take [`EncodeByTable`].
+    /// Decodes to a vector that is not normalised.
+    CrytekBfn24,
     /// No length is below 64. The largest error seen is half of that, 0.31.
-    const MAX_ERROR_DEG: f32 = error_bound(64.0, 1.0 / 16_384.0);
-    type Code = u32;
-
-    #[inline(always)]
-    fn encode_vec3(v: Vec3) -> u32 {
-        let (v, _) = or_z(v);
+    64.0,
+    |v| {
         let (parts, reciprocal) = parts_and_reciprocal(v);
         let (column, row) = cell_of(parts);
         let [length, ..] = cell_lengths(column, row);
         code_at_length(v, reciprocal, length)
-    }
-
-    #[inline(always)]
-    fn decode_vec3(code: u32) -> Vec3 {
-        SnormBest8::decode_vec3(code)
-    }
+    };
 }
 
 /// snorm16x3P, 48 bits: the best of the lengths 32704 to 32767 and of the unit vector. A VK_FORMAT_R16G16B16_SNORM.
