@@ -92,7 +92,5 @@ pub extern "C" fn unitvec_codec_vk_format(codec: *const Codec) -> *const c_char 
 /// The version of the library, such as "0.1.0".
 #[unsafe(no_mangle)]
 pub extern "C" fn unitvec_version() -> *const c_char {
-    static VERSION: LazyLock<CString> =
-        LazyLock::new(|| CString::new(env!("CARGO_PKG_VERSION")).unwrap_or_default());
-    VERSION.as_ptr()
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }

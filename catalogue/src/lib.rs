@@ -271,10 +271,7 @@ impl Element {
 
     /// The number of f32 in an element.
     pub const fn floats(self) -> usize {
-        match self {
-            Self::Vector => 3,
-            Self::Frame => 7,
-        }
+        self.row().0
     }
 
     /// The element's size as packed f32.
@@ -282,19 +279,20 @@ impl Element {
         4 * self.floats()
     }
 
-    /// The directions of an element that have an error: `direction` for a vector, `normal` and `tangent` for a frame.
-    pub const fn directions(self) -> &'static [&'static str] {
-        match self {
-            Self::Vector => &["direction"],
-            Self::Frame => &["normal", "tangent"],
-        }
-    }
-
     /// `vectors` or `frames`.
     pub const fn plural(self) -> &'static str {
+        self.row().1
+    }
+
+    /// The directions of an element that have an error: `direction` for a vector, `normal` and `tangent` for a frame.
+    pub const fn directions(self) -> &'static [&'static str] {
+        self.row().2
+    }
+
+    const fn row(self) -> (usize, &'static str, &'static [&'static str]) {
         match self {
-            Self::Vector => "vectors",
-            Self::Frame => "frames",
+            Self::Vector => (3, "vectors", &["direction"]),
+            Self::Frame => (7, "frames", &["normal", "tangent"]),
         }
     }
 }

@@ -180,6 +180,7 @@ pub fn crytek_bfn24(v: [f64; 3]) -> u64 {
 mod tests {
     use super::*;
     use crate::Reference;
+    use crate::reference::tests::directions;
 
     /// The search of snorm8x3_nearest misses nothing that the fuller one finds; by table one direction in eleven is
     /// off by more, none by less.
@@ -188,12 +189,7 @@ mod tests {
         let [nearest, by_table] =
             ["snorm8x3_nearest", "snorm8x3p"].map(|id| Reference::find(id).unwrap_or_else(|| panic!("{id}")));
         let mut worse = 0;
-        for i in 1..=5_000 {
-            let [z, turn] =
-                [0.754_877_666_246_693, 0.569_840_290_998_053].map(|step| (f64::from(i) * step).fract());
-            let (z, (y, x)) = (2.0 * z - 1.0, (std::f64::consts::TAU * turn).sin_cos());
-            let radius = (1.0 - z * z).sqrt();
-            let v = [radius * x, radius * y, z];
+        for v in directions(-1.0, 5_000) {
             let least = least_error(v, 127);
             let [ours, by_table] = [nearest, by_table].map(|codec| angle_deg(v, codec.round_trip(v)));
             assert!(ours <= least + 1e-9, "{v:?}: {ours} and {least}");

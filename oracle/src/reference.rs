@@ -190,14 +190,14 @@ fn components(id: &str) -> Option<Reference> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use super::*;
     use crate::{Summary, angle_deg, hemioct, survey};
     use std::f64::consts::TAU;
 
     /// Directions uniform on the sphere or, from `low` = 0, the upper hemisphere: additive recurrences of the plastic
     /// number.
-    fn directions(low: f64, count: u32) -> impl Iterator<Item = [f64; 3]> {
+    pub fn directions(low: f64, count: u32) -> impl Iterator<Item = [f64; 3]> {
         const P: f64 = 1.324_717_957_244_746;
         (1..=count).map(move |i| {
             let [a, b] = [1.0 / P, 1.0 / (P * P)].map(|step| (f64::from(i) * step + 0.5).fract());
