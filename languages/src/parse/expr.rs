@@ -157,14 +157,7 @@ impl Parser<'_> {
 
     fn call(&mut self, name: &str) -> Parsed<Expr> {
         let may_be_struct = std::mem::take(&mut self.may_be_struct);
-        self.expect("(")?;
-        let mut arguments = Vec::new();
-        while !self.took(")") {
-            arguments.push(self.expression()?);
-            if !self.is(")") {
-                self.expect(",")?;
-            }
-        }
+        let arguments = self.listed(Self::expression)?;
         if let Some((returns, parameters)) = self.declared.functions.get(name).cloned() {
             self.check(name, &parameters, &arguments)?;
             return Ok(Expr { kind: ExprKind::Call(name.to_owned(), arguments), ty: returns });

@@ -112,6 +112,19 @@ impl<'a> Parser<'a> {
         }
     }
 
+    /// Parts in parentheses, with commas between them.
+    fn listed<T>(&mut self, part: impl Fn(&mut Self) -> Parsed<T>) -> Parsed<Vec<T>> {
+        self.expect("(")?;
+        let mut parts = Vec::new();
+        while !self.took(")") {
+            parts.push(part(self)?);
+            if !self.is(")") {
+                self.expect(",")?;
+            }
+        }
+        Ok(parts)
+    }
+
     /// The file: comment, guard, declarations.
     fn file(&mut self) -> Parsed<File> {
         let guard = self.peek().text.strip_prefix("#ifndef ").filter(|name| name.ends_with("_GLSL"));
@@ -259,16 +272,10 @@ impl<'a> Parser<'a> {
 
     fn function(&mut self) -> Parsed<Function> {
         let (returns, name) = (self.type_name()?, self.new_name()?);
-        self.expect("(")?;
-        let mut parameters = Vec::new();
-        while !self.took(")") {
-            let is_out = self.took("out");
-            let (ty, name) = (self.type_name()?, self.word("a parameter's name")?);
-            parameters.push(Parameter { ty, name, is_out });
-            if !self.is(")") {
-                self.expect(",")?;
-            }
-        }
+        let parameters = self.listed(|parser| {
+            let is_out = parser.took("out");
+            Ok(Parameter { ty: parser.type_name()?, name: parser.word("a parameter's name")?, is_out })
+        })?;
         let scope =
             parameters.iter().map(|parameter| (parameter.name.clone(), (parameter.ty.clone(), false)));
         self.scopes = vec![scope.collect()];
@@ -328,18 +335,19 @@ impl<'a> Parser<'a> {
         };
         self.take();
         self.in_version = matches!(condition, Condition::Version(_));
-        let mut then = Vec::new();
-        while !self.is("#else") {
-            then.push(self.statement()?);
-        }
+        let then = self.statements_to("#else")?;
         self.in_version = false;
-        self.take();
-        let mut otherwise = Vec::new();
-        while !self.is("#endif") {
-            otherwise.push(self.statement()?);
-        }
-        self.take();
+        let otherwise = self.statements_to("#endif")?;
         Ok(StatementKind::Alternative { condition, then, otherwise })
+    }
+
+    /// The statements before a directive, which is taken too.
+    fn statements_to(&mut self, end: &str) -> Parsed<Vec<Statement>> {
+        let mut statements = Vec::new();
+        while !self.took(end) {
+            statements.push(self.statement()?);
+        }
+        Ok(statements)
     }
 
     fn in_parentheses(&mut self) -> Parsed<Expr> {
