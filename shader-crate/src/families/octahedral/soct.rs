@@ -28,8 +28,8 @@
 
 use super::hemioct::{error_bound, position};
 use crate::arith::{
-    SIGN_BIT, biased, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers,
-    snorm_max, unbiased, with_sign,
+    SIGN_BIT, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers, snorm_max,
+    with_sign,
 };
 use crate::codec::{Code, Codec};
 use crate::direction::{is_usable, l1_norm};
@@ -80,19 +80,7 @@ pub fn unproject(e: Vec3) -> Vec3 {
     from_lattice(snorm_clamp(Vec2::new(e.x, e.y)), sign_bit, 1.0)
 }
 
-/// [`project`] with u and v on \[0, 1\], for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
-/// hemisphere in alpha.
-#[inline(always)]
-pub fn project_unorm(v: Vec3) -> Vec3 {
-    let e = project(v);
-    biased(Vec2::new(e.x, e.y)).extend(e.z)
-}
-
-/// [`unproject`] for a point whose u and v are on \[0, 1\], as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm(e: Vec3) -> Vec3 {
-    unproject(unbiased(Vec2::new(e.x, e.y)).extend(e.z))
-}
+unorm_projection!(<>);
 
 /// Signed octahedral code of `BITS` bits (17 or 25; 33 with codes of two words).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -101,8 +101,8 @@ pub use disk::*;
 pub use square::*;
 
 use crate::arith::{
-    SnormDivision, biased, exp2, floor, is_negative, is_set, negate_if, signed_code, signed_integer,
-    snorm_clamp, snorm_integer, snorm_max, unbiased,
+    SnormDivision, exp2, floor, is_negative, is_set, negate_if, signed_code, signed_integer, snorm_clamp,
+    snorm_integer, snorm_max,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -161,19 +161,7 @@ pub fn unproject<P: Projection, S: SquareMap>(e: Vec3) -> Vec3 {
     Vec3::new(signed(s.x < 0.0, n.x), signed(s.y < 0.0, n.y), signed(is_set(e.z), n.z))
 }
 
-/// [`project`] with u and v on \[0, 1\], for a UNORM format such as VK_FORMAT_A2B10G10R10_UNORM_PACK32, with the
-/// hemisphere in alpha.
-#[inline(always)]
-pub fn project_unorm<P: Projection, S: SquareMap>(v: Vec3) -> Vec3 {
-    let e = project::<P, S>(v);
-    biased(Vec2::new(e.x, e.y)).extend(e.z)
-}
-
-/// [`unproject`] for a point whose u and v are on \[0, 1\], as a UNORM format gives it.
-#[inline(always)]
-pub fn unproject_unorm<P: Projection, S: SquareMap>(e: Vec3) -> Vec3 {
-    unproject::<P, S>(unbiased(Vec2::new(e.x, e.y)).extend(e.z))
-}
+unorm_projection!(<P: Projection, S: SquareMap>);
 
 /// `stretch` steps of v in degrees, and the error of rounding the position in f32: at most 2^-21 per axis, of which
 /// four times the length of `k/2` and 1/2 are more than enough.
