@@ -70,7 +70,7 @@ use glam::Vec3;
 ///
 /// Patches at y < 0 are those at y > 0, mirrored: the number of one is the other's complement.
 #[inline(always)]
-pub fn grid_encode(v: Vec3, half: u32) -> u32 {
+fn grid_encode(v: Vec3, half: u32) -> u32 {
     let norm = l1_norm(v);
     let p = scaled(v, norm);
     let rings = (1 << half) as f32;
@@ -83,7 +83,7 @@ pub fn grid_encode(v: Vec3, half: u32) -> u32 {
 
 /// The middle of the patch of a code of [`LatLong`]. Patches from -X to +X count as -`2^(half-1)` to -1.
 #[inline(always)]
-pub fn grid_decode(code: u32, half: u32) -> Vec3 {
+fn grid_decode(code: u32, half: u32) -> Vec3 {
     let step = 1.0 / (1 << half) as f32;
     let ring = ((code >> half) & mask(half)) as i32 as f32;
     let above = 1.0 - (ring + 0.5) * (2.0 * step);
@@ -94,68 +94,39 @@ pub fn grid_decode(code: u32, half: u32) -> Vec3 {
 
 /// The rings of a width of [`LatLongD`].
 #[derive(Clone, Copy)]
-pub struct Rings {
+struct Rings {
     /// Rings from the pole, 0, to the equator, n.
-    pub n: f32,
-    /// Lowest power first, the polynomial of S.
-    pub a0: f32,
-    /// See [`a0`](Self::a0).
-    pub a1: f32,
-    /// See [`a0`](Self::a0).
-    pub a2: f32,
-    /// Lowest power first, the polynomial of the inverse of S.
-    pub q0: f32,
-    /// See [`q0`](Self::q0).
-    pub q1: f32,
-    /// See [`q0`](Self::q0). 16 bits do without.
-    pub q2: f32,
-    /// See [`q0`](Self::q0). Only 32 bits need this and the next.
-    pub q3: f32,
-    /// See [`q0`](Self::q0).
-    pub q4: f32,
+    n: f32,
+    /// The polynomial of S, lowest power first.
+    a0: f32,
+    a1: f32,
+    a2: f32,
+    /// The polynomial of the inverse of S, lowest power first. 16 bits do without q2; only 32 bits need q3 and q4.
+    q0: f32,
+    q1: f32,
+    q2: f32,
+    q3: f32,
+    q4: f32,
     /// The inverse of index 0.
-    pub offset: f32,
+    offset: f32,
 }
 
-/// The rings of the format of 16 bits.
-pub const RINGS_16: Rings = Rings::new(
-    113.0,
-    [0.7756357, -1.244649e-5, 7.392083e-11],
-    [1.1121525, 1.7299868e-5, 0.0, 0.0, 0.0],
-    0.7887458,
-);
-
-/// The rings of the format of 24 bits.
-pub const RINGS_24: Rings = Rings::new(
-    1782.0,
-    [0.81366533, -5.2502063e-8, 1.2538275e-15],
-    [1.1107166, 3.7894093e-8, 9.317108e-15, 0.0, 0.0],
-    0.23774427,
-);
-
-/// The rings of the format of 32 bits.
-pub const RINGS_32: Rings = Rings::new(
-    29225.0,
-    [0.7753543, -1.8601036e-10, 1.6516002e-20],
-    [1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30, 8.5294734e-38],
-    0.4510315,
-);
-
 impl Rings {
+    /// The rings up to n, with the coefficients of both polynomials and the offset.
     const fn new(n: f32, [a0, a1, a2]: [f32; 3], [q0, q1, q2, q3, q4]: [f32; 5], offset: f32) -> Self {
         Self { n, a0, a1, a2, q0, q1, q2, q3, q4, offset }
     }
 
     /// The start of ring i, 0 to n + 1, given h = i - 1/2: S(i) is the whole part.
     #[inline(always)]
-    pub fn border(self, h: f32) -> f32 {
+    fn border(self, h: f32) -> f32 {
         let u = h * h;
         u * (self.a0 + u * (self.a1 + u * self.a2)) + (0.95 * h + 0.72515)
     }
 
     /// A number that is more than i and less than i + 2 for the indices of ring i.
     #[inline(always)]
-    pub fn inverse(self, index: f32) -> f32 {
+    fn inverse(self, index: f32) -> f32 {
         let low = self.q0 + index * self.q1;
         let high =
             if self.q4 != 0.0 { (self.q2 + index * self.q3) + (index * index) * self.q4 } else { self.q2 };
@@ -196,7 +167,7 @@ fn in_parts(index: u32, bits: u32) -> (f32, f32) {
 
 /// The code of [`LatLongD`] of the direction of `v`, whose index has `index_bits` bits.
 #[inline(always)]
-pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
+fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
     let norm = l1_norm(v);
     let usable = is_usable(norm);
     let p = scaled(v, norm);
@@ -222,7 +193,7 @@ pub fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
 /// The middle of the patch of a code of [`LatLongD`], whose index has `index_bits` bits: unit length to within 2
 /// ULP.
 #[inline(always)]
-pub fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
+fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let index = code & mask(index_bits);
     let (high, low) = in_parts(index, index_bits);
 
@@ -286,9 +257,24 @@ pub struct LatLongD<const BITS: u32>;
 
 impl<const BITS: u32> LatLongD<BITS> {
     const RINGS: Rings = match BITS {
-        16 => RINGS_16,
-        24 => RINGS_24,
-        _ => RINGS_32,
+        16 => Rings::new(
+            113.0,
+            [0.7756357, -1.244649e-5, 7.392083e-11],
+            [1.1121525, 1.7299868e-5, 0.0, 0.0, 0.0],
+            0.7887458,
+        ),
+        24 => Rings::new(
+            1782.0,
+            [0.81366533, -5.2502063e-8, 1.2538275e-15],
+            [1.1107166, 3.7894093e-8, 9.317108e-15, 0.0, 0.0],
+            0.23774427,
+        ),
+        _ => Rings::new(
+            29225.0,
+            [0.7753543, -1.8601036e-10, 1.6516002e-20],
+            [1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30, 8.5294734e-38],
+            0.4510315,
+        ),
     };
 }
 

@@ -106,41 +106,28 @@ const INVERSE_5: f32 = 0.352167;
 
 /// The lattice of a width.
 #[derive(Clone, Copy)]
-pub struct Lattice {
+struct Lattice {
     /// Steps along an edge of the icosahedron, even.
-    pub n: u32,
+    n: u32,
     /// N, where the weight of a vertex is `i (N - i)`.
-    pub warp: f32,
+    warp: f32,
     /// Coefficients of the distances between neighbours.
-    pub squares: Squares,
+    squares: Squares,
 }
 
 /// The square of the distance between neighbours along the side opposite to a vertex of the coordinate t on the flat face
 /// is in proportion to `1 + s S + t (T + s TS + t TT)`, with s the sum of all three coordinates' squares. Fitted so that
 /// the greatest error of the ratios is least: 5e-4 at 16 bits, else 8e-4.
 #[derive(Clone, Copy)]
-pub struct Squares {
-    /// S.
-    pub s: f32,
-    /// T.
-    pub t: f32,
-    /// TS.
-    pub ts: f32,
-    /// TT.
-    pub tt: f32,
+struct Squares {
+    s: f32,
+    t: f32,
+    ts: f32,
+    tt: f32,
 }
 
 const SQUARES_16: Squares = Squares { s: 1.2906223, t: 0.9165209, ts: 0.07669952, tt: -0.11949905 };
 const SQUARES: Squares = Squares { s: 1.7887541, t: 1.2950615, ts: 0.13716104, tt: -0.368954 };
-
-/// The lattice of the format of 16 bits.
-pub const LATTICE_16: Lattice = Lattice { n: 80, warp: 400.0, squares: SQUARES_16 };
-
-/// The lattice of the format of 24 bits.
-pub const LATTICE_24: Lattice = Lattice { n: 1294, warp: 6019.0, squares: SQUARES };
-
-/// The lattice of the format of 32 bits.
-pub const LATTICE_32: Lattice = Lattice { n: 20724, warp: 96391.0, squares: SQUARES };
 
 // Below, a vector of three numbers that belong to a face's vertices has: in z that of the apex, in x that of the base's
 // end on the straddled coordinate's positive side, in y that of the other end. On the face of the positive octant
@@ -246,7 +233,7 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
 /// Without a usable direction, all is computed and then dropped: to select here keeps the first steps, which all wait for
 /// each other, few.
 #[inline(always)]
-pub fn encode(v: Vec3, lattice: Lattice) -> u32 {
+fn encode(v: Vec3, lattice: Lattice) -> u32 {
     let norm = l1_norm(v);
     let usable = is_usable(norm);
     let n = lattice.n as f32;
@@ -341,7 +328,7 @@ fn counted(sum: f32) -> u32 {
 
 /// The direction of the lattice point of a code: unit length to within 2 ULP. Codes past the last decode like the last.
 #[inline(always)]
-pub fn decode(code: u32, lattice: Lattice) -> Vec3 {
+fn decode(code: u32, lattice: Lattice) -> Vec3 {
     let n = lattice.n as f32;
     let code = if code < lattice.last() { code } else { lattice.last() };
     let is_octant = code >= lattice.octants();
@@ -384,9 +371,9 @@ pub struct Ico<const BITS: u32>;
 
 impl<const BITS: u32> Ico<BITS> {
     const LATTICE: Lattice = match BITS {
-        16 => LATTICE_16,
-        24 => LATTICE_24,
-        _ => LATTICE_32,
+        16 => Lattice { n: 80, warp: 400.0, squares: SQUARES_16 },
+        24 => Lattice { n: 1294, warp: 6019.0, squares: SQUARES },
+        _ => Lattice { n: 20724, warp: 96391.0, squares: SQUARES },
     };
 }
 

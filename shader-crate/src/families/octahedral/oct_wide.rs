@@ -70,12 +70,6 @@ impl Candidate {
     }
 }
 
-/// Largest integer of an snorm of `bits` bits, `2^(bits-1) - 1`. `bits` is 2 to 31.
-#[inline(always)]
-const fn largest(bits: u32) -> i32 {
-    (1 << (bits - 1)) - 1
-}
-
 /// The place of a direction with the L1 norm `norm` in the positive octant, after mirroring.
 #[inline(always)]
 fn position(v: Vec3, norm: f32, bits: u32) -> Position {
@@ -93,7 +87,7 @@ fn position(v: Vec3, norm: f32, bits: u32) -> Position {
 /// negative, gives it the signs of `v.x` and `v.y`, and packs it.
 #[inline(always)]
 fn pack<const BITS: u32>(v: Vec3, x: i32, y: i32) -> [u32; 2] {
-    let m = largest(BITS / 2);
+    let m = mask(BITS / 2 - 1) as i32;
     let (x, y) = if is_negative(v.z) { (m - y, m - x) } else { (x, y) };
     let x = if is_negative(v.x) { -x } else { x } as u32 & mask(BITS / 2);
     let y = if is_negative(v.y) { -y } else { y } as u32 & mask(BITS / 2);
@@ -104,7 +98,7 @@ fn pack<const BITS: u32>(v: Vec3, x: i32, y: i32) -> [u32; 2] {
 /// stand for -1. Bits above are ignored.
 #[inline(always)]
 fn snorm_integer<const BITS: u32>(code: u32) -> i32 {
-    let m = largest(BITS / 2);
+    let m = mask(BITS / 2 - 1) as i32;
     let integer = (code << (32 - BITS / 2)) as i32 >> (32 - BITS / 2);
     if integer < -m { -m } else { integer }
 }
@@ -128,7 +122,7 @@ fn nearest_on_axes(p: Position) -> (i32, i32) {
 #[inline(always)]
 fn nearest_corner<const BITS: u32>(p: Position) -> (i32, i32) {
     let (x, y) = (p.x.whole, p.y.whole);
-    let z = largest(BITS / 2) - x - y;
+    let z = mask(BITS / 2 - 1) as i32 - x - y;
     let (to_right, to_up) = (1.0 - p.x.fraction, 1.0 - p.y.fraction);
 
     let near = candidate::<BITS>(x, y, -p.x.fraction, -p.y.fraction, p);
@@ -147,7 +141,7 @@ fn candidate<const BITS: u32>(x: i32, y: i32, a: f32, b: f32, p: Position) -> Ca
     let along = a * (part.x - part.z) + b * (part.y - part.z);
     let squared = 2.0 * ((a * a + a * b) + b * b);
     let cost = squared * dot(part, part) - along * along;
-    let is_own = BITS == 52 && decode_octant::<BITS>(x, y, largest(BITS / 2) - x - y) == p.vector;
+    let is_own = BITS == 52 && decode_octant::<BITS>(x, y, mask(BITS / 2 - 1) as i32 - x - y) == p.vector;
     Candidate { x, y, cost: if is_own { -1.0 } else { cost } }
 }
 
@@ -165,7 +159,7 @@ fn decode_octant<const BITS: u32>(x: i32, y: i32, z: i32) -> Vec3 {
 fn decode<const BITS: u32>([low, high]: [u32; 2]) -> Vec3 {
     let x = snorm_integer::<BITS>(low);
     let y = snorm_integer::<BITS>((low >> (BITS / 2)) | (high << (32 - BITS / 2)));
-    let m = largest(BITS / 2);
+    let m = mask(BITS / 2 - 1) as i32;
     let (across, up) = (if x < 0 { -x } else { x }, if y < 0 { -y } else { y });
     let z = m - across - up;
     let (across, up, height) = if z < 0 { (m - up, m - across, -z) } else { (across, up, z) };
@@ -177,7 +171,7 @@ fn decode<const BITS: u32>([low, high]: [u32; 2]) -> Vec3 {
 /// The error in radians of a code that is `radians_times_m` off, with the decoded vector's rounding, at most `sqrt(3)
 /// 2^-25`, in degrees. The margin of 2^-8 covers the arithmetic: 2^-20 of a step, and 2^-33 per component.
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
-    ((radians_times_m / largest(bits / 2) as f32 + 1.732_050_8 * exp2(-25)) * (1.0 + exp2(-8))).to_degrees()
+    ((radians_times_m / mask(bits / 2 - 1) as f32 + 1.732_050_8 * exp2(-25)) * (1.0 + exp2(-8))).to_degrees()
 }
 
 /// Octahedral code of `BITS` bits (48), fast encoder.

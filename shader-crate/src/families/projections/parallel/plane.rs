@@ -62,18 +62,14 @@ impl Plane {
     /// The plane of a sextant.
     pub(super) const fn sextant(u_bits: u32, v_bits: u32) -> Self {
         use core::f32::consts::{FRAC_1_SQRT_2, SQRT_2};
-        let m = Vec2::new(snorm_max(u_bits), snorm_max(v_bits));
+        let disk = Self::disk(u_bits, v_bits);
+        let m = disk.m;
         Self {
-            x_bits: u_bits,
-            y_bits: v_bits,
-            m,
             steps: Vec2::new(m.x * SQRT_2, m.y * SQRT_2),
-            by_x: SnormDivision::new(u_bits),
-            by_y: SnormDivision::new(v_bits),
             step: Vec2::new((1.0 / m.x) * FRAC_1_SQRT_2, (1.0 / m.y) * FRAC_1_SQRT_2),
             limit: SEXTANT_LIMIT,
-            inset: if u_bits > 22 { 0.0 } else { INSET },
             sextant: true,
+            ..disk
         }
     }
 
