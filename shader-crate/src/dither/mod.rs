@@ -44,16 +44,11 @@ pub trait Dithered: Codec {
     fn decode_dithered(code: Self::Code, offset: Vec2) -> Vec3;
 }
 
-/// An offset's component, clamped to \[-1/2, 1/2\]; 0 for NaN.
-#[inline(always)]
-fn usable_component(x: f32) -> f32 {
-    if is_nan(x) { 0.0 } else { min(max(x, -0.5), 0.5) }
-}
-
 /// An offset with its components clamped to \[-1/2, 1/2\]; 0 for NaN.
 #[inline(always)]
 fn usable(offset: Vec2) -> Vec2 {
-    Vec2::new(usable_component(offset.x), usable_component(offset.y))
+    let component = |x: f32| if is_nan(x) { 0.0 } else { min(max(x, -0.5), 0.5) };
+    Vec2::new(component(offset.x), component(offset.y))
 }
 
 /// The direction of `v`, of this L1 norm, at unit length. Unspecified without a usable direction.
