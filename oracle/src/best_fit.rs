@@ -20,7 +20,7 @@ pub fn all_directions(m: u32) -> Vec<[f64; 3]> {
 pub fn least_error_of_all(v: [f64; 3], all: &[[f64; 3]]) -> f64 {
     let magnitudes = normalize(v.map(f64::abs));
     let nearest = cheapest(all.iter(), |direction| -dot(magnitudes, **direction));
-    nearest.map_or(f64::NAN, |(direction, _)| angle_deg(*direction, magnitudes))
+    nearest.map_or(f64::NAN, |direction| angle_deg(*direction, magnitudes))
 }
 
 /// The angle in degrees from `v` to the nearest whole vector of components up to `m`, by trial of the 9 around the
@@ -33,7 +33,7 @@ pub fn least_error(v: [f64; 3], m: u32) -> f64 {
     });
     let whole =
         whole.filter(|q| q.iter().all(|t| (0..=i64::from(m)).contains(t))).map(|q| q.map(|t| t as f64));
-    cheapest(whole, |q| sine_squared(u, *q)).map_or(f64::NAN, |(q, _)| angle_deg(q, u))
+    cheapest(whole, |q| sine_squared(u, *q)).map_or(f64::NAN, |q| angle_deg(q, u))
 }
 
 /// The angle in degrees from `v` to itself scaled to a largest component of `length` and rounded.

@@ -61,7 +61,7 @@ pub fn nearest(v: [f64; 3], bits: u32) -> u64 {
     let around_cell = (0..16).map(|n| (a as i64 + n % 4 - 1) * f as i64 + (b as i64 + n / 4 - 1) * g as i64);
     let ends = (0..64).flat_map(|i| [i, count as i64 - 1 - i]).filter(|_| from_pole * count < 32.0);
     let candidates = around_cell.chain(ends).filter(|i| (0..count as i64).contains(i));
-    cheapest(candidates, |i| chord_squared(v, point(*i, bits))).map_or(0, |(i, _)| i as u64)
+    cheapest(candidates, |i| chord_squared(v, point(*i, bits))).map_or(0, |i| i as u64)
 }
 
 /// The place farthest from all points: the middle of the circle through points 1, 2 and 4.

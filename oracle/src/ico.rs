@@ -61,23 +61,13 @@ pub type Face = [[f64; 3]; 3];
 /// The twenty faces: the triples of vertices that are neighbours, whose scalar products are p.
 pub fn faces() -> &'static [Face] {
     static FACES: OnceLock<Vec<Face>> = OnceLock::new();
-    FACES.get_or_init(all_faces)
-}
-
-fn all_faces() -> Vec<Face> {
-    let v = vertices();
-    let touch = |a: [f64; 3], b: [f64; 3]| dot(a, b) > 1.0;
-    let mut faces = Vec::new();
-    for i in 0..v.len() {
-        for j in 0..i {
-            for k in 0..j {
-                if touch(v[i], v[j]) && touch(v[j], v[k]) && touch(v[k], v[i]) {
-                    faces.push([v[i], v[j], v[k]]);
-                }
-            }
-        }
-    }
-    faces
+    FACES.get_or_init(|| {
+        let v = vertices();
+        let touch = |i: usize, j: usize| dot(v[i], v[j]) > 1.0;
+        let pairs = (0..v.len()).flat_map(|i| (0..i).map(move |j| [i, j])).filter(|&[i, j]| touch(i, j));
+        let triples = pairs.flat_map(|[i, j]| (0..j).map(move |k| [i, j, k]));
+        triples.filter(|&[i, j, k]| touch(j, k) && touch(k, i)).map(|face| face.map(|i| v[i])).collect()
+    })
 }
 
 /// The unit vector of a lattice point: a number for each vertex of a face.
@@ -168,7 +158,7 @@ pub fn nearest(v: [f64; 3], bits: u32) -> [f64; 3] {
     let around = (a - 1..=a + 2).flat_map(|i| (b - 1..=b + 2).map(move |j| [i, j, n - i - j]));
     let points =
         around.filter(|numbers| numbers.iter().all(|&t| t >= 0)).map(|numbers| point(face, numbers, bits));
-    cheapest(points, |point| chord_squared(*point, unit)).map_or(unit, |(point, _)| point)
+    cheapest(points, |point| chord_squared(*point, unit)).unwrap_or(unit)
 }
 
 /// The centre of the circumcircle of the unit vectors of three lattice points, a unit vector, and its radius in degrees.

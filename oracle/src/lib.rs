@@ -147,8 +147,8 @@ pub fn chord_squared(a: [f64; 3], b: [f64; 3]) -> f64 {
     dot(chord, chord)
 }
 
-/// The first of the candidates whose cost is least, with that cost; none where every cost is infinite or NaN.
-pub fn cheapest<T>(candidates: impl Iterator<Item = T>, cost: impl Fn(&T) -> f64) -> Option<(T, f64)> {
+/// The first of the candidates whose cost is least; none where every cost is infinite or NaN.
+pub fn cheapest<T>(candidates: impl Iterator<Item = T>, cost: impl Fn(&T) -> f64) -> Option<T> {
     let (mut best, mut least) = (None, f64::INFINITY);
     for candidate in candidates {
         let cost = cost(&candidate);
@@ -156,7 +156,7 @@ pub fn cheapest<T>(candidates: impl Iterator<Item = T>, cost: impl Fn(&T) -> f64
             (best, least) = (Some(candidate), cost);
         }
     }
-    Some((best?, least))
+    best
 }
 
 /// The points of the lattice up to `reach` steps from one along each axis, in order of x, then y.

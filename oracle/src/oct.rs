@@ -113,7 +113,7 @@ pub fn all_directions(bits: u32) -> Vec<[f64; 3]> {
 
 /// The code nearest in angle to the direction of `v`, by trial of every code: `all` is [`all_directions`].
 pub fn nearest_of_all(v: [f64; 3], all: &[[f64; 3]]) -> u64 {
-    cheapest((0..).zip(all), |(_, direction)| -dot(v, **direction)).map_or(0, |((code, _), _)| code)
+    cheapest((0..).zip(all), |(_, direction)| -dot(v, **direction)).map_or(0, |(code, _)| code)
 }
 
 /// The code nearest in angle to the direction of `v`, by trial of the 7 x 7 lattice points around its position.
@@ -130,7 +130,7 @@ pub(crate) fn nearest_around<O: Oracle>(
     let m = largest(bits);
     let centre = O::position(v).map(|t| (t * m).round() as i64);
     let around = neighbourhood(centre, 3).map(|point| wrap(point, m as i64));
-    cheapest(around, |point| tangent_squared(v, vector(*point))).map_or(centre, |(point, _)| point)
+    cheapest(around, |point| tangent_squared(v, vector(*point))).unwrap_or(centre)
 }
 
 /// The square of the tangent of the angle between two vectors of any length, which orders angles of less than 90 degrees.
