@@ -98,8 +98,8 @@ impl Library {
         let all = parse(ALL, text(ALL)?, &mut library.declared)?;
         for family in includes(&all) {
             let file = parse(family, text(family)?, &mut library.declared)?;
-            let missing = includes(&file).find(|needed| !library.has(needed));
-            if let Some(missing) = missing {
+            if let Some(missing) = includes(&file).find(|needed| library.files().all(|name| name != *needed))
+            {
                 return Err(Error::new(family, 1, &format!("{ALL} has to include {missing} before it")));
             }
             library.files.push(file);
@@ -110,10 +110,6 @@ impl Library {
 
     fn items(&self) -> impl Iterator<Item = &Item> {
         self.files.iter().flat_map(|file| &file.items)
-    }
-
-    fn has(&self, name: &str) -> bool {
-        self.files.iter().any(|file| file.name == name)
     }
 
     /// The names of the files in GLSL, each after those that it needs: `oct.glsl`.
