@@ -53,45 +53,51 @@ fn encode_with<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32;
         .bench_function(C::NAME, |b| b.iter(|| encode_slice::<C>(black_box(vectors), black_box(&mut codes))));
 }
 
-/// The scalar function for each vector.
-fn encode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
-    let mut codes = vec![0; vectors.len()];
-    group.bench_function(format!("{}-plain", C::NAME), |b| {
+/// A scalar function for each item.
+fn one_by_one<A: Copy, B>(
+    group: &mut BenchmarkGroup<WallTime>,
+    name: &str,
+    from: &[A],
+    mut to: Vec<B>,
+    function: impl Fn(A) -> B,
+) {
+    group.bench_function(name, |b| {
         b.iter(|| {
-            for (code, v) in black_box(&mut codes).iter_mut().zip(black_box(vectors)) {
-                *code = C::encode(*v);
+            for (to, from) in black_box(&mut to).iter_mut().zip(black_box(from)) {
+                *to = function(*from);
             }
         });
     });
 }
 
-fn decode_with<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+fn encode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    one_by_one(group, &format!("{}-plain", C::NAME), vectors, vec![0; vectors.len()], C::encode);
+}
+
+/// The bytes of the codes.
+fn encoded<C: Codec>(vectors: &[[f32; 3]]) -> Vec<u8> {
     let mut codes = vec![0; vectors.len() * C::BYTES];
     encode_slice::<C>(vectors, &mut codes).expect("the slices fit");
+    codes
+}
+
+fn decode_with<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
+    let codes = encoded::<C>(vectors);
     let mut decoded = vectors.to_vec();
     group.bench_function(C::NAME, |b| {
         b.iter(|| decode_slice::<C>(black_box(&codes), black_box(&mut decoded)))
     });
 }
 
-/// The scalar function for each code.
 fn decode_plain<C: Listed<Code = u32>>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let codes: Vec<u32> = vectors.iter().map(|v| C::encode(*v)).collect();
-    let mut decoded = vectors.to_vec();
-    group.bench_function(format!("{}-plain", C::NAME), |b| {
-        b.iter(|| {
-            for (v, code) in black_box(&mut decoded).iter_mut().zip(black_box(&codes)) {
-                *v = C::decode(*code);
-            }
-        });
-    });
+    one_by_one(group, &format!("{}-plain", C::NAME), &codes, vectors.to_vec(), C::decode::<[f32; 3]>);
 }
 
 fn decode_by_table<C: Listed>(group: &mut BenchmarkGroup<WallTime>, vectors: &[[f32; 3]]) {
     let mut memory = vec![[0.0; 3]; DecodeTable::<C>::ENTRIES];
     let table = DecodeTable::<C>::fill(&mut memory).expect("the memory is of that size");
-    let mut codes = vec![0; vectors.len() * C::BYTES];
-    encode_slice::<C>(vectors, &mut codes).expect("the slices fit");
+    let codes = encoded::<C>(vectors);
     let mut decoded = vectors.to_vec();
     group.bench_function(format!("{}-table", C::NAME), |b| {
         b.iter(|| table.decode_slice(black_box(&codes), black_box(&mut decoded)));
@@ -157,14 +163,8 @@ fn encode(criterion: &mut Criterion) {
         encode_plain::<Oct16>(&mut group, vectors);
         encode_plain::<Oct32>(&mut group, vectors);
         encode_plain::<OctPrecise32>(&mut group, vectors);
-        let mut codes: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
-        group.bench_function("normal_pack", |b| {
-            b.iter(|| {
-                for (code, v) in black_box(&mut codes).iter_mut().zip(black_box(vectors)) {
-                    *code = EncodedUnitVector3U8::encode(*v);
-                }
-            });
-        });
+        let codes: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
+        one_by_one(&mut group, "normal_pack", vectors, codes, EncodedUnitVector3U8::encode);
         let mut codes = vec![0; vectors.len() * Oct32::BYTES];
         group.bench_function("oct32-parallel", |b| {
             b.iter(|| par_encode_slice::<Oct32>(black_box(vectors), black_box(&mut codes)));
@@ -184,8 +184,7 @@ fn decode(criterion: &mut Criterion) {
         decode_meshopt(&mut group, vectors, 4);
         decode_with::<Oct32>(&mut group, vectors);
         decode_meshopt(&mut group, vectors, 8);
-        let mut codes = vec![0; vectors.len() * Oct32::BYTES];
-        encode_slice::<Oct32>(vectors, &mut codes).expect("the slices fit");
+        let codes = encoded::<Oct32>(vectors);
         let mut decoded = vec![[0i16; 4]; count];
         group.bench_function("oct32-i16x4", |b| {
             b.iter(|| decode_slice_i16x4::<Oct32>(black_box(&codes), black_box(&mut decoded)));
@@ -200,14 +199,8 @@ fn decode(criterion: &mut Criterion) {
         decode_plain::<Oct16>(&mut group, vectors);
         decode_plain::<Oct32>(&mut group, vectors);
         let packed: Vec<_> = vectors.iter().map(|v| EncodedUnitVector3U8::encode(*v)).collect();
+        one_by_one(&mut group, "normal_pack", &packed, vectors.to_vec(), |code| code.decode());
         let mut decoded = vectors.to_vec();
-        group.bench_function("normal_pack", |b| {
-            b.iter(|| {
-                for (v, code) in black_box(&mut decoded).iter_mut().zip(black_box(&packed)) {
-                    *v = code.decode();
-                }
-            });
-        });
         group.bench_function("oct32-parallel", |b| {
             b.iter(|| par_decode_slice::<Oct32>(black_box(&codes), black_box(&mut decoded)));
         });
