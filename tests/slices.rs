@@ -11,7 +11,7 @@ use unitvec::slice::machine::Level;
 use unitvec::slice::{
     decode_slice, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, par_decode_slice, par_encode_slice,
 };
-use unitvec::table::{DecodeTable, TableSize};
+use unitvec::table::{DecodeTable, TableSizeMismatch};
 use unitvec::{Codec, Listed, for_each_codec};
 use unitvec_catalogue::{self as catalogue, AnyCodec, CODECS};
 use unitvec_run::sampling::special_vectors;
@@ -245,7 +245,7 @@ fn large_and_parallel_slices() {
 fn check_table<C: Codec>(id: &str) {
     let entries = DecodeTable::<C>::ENTRIES;
     let mut memory = vec![[f32::NAN; 3]; entries + 1];
-    let expected = Some(TableSize { expected: entries, actual: entries + 1 });
+    let expected = Some(TableSizeMismatch { expected: entries, actual: entries + 1 });
     assert_eq!(DecodeTable::<C>::fill(&mut memory).err(), expected);
     let table = DecodeTable::<C>::fill(&mut memory[..entries]).unwrap();
 

@@ -51,8 +51,8 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// The code of the direction of `v`. The length of `v` does not matter; a vector without a usable direction
     /// (see [`direction`](crate::direction)) gets the code of +Z.
     ///
-    /// Raw component formats ([`IS_UNIT`](Self::IS_UNIT) is false; best fit apart) store the components as they are,
-    /// clamped: normalise first. Vectors that round to zero there get the code of +Z.
+    /// Raw component formats ([`IS_UNIT`](Self::IS_UNIT) is false), best fit apart, store the components, clamped to
+    /// [-1, 1] (half floats to ±65504): normalise first. Vectors that round to zero there get the code of +Z.
     #[inline(always)]
     fn encode<V: Into<[f32; 3]>>(v: V) -> Self::Code {
         Self::encode_vec3(Vec3::from_array(v.into()))
@@ -79,7 +79,7 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
 pub enum Domain {
     /// All directions.
     Sphere,
-    /// Directions with z >= 0.
+    /// Directions with z >= 0. Others encode as (x, y, 0), and -Z as +Z; [`Codec::MAX_ERROR_DEG`] does not hold for them.
     Hemisphere,
 }
 

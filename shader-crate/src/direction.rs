@@ -18,8 +18,8 @@ pub fn l1_norm(v: Vec3) -> f32 {
     (v.x.abs() + v.y.abs()) + v.z.abs()
 }
 
-/// True where a vector of this L1 norm has a usable direction: [`MIN_NORM`] to [`MAX_NORM`]. False for zero, infinity and
-/// NaN.
+/// True where a vector of this L1 norm has a usable direction: `MIN_NORM <= l1_norm < MAX_NORM`. False for zero, infinity
+/// and NaN.
 #[inline(always)]
 pub fn is_usable(l1_norm: f32) -> bool {
     is_within(l1_norm, MIN_NORM, MAX_NORM)

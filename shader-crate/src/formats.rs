@@ -12,8 +12,9 @@
 //! assert_eq!(formats::snorm16x2_to_code(value), code);
 //! ```
 //!
-//! All take any input. NaN counts as 0, others are clamped; the nearest integer is taken, so that a value that is off by some
-//! units in the last place gives its code. Patterns that no encoder writes (the lowest integer of an snorm; -0, infinity
+//! Choose by the codec's [`Listed::VK_FORMAT`](crate::Listed::VK_FORMAT): `Oct32` is VK_FORMAT_R16G16_SNORM. snorm values
+//! are in [-1, 1], unorm in [0, 1]; bits above the format's are ignored. No input is invalid: NaN counts as 0, others are
+//! clamped; the nearest integer is taken, so that a value that is off by some units in the last place gives its code. Patterns that no encoder writes (the lowest integer of an snorm; -0, infinity
 //! and NaN of a half) give the code that decodes alike. The first component is in the low bits of a code.
 //!
 //! Source: the Vulkan specification, "Fixed-Point Data Conversions"; IEEE 754 binary16.
@@ -71,13 +72,13 @@ macro_rules! formats {
         $to_values:ident($code:ident: $Code:ty) = $values_of:expr,
         $to_code:ident($values:ident: $Values:ty) = $code_of:expr;
     )*) => { $(
-        #[doc = concat!("The values of a code in ", $format $(, ", or in the first three components of ", $with_fourth)?, ".")]
+        #[doc = concat!("Converts a code to the values to write to ", $format $(, ", or in the first three components of ", $with_fourth)?, ".")]
         #[inline(always)]
         pub fn $to_values($code: $Code) -> $Values {
             $values_of
         }
 
-        #[doc = concat!("The code of values of ", $format, ".")]
+        #[doc = concat!("Converts values read from ", $format, " to the code.")]
         #[inline(always)]
         pub fn $to_code($values: $Values) -> $Code {
             $code_of

@@ -1,9 +1,9 @@
 //! Unit-vector codecs: normals, tangents and light directions in 8 to 52 bits, tangent frames in 32 or 64.
 //!
 //! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs on the
-//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU, with the same bits: it keeps to arithmetic that IEEE 754 and
-//! Vulkan define alike (`+ - * /`, square root, floor, comparison, integers). A few functions choose other instructions
-//! for SPIR-V, with the same results.
+//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU. A device that rounds sums to nearest, and division and square
+//! root correctly, gives the CPU's bits. Vulkan allows both to be off by 2.5 ULP; then some codes differ:
+//! `docs/agreement.md` of the repository says which and by how much.
 //!
 //! ```
 //! use unitvec::{Codec, Oct16, Oct32, OctPrecise16, angle_deg};
@@ -58,8 +58,9 @@
 //! named `…Precise…` write the format of the fast ones: their encoder takes longer and finds the nearest code.
 //! `docs/codecs.md` of the repository lists all codecs, `docs/costs.md` says more on the choice.
 //!
-//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`]. Whole slices
-//! and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate `unitvec-catalogue`.
+//! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`].
+//! Whole slices and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate
+//! `unitvec-catalogue`.
 //!
 //! The families, each with a module that says what it is good for:
 //!
@@ -70,17 +71,18 @@
 //! * projections: [`azimuthal`] (stereographic, equal-area, equidistant), [`cube`], [`parallel`];
 //! * components: [`snorm`], [`unorm`], [`float`](mod@float), [`best_fit`].
 //!
-//! For textures, render targets and vertex attributes: [`formats`] has the values of codes in Vulkan's formats, and the octahedral,
-//! spherical, cylindrical and azimuthal families have `project` and `unproject` for formats to which the hardware rounds. Where
-//! few bits show as bands, see [`dither`].
+//! For textures, render targets and vertex attributes: [`formats`] has the values of codes in Vulkan's formats, and the
+//! octahedral, spherical, cylindrical and azimuthal families have `project` and `unproject` for formats to which the
+//! hardware rounds. Where few bits show as bands, see [`dither`].
 //!
 //! # The promises of every codec
 //!
-//! * `encode` takes a vector of any length. Raw component formats, but for best fit, differ: they store the components as
-//!   given, clamped to [-1, 1]. A vector without a usable direction gets the code of +Z: zero, infinite, NaN, or with an L1 norm outside
-//!   [2^-64, 2^100).
+//! * `encode` takes a vector of any length. Raw component formats other than best fit store the components as given:
+//!   `snorm…` and `unorm…` clamp them to [-1, 1], [`float`](mod@float) to ±65504. A vector without a usable direction gets
+//!   the code of +Z: zero, infinite, NaN, or with an L1 norm outside [2^-64, 2^100).
 //! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above [`Codec::BITS`] are
-//!   ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller.
+//!   ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller; best fit formats decode
+//!   code 0, which no encoder writes, to (0, 0, 0).
 //! * Decode, encode and decode again: the second vector equals the first, exactly. With [`best_fit`], its direction is
 //!   within the codec's error.
 //! * Codes are stored little endian and tightly packed in [`Codec::BYTES`] bytes: see [`mod@slice`].
@@ -89,8 +91,15 @@
 //! # Features
 //!
 //! `std` (default) takes square root and floor from the standard library, and picks the instruction set of slices at run
-//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `kernels`, `cost-kernels` and `library` are for
-//! the SPIR-V build.
+//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `kernels`, `cost-kernels` and
+//! `library` are for the SPIR-V build. For rust-gpu shaders take `default-features = false, features = ["libm"]`; slices
+//! and tables are for the CPU only. `examples/rust-gpu` of the repository is a whole shader.
+//!
+//! # Sources
+//!
+//! *The survey*: Cigolle, Donow, Evangelakos, Mara, McGuire and Meyer, "A Survey of Efficient Representations for
+//! Independent Unit Vectors", JCGT 3(2), 2014. *Meyer et al. 2010*: Meyer, Süßmuth, Sußner, Stamminger and Greiner, "On
+//! Floating-Point Normal Vectors", EGSR 2010. Each family's page names their sections and equations.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(docsrs, feature(doc_cfg))]

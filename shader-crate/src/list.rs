@@ -213,7 +213,9 @@ macro_rules! define {
         $id:ident $codec:ident $(($by:ident))? = $family:ident::$type:ident $(<$($parameter:tt),*>)?,
         $survey_name:literal, $domain:ident, $vk_format:expr
     ])*) => {$(
-        #[doc = concat!("The codec `", stringify!($id), "`: see [`", stringify!($family), "`](mod@crate::", stringify!($family), ").")]
+        #[doc = concat!("The codec `", stringify!($id), "`, for directions of the [`Domain::", stringify!($domain),
+            "`]. Layout, errors and use: [`", stringify!($family), "`](mod@crate::", stringify!($family),
+            "); bits and the bound of its error: [`Codec`](crate::Codec)'s constants.")]
         pub type $codec = $crate::$family::$type$(<$($parameter),*>)?;
 
         impl Listed for $codec {

@@ -30,20 +30,20 @@ use core::marker::PhantomData;
 
 /// The memory for a table is not of the table's size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TableSize {
+pub struct TableSizeMismatch {
     /// Entries of the table.
     pub expected: usize,
     /// Entries that there is memory for.
     pub actual: usize,
 }
 
-impl fmt::Display for TableSize {
+impl fmt::Display for TableSizeMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "a table of {} vectors in memory for {}", self.expected, self.actual)
     }
 }
 
-impl core::error::Error for TableSize {}
+impl core::error::Error for TableSizeMismatch {}
 
 /// All vectors that the codes of `C`, of at most 16 bits, stand for. More bits do not compile.
 pub struct DecodeTable<'a, C> {
@@ -61,22 +61,22 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
     /// Computes the table in `entries`, in about a millisecond at most.
     ///
     /// # Errors
-    /// [`TableSize`] unless there are [`ENTRIES`](Self::ENTRIES). Nothing is written then.
-    pub fn fill(entries: &'a mut [[f32; 3]]) -> Result<Self, TableSize> {
+    /// [`TableSizeMismatch`] unless there are [`ENTRIES`](Self::ENTRIES). Nothing is written then.
+    pub fn fill(entries: &'a mut [[f32; 3]]) -> Result<Self, TableSizeMismatch> {
         if entries.len() != Self::ENTRIES {
-            return Err(TableSize { expected: Self::ENTRIES, actual: entries.len() });
+            return Err(TableSizeMismatch { expected: Self::ENTRIES, actual: entries.len() });
         }
         Level::best().run(Fill { entries, codec: PhantomData::<fn() -> C> });
         Ok(Self { entries, codec: PhantomData })
     }
 
-    /// [`Codec::decode`].
+    /// The vector of `code`, with the bits that [`Codec::decode`] gives. Bits above [`Codec::BITS`] are ignored.
     #[inline(always)]
     pub fn decode<V: From<[f32; 3]>>(&self, code: C::Code) -> V {
         self.entry(code.to_words()[0]).into()
     }
 
-    /// [`decode_slice`](crate::slice::decode_slice).
+    /// Writes the vectors of `codes`, packed as by [`encode_slice`](crate::slice::encode_slice).
     ///
     /// # Errors
     /// [`LengthMismatch`] unless `codes` has exactly `vectors.len() * C::BYTES` bytes. Nothing is written then.

@@ -1,4 +1,4 @@
-//! The functions that `core` lacks, with the same result on every target.
+//! The functions that `core` lacks. All but `sqrt` on a GPU give the same result on every target, NaN apart.
 
 #[cfg(all(not(feature = "std"), not(target_arch = "spirv")))]
 use super::bare;
@@ -25,7 +25,7 @@ pub fn floor(x: f32) -> f32 {
     return libm::floorf(x);
 }
 
-/// The larger of two numbers: either of two zeros, and anything with NaN.
+/// The larger of two numbers. Unspecified: which of two zeros, and the result where one is NaN.
 #[inline(always)]
 pub fn max(x: f32, y: f32) -> f32 {
     #[cfg(target_arch = "spirv")]
@@ -34,7 +34,7 @@ pub fn max(x: f32, y: f32) -> f32 {
     return if x < y { y } else { x };
 }
 
-/// The smaller of two numbers: either of two zeros, and anything with NaN.
+/// The smaller of two numbers. Unspecified: which of two zeros, and the result where one is NaN.
 #[inline(always)]
 pub fn min(x: f32, y: f32) -> f32 {
     #[cfg(target_arch = "spirv")]

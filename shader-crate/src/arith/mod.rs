@@ -1,5 +1,5 @@
-//! The arithmetic that the codecs share. Every function gives the same result on every target: it keeps to operations
-//! that IEEE 754 and Vulkan define alike, and to plain comparisons where they differ.
+//! The arithmetic that the codecs share. Results are the same on every target, except that division and square root are
+//! as exact as the device's.
 
 /// Declares the coefficients of polynomials, lowest power first: the first of each is documented, the others refer to it.
 macro_rules! coefficients {

@@ -19,7 +19,7 @@ fn component(bits: u32) -> f32 {
     (bits as f32 + 0.5) * (1.0 / 65536.0) - 0.5
 }
 
-/// The offset of a key: a vertex index, or another number that both sides know.
+/// The offset of a key that both sides know, such as a vertex index: pseudo-random, each component in (-1/2, 1/2).
 #[inline(always)]
 pub fn dither_from_key(key: u32) -> Vec2 {
     let bits = hash(key);

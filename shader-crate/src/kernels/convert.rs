@@ -1,13 +1,15 @@
 //! Kernels that encode and decode.
 //!
-//! Binding 0 is the input, binding 1 the output, the push constant is the number of vectors. Vectors are three packed
+//! In descriptor set 0, binding 0 is the input, binding 1 the output, both storage buffers; the push constant, a `u32`, is
+//! the number of vectors. Vectors are three packed
 //! f32, frames seven: normal, tangent, handedness. Codes are dense bytes. Both buffers are arrays of 32-bit words and
 //! hold at least the words that the vectors and codes fill. Where one is shorter, only the vectors that both hold are
 //! processed. An invocation takes four consecutive vectors, so that any code width ends on whole words; the last takes
 //! the rest. Workgroups have 64 invocations.
 //!
-//! Specialization constant 0 is for callers whose buffers hold whole groups, all that the push constant says. Any value but
-//! 0 leaves out the lengths and the last group, which are a third of a cheap codec's instructions.
+//! Specialization constant 0, a `u32`: any value but 0 leaves out the tests of lengths, a third of a cheap codec's
+//! instructions. Both buffers must then hold the number of vectors rounded up to a multiple of four; shorter ones are
+//! undefined behaviour.
 //!
 //! Binding 2 is a table, where the kernel reads one: that of [`best_fit`](crate::best_fit) for `snorm8x3p_encode` and
 //! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose

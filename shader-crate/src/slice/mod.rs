@@ -8,11 +8,12 @@
 //! * Vectors are those of any library: see [`Vector`].
 //! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
 //! * Frames have functions of their own: [`encode_frames`](crate::frame::encode_frames).
-//! * Slice functions are generic, and so compiled at the `opt-level` of the crate that calls them. At 0, that of the
-//!   development profile, they go one vector at a time and are no faster than single calls. `opt-level = 2` under
-//!   `[profile.dev]` gives them the speed of a release build. To keep your own crate at 0, call them, with a named codec, in a
-//!   library crate of yours and set `opt-level` for that one, or for all dependencies with `[profile.dev.package."*"]`.
-//! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores.
+//! * Slice functions are generic: they are compiled at the `opt-level` of the crate that calls them with a named codec.
+//!   The `opt-level` of `unitvec` chooses the loop: at 0, the development profile's, one vector at a time, else blocks.
+//!   For the speed of a release build raise both: `opt-level = 2` under `[profile.dev]`, or under
+//!   `[profile.dev.package.unitvec]` and the same for the library of yours that calls them.
+//! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores; strided data and frames have no
+//!   such functions.
 //!
 //! ```
 //! use unitvec::slice::{decode_slice, encode_slice};
@@ -51,12 +52,12 @@ pub use strided::{decode_strided_at, encode_strided_at};
 #[doc(hidden)]
 pub use parallel::{DecodeAt, EncodeAt, par_decode_with, par_encode_with};
 
-/// The slice of codes and the slice of vectors have different numbers of elements.
+/// The slice of codes has not [`BYTES`](Codec::BYTES) bytes for each vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct LengthMismatch {
-    /// Bytes of codes that the other slice requires.
+    /// Bytes of codes for the elements of the input.
     pub expected: usize,
-    /// Bytes of codes that there are, or that there is room for.
+    /// Bytes of codes for the elements of the output.
     pub actual: usize,
 }
 
@@ -135,7 +136,8 @@ pub fn decode_slice_i16x4<C: Codec>(codes: &[u8], vectors: &mut [[i16; 4]]) -> R
     decode_slice_i16x4_at::<C>(Level::best(), codes, vectors)
 }
 
-/// [`encode_slice`] on all cores.
+/// Encodes as [`encode_slice`] does, with the same bits, in rayon's current thread pool; up to 16,384 vectors on the
+/// calling thread.
 ///
 /// # Errors
 /// The errors of [`encode_slice`].
@@ -145,7 +147,8 @@ pub fn par_encode_slice<C: Codec>(vectors: &[impl Vector], codes: &mut [u8]) -> 
     par_encode_with(vectors, codes, C::BYTES, encode_slice_at::<C>)
 }
 
-/// [`decode_slice`] on all cores.
+/// Decodes as [`decode_slice`] does, with the same bits, in rayon's current thread pool; up to 16,384 vectors on the
+/// calling thread.
 ///
 /// # Errors
 /// The errors of [`decode_slice`].

@@ -11,8 +11,8 @@ use core::marker::PhantomData;
 /// One field of an array of structs, or one attribute of a vertex buffer: elements in `bytes`, the first at `offset`, the next
 /// ones `stride` bytes apart. Nothing needs to be aligned.
 ///
-/// Every element that begins inside `bytes` must end inside. The bytes after the last one, up to the stride, may be
-/// missing.
+/// The three fields give the number of elements: slice `bytes` to limit it. Empty `bytes` hold none. Others hold at least
+/// one, and every element that begins inside must end inside; the rest of the last one's stride may be missing.
 ///
 /// Only the element's bytes are written, [`Codec::BYTES`] of a code: check that the field is as large. An `Oct48` in a
 /// `u32` overwrites the bytes behind it, and an `Oct24` leaves its upper byte as it was.
@@ -58,13 +58,13 @@ pub enum StrideError {
         /// Bytes of an element: the least stride.
         size: usize,
     },
-    /// An element begins inside the bytes and does not end there.
+    /// The bytes end within an element, or before the first.
     Length {
         /// The vectors or the codes.
         side: Side,
         /// Bytes that there are.
         actual: usize,
-        /// Bytes that this element needs.
+        /// The least length: the end of the last element.
         expected: usize,
     },
     /// There are not as many codes as vectors.

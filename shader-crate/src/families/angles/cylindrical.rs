@@ -86,7 +86,8 @@ impl<const BITS: u32> Codec for Cylindrical<BITS> {
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 5.0859,
         24 => 1.2665,
-        _ => 0.316_53,
+        32 => 0.316_53,
+        _ => panic!("no constants for this width"),
     } * (1.0 + snorm_max(BITS / 2) / 4_194_304.0);
     type Code = u32;
 

@@ -269,12 +269,13 @@ impl<const BITS: u32> LatLongD<BITS> {
             [1.1107166, 3.7894093e-8, 9.317108e-15, 0.0, 0.0],
             0.23774427,
         ),
-        _ => Rings::new(
+        32 => Rings::new(
             29225.0,
             [0.7753543, -1.8601036e-10, 1.6516002e-20],
             [1.135677, 1.7468939e-10, 8.533958e-20, 1.2860357e-30, 8.5294734e-38],
             0.4510315,
         ),
+        _ => panic!("no constants for this width"),
     };
 }
 
@@ -285,7 +286,8 @@ impl<const BITS: u32> Codec for LatLongD<BITS> {
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.56672,
         24 => 0.035147,
-        _ => 0.0021952,
+        32 => 0.0021952,
+        _ => panic!("no constants for this width"),
     } + 4.6e-5;
     type Code = u32;
 

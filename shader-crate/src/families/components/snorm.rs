@@ -50,7 +50,8 @@ impl<const BITS: u32> Codec for Snorm3<BITS> {
         15 => 3.31,
         24 => 0.3908,
         30 => 0.0972,
-        _ => 0.0687,
+        32 => 0.0687,
+        _ => panic!("no constants for this width"),
     };
     type Code = u32;
 

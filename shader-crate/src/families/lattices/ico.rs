@@ -373,7 +373,8 @@ impl<const BITS: u32> Ico<BITS> {
     const LATTICE: Lattice = match BITS {
         16 => Lattice { n: 80, warp: 400.0, squares: SQUARES_16 },
         24 => Lattice { n: 1294, warp: 6019.0, squares: SQUARES },
-        _ => Lattice { n: 20724, warp: 96391.0, squares: SQUARES },
+        32 => Lattice { n: 20724, warp: 96391.0, squares: SQUARES },
+        _ => panic!("no constants for this width"),
     };
 }
 
@@ -385,7 +386,8 @@ impl<const BITS: u32> Codec for Ico<BITS> {
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.508533 + 4.5e-4,
         24 => 0.0312164 + 8e-6,
-        _ => 0.00194902 + 1.17e-5,
+        32 => 0.00194902 + 1.17e-5,
+        _ => panic!("no constants for this width"),
     };
     type Code = u32;
 

@@ -46,7 +46,8 @@ use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{UVec3, Vec2, Vec3};
 
-/// The place of `v`, of the L1 norm `norm`, on the square `[-m, m]^2` (listing 1).
+/// The position of `v`, of the L1 norm `norm`, on the square `[-m, m]^2`, not rounded (listing 1); `m` is the largest
+/// integer of an snorm, or 1. Unspecified without a usable direction.
 ///
 /// Below the equator x is folded to `m - |y| s`, with `s = m / norm`. Since `norm` is `|x| + |y| + |z|`, that is
 /// `(|x| + |z|) s`. Signs are those of the bits: a component of -0 gives, below the equator, the mirrored point of the

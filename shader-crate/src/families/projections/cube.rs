@@ -109,7 +109,8 @@ impl<const BITS: u32> Codec for Cube<BITS> {
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 1.016,
         24 => 0.062_7,
-        _ => 0.003_92,
+        32 => 0.003_92,
+        _ => panic!("no constants for this width"),
     };
     type Code = u32;
 
@@ -207,7 +208,8 @@ impl<const BITS: u32> Codec for WarpedCube<BITS> {
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 0.893,
         24 => 0.055,
-        _ => 0.003_44,
+        32 => 0.003_44,
+        _ => panic!("no constants for this width"),
     };
     type Code = u32;
 

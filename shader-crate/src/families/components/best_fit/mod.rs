@@ -82,7 +82,8 @@ pub trait EncodeByTable: Codec {
     /// [`Codec::encode_vec3`], with `word` to look up a word of the table: its index is below [`TABLE_WORDS`].
     fn encode_by(v: Vec3, word: impl Fn(u32) -> u32) -> Self::Code;
 
-    /// [`Codec::encode`] by the table of [`fill_table`]. Another table, or one that is too short, costs accuracy only.
+    /// [`Codec::encode`] by the table of [`fill_table`]. Another table, or one that is too short, costs accuracy only: its
+    /// error may exceed [`Codec::MAX_ERROR_DEG`].
     #[inline(always)]
     fn encode_by_table<V: Into<[f32; 3]>>(v: V, table: &[u32]) -> Self::Code {
         Self::encode_by(Vec3::from_array(v.into()), |index| {
@@ -185,7 +186,7 @@ codecs_of_24_bits! {
     /// This works the length out; with a table at hand, take [`EncodeByTable`].
     /// Decodes to a vector that is not normalised.
     CrytekBfn24,
-    /// No length is below 64. The largest error seen is half of that, 0.31.
+    /// No length is below 64. The largest error measured is 0.319, about half.
     64.0,
     |v| {
         let (parts, reciprocal) = parts_and_reciprocal(v);

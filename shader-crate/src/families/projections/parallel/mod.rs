@@ -148,7 +148,8 @@ impl<const BITS: u32, C: Code> Codec for Pp<BITS, C> {
         16 => 7.7,
         24 => 1.91,
         32 => 0.49,
-        _ => 0.064,
+        48 => 0.064,
+        _ => panic!("no constants for this width"),
     };
     type Code = C;
 
@@ -185,7 +186,8 @@ impl<const BITS: u32, C: Code> Codec for Spp<BITS, C> {
         16 => 1.32,
         24 => 0.077,
         32 => 0.0048,
-        _ => 8.0e-5,
+        48 => 8.0e-5,
+        _ => panic!("no constants for this width"),
     };
     type Code = C;
 

@@ -28,7 +28,8 @@ impl<const BITS: u32> Codec for XyOnly<BITS> {
     const MAX_ERROR_DEG: f32 = match BITS {
         16 => 6.1,
         24 => 1.52,
-        _ => 0.39,
+        32 => 0.39,
+        _ => panic!("no constants for this width"),
     };
     type Code = u32;
 
