@@ -21,14 +21,14 @@ fn value_of<N: Normals>(n: Vec3) -> ValueOf<N> {
 }
 
 macro_rules! gbuffer {
-    ($id:ident $normals:path) => {
+    ($id:ident $name:ident $normals:path) => {
         #[doc = concat!("Stores normals as `", stringify!($id), "`.")]
         pub mod $id {
             use super::*;
 
             /// Writes a fragment.
             #[spirv(fragment)]
-            pub fn gbuffer(
+            pub fn $name(
                 world_normal: Vec3,
                 object_position: Vec3,
                 #[spirv(push_constant)] constants: &Geometry,
@@ -46,7 +46,7 @@ macro_rules! gbuffer {
     };
 }
 
-crate::for_all_normals!($ gbuffer);
+crate::for_all_normals!($ gbuffer uint_gbuffer);
 
 macro_rules! dithered_gbuffer {
     ($id:ident $normals:path) => {

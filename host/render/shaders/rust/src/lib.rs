@@ -3,7 +3,7 @@
 //! that their pictures are equal to the bit.
 //!
 //! Entry points are functions `vertex`, `gbuffer` and `light` in a module of the codec's identifier, as in `unitvec`'s own
-//! kernels: the build names them `oct16_vertex` and so on.
+//! kernels: the build names them `oct16_vertex` and so on. Those that store codes as integers are `uint_vertex` and so on.
 
 #![no_std]
 
@@ -27,56 +27,81 @@ pub mod vertex;
 /// A flag of both passes: normals are the points of a conformance run, not to be rotated, normalised or lit.
 pub const RAW: u32 = 1;
 
-/// Calls a macro of this crate, which takes an identifier and an implementation of [`Normals`](normals::Normals), for
-/// each. The first argument is a dollar sign, which one macro cannot write for another.
+/// Calls a macro with a row for each projection, whose numbers the hardware rounds: the name of its shaders, its storage and its
+/// functions, which are those of [`normals`]'s imports.
+macro_rules! for_each_projection {
+    ($callback:ident) => {
+        $callback! {
+            [oct_snorm Pair = oct::project, oct::unproject]
+            [oct_unorm Pair = oct::project_unorm, oct::unproject_unorm]
+            [oct16p_snorm Pair = oct::project_precise::<16>, oct::unproject]
+            [oct32p_snorm Pair = oct::project_precise::<32>, oct::unproject]
+            [hemioct_snorm Pair = hemioct::project, hemioct::unproject]
+            [hemioct_unorm Pair = hemioct::project_unorm, hemioct::unproject_unorm]
+            [eaoct_snorm Pair = eaoct::project, eaoct::unproject]
+            [eaoct_unorm Pair = eaoct::project_unorm, eaoct::unproject_unorm]
+            [eaoct16p_snorm Pair = eaoct::project_precise::<16>, eaoct::unproject]
+            [eaoct32p_snorm Pair = eaoct::project_precise::<32>, eaoct::unproject]
+            [spherical_snorm Pair = spherical::project, spherical::unproject]
+            [spherical_unorm Pair = spherical::project_unorm, spherical::unproject_unorm]
+            [cylindrical_snorm Pair = cylindrical::project, cylindrical::unproject]
+            [cylindrical_unorm Pair = cylindrical::project_unorm, cylindrical::unproject_unorm]
+            [soct_snorm PairAndBit = soct::project, soct::unproject]
+            [soct_unorm PairAndBit = soct::project_unorm, soct::unproject_unorm]
+            [eqarea_ellipse_snorm PairAndBit = azimuthal::project::<Eqarea, Ellipse>, azimuthal::unproject::<Eqarea, Ellipse>]
+            [eqarea_ellipse_unorm PairAndBit = azimuthal::project_unorm::<Eqarea, Ellipse>, azimuthal::unproject_unorm::<Eqarea, Ellipse>]
+        }
+    };
+}
+use for_each_projection;
+
+/// Expands to its items for a row of the list whose format is SNORM: Vulkan promises no device that draws to one, so that such
+/// a codec has shaders that store its codes as integers as well.
+macro_rules! if_snorm {
+    (Some("VK_FORMAT_R8G8_SNORM") $($item:tt)*) => { $($item)* };
+    (Some("VK_FORMAT_R16G16_SNORM") $($item:tt)*) => { $($item)* };
+    (Some("VK_FORMAT_R8G8B8_SNORM") $($item:tt)*) => { $($item)* };
+    (Some("VK_FORMAT_R16G16B16_SNORM") $($item:tt)*) => { $($item)* };
+    (Some("VK_FORMAT_A2B10G10R10_SNORM_PACK32") $($item:tt)*) => { $($item)* };
+    ($other:ident $(($vk_format:tt))? $callback:ident!$arguments:tt;) => {};
+}
+use if_snorm;
+
+/// Calls a macro of this crate for all normals, with the module and the name of the shader, and an implementation of
+/// [`Normals`](normals::Normals). `$uint` is the shader's name where codes are integers. The first argument is a dollar sign,
+/// which one macro cannot write for another.
 macro_rules! for_all_normals {
-    ($d:tt $callback:ident) => {
+    ($d:tt $callback:ident $uint:ident) => {
         macro_rules! rows {
-            ($d([$d id:ident $d codec:ident $d($d rest:tt)*])*) => { $d($callback!($d id unitvec::$d codec);)* };
+            ($d([$d id:ident $d codec:ident $d($d rest:tt)*])*) => {
+                $d($callback!($d id $callback unitvec::$d codec);)*
+            };
         }
         unitvec::for_each_codec!(rows);
         unitvec::for_each_frame!(rows);
-        $callback!(float crate::normals::Float);
-        $callback!(oct_snorm crate::normals::OctSnorm);
-        $callback!(oct_unorm crate::normals::OctUnorm);
-        $callback!(oct16p_snorm crate::normals::OctPrecise16Snorm);
-        $callback!(oct32p_snorm crate::normals::OctPrecise32Snorm);
-        $callback!(hemioct_snorm crate::normals::HemiOctSnorm);
-        $callback!(hemioct_unorm crate::normals::HemiOctUnorm);
-        $callback!(eaoct_snorm crate::normals::EaOctSnorm);
-        $callback!(eaoct_unorm crate::normals::EaOctUnorm);
-        $callback!(eaoct16p_snorm crate::normals::EaOctPrecise16Snorm);
-        $callback!(eaoct32p_snorm crate::normals::EaOctPrecise32Snorm);
-        $callback!(spherical_snorm crate::normals::SphericalSnorm);
-        $callback!(spherical_unorm crate::normals::SphericalUnorm);
-        $callback!(cylindrical_snorm crate::normals::CylindricalSnorm);
-        $callback!(cylindrical_unorm crate::normals::CylindricalUnorm);
-        $callback!(soct_snorm crate::normals::SOctSnorm);
-        $callback!(soct_unorm crate::normals::SOctUnorm);
-        $callback!(eqarea_ellipse_snorm crate::normals::EqareaEllipseSnorm);
-        $callback!(eqarea_ellipse_unorm crate::normals::EqareaEllipseUnorm);
-        // Codecs with an snorm format, as integers.
-        $callback!(oct16_uint crate::normals::AsIntegers<unitvec::Oct16>);
-        $callback!(oct16p_uint crate::normals::AsIntegers<unitvec::OctPrecise16>);
-        $callback!(oct32_uint crate::normals::AsIntegers<unitvec::Oct32>);
-        $callback!(oct32p_uint crate::normals::AsIntegers<unitvec::OctPrecise32>);
-        $callback!(hemioct16_uint crate::normals::AsIntegers<unitvec::HemiOct16>);
-        $callback!(hemioct32_uint crate::normals::AsIntegers<unitvec::HemiOct32>);
-        $callback!(eaoct16_uint crate::normals::AsIntegers<unitvec::EaOct16>);
-        $callback!(eaoct16p_uint crate::normals::AsIntegers<unitvec::EaOctPrecise16>);
-        $callback!(eaoct32_uint crate::normals::AsIntegers<unitvec::EaOct32>);
-        $callback!(eaoct32p_uint crate::normals::AsIntegers<unitvec::EaOctPrecise32>);
-        $callback!(cylindrical16_uint crate::normals::AsIntegers<unitvec::Cylindrical16>);
-        $callback!(cylindrical32_uint crate::normals::AsIntegers<unitvec::Cylindrical32>);
-        $callback!(snorm8x3p_uint crate::normals::AsIntegers<unitvec::SnormBest8>);
-        $callback!(snorm8x3_nearest_uint crate::normals::AsIntegers<unitvec::SnormNearest8>);
-        $callback!(snorm16x3p_uint crate::normals::AsIntegers<unitvec::SnormBest16>);
-        $callback!(crytek_bfn24_uint crate::normals::AsIntegers<unitvec::CrytekBfn24>);
-        $callback!(snorm8x3_uint crate::normals::AsIntegers<unitvec::Snorm8x3>);
-        $callback!(snorm10x3_uint crate::normals::AsIntegers<unitvec::Snorm10x3>);
-        $callback!(snorm16x3_uint crate::normals::AsIntegers<unitvec::Snorm16x3>);
-        $callback!(xyonly16_uint crate::normals::AsIntegers<unitvec::XyOnly16>);
-        $callback!(xyonly32_uint crate::normals::AsIntegers<unitvec::XyOnly32>);
+        macro_rules! projected {
+            ($d([$d id:ident $d($d rest:tt)*])*) => { $d($callback!($d id $callback crate::normals::$d id);)* };
+        }
+        crate::for_each_projection!(projected);
+        $callback!(float $callback crate::normals::Float);
+
+        /// The codecs whose codes are stored as integers though they have a format.
+        pub mod integers {
+            use super::*;
+
+            macro_rules! rows {
+                ($d([
+                    $d id:ident $d codec:ident $d(($d by:ident))? = $d family:ident::$d type:ident $d(<$d($d parameter:tt),*>)?,
+                    $d name:literal, $d domain:ident, $d format:ident $d(($d vk_format:tt))?
+                ])*) => { $d(
+                    crate::if_snorm! {
+                        $d format $d(($d vk_format))?
+                        $callback!($d id $uint crate::normals::AsIntegers<unitvec::$d codec>);
+                    }
+                )* };
+            }
+            unitvec::for_each_codec!(rows);
+        }
     };
 }
 use for_all_normals;

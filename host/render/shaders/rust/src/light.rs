@@ -2,10 +2,10 @@
 
 use crate::RAW;
 use crate::key::Key;
-use crate::normals::{CodeOf, DitheredNormals, Normals, TextureOf};
+use crate::normals::{CodeOf, DitheredNormals, Normals, TextureOf, ValueOf};
 use crate::pixel::pixel_at;
 use crate::shading::seen;
-use crate::storage::Storage;
+use crate::storage::{Storage, Value};
 use spirv_std::glam::{Vec3, Vec4};
 use spirv_std::image::Image2d;
 use spirv_std::spirv;
@@ -52,7 +52,7 @@ fn colour_of(n: Vec3, surface: Vec4, centre: Vec4, constants: &Lighting) -> Vec3
 
 /// The code that a pixel stores.
 fn code_of<N: Normals>(stored: &TextureOf<N>, centre: Vec4) -> CodeOf<N> {
-    N::In::code_of(N::In::fetch(stored, pixel_at(centre)))
+    N::In::code_of(ValueOf::<N>::fetch(stored, pixel_at(centre)))
 }
 
 /// A point of an object, with the object's number as the fourth component.
@@ -61,14 +61,14 @@ fn surface_of(surfaces: &Image2d, centre: Vec4) -> Vec4 {
 }
 
 macro_rules! light {
-    ($id:ident $normals:path) => {
+    ($id:ident $name:ident $normals:path) => {
         #[doc = concat!("Reads normals that are stored as `", stringify!($id), "`.")]
         pub mod $id {
             use super::*;
 
             /// Lights a pixel.
             #[spirv(fragment)]
-            pub fn light(
+            pub fn $name(
                 #[spirv(frag_coord)] centre: Vec4,
                 #[spirv(push_constant)] constants: &Lighting,
                 #[spirv(descriptor_set = 0, binding = 0)] stored: &TextureOf<$normals>,
@@ -85,7 +85,7 @@ macro_rules! light {
     };
 }
 
-crate::for_all_normals!($ light);
+crate::for_all_normals!($ light uint_light);
 
 macro_rules! dithered_light {
     ($id:ident $normals:path) => {

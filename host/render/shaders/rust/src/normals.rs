@@ -30,7 +30,7 @@ pub type ValueOf<N> = <<N as Normals>::In as Storage>::Value;
 pub type AttributeOf<N> = <<N as Normals>::In as Storage>::Attribute;
 
 /// The texture that holds codes.
-pub type TextureOf<N> = <<N as Normals>::In as Storage>::Texture;
+pub type TextureOf<N> = <ValueOf<N> as Value>::Texture;
 
 /// [`Normals`] whose codes may be dithered.
 pub trait DitheredNormals: Normals {
@@ -147,10 +147,11 @@ impl Normals for Float {
     }
 }
 
-/// Projections, which the hardware rounds.
 macro_rules! projections {
-    ($($name:ident in $storage:ident: $project:expr, $unproject:expr;)*) => { $(
+    ($([$name:ident $storage:ident = $project:expr, $unproject:expr])*) => { $(
         #[doc = concat!("`", stringify!($project), "`, rounded by the hardware.")]
+        // Its name is that of its shaders.
+        #[allow(non_camel_case_types)]
         pub struct $name;
 
         impl Normals for $name {
@@ -167,28 +168,7 @@ macro_rules! projections {
     )* };
 }
 
-projections! {
-    OctSnorm in Pair: oct::project, oct::unproject;
-    OctUnorm in Pair: oct::project_unorm, oct::unproject_unorm;
-    OctPrecise16Snorm in Pair: oct::project_precise::<16>, oct::unproject;
-    OctPrecise32Snorm in Pair: oct::project_precise::<32>, oct::unproject;
-    HemiOctSnorm in Pair: hemioct::project, hemioct::unproject;
-    HemiOctUnorm in Pair: hemioct::project_unorm, hemioct::unproject_unorm;
-    EaOctSnorm in Pair: eaoct::project, eaoct::unproject;
-    EaOctUnorm in Pair: eaoct::project_unorm, eaoct::unproject_unorm;
-    EaOctPrecise16Snorm in Pair: eaoct::project_precise::<16>, eaoct::unproject;
-    EaOctPrecise32Snorm in Pair: eaoct::project_precise::<32>, eaoct::unproject;
-    SphericalSnorm in Pair: spherical::project, spherical::unproject;
-    SphericalUnorm in Pair: spherical::project_unorm, spherical::unproject_unorm;
-    CylindricalSnorm in Pair: cylindrical::project, cylindrical::unproject;
-    CylindricalUnorm in Pair: cylindrical::project_unorm, cylindrical::unproject_unorm;
-    SOctSnorm in PairAndBit: soct::project, soct::unproject;
-    SOctUnorm in PairAndBit: soct::project_unorm, soct::unproject_unorm;
-    EqareaEllipseSnorm in PairAndBit:
-        azimuthal::project::<Eqarea, Ellipse>, azimuthal::unproject::<Eqarea, Ellipse>;
-    EqareaEllipseUnorm in PairAndBit:
-        azimuthal::project_unorm::<Eqarea, Ellipse>, azimuthal::unproject_unorm::<Eqarea, Ellipse>;
-}
+crate::for_each_projection!(projections);
 
 /// A codec whose codes are stored as integers, though there is a format with their layout. Vulkan promises no device that draws
 /// to snorm.

@@ -14,14 +14,14 @@ fn world_normal<N: Normals>(stored: AttributeOf<N>, constants: &Geometry) -> Vec
 }
 
 macro_rules! vertex {
-    ($id:ident $normals:path) => {
+    ($id:ident $name:ident $normals:path) => {
         #[doc = concat!("Takes normals that are stored as `", stringify!($id), "`.")]
         pub mod $id {
             use super::*;
 
             /// Places a vertex.
             #[spirv(vertex)]
-            pub fn vertex(
+            pub fn $name(
                 position: Vec3,
                 stored_normal: AttributeOf<$normals>,
                 #[spirv(push_constant)] constants: &Geometry,
@@ -39,7 +39,7 @@ macro_rules! vertex {
     };
 }
 
-crate::for_all_normals!($ vertex);
+crate::for_all_normals!($ vertex uint_vertex);
 
 /// A triangle that covers the target, drawn without vertex buffers: three vertices.
 pub mod fullscreen {
