@@ -36,7 +36,12 @@ pub fn mean_where(pixels: &[bool], a: &RgbImage, b: &RgbImage) -> f64 {
     let chosen = a.pixels().zip(b.pixels()).zip(pixels).filter(|(_, chosen)| **chosen);
     let steps =
         chosen.flat_map(|((a, b), _)| a.0.into_iter().zip(b.0)).map(|(a, b)| f64::from(a.abs_diff(b)));
-    let (sum, count) = steps.fold((0.0, 0.0f64), |(sum, count), step| (sum + step, count + 1.0));
+    mean(steps)
+}
+
+/// The mean of some numbers; 0 of none.
+pub fn mean(numbers: impl Iterator<Item = f64>) -> f64 {
+    let (sum, count) = numbers.fold((0.0, 0.0f64), |(sum, count), number| (sum + number, count + 1.0));
     sum / count.max(1.0)
 }
 

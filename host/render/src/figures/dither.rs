@@ -2,9 +2,9 @@
 
 use super::camera::{Camera, coded, shot};
 use super::canvas::{Cell, crop, sheet};
-use super::compare::Difference;
+use super::compare::{Difference, mean};
 use super::pictures::{MANY, take, window};
-use super::{Figure, Labelled, Number, Options, Shown};
+use super::{Figure, Labelled, Number, Options, Shown, named};
 use crate::Result;
 use crate::{Key, Material, Normals, Seen, Shot, View};
 use glam::{IVec3, Vec3};
@@ -35,7 +35,7 @@ fn errors(picture: &RgbImage, float: &RgbImage) -> Vec<f64> {
 
 /// The part of a pixel's error that its right neighbour shares: 1 in bands, 0 in white noise.
 fn autocorrelation(errors: &[f64], width: usize) -> f64 {
-    let mean = errors.iter().sum::<f64>() / errors.len().max(1) as f64;
+    let mean = mean(errors.iter().copied());
     let (mut product, mut square, mut pairs) = (0.0, 0.0, 0usize);
     for row in errors.chunks(width) {
         square += row.iter().map(|error| (error - mean).powi(2)).sum::<f64>();
@@ -55,22 +55,20 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let first = take(camera, coded(find(CODECS[0])?), material, view)?;
         let window = window(options, MANY, &float, &first);
         let (mut cells, mut differences) = (Vec::new(), Vec::new());
-        for (normals, label) in
-            CODECS.into_iter().map(find).collect::<Result<Vec<_>, _>>()?.into_iter().flat_map(variants)
-        {
+        for (normals, label) in named(&CODECS)?.into_iter().flat_map(variants) {
             let picture = take(camera, normals, material, view)?;
             let difference = Difference::of(&float, &picture);
             let part = crop(&picture, window);
             let shared = autocorrelation(&errors(&part, &crop(&float, window)), window[2] as usize);
             numbers.push(Number::new(
-                &format!("{name}, {label}, autocorrelation of the difference in the part shown"),
+                format!("{name}, {label}, autocorrelation of the difference in the part shown"),
                 shared,
             ));
             differences.push(Labelled { label: label.clone(), difference });
             cells.push(Cell { picture: part, lines: vec![label, difference.in_words()] });
         }
         let alt = format!("The {name} with plain normals and with dithered ones");
-        let shown = Shown::picture(&format!("dither_{name}.png"), &alt, sheet(&cells, 4));
+        let shown = Shown::picture(format!("dither_{name}.png"), &alt, sheet(&cells, 4));
         pictures.push(Shown { differences, ..shown });
     }
     let (strip, of_turning) = turning(camera, options)?;
@@ -99,33 +97,20 @@ const EVERY: usize = 11;
 /// Frames of the strip, and of a small one.
 const STRIP: [u16; 2] = [6, 3];
 
-/// The errors of points of a surface over time.
-#[derive(Default)]
-struct OverTime {
-    frames: Vec<Vec<Option<Vec3>>>,
-}
-
-impl OverTime {
-    /// The errors of the points that are seen in all frames.
-    fn tracks(&self) -> impl Iterator<Item = Vec<Vec3>> {
-        let points = self.frames.first().map_or(0, Vec::len);
-        (0..points).filter_map(|point| self.frames.iter().map(|frame| frame[point]).collect())
+/// The mean over the points that are seen in all frames of the variance of their errors, and of the change of an error from one
+/// frame to the next.
+fn variance_and_change(frames: &[Vec<Option<Vec3>>]) -> [f64; 2] {
+    let points = frames.first().map_or(0, Vec::len);
+    let tracks = (0..points).filter_map(|point| frames.iter().map(|frame| frame[point]).collect());
+    let (mut variance, mut change, mut count) = (0.0, 0.0, 0usize);
+    for track in tracks {
+        let track: Vec<Vec3> = track;
+        let middle = track.iter().sum::<Vec3>() / track.len() as f32;
+        variance += mean(track.iter().map(|error| f64::from((*error - middle).length_squared())));
+        change += mean(track.windows(2).map(|pair| f64::from(pair[0].distance(pair[1]))));
+        count += 1;
     }
-
-    /// The mean over the points of the variance of their errors, and of the change of an error from one frame to the next.
-    fn summary(&self) -> [f64; 2] {
-        let (mut variance, mut change, mut count) = (0.0, 0.0, 0usize);
-        for track in self.tracks() {
-            let frames = track.len() as f64;
-            let mean = track.iter().sum::<Vec3>() / track.len() as f32;
-            variance +=
-                track.iter().map(|error| f64::from((*error - mean).length_squared())).sum::<f64>() / frames;
-            let changes = track.windows(2).map(|pair| f64::from(pair[0].distance(pair[1])));
-            change += changes.sum::<f64>() / (frames - 1.0).max(1.0);
-            count += 1;
-        }
-        [variance, change].map(|sum| sum / count.max(1) as f64)
-    }
+    [variance, change].map(|sum| sum / count.max(1) as f64)
 }
 
 /// The means of errors over blocks.
@@ -140,13 +125,12 @@ fn block_means(errors: &[f64], width: usize) -> Vec<f64> {
 
 /// The mean over blocks of the variance of a block over the frames.
 fn variance_over_time(frames: &[Vec<f64>]) -> f64 {
-    let (count, blocks) = (frames.len() as f64, frames.first().map_or(0, Vec::len));
     let variance = |block: usize| {
         let values = || frames.iter().map(move |frame| frame[block]);
-        let mean = values().sum::<f64>() / count;
-        values().map(|value| (value - mean).powi(2)).sum::<f64>() / count
+        let middle = mean(values());
+        mean(values().map(|value| (value - middle).powi(2)))
     };
-    (0..blocks).map(variance).sum::<f64>() / blocks.max(1) as f64
+    mean((0..frames.first().map_or(0, Vec::len)).map(variance))
 }
 
 /// The surface seen in a picture, by its place on the object.
@@ -203,7 +187,7 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
     let floats = (0..FRAMES).map(|frame| camera.picture(&highlight(Normals::Float, frame)));
     let floats: Vec<RgbImage> = floats.collect::<Result<_>>()?;
     for (normals, label) in variants(codec) {
-        let (mut over_time, mut points) = (OverTime::default(), None);
+        let (mut errors_of_points, mut points) = (Vec::new(), None);
         let mut blocks = Vec::new();
         for frame in 0..FRAMES {
             let glossy = camera.picture(&highlight(normals, frame))?;
@@ -218,7 +202,7 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
                 (1.5 * spacing(&seen), points)
             });
             let surface = Surface::new(&seen, *cell);
-            over_time.frames.push(points.iter().map(|point| surface.error(*point)).collect());
+            errors_of_points.push(points.iter().map(|point| surface.error(*point)).collect());
             if frame % (FRAMES / strip) == 0 {
                 let [left, top, width, height] = match part {
                     Some(part) => part,
@@ -235,16 +219,11 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
         let name = format!(
             "turning panel, {label}, temporal variance of the highlight, means of {BLOCK} x {BLOCK} pixels"
         );
-        numbers.push(Number::new(&name, variance_over_time(&blocks)));
-        let [variance, change] = over_time.summary();
-        numbers.push(Number::new(
-            &format!("turning sphere, {label}, temporal variance, degrees squared"),
-            variance,
-        ));
-        numbers.push(Number::new(
-            &format!("turning sphere, {label}, change from frame to frame, degrees"),
-            change,
-        ));
+        numbers.push(Number::new(name, variance_over_time(&blocks)));
+        let names = ["temporal variance, degrees squared", "change from frame to frame, degrees"];
+        for (name, value) in names.into_iter().zip(variance_and_change(&errors_of_points)) {
+            numbers.push(Number::new(format!("turning sphere, {label}, {name}"), value));
+        }
     }
     let alt = "Frames of a turning mirror, with plain and with dithered normals";
     Ok((Shown::picture("dither_turning.png", alt, sheet(&cells, u32::from(strip))), numbers))
@@ -271,8 +250,7 @@ mod tests {
     fn variance_is_over_time() {
         let frame =
             |n: u32| vec![Some(2.0 * Vec3::X * (n % 2) as f32), Some(Vec3::Y), (n > 0).then_some(Vec3::ONE)];
-        let over_time = OverTime { frames: (0..10).map(frame).collect() };
-        assert_eq!(over_time.summary(), [0.5, 1.0]);
+        assert_eq!(variance_and_change(&(0..10).map(frame).collect::<Vec<_>>()), [0.5, 1.0]);
     }
 
     /// Errors that are 1 and -1 in turns vanish in the mean, those of a whole block do not; 1 and -1 in turns has the variance 1.

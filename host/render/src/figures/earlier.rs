@@ -94,9 +94,9 @@ mod tests {
     }
 
     fn figures(origin: Origin, ids: &[(&str, &[&str])]) -> Figures {
-        let shown = |file: &&str| Shown::picture(file, "alt", RgbImage::new(1, 1));
+        let shown = |file: &&str| Shown::picture(*file, "alt", RgbImage::new(1, 1));
         let figure = |(id, files): &(&str, &[&str])| {
-            Figure::new(id, id, String::new(), files.iter().map(shown).collect())
+            Figure::new(id, *id, "", files.iter().map(shown).collect())
         };
         Figures { origin, figures: ids.iter().map(figure).collect() }
     }

@@ -2,7 +2,7 @@
 
 use super::canvas::{Canvas, Cell, INK, sheet};
 use super::paint::{self, Colour, SAMPLES, from_srgb};
-use super::points::MEASURED;
+use super::points::errors_in_words;
 use super::{Figure, Number, Options, Shown};
 use crate::Result;
 use image::RgbImage;
@@ -10,8 +10,6 @@ use plotters::style::colors::colormaps::{ColorMap, ViridisRGB};
 use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Domain};
 use unitvec_lab::accuracy::covering_bound_deg;
-use unitvec_run::backend::Cpu;
-use unitvec_run::measure::measure;
 
 /// The codecs of error maps if no others are asked for.
 const MAPPED: [&str; 14] = [
@@ -61,44 +59,33 @@ pub fn errors(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
     for codec in options.codecs_or(&MAPPED)? {
-        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?.normal;
-        let lines = vec![
-            format!("{}, {} bits", codec.survey_name, codec.bits),
-            format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()),
-        ];
+        let lines = vec![format!("{}, {} bits", codec.survey_name, codec.bits), errors_in_words(codec)?];
         cells.push(Cell { picture: error_map(codec, side), lines });
         scales.insert(codec.bits, scale_deg(codec.bits));
     }
-    let shown: Vec<String> =
-        scales.iter().map(|(bits, scale)| format!("{bits} bits: {scale:.3} deg")).collect();
-    let bar = Canvas({
-        let mut bar = Canvas::new(side, side);
-        let top = side / 4;
-        bar.put(&paint::strip(side - 20, 24, heat), 10, top - 12);
-        let small = side < 300;
-        let mut write =
-            |text: &str, below: u32| bar.write(text, (10, (top + below) as i32), small, false, INK);
-        write("0", 18);
-        write("yellow is", 40);
-        for (line, text) in (0..).zip(&shown) {
-            write(text, 58 + 18 * line);
-        }
-        bar.0
-    });
-    cells.push(Cell { picture: bar.0, lines: Vec::new() });
+    cells.push(Cell { picture: legend(side, &scales), lines: Vec::new() });
     let numbers =
-        scales.iter().map(|(bits, scale)| Number::new(&format!("last colour, {bits} bits, degrees"), *scale));
-    let numbers: Vec<Number> = numbers.collect();
+        scales.iter().map(|(bits, scale)| Number::new(format!("last colour, {bits} bits, degrees"), *scale));
     let caption = format!(
         "The error over the sphere, by colour: dark is none, yellow is {LAST_COLOUR} times the least possible maximum at that \
          number of bits, or more. Codecs of as many bits share one scale."
     );
     let alt = "Spheres coloured by the error of a codec at each direction";
-    Ok(Figure::new(
-        "errors",
-        "Error maps",
-        caption,
-        vec![Shown::picture("errors.png", alt, sheet(&cells, 5))],
-    )
-    .with(numbers))
+    let pictures = vec![Shown::picture("errors.png", alt, sheet(&cells, 5))];
+    Ok(Figure::new("errors", "Error maps", caption, pictures).with(numbers.collect()))
+}
+
+/// The colours, and the errors of the last one by bits.
+fn legend(side: u32, scales: &BTreeMap<u32, f64>) -> RgbImage {
+    let mut canvas = Canvas::new(side, side);
+    let top = side / 4;
+    canvas.put(&paint::strip(side - 20, 24, heat), 10, top - 12);
+    let mut write =
+        |text: &str, below: u32| canvas.write(text, (10, (top + below) as i32), side < 300, false, INK);
+    write("0", 18);
+    write("yellow is", 40);
+    for (line, (bits, scale)) in (0..).zip(scales) {
+        write(&format!("{bits} bits: {scale:.3} deg"), 58 + 18 * line);
+    }
+    canvas.0
 }

@@ -88,16 +88,16 @@ pub(super) enum Content {
 }
 
 impl Shown {
-    pub(super) fn new(file: &str, alt: &str, content: Content) -> Self {
+    pub(super) fn new(file: impl Into<String>, alt: impl Into<String>, content: Content) -> Self {
         let size = match &content {
             Content::Pixels(picture) => Some([picture.width(), picture.height()]),
             Content::File | Content::Svg(_) => None,
         };
-        let (file, alt) = (file.to_owned(), alt.to_owned());
-        Self { file, alt, of: None, differences: Vec::new(), cells: Vec::new(), size, content }
+        let (file, alt, differences, cells) = (file.into(), alt.into(), Vec::new(), Vec::new());
+        Self { file, alt, of: None, differences, cells, size, content }
     }
 
-    pub(super) fn picture(file: &str, alt: &str, picture: RgbImage) -> Self {
+    pub(super) fn picture(file: impl Into<String>, alt: impl Into<String>, picture: RgbImage) -> Self {
         Self::new(file, alt, Content::Pixels(picture))
     }
 
@@ -127,8 +127,8 @@ pub struct Number {
 }
 
 impl Number {
-    pub(super) fn new(name: &str, value: f64) -> Self {
-        Self { name: name.to_owned(), value }
+    pub(super) fn new(name: impl Into<String>, value: f64) -> Self {
+        Self { name: name.into(), value }
     }
 
     /// Whole numbers as they are, others with four digits.
@@ -143,15 +143,14 @@ impl Number {
 }
 
 impl Figure {
-    pub(super) fn new(id: &str, title: &str, caption: String, pictures: Vec<Shown>) -> Self {
-        Self {
-            id: id.to_owned(),
-            title: title.to_owned(),
-            caption,
-            pictures,
-            numbers: Vec::new(),
-            earlier: None,
-        }
+    pub(super) fn new(
+        id: &str,
+        title: impl Into<String>,
+        caption: impl Into<String>,
+        pictures: Vec<Shown>,
+    ) -> Self {
+        let (id, title, caption, numbers) = (id.to_owned(), title.into(), caption.into(), Vec::new());
+        Self { id, title, caption, pictures, numbers, earlier: None }
     }
 
     pub(super) fn with(self, numbers: Vec<Number>) -> Self {

@@ -113,11 +113,8 @@ pub fn numbering(options: &Options) -> Figure {
         patches.count(),
         patches.rings()
     );
-    let shown = Shown::picture(
-        "figure2.png",
-        "A sphere divided into numbered patches between circles of latitude",
-        canvas.0,
-    );
+    let alt = "A sphere divided into numbered patches between circles of latitude";
+    let shown = Shown::picture("figure2.png", alt, canvas.0);
     Figure::new("2", "latlong's patches", caption, vec![shown]).with(vec![
         Number::new("patches", patches.count() as f64),
         Number::new("rings", patches.rings() as f64),

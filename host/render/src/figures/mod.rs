@@ -111,12 +111,8 @@ fn front() -> Result<Figure> {
         report.subject()
     );
     let alt = "Chart of error over cost, with the front of each size as a line";
-    Ok(Figure::new(
-        "front",
-        "Error against cost",
-        caption,
-        vec![Shown::new("front.svg", alt, Content::Svg(svg))],
-    ))
+    let pictures = vec![Shown::new("front.svg", alt, Content::Svg(svg))];
+    Ok(Figure::new("front", "Error against cost", caption, pictures))
 }
 
 /// Draws one figure.
@@ -160,38 +156,4 @@ pub fn named(ids: &[impl AsRef<str>]) -> Result<Vec<&'static AnyCodec>> {
     let find = |id: &str| vectors().iter().find(|codec| codec.id == id);
     let unknown = |id: &str| UnknownCodec { id: id.to_owned() };
     ids.iter().map(|id| Ok(find(id.as_ref()).ok_or_else(|| unknown(id.as_ref()))?)).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Seen, Shot};
-    use image::RgbImage;
-
-    /// No device to render on.
-    struct Blind;
-
-    impl Camera for Blind {
-        fn picture(&mut self, _: &Shot) -> Result<RgbImage> {
-            Err(Error::Front("blind".to_owned()))
-        }
-
-        fn surface(&mut self, _: &Shot) -> Result<Vec<Option<Seen>>> {
-            Err(Error::Front("blind".to_owned()))
-        }
-    }
-
-    #[test]
-    fn figures_without_a_device_have_files_of_their_kind() {
-        let codecs = named(&["oct16"]).unwrap();
-        let options = Options { small: true, codecs, materials: vec![Material::Mirror], whole: false };
-        for part in Part::value_variants().iter().copied().filter(|part| !part.is_rendered()) {
-            let figure = draw(part, &options, &mut Blind).unwrap();
-            for shown in &figure.pictures {
-                let is_png = shown.bytes().unwrap().starts_with(b"\x89PNG");
-                assert_eq!(is_png, shown.file.ends_with(".png"), "{}", shown.file);
-                assert!(!shown.alt.is_empty());
-            }
-        }
-    }
 }

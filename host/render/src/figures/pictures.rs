@@ -2,7 +2,7 @@
 
 use super::camera::{Camera, coded, shot};
 use super::canvas::{Cell, crop, places, sheet};
-use super::compare::{Difference, amplified, mean_where, most_different, rank_correlation};
+use super::compare::{Difference, amplified, mean, mean_where, most_different, rank_correlation};
 use super::{Figure, Labelled, Number, Options, Place, Shown, Subject, named};
 use crate::Result;
 use crate::{Material, Normals, OBJECTS, SIDES, Seen, View};
@@ -56,9 +56,15 @@ impl Compared {
     fn shown(&self, figure: &str, material: Material) -> Shown {
         let alt = format!("{} surfaces, normals as {}", name(material), self.label);
         let file = format!("{figure}_{}_{}.png", name(material), self.id());
-        let shown = Shown::picture(&file, &alt, self.picture.clone());
+        let shown = Shown::picture(file, alt, self.picture.clone());
         Shown { of: Some(self.subject(material)), differences: differences([self]), ..shown }
     }
+}
+
+/// A file for each picture, unless figures are small.
+fn singles(options: &Options, compared: &[Compared], figure: &str, material: Material) -> Vec<Shown> {
+    let shown: &[Compared] = if options.small { &[] } else { compared };
+    shown.iter().map(|shown| shown.shown(figure, material)).collect()
 }
 
 fn differences<'a>(pictures: impl IntoIterator<Item = &'a Compared>) -> Vec<Labelled> {
@@ -115,17 +121,14 @@ pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         all.extend(cells(compared.iter(), window));
         let named = |one: Labelled| Labelled { label: format!("{}, {}", name(material), one.label), ..one };
         off.extend(differences(&compared).into_iter().map(named));
-        if !options.small {
-            pictures.extend(compared.iter().map(|shown| shown.shown("figure1", material)));
-        }
+        pictures.extend(singles(options, &compared, "figure1", material));
     }
     let alt = "Mirroring and glossy surfaces, with normals of several codecs";
     let all = Shown::picture("figure1.png", alt, sheet(&all, codecs.len() as u32 + 1));
     pictures.insert(0, Shown { differences: off, ..all });
     let caption = "Mirror (above) and glossy reflections (below) with normals of a G-buffer in 16 bits, in 24 bits of \
                    snorm8x3, in 24 bits of oct24P, and as floats. The part where the first differs most. Differences to \
-                   floats are of the whole picture, in steps of 1/255."
-        .to_owned();
+                   floats are of the whole picture, in steps of 1/255.";
     Ok(Figure::new("1", "Mirror and glossy reflections", caption, pictures))
 }
 
@@ -134,6 +137,9 @@ fn shrunk(picture: &RgbImage, width: u32) -> RgbImage {
     let height = (picture.height() * width).div_ceil(picture.width());
     resize(picture, width, height, FilterType::Triangle)
 }
+
+const FIGURE_7: &str = "The survey says that differences are far more apparent than on Lambertian surfaces, and that steps \
+                        show where surfaces are nearly flat.";
 
 /// Figures 6 and 7: the codec that the survey's figures show.
 pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material) -> Result<Figure> {
@@ -154,36 +160,28 @@ pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material
         });
         let brightness = f64::from(TIMES) * difference.mean / 255.0;
         numbers.push(Number::new(
-            &format!("{}, pixels off by one step of 255 at most, share", shown.id()),
+            format!("{}, pixels off by one step of 255 at most, share", shown.id()),
             black,
         ));
         numbers.push(Number::new(
-            &format!("{}, brightness of the difference x {TIMES}, 1 is white", shown.id()),
+            format!("{}, brightness of the difference x {TIMES}, 1 is white", shown.id()),
             brightness,
         ));
     }
-    let (id, words) = if material == Material::Lambertian {
-        ("6", "The survey says of this one that the differences are minimal.")
-    } else {
-        (
-            "7",
-            "The survey says that differences are far more apparent than on Lambertian surfaces, and that steps show where \
-               surfaces are nearly flat.",
-        )
+    let (id, words) = match material {
+        Material::Lambertian => ("6", "The survey says of this one that the differences are minimal."),
+        _ => ("7", FIGURE_7),
     };
     let caption = format!(
         "{} surfaces with float32x3 and with eqarea+ellipse16, which the survey's figure shows, and their difference {TIMES} times \
          over. {words}",
         capital(name(material))
     );
-    let file = format!("figure{id}.png");
     let alt = format!("{} surfaces with floats, with a 16-bit codec, and the difference", name(material));
-    let shown = Shown::picture(&file, &alt, sheet(&cells, 3));
+    let shown = Shown::picture(format!("figure{id}.png"), alt, sheet(&cells, 3));
     let mut pictures = vec![Shown { differences: differences(&compared), ..shown }];
-    if !options.small {
-        pictures.extend(compared.iter().map(|shown| shown.shown(&format!("figure{id}"), material)));
-    }
-    Ok(Figure::new(id, &format!("{} surfaces", capital(name(material))), caption, pictures).with(numbers))
+    pictures.extend(singles(options, &compared, &format!("figure{id}"), material));
+    Ok(Figure::new(id, format!("{} surfaces", capital(name(material))), caption, pictures).with(numbers))
 }
 
 fn capital(word: &str) -> String {
@@ -223,22 +221,18 @@ pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         let name = name(*material);
         let alt = format!("{name} surfaces with the normals of all codecs of the figure");
         let cells = cells(compared.iter(), window);
-        let all = Shown::picture(&format!("figure8_{name}.png"), &alt, sheet(&cells, columns));
+        let all = Shown::picture(format!("figure8_{name}.png"), alt, sheet(&cells, columns));
         let of = compared.iter().map(|shown| shown.subject(*material));
         let places = of.zip(places(&cells, columns)).map(|(of, place)| Place { of, place });
         sheets.push(Shown { differences: differences(&compared), cells: places.collect(), ..all });
-        let amplified: Vec<Cell> = compared
-            .iter()
-            .skip(1)
-            .map(|shown| Cell {
+        if !options.small {
+            let amplified = compared[1..].iter().map(|shown| Cell {
                 picture: amplified(&crop(float, window), &crop(&shown.picture, window), TIMES),
                 lines: vec![format!("{} x {TIMES}", shown.label)],
-            })
-            .collect();
-        let alt = format!("differences to floats, {TIMES} times over, on {name} surfaces");
-        let file = format!("figure8_{name}_difference.png");
-        if !options.small {
-            sheets.push(Shown::picture(&file, &alt, sheet(&amplified, columns)));
+            });
+            let alt = format!("differences to floats, {TIMES} times over, on {name} surfaces");
+            let amplified = sheet(&amplified.collect::<Vec<_>>(), columns);
+            sheets.push(Shown::picture(format!("figure8_{name}_difference.png"), alt, amplified));
         }
         if options.whole {
             pictures.extend(compared.iter().map(|shown| shown.shown("figure8", *material)));
@@ -273,10 +267,8 @@ fn is_curved(seen: &Option<Seen>) -> bool {
 
 /// The mean error of the normals of some pixels, degrees.
 fn error_shown<'a>(seen: impl Iterator<Item = &'a Option<Seen>>) -> f64 {
-    let angles =
-        seen.flatten().map(|seen| unitvec::angle_deg(seen.normal.to_array(), seen.decoded.to_array()));
-    let (sum, count) = angles.fold((0.0, 0.0f64), |(sum, count), angle| (sum + angle, count + 1.0));
-    sum / count.max(1.0)
+    let seen = seen.flatten();
+    mean(seen.map(|seen| unitvec::angle_deg(seen.normal.to_array(), seen.decoded.to_array())))
 }
 
 /// The bumpy sphere as a mirror, from all sides.
@@ -298,21 +290,17 @@ fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
         let error = measure(&mut Cpu, codec, Domain::Sphere, MEASURED, 1)?.normal.mean_deg();
         let coded_sides = sides(camera, coded(codec))?;
         // The sky around the sphere does not differ.
-        let of_sides =
-            float_sides.iter().zip(&coded_sides).map(|(float, coded)| mean_where(&all, float, coded));
-        let around = of_sides.sum::<f64>() / f64::from(SIDES);
+        let around =
+            mean(float_sides.iter().zip(&coded_sides).map(|(float, coded)| mean_where(&all, float, coded)));
         let picture = camera.picture(&taken(coded(codec)))?;
         let (whole, on_curved) = (mean_where(&all, float, &picture), mean_where(&curved, float, &picture));
         let seen = camera.surface(&taken(coded(codec)))?;
-        pairs[0].push((error, around));
-        pairs[1].push((error_shown(seen.iter().filter(|seen| is_curved(seen))), on_curved));
-        pairs[2].push((error, on_curved));
-        pairs[3].push((error, whole));
-        numbers.push(Number::new(&format!("{}, mirror, mean difference of a sphere", codec.id), around));
-        numbers.push(Number::new(
-            &format!("{}, mirror, mean difference on the scene's curved bodies", codec.id),
-            on_curved,
-        ));
+        let error_seen = error_shown(seen.iter().filter(|seen| is_curved(seen)));
+        let found = [(error, around), (error_seen, on_curved), (error, on_curved), (error, whole)];
+        pairs.iter_mut().zip(found).for_each(|(pairs, pair)| pairs.push(pair));
+        for (what, value) in [("of a sphere", around), ("on the scene's curved bodies", on_curved)] {
+            numbers.push(Number::new(format!("{}, mirror, mean difference {what}", codec.id), value));
+        }
     }
     let names = [
         "of a sphere from all sides with the mean error over the sphere",
@@ -320,13 +308,14 @@ fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
         "on the scene's curved bodies with the mean error over the sphere",
         "of the whole scene with the mean error over the sphere",
     ];
-    for (name, pairs) in names.into_iter().zip(&pairs) {
+    let correlation = |(name, pairs): (&str, &Vec<(f64, f64)>)| {
         let name = format!(
             "rank correlation of the mirror's mean difference {name}, {} codecs of {BITS} bits",
             pairs.len()
         );
-        numbers.push(Number::new(&name, rank_correlation(pairs)));
-    }
+        Number::new(name, rank_correlation(pairs))
+    };
+    numbers.extend(names.into_iter().zip(&pairs).map(correlation));
     Ok(numbers)
 }
 
@@ -357,11 +346,8 @@ pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
     let cells: Vec<Cell> = compared.iter().map(whole).collect();
     let all = Shown::picture("meyer3.png", alt, sheet(&cells, 4));
     let mut pictures = vec![Shown { differences: differences(&compared), ..all }];
-    if !options.small {
-        pictures.extend(compared.iter().map(|shown| shown.shown("meyer3", Material::Glossy)));
-    }
+    pictures.extend(singles(options, &compared, "meyer3", Material::Glossy));
     let caption = "Figure 3 of Meyer et al.: the Blinn-Phong highlight of a nearly flat panel, with normals in 16 bits. The \
-                   points of fib16, on a spherical Fibonacci lattice, stand for their table."
-        .to_owned();
+                   points of fib16, on a spherical Fibonacci lattice, stand for their table.";
     Ok(Figure::new("meyer", "Meyer's figure 3: a highlight", caption, pictures))
 }

@@ -36,8 +36,12 @@ const DISTRIBUTIONS: [&str; 18] = [
 const ALL_CODES_UP_TO: u32 = 16;
 /// Directions whose codes stand for all where there are more.
 const DIRECTIONS: usize = 1 << 22;
-/// Directions that errors are measured over.
-pub const MEASURED: usize = 100_000;
+
+/// A codec's errors, measured over random directions, in a line.
+pub fn errors_in_words(codec: &AnyCodec) -> Result<String> {
+    let errors = measure(&mut Cpu, codec, codec.domain, 100_000, 1)?.normal;
+    Ok(format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()))
+}
 
 /// The directions that encoded vectors can have, each once.
 fn representable(codec: &AnyCodec) -> Result<Vec<DVec3>> {
@@ -71,18 +75,13 @@ pub fn points(options: &Options) -> Result<Figure> {
         // Dots of smaller pictures lie closer.
         let ink = 2.2 * (f64::from(side) / 360.0).powf(1.5);
         directions.iter().filter_map(|v| paint::place(*v, view)).for_each(|place| dots.add(place, ink));
-        let errors = measure(&mut Cpu, codec, codec.domain, MEASURED, 1)?.normal;
-        let lines = vec![
-            codec.survey_name.to_owned(),
-            format!("mean {:.3} max {:.3} deg", errors.mean_deg(), errors.max_deg()),
-        ];
+        let lines = vec![codec.survey_name.to_owned(), errors_in_words(codec)?];
         cells.push(Cell { picture: dots.picture(), lines });
-        numbers.push(Number::new(&format!("{}, points", codec.id), directions.len() as f64));
+        numbers.push(Number::new(format!("{}, points", codec.id), directions.len() as f64));
     }
     let caption = "The unit vectors that a code can stand for. An even grey is best: where points are dense, and the picture \
                    dark, errors are small at the cost of others. All codes have 16 bits but those of snorm8x3. ico16, fib16 \
-                   and eaoct16 are not in the survey."
-        .to_owned();
+                   and eaoct16 are not in the survey.";
     let alt = "Spheres covered with dots, one for each codec";
     let shown = Shown::picture("figure5.png", alt, sheet(&cells, 6));
     Ok(Figure::new("5", "Representable unit vectors", caption, vec![shown]).with(numbers))

@@ -55,7 +55,7 @@ pub fn rounding(options: &Options) -> Result<Figure> {
             format!("moved: {:.1} %", 100.0 * moved),
         ];
         cells.push(Cell { picture: map(codec, small_side), lines });
-        numbers.push(Number::new(&format!("{id}, share of codes that are not the nearest point's"), moved));
+        numbers.push(Number::new(format!("{id}, share of codes that are not the nearest point's"), moved));
     }
     let alt = "Black and white moire pattern of rounding directions over a square";
     let pictures = vec![
@@ -64,8 +64,7 @@ pub fn rounding(options: &Options) -> Result<Figure> {
     ];
     let caption = "Where the precise encoder of oct rounds y: black is down, white is up, over the square, sampled at the \
                    middle of each pixel; first at 12 bits each for x and y, then at other widths. Moved are the vectors that \
-                   get another code than that of the nearest point on the square."
-        .to_owned();
+                   get another code than that of the nearest point on the square.";
     Ok(Figure::new("4", "Precise rounding", caption, pictures).with(numbers))
 }
 

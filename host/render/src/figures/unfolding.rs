@@ -52,15 +52,10 @@ pub fn unfolding(options: &Options) -> Figure {
     let cells = [(sphere, "sphere"), (octahedron, "octahedron"), (square, "square")]
         .map(|(picture, name)| Cell { picture, lines: vec![name.to_owned()] });
     let caption = "How oct maps the octants of the sphere to the faces of an octahedron, projects these to the plane, and \
-                   unfolds the lower four outwards, which fills the square. The lines are those of a grid on the square."
-        .to_owned();
+                   unfolds the lower four outwards, which fills the square. The lines are those of a grid on the square.";
     let alt = "The same eight coloured octants on a sphere, on an octahedron and on a square";
-    Figure::new(
-        "3",
-        "oct unfolds the sphere",
-        caption,
-        vec![Shown::picture("figure3.png", alt, sheet(&cells, 3))],
-    )
+    let pictures = vec![Shown::picture("figure3.png", alt, sheet(&cells, 3))];
+    Figure::new("3", "oct unfolds the sphere", caption, pictures)
 }
 
 #[cfg(test)]
