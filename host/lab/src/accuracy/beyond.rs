@@ -53,23 +53,9 @@ pub fn measure_frame(
 ) -> Result<[Row; 2]> {
     let errors = measure(backend, codec, codec.domain, count, seed)?;
     let row = |part: &str, errors: &ErrorStats, published: (f64, f64)| {
-        let published = (codec.bits == 32).then_some(published);
-        Row {
-            table: "frames",
-            id: codec.id,
-            survey_name: part.to_owned(),
-            bits: codec.bits,
-            mean_deg: errors.mean_deg(),
-            max_deg: errors.max_deg(),
-            mean_standard_error_deg: errors.standard_error_deg(),
-            survey_mean_deg: published.map(|(mean, _)| mean),
-            survey_max_deg: published.map(|(_, max)| max),
-            bound_mean_deg: None,
-            bound_max_deg: None,
-            float64_mean_deg: None,
-            float64_max_deg: None,
-            wasted_bits: None,
-        }
+        let published = (codec.bits == 32).then_some(published).unzip();
+        let row = Row::new("frames", part, codec, errors, errors.max_deg(), published);
+        Row { bound_mean_deg: None, bound_max_deg: None, wasted_bits: None, ..row }
     };
     let [normal, tangent] = PUBLISHED_FRAME;
     Ok([row("normal", &errors.normal, normal), row("tangent", &errors.tangent, tangent)])

@@ -123,32 +123,29 @@ impl Bounds {
         if !model.rounds_to_nearest() {
             return Vec::new();
         }
-        let mut objections = Vec::new();
+        let Outcome { codes_differ, special_differ, elements_differ, error, component_ulp, angle_deg } =
+            outcome;
         let (mut codes, (mut component, mut angle)) = (self.codes_differ(elements), self.decoded());
-        if model.divides_exactly() {
+        let is_exact = model.divides_exactly();
+        if is_exact {
             (codes, component, angle) = (Some(0), 0.0, 0.0);
-            if outcome.elements_differ > 0 {
-                objections.push(format!("decoded elements that differ: {}", outcome.elements_differ));
-            }
-            if outcome.special_differ > 0 {
-                objections.push(format!("codes of special elements that differ: {}", outcome.special_differ));
-            }
         }
-        if let Some(most) = codes.filter(|most| outcome.codes_differ > *most) {
-            objections.push(format!("codes that differ: {}, more than {most}", outcome.codes_differ));
-        }
-        if outcome.component_ulp > component {
-            objections
-                .push(format!("components differ by {} 2^-24, more than {component}", outcome.component_ulp));
-        }
-        if outcome.angle_deg > angle {
-            objections
-                .push(format!("vectors are {:.3e} degrees apart, more than {angle:.3e}", outcome.angle_deg));
-        }
-        if outcome.error > self.error_part() {
-            objections.push(format!("the error is {:.6} of the codec's bound", outcome.error));
-        }
-        objections
+        let most = codes.unwrap_or(u64::MAX);
+        let all = [
+            (is_exact && *elements_differ > 0, format!("decoded elements that differ: {elements_differ}")),
+            (
+                is_exact && *special_differ > 0,
+                format!("codes of special elements that differ: {special_differ}"),
+            ),
+            (*codes_differ > most, format!("codes that differ: {codes_differ}, more than {most}")),
+            (
+                *component_ulp > component,
+                format!("components differ by {component_ulp} 2^-24, more than {component}"),
+            ),
+            (*angle_deg > angle, format!("vectors are {angle_deg:.3e} degrees apart, more than {angle:.3e}")),
+            (*error > self.error_part(), format!("the error is {error:.6} of the codec's bound")),
+        ];
+        all.into_iter().filter_map(|(is_one, text)| is_one.then_some(text)).collect()
     }
 
     /// The largest error as a part of the codec's bound: a code that differs is as good as the CPU's, but for the error

@@ -95,7 +95,7 @@ impl Run<'_> {
         Cpu.encode(format, elements, &mut expected)?;
         let mut codes = expected.clone();
         for model in &self.options.models {
-            self.encode(Some(*model), elements, &mut codes)?;
+            self.device(Some(*model), &mut Cpu).encode(format, elements, &mut codes)?;
             let (differ, error) = of_codes(format, elements, &codes, &expected)?;
             self.row.models.entry(*model).or_default().add(outcome(differ, error));
         }
@@ -113,8 +113,8 @@ impl Run<'_> {
         let mut devices = vec![(None, expected.clone())];
         for model in &self.options.models {
             let mut decoded = vec![0.0; expected.len()];
-            self.decode(Some(*model), codes, &mut decoded)?;
-            self.row.models.entry(*model).or_default().add(of_elements(self.format, &decoded, &expected));
+            self.device(Some(*model), &mut Cpu).decode(format, codes, &mut decoded)?;
+            self.row.models.entry(*model).or_default().add(of_elements(format, &decoded, &expected));
             if model.rounds_to_nearest() {
                 devices.push((Some(*model), decoded));
             }
@@ -131,7 +131,8 @@ impl Run<'_> {
         bytes: usize,
         are_repeated: bool,
     ) -> Result<()> {
-        let floats = self.format.element.floats();
+        let format = self.format;
+        let floats = format.element.floats();
         let mut codes = vec![0; bytes];
         let mut again = vec![0.0; expected.len()];
         let mut comes_back = vec![true; expected.len() / floats];
@@ -141,8 +142,8 @@ impl Run<'_> {
                 if are_repeated && !is_exact && ![encoder, decoder].contains(&&Some(Model::Bits)) {
                     continue;
                 }
-                self.encode(*encoder, decoded, &mut codes)?;
-                Cpu.decode(self.format, &codes, &mut again)?;
+                self.device(*encoder, &mut Cpu).encode(format, decoded, &mut codes)?;
+                Cpu.decode(format, &codes, &mut again)?;
                 let pairs = again.chunks_exact(floats).zip(expected.chunks_exact(floats));
                 let equal = pairs.map(|(again, expected)| !bits_differ(again, expected));
                 if is_exact {
@@ -160,32 +161,13 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Encodes on a device of this model; on the CPU without one.
-    fn encode(
-        &mut self,
-        model: Option<Model>,
-        elements: &[f32],
-        codes: &mut [u8],
-    ) -> unitvec_run::Result<()> {
-        let Some(model) = model else { return Cpu.encode(self.format, elements, codes) };
-        self.gpu.rewrite_with(Some(model.rewrite(self.seed_of(model))));
-        self.gpu.encode(self.format, elements, codes)
-    }
-
-    /// The seed that a model takes: kernels of the others serve all seeds.
-    fn seed_of(&self, model: Model) -> u32 {
-        if model == Model::Bits { self.seed as u32 } else { 0 }
-    }
-
-    fn decode(
-        &mut self,
-        model: Option<Model>,
-        codes: &[u8],
-        elements: &mut [f32],
-    ) -> unitvec_run::Result<()> {
-        let Some(model) = model else { return Cpu.decode(self.format, codes, elements) };
-        self.gpu.rewrite_with(Some(model.rewrite(self.seed_of(model))));
-        self.gpu.decode(self.format, codes, elements)
+    /// A device of this model; the CPU without one.
+    fn device<'a>(&'a mut self, model: Option<Model>, cpu: &'a mut Cpu) -> &'a mut dyn Backend {
+        let Some(model) = model else { return cpu };
+        // Kernels of other models serve all seeds.
+        let seed = if model == Model::Bits { self.seed as u32 } else { 0 };
+        self.gpu.rewrite_with(Some(model.rewrite(seed)));
+        self.gpu
     }
 }
 

@@ -83,21 +83,18 @@ pub struct Outcome {
 impl Outcome {
     /// Adds results for other elements.
     pub fn add(&mut self, other: Self) {
-        self.codes_differ += other.codes_differ;
-        self.special_differ += other.special_differ;
-        self.elements_differ += other.elements_differ;
-        self.raise(other);
+        self.merge(other, |count, other| count + other);
     }
 
     /// Merges results for the same elements: the worse of both.
     fn worse(&mut self, other: Self) {
-        self.codes_differ = self.codes_differ.max(other.codes_differ);
-        self.special_differ = self.special_differ.max(other.special_differ);
-        self.elements_differ = self.elements_differ.max(other.elements_differ);
-        self.raise(other);
+        self.merge(other, u64::max);
     }
 
-    fn raise(&mut self, other: Self) {
+    fn merge(&mut self, other: Self, counts: fn(u64, u64) -> u64) {
+        self.codes_differ = counts(self.codes_differ, other.codes_differ);
+        self.special_differ = counts(self.special_differ, other.special_differ);
+        self.elements_differ = counts(self.elements_differ, other.elements_differ);
         self.error = self.error.max(other.error);
         self.component_ulp = self.component_ulp.max(other.component_ulp);
         self.angle_deg = self.angle_deg.max(other.angle_deg);
@@ -109,10 +106,8 @@ impl Row {
     /// where the codec promises it.
     pub fn objections(&self, bounds: &Bounds) -> Vec<String> {
         let outcomes = self.models.iter().flat_map(|(model, outcome)| {
-            bounds
-                .objections(*model, self.elements, outcome)
-                .into_iter()
-                .map(move |text| format!("{model}: {text}"))
+            let objections = bounds.objections(*model, self.elements, outcome);
+            objections.into_iter().map(move |text| format!("{model}: {text}"))
         });
         let worst = self.unstable.iter().max_by_key(|(_, count)| **count).filter(|_| bounds.is_stable);
         let unstable = worst.map(|(pair, count)| {
