@@ -47,13 +47,13 @@ fn the_three_agree_to_the_bit() {
     })
     .unwrap();
     assert_eq!(done, work);
-    let ids: Vec<&str> = rows.iter().map(|row| row.id).collect();
+    let ids: Vec<&str> = rows.iter().map(|row| row.id.as_str()).collect();
     assert_eq!(ids, CODECS.iter().map(|format| format.id).collect::<Vec<_>>());
     for row in &rows {
         assert!(row.agrees(), "{row:#?}");
         assert!(row.codes >= if row.bits <= 16 { 1 << row.bits } else { 1 << 16 }, "{row:#?}");
         let errors: Vec<f64> = [row.max_deg].into_iter().chain(row.tangent_max_deg).collect();
-        let bounds = find(row.id).unwrap().max_errors_deg;
+        let bounds = find(&row.id).unwrap().max_errors_deg;
         assert_eq!(errors.len(), bounds.len(), "{row:#?}");
         assert!(errors.iter().zip(bounds).all(|(error, bound)| *error <= f64::from(*bound)), "{row:#?}");
     }

@@ -70,7 +70,7 @@ fn codecs_go_through_the_pipeline() {
         Ok::<(), Error>(())
     })
     .unwrap();
-    assert_eq!(rows.iter().map(|row| row.id).collect::<Vec<_>>(), IDS);
+    assert_eq!(rows.iter().map(|row| row.id.as_str()).collect::<Vec<_>>(), IDS);
     for row in &rows {
         assert!(row.agrees(), "{row:#?}");
         for source in [BackendKind::Rust, BackendKind::Glsl] {
@@ -79,7 +79,7 @@ fn codecs_go_through_the_pipeline() {
         }
     }
     let projected: Vec<&str> =
-        rows.iter().filter(|row| !row.projected.is_empty()).map(|row| row.id).collect();
+        rows.iter().filter(|row| !row.projected.is_empty()).map(|row| row.id.as_str()).collect();
     assert_eq!(projected, ["oct16", "oct16p", "oct32", "hemioct16", "cylindrical16"]);
     let precise = &rows.iter().find(|row| row.id == "oct16p").unwrap().projected;
     assert!(precise.values().all(|projected| projected.differing == 0), "{precise:?}");

@@ -126,7 +126,7 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
     let live = Live::new(plans.iter().map(Plan::work).sum(), PERCENT, run.to_stdout());
     let mut rows = Vec::new();
     conform::run(plans, open, &mut |done| live.advance(done), &mut |row| {
-        live.print(row.id, || lines(&table, &row, columns))?;
+        live.print(&row.id, || lines(&table, &row, columns))?;
         rows.push(row);
         Ok(())
     })?;
@@ -245,7 +245,7 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
                 step off\n"
             .to_owned();
     }
-    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id).collect();
+    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
     let failed = if failed.is_empty() { "none of the codecs" } else { &failed.join(", ") };
     let rounding = if is_nearest(&report.rounding) { "" } else { "; sums are not rounded to nearest" };
     format!("\nconform: FAIL: differences in {failed}{rounding}\n")

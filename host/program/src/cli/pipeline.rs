@@ -47,7 +47,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (mut rows, mut projections) = (Vec::new(), Vec::new());
     let show = |row: Row, rows: &mut Vec<Row>| {
         live.advance(1);
-        live.print(row.id, || lines(&table, &row, columns))?;
+        live.print(&row.id, || lines(&table, &row, columns))?;
         rows.push(row);
         Ok::<(), Error>(())
     };
@@ -147,7 +147,7 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
         return fail(format!("{validation_messages} messages of the validation layer"));
     }
     let rows = || report.rows.iter().chain(&report.projections);
-    let failed: Vec<&str> = rows().filter(|row| !row.agrees()).map(|row| row.id).collect();
+    let failed: Vec<&str> = rows().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
     if !failed.is_empty() {
         return fail(format!("differences in {}", failed.join(", ")));
     }

@@ -1,7 +1,8 @@
 use super::figures::{Rendering, Studio, draw_all};
 use super::run::{Live, close};
-use super::{print, progress, to_json};
+use super::{print, progress};
 use clap::{Args, ValueEnum};
+use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -13,7 +14,7 @@ use unitvec_render as render;
 use unitvec_render::Material;
 use unitvec_render::figures::{Figures, Options, Part};
 use unitvec_render::report;
-use unitvec_render::report::{Agreement, Contents, Files, Machine, Pipeline};
+use unitvec_render::report::{Contents, Files, Machine};
 use unitvec_run::backend::BackendKind;
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Plan, Rounding};
@@ -64,8 +65,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     if let Some(path) = &arguments.costs {
         costs.insert(0, Costs::parse(path, &read(path)?)?);
     }
-    let agreement = arguments.conform.as_deref().map(conform_of).transpose()?;
-    let pipeline = arguments.pipeline.as_deref().map(pipeline_of).transpose()?;
+    let agreement = given(arguments.conform.as_deref(), "unitvec conform --json")?;
+    let pipeline = given(arguments.pipeline.as_deref(), "unitvec conform pipeline --json")?;
     let figures = arguments.figures.as_deref().map(figures_of).transpose()?;
 
     let mut messages = Vec::new();
@@ -112,25 +113,11 @@ fn read(path: &Path) -> Result<Vec<u8>> {
     Ok(read_small(path)?)
 }
 
-/// The error of a file that is not what this command writes.
-fn not_of(path: &Path, command: &str, error: serde_json::Error) -> Error {
-    Error::Usage(format!("{} is not a report of `{command}`: {error}", path.display()))
-}
-
-fn conform_of(path: &Path) -> Result<Agreement> {
-    parse_conform(path, &read(path)?)
-}
-
-fn parse_conform(path: &Path, json: &[u8]) -> Result<Agreement> {
-    Agreement::parse(json).map_err(|error| not_of(path, "unitvec conform --json", error))
-}
-
-fn pipeline_of(path: &Path) -> Result<Pipeline> {
-    parse_pipeline(path, &read(path)?)
-}
-
-fn parse_pipeline(path: &Path, json: &[u8]) -> Result<Pipeline> {
-    Pipeline::parse(json).map_err(|error| not_of(path, "unitvec conform pipeline --json", error))
+/// The report in a file that this command writes, where one is named.
+fn given<T: DeserializeOwned>(path: Option<&Path>, command: &str) -> Result<Option<T>> {
+    let Some(path) = path else { return Ok(None) };
+    let not_of = |error| Error::Usage(format!("{} is not a report of `{command}`: {error}", path.display()));
+    serde_json::from_slice(&read(path)?).map(Some).map_err(not_of)
 }
 
 /// A device that draws; else why there is none, in a sentence. One that fails for another reason is an error.
@@ -174,7 +161,7 @@ fn draw_figures(arguments: &Arguments, draws: bool, messages: &mut Vec<String>) 
 }
 
 /// A short run of the graphics pipeline with the codecs that the page recommends: all of them take minutes.
-fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<Pipeline> {
+fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<render::conform::Report> {
     let options = render::conform::Options { count: SHORT_PIPELINE, seed: 1 };
     let traits = render::conform::traits(&device, &options)?;
     let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
@@ -189,12 +176,11 @@ fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<Pip
     live.finish();
     let (device, closing) = close(device);
     messages.extend(closing);
-    let report = render::conform::Report::new(&device, &options, traits, rows, Vec::new());
-    parse_pipeline(Path::new("this run"), to_json(&report).as_bytes())
+    Ok(render::conform::Report::new(&device, &options, traits, rows, Vec::new()))
 }
 
 /// A short run of the kernels of all codecs.
-fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<Agreement> {
+fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<conform::Report> {
     let options = conform::Options { count: SHORT.0, seed: 1, normals: Vec::new(), all_codes_up_to: SHORT.1 };
     let device = rendering.vulkan.device()?;
     let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend(rendering, &device)?)].into()) };
@@ -210,16 +196,7 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<Ag
     live.finish();
     let (device, closing) = close(device);
     messages.extend(closing);
-    let report = conform::Report {
-        device,
-        random_directions: options.count,
-        all_codes_up_to: options.all_codes_up_to,
-        glsl_compared: false,
-        agreed: rows.iter().all(conform::Row::agrees),
-        rounding,
-        rows,
-    };
-    parse_conform(Path::new("this run"), to_json(&report).as_bytes())
+    Ok(conform::Report::new(device, &options, rounding, rows))
 }
 
 fn backend(rendering: &Rendering, device: &Arc<Device>) -> Result<Box<dyn unitvec_run::backend::Backend>> {

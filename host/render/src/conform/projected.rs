@@ -9,12 +9,12 @@ use crate::projection::Projection;
 use crate::renderer::encoded;
 use crate::storage::Storage;
 use crate::variant::Variant;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::FormatUse;
 
 /// A codec's projection, rounded by the hardware.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Projected {
     /// Texels compared with the CPU's codes.
     pub texels: u64,

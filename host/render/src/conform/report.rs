@@ -9,7 +9,7 @@ use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
 
 /// The outcome for all codecs.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Report {
     /// Device.
     pub device: DeviceInfo,
@@ -72,10 +72,10 @@ impl Traits {
 }
 
 /// The outcome for one codec, or for one projection in one format.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Row {
     /// Codec or projection.
-    pub id: &'static str,
+    pub id: String,
     /// The codec's bits.
     pub bits: u32,
     /// The format of attachments that holds its codes.
@@ -87,7 +87,7 @@ pub struct Row {
     /// The checks by the shaders' source.
     pub checks: BTreeMap<BackendKind, Checks>,
     /// The codec's projection, which the hardware rounds, by the shaders' source; for some codecs.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub projected: BTreeMap<BackendKind, Projected>,
     /// The first differences, in words.
     pub examples: Vec<String>,
@@ -136,11 +136,15 @@ impl Row {
         self.checks.values().flat_map(Checks::all).map(|tally| tally.compared).sum()
     }
 
+    /// Differences of all sources that the device's rounding does not explain.
+    pub fn differences(&self) -> u64 {
+        self.checks.keys().map(|source| self.differing(*source)).sum::<u64>()
+            + self.projected.values().map(|projected| projected.unexplained).sum::<u64>()
+    }
+
     /// True where the device's rounding explains every difference.
     pub fn agrees(&self) -> bool {
-        self.compared() > 0
-            && self.checks.keys().all(|source| self.differing(*source) == 0)
-            && self.projected.values().all(|projected| projected.unexplained == 0)
+        self.compared() > 0 && self.differences() == 0
     }
 
     /// A row without comparisons yet; codes are drawn to `drawn`.
@@ -169,7 +173,7 @@ impl Row {
     }
 
     /// A row without comparisons yet, for numbers in this format.
-    pub(super) fn of_format(device: &Device, id: &'static str, bits: u32, format: ImageFormat) -> Self {
+    pub(super) fn of_format(device: &Device, id: &str, bits: u32, format: ImageFormat) -> Self {
         let name = format!("{format:?}");
         let lacking = |usage: &FormatUse| !device.supports(format, *usage);
         let uses = [FormatUse::Attachment, FormatUse::Texture, FormatUse::Vertex].into_iter().filter(lacking);
@@ -177,7 +181,8 @@ impl Row {
         Self { unsupported, ..Self::empty(id, bits, name.clone(), name) }
     }
 
-    fn empty(id: &'static str, bits: u32, texel: String, attribute: String) -> Self {
+    fn empty(id: &str, bits: u32, texel: String, attribute: String) -> Self {
+        let id = id.to_owned();
         let (unsupported, examples) = (Vec::new(), Vec::new());
         let (checks, projected) = (BTreeMap::new(), BTreeMap::new());
         Self { id, bits, texel, attribute, unsupported, checks, projected, examples }

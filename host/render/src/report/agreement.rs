@@ -1,194 +1,151 @@
-//! A device's agreement with the CPU, from the reports of `unitvec conform`.
+//! A device's agreement with the CPU, as the page shows it.
 
-use crate::conform::{Checks, Conversion, Traits};
-use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::conform::{Conversion, Report, Row};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use unitvec_run::backend::BackendKind;
+use unitvec_run::conform as kernels;
 use unitvec_vulkan::DeviceInfo;
 
-/// A device's agreement with the CPU, from a report of `unitvec conform --json`.
-#[derive(Clone, Debug, Serialize)]
-pub struct Agreement {
-    device: DeviceInfo,
-    codecs: usize,
-    vectors: u64,
-    codes: u64,
-    mismatches: u64,
+/// The agreement of the device's kernels with the CPU.
+#[derive(Serialize)]
+pub struct Agreement<'a> {
+    device: &'a DeviceInfo,
+    totals: kernels::Summary<'a>,
+    rounds_to_nearest: bool,
     /// The backends that were compared.
-    backends: Vec<String>,
+    backends: Vec<BackendKind>,
     /// The codecs that differ, with how often.
-    differing: Vec<(String, u64)>,
+    differing: Vec<(&'a str, u64)>,
 }
 
-#[derive(Deserialize)]
-struct Conform {
-    device: DeviceInfo,
-    rows: Vec<ConformRow>,
-}
-
-#[derive(Deserialize)]
-struct ConformRow {
-    id: String,
-    vectors: u64,
-    codes: u64,
-    encode_mismatches: BTreeMap<String, u64>,
-    decode_mismatches: BTreeMap<String, u64>,
-}
-
-impl Agreement {
-    /// Reads such a report.
-    ///
-    /// # Errors
-    /// The parser's error for any other text.
-    pub fn parse(json: &[u8]) -> serde_json::Result<Self> {
-        let Conform { device, rows } = serde_json::from_slice(json)?;
-        let count = |row: &ConformRow| {
-            row.encode_mismatches.values().chain(row.decode_mismatches.values()).sum::<u64>()
-        };
-        let of_row = rows.iter().map(|row| (row.id.clone(), count(row)));
-        Ok(Self {
-            codecs: rows.len(),
-            vectors: rows.iter().map(|row| row.vectors).sum(),
-            codes: rows.iter().map(|row| row.codes).sum(),
-            mismatches: rows.iter().map(count).sum(),
-            backends: rows
-                .first()
-                .map_or_else(Vec::new, |row| row.encode_mismatches.keys().cloned().collect()),
-            differing: of_row.filter(|(_, count)| *count > 0).collect(),
-            device,
-        })
+impl<'a> Agreement<'a> {
+    /// Sums up the report of a run.
+    pub fn of(report: &'a kernels::Report) -> Self {
+        let first = report.rows.first();
+        Self {
+            device: &report.device,
+            totals: report.summary(),
+            rounds_to_nearest: kernels::all_round_to_nearest(&report.rounding),
+            backends: first.map_or_else(Vec::new, |row| row.encode_mismatches.keys().copied().collect()),
+            differing: differing(report.rows.iter().map(|row| (row.id.as_str(), row.mismatches()))),
+        }
     }
 }
 
-/// The graphics pipeline's agreement with the CPU, from a report of `unitvec conform pipeline --json`.
-#[derive(Clone, Debug, Serialize)]
-pub struct Pipeline {
-    device: DeviceInfo,
+/// The graphics pipeline's agreement with the CPU.
+#[derive(Serialize)]
+pub struct Pipeline<'a> {
+    device: &'a DeviceInfo,
     agreed: bool,
     codecs: usize,
     /// The languages of the shaders.
-    sources: Vec<String>,
+    sources: Vec<BackendKind>,
     /// Texels and vertices.
     compared: u64,
     differing: u64,
-    checks: Vec<Check>,
+    checks: [Check; 4],
     /// The device's conversions of the numbers of formats, by the formats' names.
-    conversions: Vec<(String, String)>,
+    conversions: Vec<(&'a str, String)>,
     /// Vectors that changed between vertex and fragment shader beyond what Vulkan allows.
     changed: u64,
     /// The codecs that differ, with how often.
-    failed: Vec<(String, u64)>,
+    failed: Vec<(&'a str, u64)>,
     /// Formats that the device does not support, with their uses.
-    unsupported: BTreeSet<String>,
+    unsupported: BTreeSet<&'a str>,
 }
 
 /// One way through the pipeline.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Serialize)]
 struct Check {
     what: &'static str,
     compared: u64,
     differing: u64,
 }
 
-#[derive(Deserialize)]
-struct PipelineReport {
-    device: DeviceInfo,
-    agreed: bool,
-    traits: Traits,
-    rows: Vec<PipelineRow>,
-    projections: Vec<PipelineRow>,
-}
-
-#[derive(Deserialize)]
-struct PipelineRow {
-    id: String,
-    unsupported: Vec<String>,
-    checks: BTreeMap<String, Checks>,
-    #[serde(default)]
-    projected: BTreeMap<String, Projected>,
-}
-
-#[derive(Deserialize)]
-struct Projected {
-    unexplained: u64,
-}
-
-impl PipelineRow {
-    fn differing(&self) -> u64 {
-        let tallies = self.checks.values().flat_map(Checks::all).map(|tally| tally.differing);
-        tallies.sum::<u64>() + self.projected.values().map(|projected| projected.unexplained).sum::<u64>()
-    }
-}
-
-impl Pipeline {
-    /// Reads such a report.
-    ///
-    /// # Errors
-    /// The parser's error for any other text.
-    pub fn parse(json: &[u8]) -> serde_json::Result<Self> {
-        let PipelineReport { device, agreed, traits, rows, projections } = serde_json::from_slice(json)?;
+impl<'a> Pipeline<'a> {
+    /// Sums up the report of a run.
+    pub fn of(report: &'a Report) -> Self {
+        let Report { device, agreed, traits, rows, projections, .. } = report;
         const WHAT: [&str; 4] =
             ["codes in attachments", "normals from textures", "normals from vertices", "codes in the scene"];
         let mut checks = WHAT.map(|what| Check { what, compared: 0, differing: 0 });
-        let all = || rows.iter().chain(&projections);
+        let all = || rows.iter().chain(projections);
         for of_source in all().flat_map(|row| row.checks.values()) {
             for (check, tally) in checks.iter_mut().zip(of_source.all()) {
                 check.compared += tally.compared;
                 check.differing += tally.differing;
             }
         }
-        let in_words = |one: &Conversion| (one.name().to_owned(), one.in_words());
-        let of_row = all().map(|row| (row.id.clone(), row.differing()));
-        Ok(Self {
+        let in_words = |one: &'a Conversion| (one.name(), one.in_words());
+        Self {
             device,
-            agreed,
+            agreed: *agreed,
             codecs: rows.len(),
-            sources: rows.first().map_or_else(Vec::new, |row| row.checks.keys().cloned().collect()),
-            compared: checks.iter().map(|check| check.compared).sum(),
-            differing: all().map(PipelineRow::differing).sum(),
-            checks: checks.to_vec(),
+            sources: rows.first().map_or_else(Vec::new, |row| row.checks.keys().copied().collect()),
+            compared: all().map(Row::compared).sum(),
+            differing: all().map(Row::differences).sum(),
+            checks,
             conversions: traits.conversions.iter().map(in_words).collect(),
             changed: traits.changed,
-            failed: of_row.filter(|(_, count)| *count > 0).collect(),
-            unsupported: rows.into_iter().flat_map(|row| row.unsupported).collect(),
-        })
+            failed: differing(all().map(|row| (row.id.as_str(), row.differences()))),
+            unsupported: rows.iter().flat_map(|row| &row.unsupported).map(String::as_str).collect(),
+        }
     }
+}
+
+/// The rows with any difference.
+fn differing<'a>(rows: impl Iterator<Item = (&'a str, u64)>) -> Vec<(&'a str, u64)> {
+    rows.filter(|(_, count)| *count > 0).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A report of `conform` with one codec that differs.
+    const DEVICE: &str =
+        r#""device": {"index": 0, "name": "n", "kind": "software", "driver": "d", "api_version": "1.3"}"#;
+
+    /// A report of `conform` with one codec that differs is read as it was written.
     #[test]
     fn agreement_is_read_from_conforms_report() {
-        let json = br#"{"device": {"index": 0, "name": "n", "kind": "software", "driver": "d", "api_version": "1.3"},
-            "rows": [{"id": "oct16", "vectors": 5, "codes": 6, "encode_mismatches": {"rust": 2}, "decode_mismatches": {"rust": 1}},
-                     {"id": "oct32", "vectors": 5, "codes": 6, "encode_mismatches": {"rust": 0}, "decode_mismatches": {"rust": 0}}]}"#;
-        let agreement = Agreement::parse(json).unwrap();
-        assert_eq!(
-            (agreement.codecs, agreement.vectors, agreement.codes, agreement.mismatches),
-            (2, 10, 12, 3)
+        let row = |id: &str, [encode, decode]: [u64; 2]| {
+            format!(
+                r#"{{"id": "{id}", "bits": 16, "vectors": 5, "codes": 6, "mean_deg": 0.1, "max_deg": 0.2,
+                "encode_mismatches": {{"rust": {encode}}}, "decode_mismatches": {{"rust": {decode}}}, "examples": []}}"#
+            )
+        };
+        let json = format!(
+            r#"{{{DEVICE}, "random_directions": 5, "all_codes_up_to": 8, "glsl_compared": false, "agreed": false,
+            "rounding": {{"rust": "down"}}, "rows": [{}, {}]}}"#,
+            row("oct16", [2, 1]),
+            row("oct32", [0, 0])
         );
-        assert_eq!(agreement.differing, [("oct16".to_owned(), 3)]);
-        assert!(Agreement::parse(b"{}").is_err());
+        let report = serde_json::from_str(&json).unwrap();
+        let Agreement { totals, rounds_to_nearest, backends, differing, .. } = Agreement::of(&report);
+        assert_eq!((totals.codecs, totals.vectors, totals.codes, totals.mismatches), (2, 10, 12, 3));
+        assert_eq!((rounds_to_nearest, backends), (false, vec![BackendKind::Rust]));
+        assert_eq!(differing, [("oct16", 3)]);
     }
 
-    /// A report of `conform pipeline` with one codec that differs in a texture.
+    /// A report of `conform pipeline` with one codec that differs in a texture is read as it was written.
     #[test]
     fn the_pipeline_is_read_from_conforms_report() {
-        let json = br#"{"device": {"index": 0, "name": "n", "kind": "software", "driver": "d", "api_version": "1.3"}, "agreed": false,
-            "traits": {"conversions": [
-            {"format": "A2B10G10R10_SNORM_PACK32", "rounding": null, "steps_off": 0.0, "fetched": 4, "inexact": 1}],
-            "interpolated": 9, "flushed": 1, "changed": 0}, "projections": [], "rows": [{"id": "oct16", "unsupported": ["R8G8B8_SNORM as attachment"], "checks": {"rust": {
-            "attachment": {"compared": 5, "differing": 0}, "texture": {"compared": 6, "differing": 2},
-            "vertex": {"compared": 7, "differing": 0}, "scene": {"compared": 8, "differing": 0}}},
-            "projected": {"rust": {"texels": 3, "differing": 2, "max_steps": 1, "unexplained": 1}}}]}"#;
-        let pipeline = Pipeline::parse(json).unwrap();
+        let json = format!(
+            r#"{{{DEVICE}, "random_directions": 5, "glsl_compared": false, "agreed": false, "traits": {{"conversions": [
+            {{"format": "A2B10G10R10_SNORM_PACK32", "rounding": null, "steps_off": 0.0, "fetched": 4, "inexact": 1}}],
+            "interpolated": 9, "flushed": 1, "changed": 0}}, "projections": [], "rows": [{{"id": "oct16", "bits": 16,
+            "texel": "R8G8_SNORM", "attribute": "R8G8_SNORM", "unsupported": ["R8G8B8_SNORM as attachment"], "checks": {{"rust": {{
+            "attachment": {{"compared": 5, "differing": 0}}, "texture": {{"compared": 6, "differing": 2}},
+            "vertex": {{"compared": 7, "differing": 0}}, "scene": {{"compared": 8, "differing": 0}}}}}}, "examples": [],
+            "projected": {{"rust": {{"texels": 3, "differing": 2, "max_steps": 1, "unexplained": 1}}}}}}]}}"#
+        );
+        let report = serde_json::from_str(&json).unwrap();
+        let pipeline = Pipeline::of(&report);
         assert_eq!((pipeline.codecs, pipeline.compared, pipeline.differing), (1, 26, 3));
-        assert_eq!(pipeline.failed, [("oct16".to_owned(), 3)]);
+        assert_eq!(pipeline.failed, [("oct16", 3)]);
         assert_eq!((pipeline.checks[1].compared, pipeline.checks[1].differing), (6, 2));
-        let expected = ("A2B10G10R10_SNORM".to_owned(), "no attachment; 1 of 4 fetched inexactly".to_owned());
+        let expected = ("A2B10G10R10_SNORM", "no attachment; 1 of 4 fetched inexactly".to_owned());
         assert_eq!(pipeline.conversions, [expected]);
-        assert!(Pipeline::parse(b"{}").is_err());
     }
 }

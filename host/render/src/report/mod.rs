@@ -5,17 +5,19 @@ mod agreement;
 mod tables;
 mod viewer;
 
-pub use agreement::{Agreement, Pipeline};
 pub use tables::{Machine, shipped_costs, work};
 
+use crate::conform;
 use crate::figures::{Difference, Figure, Figures, Labelled, Shown};
 use crate::{Error, Result};
+use agreement::{Agreement, Pipeline};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use minijinja::{AutoEscape, Environment, HtmlEscape, Value};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use unitvec_choose::Costs;
+use unitvec_run::conform as kernels;
 use unitvec_vulkan::DeviceInfo;
 use viewer::{VIEWED, Viewer};
 
@@ -27,10 +29,10 @@ pub struct Contents {
     pub files: Files,
     /// The reason, in a sentence, why rendered figures were left out, where they were.
     pub not_rendered: Option<String>,
-    /// The device's agreement with the CPU, where it was checked.
-    pub agreement: Option<Agreement>,
-    /// The graphics pipeline's agreement; else why it was not checked, in a sentence.
-    pub pipeline: Result<Pipeline, String>,
+    /// The report of the device's kernels, where they were compared with the CPU.
+    pub agreement: Option<kernels::Report>,
+    /// The report of the graphics pipeline; else why it was not checked, in a sentence.
+    pub pipeline: Result<conform::Report, String>,
     /// The machine that the report was made on.
     pub machine: Machine,
     /// Costs, those to begin with first.
@@ -62,8 +64,8 @@ struct Page<'a> {
     figures: Vec<PageFigure<'a>>,
     /// A note on missing figures.
     note: Option<String>,
-    agreement: Option<&'a Agreement>,
-    pipeline: Option<&'a Pipeline>,
+    agreement: Option<Agreement<'a>>,
+    pipeline: Option<Pipeline<'a>>,
     no_pipeline: Option<&'a String>,
 }
 
@@ -110,8 +112,8 @@ pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
         tables,
         figures,
         note,
-        agreement: contents.agreement.as_ref(),
-        pipeline: contents.pipeline.as_ref().ok(),
+        agreement: contents.agreement.as_ref().map(Agreement::of),
+        pipeline: contents.pipeline.as_ref().ok().map(Pipeline::of),
         no_pipeline: contents.pipeline.as_ref().err(),
     };
     render(&page).map_err(|error| Error::Page(error.to_string()))

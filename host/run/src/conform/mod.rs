@@ -14,7 +14,7 @@ use crate::measure::ElementErrors;
 use crate::sampling;
 use crate::workers;
 use crate::{Error, Result};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Element, Operation};
 use unitvec_vulkan::DeviceInfo;
@@ -35,7 +35,7 @@ pub struct Options {
 pub type Backends = BTreeMap<BackendKind, Box<dyn Backend>>;
 
 /// The outcome for all codecs.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Report {
     /// Device that ran the kernels.
     pub device: DeviceInfo,
@@ -54,10 +54,10 @@ pub struct Report {
 }
 
 /// The outcome for one codec.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, Deserialize)]
 pub struct Row {
     /// Codec.
-    pub id: &'static str,
+    pub id: String,
     /// The codec's bits.
     pub bits: u32,
     /// Vectors encoded by each backend: random ones, normals, special ones and those of all codes decoded.
@@ -215,7 +215,7 @@ impl<'a> Comparison<'a> {
     fn new(format: &'static AnyCodec, backends: &'a mut Backends) -> Self {
         let none: Mismatches = backends.keys().map(|kind| (*kind, 0)).collect();
         let row = Row {
-            id: format.id,
+            id: format.id.to_owned(),
             bits: format.bits,
             vectors: 0,
             codes: 0,
@@ -308,7 +308,7 @@ mod tests {
     fn row(differing: [u64; 3]) -> Row {
         let [of_rust, of_glsl, decoded] = differing;
         Row {
-            id: "oct16",
+            id: "oct16".to_owned(),
             bits: 16,
             vectors: 10,
             codes: 100,
