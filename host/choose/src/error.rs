@@ -11,11 +11,8 @@ pub enum Error {
     #[error(transparent)]
     Run(#[from] unitvec_run::Error),
     /// No costs on this GPU ship with the program.
-    #[error("{}", unknown(name))]
-    UnknownGpu {
-        /// The name asked for.
-        name: String,
-    },
+    #[error("{}", unknown(.0))]
+    UnknownGpu(String),
     /// Costs to choose by that are not a report of `unitvec bench`.
     #[error("{} is not a report of `unitvec bench --json`: {reason}", .path.display())]
     BadCosts {

@@ -104,7 +104,7 @@ impl Costs {
             return Self::compiled(&generation.path(), &generation.shipped()?);
         }
         if !name.eq_ignore_ascii_case("lavapipe") {
-            return Err(Error::UnknownGpu { name: name.to_owned() });
+            return Err(Error::UnknownGpu(name.to_owned()));
         }
         Self::parse(
             Path::new("host/choose/data/costs_lavapipe.json"),

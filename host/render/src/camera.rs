@@ -2,6 +2,8 @@
 //! floats.
 
 use super::picture::Size;
+use super::renderer::Lighting;
+use bytemuck::Zeroable;
 use glam::{DMat4, DVec3, DVec4};
 
 /// A camera and the size of its picture.
@@ -19,14 +21,6 @@ pub(super) struct Camera {
 /// The nearest and farthest distance that is visible.
 const NEAR: f64 = 0.5;
 const FAR: f64 = 100.0;
-
-/// A camera as the lighting pass takes it: rays are `forward + right x + up y` at `centre * viewport.xy + viewport.zw`.
-pub(super) struct Rays {
-    pub(super) right: [f32; 4],
-    pub(super) up: [f32; 4],
-    pub(super) forward: [f32; 4],
-    pub(super) viewport: [f32; 4],
-}
 
 impl Camera {
     pub(super) fn new(eye: DVec3, at: DVec3, height_degrees: f64, size: Size) -> Self {
@@ -54,16 +48,18 @@ impl Camera {
         DMat4::from_cols(rows[0], rows[1], rows[2], rows[3]).transpose()
     }
 
-    pub(super) fn rays(&self, offset: [f64; 2]) -> Rays {
+    /// The lighting pass's constants of this camera, whose pixels are seen at an offset from their centres.
+    pub(super) fn lighting(&self, offset: [f64; 2]) -> Lighting {
         let Size { width, height } = self.size;
         let (x, y) = (2.0 / f64::from(width), -2.0 / f64::from(height));
         let viewport = [x, y, x * offset[0] - 1.0, y * offset[1] + 1.0];
         let vector = |v: DVec3| v.extend(0.0).as_vec4().to_array();
-        Rays {
+        Lighting {
             right: vector(self.right * (self.tangent * self.aspect())),
             up: vector(self.up * self.tangent),
             forward: vector(self.forward),
             viewport: viewport.map(|value| value as f32),
+            ..Lighting::zeroed()
         }
     }
 }
@@ -79,7 +75,7 @@ mod tests {
         let camera = Camera::new(DVec3::new(3.0, 2.0, 5.0), DVec3::new(0.5, 0.0, -1.0), 40.0, size);
         for offset in [[0.0, 0.0], [0.25, -0.375]] {
             for pixel in [[320.5, 180.5], [10.5, 20.5], [600.5, 300.5]] {
-                let rays = camera.rays(offset);
+                let rays = camera.lighting(offset);
                 let [x, y] = [0, 1].map(|axis| {
                     f64::from(rays.viewport[axis]) * pixel[axis] + f64::from(rays.viewport[axis + 2])
                 });

@@ -1,3 +1,4 @@
+use crate::MAX_SAMPLES;
 use std::path::PathBuf;
 use unitvec_run::backend::BackendKind;
 
@@ -16,18 +17,12 @@ pub enum Error {
     /// A mesh of the scene cannot be used.
     #[error(transparent)]
     Mesh(#[from] unitvec_mesh::MeshError),
-    /// There are shaders in Rust and in GLSL.
-    #[error("the renderer has no shaders in {language}; take rust or glsl")]
-    NoSuchShaders {
-        /// The language asked for.
-        language: BackendKind,
-    },
-    /// A module is not inside the program.
-    #[error("the renderer's module {module} is missing; `cargo xtask spirv` builds it")]
-    NoModule {
-        /// The module's file.
-        module: String,
-    },
+    /// A language other than Rust and GLSL.
+    #[error("the renderer has no shaders in {0}; take rust or glsl")]
+    NoSuchShaders(BackendKind),
+    /// A module's file is not inside the program.
+    #[error("the renderer's module {0} is missing; `cargo xtask spirv` builds it")]
+    NoModule(String),
     /// A codec without an offset.
     #[error("{id} has no dithered shaders; take one of {}", crate::shaders::dithered().collect::<Vec<_>>().join(", "))]
     NotDithered {
@@ -43,13 +38,8 @@ pub enum Error {
         wanted: usize,
     },
     /// Samples that make no picture.
-    #[error("a picture has 1 to {limit} samples in each direction of a pixel, not {samples}")]
-    BadSamples {
-        /// The number of samples asked for.
-        samples: u32,
-        /// The most there are.
-        limit: u32,
-    },
+    #[error("a picture has 1 to {MAX_SAMPLES} samples in each direction of a pixel, not {0}")]
+    BadSamples(u32),
     /// The chart of the best codecs.
     #[error("the front cannot be drawn: {0}")]
     Front(String),
@@ -67,12 +57,9 @@ pub enum Error {
     /// The report's template.
     #[error("the report's page cannot be made: {0}")]
     Page(String),
-    /// A picture that the report shows.
-    #[error("the figures lack {file}; make them again with `unitvec figures`")]
-    Lacking {
-        /// The picture's file.
-        file: String,
-    },
+    /// The file of a picture that the report shows.
+    #[error("the figures lack {0}; make them again with `unitvec figures`")]
+    Lacking(String),
     /// A picture that differs from its description.
     #[error("{file} is not as its figures say: {reason}")]
     Unlike {
@@ -86,7 +73,7 @@ pub enum Error {
 impl Error {
     /// True where the command line is at fault: the folder that it names has other figures than are needed.
     pub fn is_usage(&self) -> bool {
-        matches!(self, Self::Earlier { .. } | Self::Lacking { .. } | Self::Unlike { .. })
+        matches!(self, Self::Earlier { .. } | Self::Lacking(_) | Self::Unlike { .. })
     }
 }
 

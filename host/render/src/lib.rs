@@ -37,7 +37,7 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use unitvec_catalogue::AnyCodec;
 
-/// The material of objects.
+/// The material of objects, in the order of the shaders' numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Material {
@@ -65,7 +65,7 @@ pub enum Normals {
     Dithered(&'static AnyCodec, Key),
 }
 
-/// The source of a dithered code's offset.
+/// The source of a dithered code's offset, in the order of the shaders' numbers, which begin with 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Key {

@@ -7,7 +7,7 @@ use super::seen::{Seen, seen};
 use super::shapes::Body;
 use super::storage::{Storage, float_texels, texels_of};
 use super::variant::{Shaders, Stage, Variant};
-use super::{Error, Key, Material, Normals, Shot, Vertices};
+use super::{Error, Normals, Shot, Vertices};
 use crate::Result;
 use bytemuck::{Pod, Zeroable};
 use std::collections::HashMap;
@@ -64,7 +64,7 @@ pub(super) struct Geometry {
     pub(super) seed: u32,
 }
 
-/// Push constants of the lighting pass.
+/// Push constants of the lighting pass. Rays are `forward + right x + up y` at `centre * viewport.xy + viewport.zw`.
 #[derive(Clone, Copy, Pod, Zeroable)]
 #[repr(C)]
 pub(super) struct Lighting {
@@ -78,8 +78,8 @@ pub(super) struct Lighting {
     pub(super) seed: u32,
 }
 
-/// Texels of the tile of blue noise, each way.
-const NOISE: u32 = 64;
+/// Texels of the tile of blue noise, across and down.
+const NOISE: (u32, u32) = (64, 64);
 
 impl Renderer {
     /// A renderer of pictures of this size, with `samples` times `samples` samples a pixel, on a device of
@@ -89,11 +89,11 @@ impl Renderer {
     /// [`Error::BadSamples`], a feature that the device lacks, or a failed call.
     pub fn new(device: &Arc<Device>, source: BackendKind, size: Size, samples: u32) -> Result<Self> {
         if !(1..=MAX_SAMPLES).contains(&samples) {
-            return Err(Error::BadSamples { samples, limit: MAX_SAMPLES });
+            return Err(Error::BadSamples(samples));
         }
         let graphics = Graphics::new(device)?;
         let light = Target::new(&graphics, size.pair(), &FLOATS, false)?;
-        let noise = noise(&graphics)?;
+        let noise = Image::texture(&graphics, ImageFormat::R8G8_UNORM, NOISE, unitvec_shaders::blue_noise())?;
         Ok(Self {
             graphics,
             shaders: Shaders::of(source)?,
@@ -145,23 +145,15 @@ impl Renderer {
         let (camera, objects) = scene::arrange(shot, self.size);
         self.draw_geometry(shot, &variant, &camera, &objects, offset)?;
         let name = self.light_pipeline(&variant)?;
-        let rays = camera.rays(offset);
         let lighting = Lighting {
-            right: rays.right,
-            up: rays.up,
-            forward: rays.forward,
-            viewport: rays.viewport,
-            material: material_number(shot.material),
-            flags: 0,
+            material: shot.material as u32,
             key: key_number(shot.normals),
             seed: shot.seed,
+            ..camera.lighting(offset)
         };
         let geometry = &self.geometry[&variant.storage.texel()];
-        let textures: Vec<_> = [geometry.colour(0), geometry.colour(2), Some(&self.noise)]
-            .into_iter()
-            .zip(0..)
-            .filter_map(|(image, binding)| Some((binding, image?)))
-            .collect();
+        let textures = (0..).zip([geometry.colour(0), geometry.colour(2), Some(&self.noise)]);
+        let textures: Vec<_> = textures.filter_map(|(binding, image)| Some((binding, image?))).collect();
         let draw =
             Draw { pipeline: &self.pipelines[&name], mesh: None, constants: bytemuck::bytes_of(&lighting) };
         Ok(self.graphics.draw(&self.light, &textures, &[draw])?)
@@ -194,23 +186,14 @@ impl Renderer {
     ) -> Result<()> {
         let pipeline = self.geometry_pipeline(variant, shot.vertices)?;
         let meshes = self.place_meshes(shot.vertices)?;
-        let constants: Vec<Geometry> = objects
-            .iter()
-            .map(|placed| Geometry {
-                key: key_number(shot.normals),
-                seed: shot.seed,
-                ..geometry_of(placed, camera, offset)
-            })
-            .collect();
-        let draws: Vec<_> = objects
-            .iter()
-            .zip(&constants)
-            .map(|(placed, constants)| Draw {
-                pipeline: &self.pipelines[&pipeline],
-                mesh: self.meshes[&meshes].get(placed.object as usize - 1),
-                constants: bytemuck::bytes_of(constants),
-            })
-            .collect();
+        let constants = objects.iter().map(|placed| geometry_of(shot, placed, camera, offset));
+        let constants: Vec<Geometry> = constants.collect();
+        let draws = constants.iter().map(|constants| Draw {
+            pipeline: &self.pipelines[&pipeline],
+            mesh: self.meshes[&meshes].get(constants.object as usize - 1),
+            constants: bytemuck::bytes_of(constants),
+        });
+        let draws: Vec<_> = draws.collect();
         let target = &self.geometry[&variant.storage.texel()];
         Ok(self.graphics.draw(target, &[(2, &self.noise)], &draws)?)
     }
@@ -228,9 +211,7 @@ impl Renderer {
         Ok(match normals {
             Normals::Float => Variant::FLOAT,
             Normals::Codec(format) => Variant::codec(format, self.storage(format)),
-            Normals::Dithered(format, _) => {
-                Variant::dithered(format).ok_or(Error::NotDithered { id: format.id })?
-            }
+            Normals::Dithered(format, _) => Variant::dithered(format).ok_or(Error::NotDithered { id: format.id })?,
         })
     }
 
@@ -332,7 +313,7 @@ pub(super) fn pipeline(
     Ok(Pipeline::new(target, &options)?)
 }
 
-fn geometry_of(placed: &Placed, camera: &Camera, offset: [f64; 2]) -> Geometry {
+fn geometry_of(shot: &Shot, placed: &Placed, camera: &Camera, offset: [f64; 2]) -> Geometry {
     let clip = camera.clip_from_world(offset) * placed.world_from_object();
     let rows = placed.rotation.transpose().to_cols_array_2d();
     Geometry {
@@ -340,29 +321,15 @@ fn geometry_of(placed: &Placed, camera: &Camera, offset: [f64; 2]) -> Geometry {
         world_from_object: rows.map(|[x, y, z]| [x as f32, y as f32, z as f32, 0.0]),
         object: placed.object,
         flags: 0,
-        key: 0,
-        seed: 0,
+        key: key_number(shot.normals),
+        seed: shot.seed,
     }
 }
 
-fn material_number(material: Material) -> u32 {
-    match material {
-        Material::Lambertian => 0,
-        Material::Glossy => 1,
-        Material::Mirror => 2,
-    }
-}
-
+/// The number that shaders have for the source of an offset; 0 without one.
 fn key_number(normals: Normals) -> u32 {
     match normals {
         Normals::Float | Normals::Codec(_) => 0,
-        Normals::Dithered(_, Key::Pixel) => 1,
-        Normals::Dithered(_, Key::BlueNoise) => 2,
-        Normals::Dithered(_, Key::Position) => 3,
+        Normals::Dithered(_, key) => 1 + key as u32,
     }
-}
-
-/// The tile of blue noise.
-fn noise(graphics: &Arc<Graphics>) -> Result<Image> {
-    Ok(Image::texture(graphics, ImageFormat::R8G8_UNORM, (NOISE, NOISE), unitvec_shaders::blue_noise())?)
 }

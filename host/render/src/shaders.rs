@@ -144,49 +144,6 @@ mod tests {
         }
     }
 
-    /// The GLSL for each storage, and with dithered and projected normals.
-    #[cfg(feature = "glsl")]
-    #[test]
-    fn glsl_has_the_interfaces_of_the_modules() {
-        use crate::storage::Storage;
-        use crate::variant::Variant;
-        use crate::{PROJECTIONS, Projection};
-        const IDS: [&str; 14] = [
-            "oct20",
-            "frame32",
-            "oct48",
-            "frame64",
-            "oct16",
-            "oct32p",
-            "snorm8x3p",
-            "snorm16x3",
-            "snorm10x3",
-            "oct24",
-            "spherical16",
-            "spherical32",
-            "float16x3",
-            "xyonly32f",
-        ];
-        let format = |id: &str| find(id).unwrap();
-        let codecs = IDS.into_iter().map(|id| Variant::codec(format(id), Storage::of(format(id))));
-        let dithered = dithered().map(|id| Variant::dithered(format(id)).unwrap());
-        let projected = PROJECTIONS.iter().map(|projection: &Projection| Variant::projected(projection));
-        let compiler = unitvec_run::glsl::Compiler::new().unwrap();
-        for variant in codecs.chain(dithered).chain(projected).chain([Variant::FLOAT]) {
-            let name = variant.name();
-            for (entry_point, interface) in expected(&name) {
-                let pass = entry_point.trim_start_matches(&name).trim_start_matches('_');
-                let file = format!("{pass}.{}", if pass == "vertex" { "vert" } else { "frag" });
-                let spirv = compile_glsl(&compiler, &file, &name, &variant.macros()).unwrap();
-                assert_eq!(
-                    interfaces(&spirv).into_values().collect::<Vec<_>>(),
-                    [interface],
-                    "{entry_point}"
-                );
-            }
-        }
-    }
-
     /// The entry points of a module.
     fn interfaces(spirv: &[u8]) -> BTreeMap<String, Interface> {
         let module = load_bytes(spirv).unwrap();

@@ -38,26 +38,27 @@ pub enum Storage {
     PairAndBit,
 }
 
-/// The formats of codecs, and the storages of their codes.
-const STORAGES: [(&str, Storage); 11] = [
-    ("VK_FORMAT_R8G8_SNORM", Storage::Snorm8x2),
-    ("VK_FORMAT_R16G16_SNORM", Storage::Snorm16x2),
-    ("VK_FORMAT_R8G8B8_SNORM", Storage::Snorm8x3),
-    ("VK_FORMAT_R16G16B16_SNORM", Storage::Snorm16x3),
-    ("VK_FORMAT_A2B10G10R10_SNORM_PACK32", Storage::Snorm10x3),
-    ("VK_FORMAT_R8G8B8_UNORM", Storage::Unorm8x3),
-    ("VK_FORMAT_R8G8_SINT", Storage::Sint8x2),
-    ("VK_FORMAT_R16G16_SINT", Storage::Sint16x2),
-    ("VK_FORMAT_R16G16B16_SFLOAT", Storage::Float16x3),
-    ("VK_FORMAT_R16G16_SFLOAT", Storage::Float16x2),
-    ("VK_FORMAT_R32_UINT", Storage::Uint),
+/// The storages of codecs' formats.
+const OF_FORMATS: [Storage; 11] = [
+    Storage::Snorm8x2,
+    Storage::Snorm16x2,
+    Storage::Snorm8x3,
+    Storage::Snorm16x3,
+    Storage::Snorm10x3,
+    Storage::Unorm8x3,
+    Storage::Sint8x2,
+    Storage::Sint16x2,
+    Storage::Float16x3,
+    Storage::Float16x2,
+    Storage::Uint,
 ];
 
 impl Storage {
     /// The storage of a codec by its Vulkan format; integers where it has none.
     pub fn of(format: &AnyCodec) -> Self {
-        let named = STORAGES.iter().find(|(name, _)| format.vk_format == Some(name));
-        named.map_or(Self::integers(format), |(_, storage)| *storage)
+        let is_of = |name: &str, storage: &Self| name == format!("VK_FORMAT_{:?}", storage.own());
+        let named = format.vk_format.and_then(|name| OF_FORMATS.into_iter().find(|one| is_of(name, one)));
+        named.unwrap_or(Self::integers(format))
     }
 
     /// Integers for the codes of this codec.
@@ -83,21 +84,7 @@ impl Storage {
     /// The format of attachments and textures. Formats of three components are seldom attachments, so that their siblings of
     /// four stand in for them; the fourth is 0.
     pub const fn texel(self) -> ImageFormat {
-        match self {
-            Self::Float | Self::Pair | Self::PairAndBit => ImageFormat::R32G32B32A32_SFLOAT,
-            Self::Uint => ImageFormat::R32_UINT,
-            Self::Uint2 => ImageFormat::R32G32_UINT,
-            Self::Snorm8x2 => ImageFormat::R8G8_SNORM,
-            Self::Snorm16x2 => ImageFormat::R16G16_SNORM,
-            Self::Snorm8x3 => ImageFormat::R8G8B8A8_SNORM,
-            Self::Snorm16x3 => ImageFormat::R16G16B16A16_SNORM,
-            Self::Snorm10x3 => ImageFormat::A2B10G10R10_SNORM_PACK32,
-            Self::Unorm8x3 => ImageFormat::R8G8B8A8_UNORM,
-            Self::Sint8x2 => ImageFormat::R8G8_SINT,
-            Self::Sint16x2 => ImageFormat::R16G16_SINT,
-            Self::Float16x3 => ImageFormat::R16G16B16A16_SFLOAT,
-            Self::Float16x2 => ImageFormat::R16G16_SFLOAT,
-        }
+        self.formats().0
     }
 
     /// The format of a vertex attribute on this device: of three components where it takes that.
@@ -107,35 +94,37 @@ impl Storage {
 
     /// The format of three components that [`texel`](Self::texel) stands in for.
     pub const fn three(self) -> Option<ImageFormat> {
-        Some(match self {
-            Self::Float => ImageFormat::R32G32B32_SFLOAT,
-            Self::Snorm8x3 => ImageFormat::R8G8B8_SNORM,
-            Self::Snorm16x3 => ImageFormat::R16G16B16_SNORM,
-            Self::Unorm8x3 => ImageFormat::R8G8B8_UNORM,
-            Self::Float16x3 => ImageFormat::R16G16B16_SFLOAT,
-            _ => return None,
-        })
+        self.formats().1
     }
 
-    /// The macro that chooses it in GLSL.
-    pub const fn macro_name(self) -> &'static str {
+    /// The format of the codes themselves: of three components where they have as many.
+    pub fn own(self) -> ImageFormat {
+        self.three().unwrap_or(self.texel())
+    }
+
+    const fn formats(self) -> (ImageFormat, Option<ImageFormat>) {
+        use ImageFormat as F;
         match self {
-            Self::Float => "STORAGE_FLOAT",
-            Self::Uint => "STORAGE_UINT",
-            Self::Uint2 => "STORAGE_UINT2",
-            Self::Snorm8x2 => "STORAGE_SNORM8X2",
-            Self::Snorm16x2 => "STORAGE_SNORM16X2",
-            Self::Snorm8x3 => "STORAGE_SNORM8X3",
-            Self::Snorm16x3 => "STORAGE_SNORM16X3",
-            Self::Snorm10x3 => "STORAGE_SNORM10X3",
-            Self::Unorm8x3 => "STORAGE_UNORM8X3",
-            Self::Sint8x2 => "STORAGE_SINT8X2",
-            Self::Sint16x2 => "STORAGE_SINT16X2",
-            Self::Float16x3 => "STORAGE_FLOAT16X3",
-            Self::Float16x2 => "STORAGE_FLOAT16X2",
-            Self::Pair => "STORAGE_PAIR",
-            Self::PairAndBit => "STORAGE_PAIR_AND_BIT",
+            Self::Float => (F::R32G32B32A32_SFLOAT, Some(F::R32G32B32_SFLOAT)),
+            Self::Pair | Self::PairAndBit => (F::R32G32B32A32_SFLOAT, None),
+            Self::Uint => (F::R32_UINT, None),
+            Self::Uint2 => (F::R32G32_UINT, None),
+            Self::Snorm8x2 => (F::R8G8_SNORM, None),
+            Self::Snorm16x2 => (F::R16G16_SNORM, None),
+            Self::Snorm8x3 => (F::R8G8B8A8_SNORM, Some(F::R8G8B8_SNORM)),
+            Self::Snorm16x3 => (F::R16G16B16A16_SNORM, Some(F::R16G16B16_SNORM)),
+            Self::Snorm10x3 => (F::A2B10G10R10_SNORM_PACK32, None),
+            Self::Unorm8x3 => (F::R8G8B8A8_UNORM, Some(F::R8G8B8_UNORM)),
+            Self::Sint8x2 => (F::R8G8_SINT, None),
+            Self::Sint16x2 => (F::R16G16_SINT, None),
+            Self::Float16x3 => (F::R16G16B16A16_SFLOAT, Some(F::R16G16B16_SFLOAT)),
+            Self::Float16x2 => (F::R16G16_SFLOAT, None),
         }
+    }
+
+    /// The macro that chooses it in GLSL: `STORAGE_SNORM8X2`.
+    pub fn macro_name(self) -> String {
+        format!("STORAGE_{self:?}").to_uppercase()
     }
 }
 

@@ -63,7 +63,7 @@ impl Variant {
 
     /// The macros of its GLSL.
     pub(super) fn macros(&self) -> Vec<(String, String)> {
-        let mut macros = vec![(self.storage.macro_name().to_owned(), "1".to_owned())];
+        let mut macros = vec![(self.storage.macro_name(), "1".to_owned())];
         let mut define = |name: &str, value: String| macros.push((name.to_owned(), value));
         match self.normals {
             Stored::Float => {}
@@ -123,7 +123,7 @@ impl Shaders {
                 Ok(Self::Glsl { compiler, compiled: RefCell::default() })
             }
             BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => {
-                Err(super::Error::NoSuchShaders { language: source })
+                Err(super::Error::NoSuchShaders(source))
             }
         }
     }
@@ -134,33 +134,27 @@ impl Shaders {
     }
 
     pub(super) fn compile(&self, variant: &Variant, stage: Stage) -> Result<Compiled> {
-        let name = if stage == Stage::Fullscreen { "fullscreen".to_owned() } else { variant.name() };
+        let (name, suffix, file) = match stage {
+            Stage::Vertex => (variant.name(), "vertex", "vertex.vert"),
+            Stage::Gbuffer => (variant.name(), "gbuffer", "gbuffer.frag"),
+            Stage::Light => (variant.name(), "light", "light.frag"),
+            Stage::Fullscreen => ("fullscreen".to_owned(), "vertex", "fullscreen.vert"),
+        };
         match self {
             Self::Rust => {
-                let suffix = match stage {
-                    Stage::Vertex | Stage::Fullscreen => "vertex",
-                    Stage::Gbuffer => "gbuffer",
-                    Stage::Light => "light",
-                };
                 let module = format!("{name}.spv");
-                let spirv = shaders::module(&module).ok_or(super::Error::NoModule { module })?;
+                let spirv = shaders::module(&module).ok_or(super::Error::NoModule(module))?;
                 Ok(Compiled { spirv: Cow::Borrowed(spirv), entry_point: format!("{name}_{suffix}") })
             }
             Self::Glsl { compiler, compiled } => {
-                let entry_point = glsl::ENTRY_POINT.to_owned();
                 let key = (name, stage);
-                if let Some(spirv) = compiled.borrow().get(&key) {
-                    return Ok(Compiled { spirv: Cow::Owned(spirv.clone()), entry_point });
-                }
-                let (file, macros) = match stage {
-                    Stage::Vertex => ("vertex.vert", variant.macros()),
-                    Stage::Gbuffer => ("gbuffer.frag", variant.macros()),
-                    Stage::Light => ("light.frag", variant.macros()),
-                    Stage::Fullscreen => ("fullscreen.vert", Vec::new()),
+                let known = compiled.borrow().get(&key).cloned();
+                let spirv = match known {
+                    Some(spirv) => spirv,
+                    None => shaders::compile_glsl(compiler, file, &key.0, &variant.macros())?,
                 };
-                let spirv = shaders::compile_glsl(compiler, file, &key.0, &macros)?;
                 compiled.borrow_mut().insert(key, spirv.clone());
-                Ok(Compiled { spirv: Cow::Owned(spirv), entry_point })
+                Ok(Compiled { spirv: Cow::Owned(spirv), entry_point: glsl::ENTRY_POINT.to_owned() })
             }
         }
     }
@@ -169,7 +163,6 @@ impl Shaders {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::PROJECTIONS;
     use unitvec_catalogue as catalogue;
 
     #[test]
@@ -185,13 +178,6 @@ mod tests {
         let projection = Projection::find("oct16p_snorm").unwrap();
         assert_eq!(Variant::projected(projection).name(), "oct16p_snorm");
         assert!(Variant::dithered(format("fib16")).is_none());
-    }
-
-    #[test]
-    fn projections_have_modules() {
-        for projection in PROJECTIONS {
-            assert!(shaders::module(&format!("{}.spv", projection.name)).is_some(), "{}", projection.name);
-        }
     }
 
     /// Every codec whose format need not be an attachment has shaders for integers, and no other has.

@@ -36,7 +36,7 @@
 #define CODE uvec2
 #elif defined(STORAGE_PAIR)
 #define CODE vec2
-#elif defined(STORAGE_PAIR_AND_BIT)
+#elif defined(STORAGE_PAIRANDBIT)
 #define CODE vec3
 #else
 #define CODE uint
@@ -81,7 +81,7 @@
 #elif defined(STORAGE_PAIR)
 #define TO_VALUE(pair) vec4(pair, 0.0, 0.0)
 #define TO_CODE(value) value.xy
-#elif defined(STORAGE_PAIR_AND_BIT)
+#elif defined(STORAGE_PAIRANDBIT)
 // Evaluates its argument once.
 vec4 unitvec_pair_and_bit(vec3 e) { return vec4(e.xy, 0.0, e.z); }
 #define TO_VALUE(e) unitvec_pair_and_bit(e)

@@ -16,9 +16,9 @@ pub use report::{Checks, Report, Row, Tally, Traits};
 pub use rounding::{Conversion, HardwareRounding};
 
 use super::renderer::{decoded, encoded};
-use super::storage::{Storage, codes_of};
+use super::storage::{Storage, codes_of, texels_of};
 use super::variant::Variant;
-use super::{Normals, Renderer, Shot, Size, View};
+use super::{Normals, Renderer, Shot, Size};
 use crate::Material;
 use crate::{Error, Result};
 use fields::Fields;
@@ -178,89 +178,90 @@ fn row(
     for (source, renderer) in renderers.iter_mut() {
         let mut checks = Checks::default();
         let variant = Variant::codec(format, drawn);
-        if renderer.shaders.has(&variant) {
-            checks.attachment = attachment(&mut row, *source, renderer, &variant, format, &directions)?;
-            checks.scene = scene(&mut row, *source, renderer, format)?;
+        let mut one = One { source: *source, renderer, format };
+        if one.renderer.shaders.has(&variant) {
+            checks.attachment = one.attachment(&mut row, &variant, &directions)?;
+            checks.scene = one.scene(&mut row)?;
         } else {
             row.unsupported.push(format!("{source} shaders that write it to {:?}", drawn.texel()));
         }
         if device.supports(own.storage.texel(), FormatUse::Texture) {
-            checks.texture = texels::check(&mut row, *source, renderer, &own, format, &codes)?;
+            checks.texture = one.texture(&mut row, &own, &codes)?;
         }
         if device.supports(own.storage.attribute(device), FormatUse::Vertex) {
-            checks.vertex = vertex(&mut row, *source, renderer, &own, format, &codes)?;
+            checks.vertex = one.vertex(&mut row, &own, &codes)?;
         }
         row.checks.insert(*source, checks);
-        if let Some(projected) = projected::check(renderer, format, &directions, traits)? {
+        if let Some(projected) = projected::check(one.renderer, format, &directions, traits)? {
             row.projected.insert(*source, projected);
         }
     }
     Ok(row)
 }
 
-/// Normals as points, encoded into an attachment.
-fn attachment(
-    row: &mut Row,
+/// A codec with the shaders of one source.
+struct One<'a> {
     source: BackendKind,
-    renderer: &Renderer,
-    variant: &Variant,
-    format: &AnyCodec,
-    directions: &[[f32; 3]],
-) -> Result<Tally> {
-    let points = Points::of_normals(renderer, directions)?;
-    let (texels, normals) = points.draw_texels(renderer, variant, variant.storage.texel())?;
-    compare_codes(row, &format!("{source} attachment"), format, variant.storage.texel(), &texels, &normals)
-}
-
-/// The scene's codes, where there is an object.
-fn scene(
-    row: &mut Row,
-    source: BackendKind,
-    renderer: &mut Renderer,
+    renderer: &'a mut Renderer,
     format: &'static AnyCodec,
-) -> Result<Tally> {
-    let shot = Shot { normals: Normals::Codec(format), view: View::Scene, ..Shot::new(Material::Mirror) };
-    let layers = renderer.layers(&shot)?;
-    let texel = renderer.storage(format).texel();
-    let size = layers.codes.len() / SCENE.pixels();
-    let mut drawn = (Vec::new(), Vec::new());
-    for (texel, [x, y, z, is_drawn]) in layers.codes.chunks_exact(size).zip(layers.normals) {
-        if is_drawn != 0.0 {
-            drawn.0.extend(texel);
-            drawn.1.push([x, y, z]);
-        }
+}
+
+impl One<'_> {
+    /// Normals as points, encoded into an attachment.
+    fn attachment(&self, row: &mut Row, variant: &Variant, directions: &[[f32; 3]]) -> Result<Tally> {
+        let (points, texel) = (Points::of_normals(self.renderer, directions)?, variant.storage.texel());
+        let (texels, normals) = points.draw_texels(self.renderer, variant, texel)?;
+        self.compare_codes(row, "attachment", texel, &texels, &normals)
     }
-    compare_codes(row, &format!("{source} scene"), format, texel, &drawn.0, &drawn.1)
-}
 
-/// Texels against the CPU's codes of the normals beside them.
-fn compare_codes(
-    row: &mut Row,
-    what: &str,
-    format: &AnyCodec,
-    texel: ImageFormat,
-    texels: &[u8],
-    normals: &[[f32; 3]],
-) -> Result<Tally> {
-    let cpu = encoded(format, normals)?;
-    let device = codes_of(texels, texel, format.bytes);
-    Ok(row.compare(what, format.bytes, &cpu, &device, |at| shown(&normals[at])))
-}
+    /// The scene's codes, where there is an object.
+    fn scene(&mut self, row: &mut Row) -> Result<Tally> {
+        let shot = Shot { normals: Normals::Codec(self.format), ..Shot::new(Material::Mirror) };
+        let layers = self.renderer.layers(&shot)?;
+        let size = layers.codes.len() / SCENE.pixels();
+        let mut drawn = (Vec::new(), Vec::new());
+        for (texel, [x, y, z, is_drawn]) in layers.codes.chunks_exact(size).zip(layers.normals) {
+            if is_drawn != 0.0 {
+                drawn.0.extend(texel);
+                drawn.1.push([x, y, z]);
+            }
+        }
+        let texel = self.renderer.storage(self.format).texel();
+        self.compare_codes(row, "scene", texel, &drawn.0, &drawn.1)
+    }
 
-/// Compares codes as vertex attributes with the results of the same pipeline for the CPU's vectors: the effect of
-/// interpolation on zeros is no matter of codecs.
-fn vertex(
-    row: &mut Row,
-    source: BackendKind,
-    renderer: &Renderer,
-    variant: &Variant,
-    format: &AnyCodec,
-    codes: &[u8],
-) -> Result<Tally> {
-    let cpu = decoded(format, codes)?;
-    let [_, expected] = Points::of_normals(renderer, &cpu)?.draw(renderer, &Variant::FLOAT)?;
-    let [_, found] = Points::of_codes(renderer, variant, format, codes)?.draw(renderer, &Variant::FLOAT)?;
-    Ok(row.compare_normals(&format!("{source} vertex"), codes, format.bytes, &expected, &found))
+    /// Texels against the CPU's codes of the normals beside them.
+    fn compare_codes(
+        &self,
+        row: &mut Row,
+        what: &str,
+        texel: ImageFormat,
+        texels: &[u8],
+        normals: &[[f32; 3]],
+    ) -> Result<Tally> {
+        let (cpu, size) = (encoded(self.format, normals)?, self.format.bytes);
+        let (what, device) = (format!("{} {what}", self.source), codes_of(texels, texel, size));
+        Ok(row.compare(&what, size, &cpu, &device, |at| shown(&normals[at])))
+    }
+
+    /// Compares codes decoded on the CPU and by texel fetch.
+    fn texture(&self, row: &mut Row, variant: &Variant, codes: &[u8]) -> Result<Tally> {
+        let (texel, size) = (variant.storage.texel(), self.format.bytes);
+        let found = texels::decoded(self.renderer, variant, texel, &texels_of(codes, texel, size))?;
+        let cpu = decoded(self.format, codes)?;
+        Ok(row.compare_normals(&format!("{} texture", self.source), codes, size, &cpu, &found))
+    }
+
+    /// Compares codes as vertex attributes with the results of the same pipeline for the CPU's vectors: the effect of
+    /// interpolation on zeros is no matter of codecs.
+    fn vertex(&self, row: &mut Row, variant: &Variant, codes: &[u8]) -> Result<Tally> {
+        let cpu = Points::of_normals(self.renderer, &decoded(self.format, codes)?)?;
+        let coded = Points::of_codes(self.renderer, variant, self.format, codes)?;
+        let passed = |points: &Points| points.draw(self.renderer, &Variant::FLOAT);
+        let ([_, expected], [_, found]) = (passed(&cpu)?, passed(&coded)?);
+        let what = format!("{} vertex", self.source);
+        Ok(row.compare_normals(&what, codes, self.format.bytes, &expected, &found))
+    }
 }
 
 fn shown(vector: &[f32; 3]) -> String {

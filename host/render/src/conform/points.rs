@@ -5,6 +5,7 @@ use super::super::renderer::{FLOATS, Geometry, RAW, Renderer, pipeline};
 use super::super::storage::{Storage, float_texels, texels_of};
 use super::super::variant::{Stage, Variant};
 use crate::Result;
+use bytemuck::Zeroable;
 use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::{Draw, ImageFormat, Mesh, Target, bytes_per_texel};
 
@@ -108,8 +109,7 @@ impl Points {
             world_from_object: [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]],
             object: 1,
             flags: RAW,
-            key: 0,
-            seed: 0,
+            ..Geometry::zeroed()
         };
         let draw =
             Draw { pipeline: &pipeline, mesh: Some(&self.mesh), constants: bytemuck::bytes_of(&constants) };

@@ -152,7 +152,7 @@ impl Row {
         let own = Storage::of(format);
         let named = |format: ImageFormat| format!("{format:?}");
         let uses = [
-            (own.three().unwrap_or(own.texel()), FormatUse::Attachment),
+            (own.own(), FormatUse::Attachment),
             (own.texel(), FormatUse::Attachment),
             (own.texel(), FormatUse::Texture),
             (own.attribute(device), FormatUse::Vertex),

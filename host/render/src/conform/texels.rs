@@ -1,29 +1,10 @@
 //! Codes in a texture, decoded by the lighting pass.
 
-use super::super::renderer::{self, FLOATS, Lighting, RAW, Renderer, pipeline};
-use super::super::storage::texels_of;
+use super::super::renderer::{FLOATS, Lighting, RAW, Renderer, pipeline};
 use super::super::variant::{Stage, Variant};
 use super::points::{WIDTH, vectors};
-use super::{Row, Tally};
 use crate::Result;
-use unitvec_catalogue::AnyCodec;
-use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Draw, Image, ImageFormat, Target, bytes_per_texel};
-
-/// Decodes codes on the CPU and by texel fetch.
-pub(super) fn check(
-    row: &mut Row,
-    source: BackendKind,
-    renderer: &Renderer,
-    variant: &Variant,
-    format: &AnyCodec,
-    codes: &[u8],
-) -> Result<Tally> {
-    let texel = variant.storage.texel();
-    let found = self::decoded(renderer, variant, texel, &texels_of(codes, texel, format.bytes))?;
-    let cpu = renderer::decoded(format, codes)?;
-    Ok(row.compare_normals(&format!("{source} texture"), codes, format.bytes, &cpu, &found))
-}
 
 /// The first three numbers of texels as the device fetches them.
 pub(super) fn fetched(renderer: &Renderer, format: ImageFormat, texels: &[u8]) -> Result<Vec<[f32; 3]>> {

@@ -180,6 +180,5 @@ fn data(kind: &str, bytes: &[u8]) -> String {
 }
 
 fn bytes<'a>(file: &str, files: &'a Files) -> Result<&'a [u8]> {
-    let missing = || Error::Lacking { file: file.to_owned() };
-    files.get(file).map(Vec::as_slice).ok_or_else(missing)
+    files.get(file).map(Vec::as_slice).ok_or_else(|| Error::Lacking(file.to_owned()))
 }
