@@ -7,6 +7,7 @@ use unitvec_lab::Error as LabError;
 use unitvec_render::Error;
 use unitvec_render::conform;
 use unitvec_render::conform::{HardwareRounding, Options, Row};
+use unitvec_render::shaders;
 use unitvec_render::{
     Key, Layers, Material, Normals, OBJECTS, Picture, Renderer, Shot, Size, Vertices, View,
 };
@@ -111,7 +112,7 @@ fn projections_go_through_the_pipeline() {
     assert_no_validation_messages(device);
 }
 
-/// Each material, of normals as floats and of codes; and each key of dithered ones.
+/// Each material, of normals as floats and of codes; and each key and codec of dithered ones.
 #[test]
 fn pictures_of_both_languages_are_equal() {
     let device = device();
@@ -120,8 +121,10 @@ fn pictures_of_both_languages_are_equal() {
     let mut shots: Vec<Shot> = Material::ALL.map(Shot::new).to_vec();
     shots.extend(Material::ALL.map(|material| Shot { normals: Normals::Codec(oct), ..Shot::new(material) }));
     shots.push(Shot { vertices: Vertices::Codec(table), ..Shot::new(Material::Mirror) });
-    for key in [Key::Pixel, Key::BlueNoise, Key::Position] {
-        shots.push(Shot { normals: Normals::Dithered(oct, key), seed: 5, ..Shot::new(Material::Glossy) });
+    let keys = [Key::Pixel, Key::BlueNoise, Key::Position].map(|key| (oct, key));
+    let others = shaders::dithered().filter(|id| *id != oct.id).map(|id| (format(id), Key::Pixel));
+    for (codec, key) in keys.into_iter().chain(others) {
+        shots.push(Shot { normals: Normals::Dithered(codec, key), seed: 5, ..Shot::new(Material::Glossy) });
     }
     let mut pictures: Vec<Vec<u32>> = Vec::new();
     for shot in &shots {

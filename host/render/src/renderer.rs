@@ -211,7 +211,9 @@ impl Renderer {
         Ok(match normals {
             Normals::Float => Variant::FLOAT,
             Normals::Codec(format) => Variant::codec(format, self.storage(format)),
-            Normals::Dithered(format, _) => Variant::dithered(format).ok_or(Error::NotDithered { id: format.id })?,
+            Normals::Dithered(format, _) => {
+                Variant::dithered(format).ok_or(Error::NotDithered { id: format.id })?
+            }
         })
     }
 

@@ -95,9 +95,8 @@ mod tests {
 
     fn figures(origin: Origin, ids: &[(&str, &[&str])]) -> Figures {
         let shown = |file: &&str| Shown::picture(*file, "alt", RgbImage::new(1, 1));
-        let figure = |(id, files): &(&str, &[&str])| {
-            Figure::new(id, *id, "", files.iter().map(shown).collect())
-        };
+        let figure =
+            |(id, files): &(&str, &[&str])| Figure::new(id, *id, "", files.iter().map(shown).collect());
         Figures { origin, figures: ids.iter().map(figure).collect() }
     }
 

@@ -4,6 +4,7 @@ use super::functions::{self, Function};
 use crate::imprecise::Model;
 use rspirv::dr::{self, Block, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, FunctionControl, GLOp, Op, Word};
+use std::cell::RefCell;
 use std::collections::HashMap;
 
 /// A type of scalars.
@@ -115,9 +116,9 @@ impl Globals {
         added.parameters = parameters.iter().zip(&types).map(parameter).collect();
         let mut block = Block::new();
         block.label = Some(Instruction::new(Op::Label, None, Some(self.fresh()), Vec::new()));
-        let mut body = Body { globals: self, instructions: Vec::new() };
-        let result = functions::build(function, model, seed, &parameters, &mut body);
-        block.instructions = body.instructions;
+        let body = Body { globals: RefCell::new(self), instructions: RefCell::default() };
+        let result = functions::build(function, model, seed, &parameters, &body);
+        block.instructions = body.instructions.into_inner();
         let result = vec![Operand::IdRef(result)];
         block.instructions.push(Instruction::new(Op::ReturnValue, None, None, result));
         added.blocks.push(block);
@@ -126,41 +127,49 @@ impl Globals {
     }
 }
 
-/// The instructions of a function that is being added.
+/// The instructions of a function that is being added. They are appended through a shared reference, so that the operands of one
+/// may be appended where it is written.
 pub struct Body<'a> {
-    globals: &'a mut Globals,
-    instructions: Vec<Instruction>,
+    globals: RefCell<&'a mut Globals>,
+    instructions: RefCell<Vec<Instruction>>,
 }
 
 impl Body<'_> {
     /// Appends an operation. No driver may contract its arithmetic on floats: the errors of sums and products are exact
     /// only as they are written.
-    pub fn add(&mut self, of_type: Type, opcode: Op, operands: &[Word]) -> Word {
+    pub fn add(&self, of_type: Type, opcode: Op, operands: &[Word]) -> Word {
         let operands = operands.iter().map(|id| Operand::IdRef(*id)).collect();
         let result = self.append(of_type, opcode, operands);
         if matches!(opcode, Op::FAdd | Op::FSub | Op::FMul | Op::FDiv | Op::FNegate) {
             let operands = vec![Operand::IdRef(result), Operand::Decoration(Decoration::NoContraction)];
-            self.globals.annotations().push(Instruction::new(Op::Decorate, None, None, operands));
+            self.globals.borrow_mut().annotations().push(Instruction::new(
+                Op::Decorate,
+                None,
+                None,
+                operands,
+            ));
         }
         result
     }
 
     /// Appends an instruction of GLSL.std.450.
-    pub fn extended(&mut self, of_type: Type, operation: GLOp, operands: &[Word]) -> Word {
-        let import = self.globals.glsl_import();
+    pub fn extended(&self, of_type: Type, operation: GLOp, operands: &[Word]) -> Word {
+        let import = self.globals.borrow_mut().glsl_import();
         let head = [Operand::IdRef(import), Operand::LiteralExtInstInteger(operation as u32)];
         let operands = head.into_iter().chain(operands.iter().map(|id| Operand::IdRef(*id))).collect();
         self.append(of_type, Op::ExtInst, operands)
     }
 
-    pub fn constant(&mut self, of_type: Type, value: u32) -> Word {
-        let of_type = self.globals.of_type(of_type);
-        self.globals.global(Op::Constant, Some(of_type), vec![Operand::LiteralBit32(value)])
+    pub fn constant(&self, of_type: Type, value: u32) -> Word {
+        let mut globals = self.globals.borrow_mut();
+        let of_type = globals.of_type(of_type);
+        globals.global(Op::Constant, Some(of_type), vec![Operand::LiteralBit32(value)])
     }
 
-    fn append(&mut self, of_type: Type, opcode: Op, operands: Vec<Operand>) -> Word {
-        let (of_type, result) = (self.globals.of_type(of_type), self.globals.fresh());
-        self.instructions.push(Instruction::new(opcode, Some(of_type), Some(result), operands));
+    fn append(&self, of_type: Type, opcode: Op, operands: Vec<Operand>) -> Word {
+        let mut globals = self.globals.borrow_mut();
+        let (of_type, result) = (globals.of_type(of_type), globals.fresh());
+        self.instructions.borrow_mut().push(Instruction::new(opcode, Some(of_type), Some(result), operands));
         result
     }
 }
