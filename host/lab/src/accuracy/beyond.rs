@@ -90,13 +90,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn our_families_are_there() {
-        for family in ["eaoct", "fib", "ico", "soct"] {
-            let count = |codecs: &mut dyn Iterator<Item = &'static AnyCodec>| {
-                codecs.filter(|codec| codec.family == family).count()
-            };
-            assert_eq!(count(&mut codecs()), count(&mut vectors().iter()), "{family}");
-        }
+    fn published_codecs_are_not_there() {
         assert!(codecs().all(|codec| !["oct16", "hemioct16", "float16x3", "pp48"].contains(&codec.id)));
     }
 

@@ -160,11 +160,10 @@ pub fn measure_meyer_row(
     count: usize,
     seed: u64,
 ) -> Result<Row> {
-    let errors = measure(backend, codec, codec.domain, count, seed)?.normal;
-    let (worst, _) = meyer::worst_error(backend, codec, seed)?;
     let bound = (method.bound)(f64::from(codec.bits)).to_degrees();
-    let max_deg = errors.max_deg().max(worst);
-    Ok(Row::new("meyer", method.name, codec, &errors, max_deg, (None, Some(bound))))
+    let row = beyond::measure_row(backend, codec, count, seed)?;
+    let (survey_mean_deg, survey_max_deg) = (None, Some(bound));
+    Ok(Row { table: "meyer", survey_name: method.name.to_owned(), survey_mean_deg, survey_max_deg, ..row })
 }
 
 impl Row {

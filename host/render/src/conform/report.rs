@@ -72,7 +72,7 @@ impl Traits {
 }
 
 /// The outcome for one codec, or for one projection in one format.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Row {
     /// Codec or projection.
     pub id: String,
@@ -169,7 +169,8 @@ impl Row {
             ));
         }
         let (texel, attribute) = (named(drawn.texel()), named(own.attribute(device)));
-        Self { unsupported, ..Self::empty(format.id, format.bits, texel, attribute) }
+        let (id, bits) = (format.id.to_owned(), format.bits);
+        Self { id, bits, texel, attribute, unsupported, ..Self::default() }
     }
 
     /// A row without comparisons yet, for numbers in this format.
@@ -178,14 +179,8 @@ impl Row {
         let lacking = |usage: &FormatUse| !device.supports(format, *usage);
         let uses = [FormatUse::Attachment, FormatUse::Texture, FormatUse::Vertex].into_iter().filter(lacking);
         let unsupported = uses.map(|usage| format!("{name} {}", usage.words())).collect();
-        Self { unsupported, ..Self::empty(id, bits, name.clone(), name) }
-    }
-
-    fn empty(id: &str, bits: u32, texel: String, attribute: String) -> Self {
-        let id = id.to_owned();
-        let (unsupported, examples) = (Vec::new(), Vec::new());
-        let (checks, projected) = (BTreeMap::new(), BTreeMap::new());
-        Self { id, bits, texel, attribute, unsupported, checks, projected, examples }
+        let (id, texel) = (id.to_owned(), name.clone());
+        Self { id, bits, texel, attribute: name, unsupported, ..Self::default() }
     }
 
     /// Counts where two lists of bytes differ, element by element, and describes the first differences in words.

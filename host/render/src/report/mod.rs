@@ -13,13 +13,12 @@ use crate::{Error, Result};
 use agreement::{Agreement, Pipeline};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use minijinja::{AutoEscape, Environment, HtmlEscape, Value};
+use minijinja::{AutoEscape, Environment, HtmlEscape, Value, context};
 use serde::Serialize;
 use std::collections::BTreeMap;
 use unitvec_choose::Costs;
 use unitvec_run::conform as kernels;
-use unitvec_vulkan::DeviceInfo;
-use viewer::{VIEWED, Viewer};
+use viewer::VIEWED;
 
 /// The contents of a report besides the data that ship with the program.
 pub struct Contents {
@@ -50,45 +49,6 @@ const TEMPLATES: [(&str, &str); 3] = [
     ("page.js", include_str!("page.js")),
 ];
 
-/// The data that the template shows.
-#[derive(Serialize)]
-struct Page<'a> {
-    version: &'a str,
-    machine: &'a Machine,
-    device: Option<&'a DeviceInfo>,
-    answers: Vec<tables::Answer>,
-    gpus: Vec<&'a str>,
-    codecs: Vec<tables::Codec>,
-    codecs_json: String,
-    tables: Vec<tables::PageTable>,
-    figures: Vec<PageFigure<'a>>,
-    /// A note on missing figures.
-    note: Option<String>,
-    agreement: Option<Agreement<'a>>,
-    pipeline: Option<Pipeline<'a>>,
-    no_pipeline: Option<&'a String>,
-}
-
-/// A figure of the page.
-#[derive(Serialize)]
-struct PageFigure<'a> {
-    heading: String,
-    caption: &'a str,
-    earlier: Option<String>,
-    anchor: String,
-    pictures: Vec<PagePicture<'a>>,
-    numbers: Vec<[String; 2]>,
-    viewer: Option<Viewer>,
-}
-
-#[derive(Serialize)]
-struct PagePicture<'a> {
-    uri: String,
-    alt: &'a str,
-    size: Option<[u32; 2]>,
-    differences: Vec<[String; 4]>,
-}
-
 /// Makes the page. `progress` is called for each row of the tables that is measured.
 ///
 /// # Errors
@@ -96,30 +56,30 @@ struct PagePicture<'a> {
 pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
     let codecs = tables::codecs(&contents.costs, progress)?;
     let tables = tables::published(&contents.costs, contents.count, progress)?;
-    let figures: Result<Vec<PageFigure<'_>>> =
-        contents.figures.figures.iter().map(|figure| page_figure(figure, &contents.files)).collect();
-    let figures = figures?;
-    let has_viewer = figures.iter().any(|figure| figure.viewer.is_some());
+    let figures = contents.figures.figures.iter().map(|figure| page_figure(figure, &contents.files));
+    let figures = figures.collect::<Result<Vec<(Value, bool)>>>()?;
+    let has_viewer = figures.iter().any(|(_, has_viewer)| *has_viewer);
     let note = (!has_viewer).then(|| viewer::note(&contents.figures, contents.not_rendered.as_deref()));
-    let page = Page {
-        version: env!("CARGO_PKG_VERSION"),
-        machine: &contents.machine,
-        device: contents.figures.origin.device.as_ref(),
-        answers: tables::answers(&codecs),
-        gpus: contents.costs.iter().map(Costs::device).collect(),
-        codecs_json: json(&codecs),
+    let page = context! {
+        version => env!("CARGO_PKG_VERSION"),
+        machine => contents.machine,
+        device => contents.figures.origin.device,
+        answers => tables::answers(&codecs),
+        gpus => contents.costs.iter().map(Costs::device).collect::<Vec<_>>(),
+        codecs_json => json(&codecs),
         codecs,
         tables,
-        figures,
+        figures => figures.into_iter().map(|(figure, _)| figure).collect::<Vec<_>>(),
+        // Set where figures are missing.
         note,
-        agreement: contents.agreement.as_ref().map(Agreement::of),
-        pipeline: contents.pipeline.as_ref().ok().map(Pipeline::of),
-        no_pipeline: contents.pipeline.as_ref().err(),
+        agreement => contents.agreement.as_ref().map(Agreement::of),
+        pipeline => contents.pipeline.as_ref().ok().map(Pipeline::of),
+        no_pipeline => contents.pipeline.as_ref().err(),
     };
-    render(&page).map_err(|error| Error::Page(error.to_string()))
+    render(page).map_err(|error| Error::Page(error.to_string()))
 }
 
-fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
+fn render(page: Value) -> Result<String, minijinja::Error> {
     let mut environment = Environment::new();
     environment.set_trim_blocks(true);
     environment.set_lstrip_blocks(true);
@@ -132,7 +92,7 @@ fn render(page: &Page<'_>) -> Result<String, minijinja::Error> {
     for (name, text) in TEMPLATES {
         environment.add_template(name, text)?;
     }
-    environment.get_template("page.html")?.render(Value::from_serialize(page))
+    environment.get_template("page.html")?.render(page)
 }
 
 /// HTML of a sentence with code between backticks.
@@ -147,26 +107,30 @@ fn json(value: &impl Serialize) -> String {
     serde_json::to_string(value).unwrap_or_default().replace('<', "\\u003c")
 }
 
-fn page_figure<'a>(figure: &'a Figure, files: &Files) -> Result<PageFigure<'a>> {
+/// A figure of the page, and whether it has the viewer.
+fn page_figure(figure: &Figure, files: &Files) -> Result<(Value, bool)> {
     let (compared, sheets): (Vec<&Shown>, Vec<&Shown>) =
         figure.pictures.iter().partition(|shown| shown.of.is_some());
-    let picture = |shown: &&'a Shown| {
+    let picture = |shown: &&Shown| {
         let differences = shown.differences.iter().map(|Labelled { label, difference }| {
             let Difference { mean, max, ssim } = difference;
             [label.clone(), format!("{mean:.3}"), max.to_string(), format!("{ssim:.4}")]
         });
-        let differences = differences.collect();
-        Ok(PagePicture { uri: uri(&shown.file, files)?, alt: &shown.alt, size: shown.size, differences })
+        let differences: Vec<[String; 4]> = differences.collect();
+        Ok(context! { uri => uri(&shown.file, files)?, alt => shown.alt, size => shown.size, differences })
     };
-    Ok(PageFigure {
-        heading: figure.heading(),
-        caption: &figure.caption,
-        earlier: figure.earlier_in_words(),
-        anchor: format!("figure-{}", figure.id),
-        pictures: sheets.iter().map(picture).collect::<Result<_>>()?,
-        numbers: figure.numbers.iter().map(|number| [number.name.clone(), number.in_words()]).collect(),
-        viewer: if figure.id == VIEWED { viewer::of(&compared, &sheets, files)? } else { None },
-    })
+    let numbers = figure.numbers.iter().map(|number| [number.name.clone(), number.in_words()]);
+    let viewer = if figure.id == VIEWED { viewer::of(&compared, &sheets, files)? } else { None };
+    let page_figure = context! {
+        heading => figure.heading(),
+        caption => figure.caption,
+        earlier => figure.earlier_in_words(),
+        anchor => format!("figure-{}", figure.id),
+        pictures => sheets.iter().map(picture).collect::<Result<Vec<Value>>>()?,
+        numbers => numbers.collect::<Vec<_>>(),
+        viewer,
+    };
+    Ok((page_figure, viewer.is_some()))
 }
 
 /// A file as part of the page.

@@ -10,7 +10,7 @@ use unitvec_catalogue::find;
 /// The figure whose pictures the page slides between.
 pub const VIEWED: &str = "8";
 
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 pub struct Viewer {
     materials: Vec<String>,
     codecs: Vec<String>,
@@ -37,7 +37,7 @@ const WIDTH: u32 = 640;
 /// # Errors
 /// A picture that `files` lacks, or that does not match the figures.
 pub fn of(single: &[&Shown], sheets: &[&Shown], files: &Files) -> Result<Option<Viewer>> {
-    let mut viewer = Viewer::new();
+    let mut viewer = Viewer { scale: 1, ..Viewer::default() };
     for shown in single {
         let (Some(of), Some(size)) = (&shown.of, shown.size) else { continue };
         let words = shown.differences.first().map_or_else(String::new, |one| one.difference.in_words());
@@ -66,12 +66,6 @@ fn words(sheet: &Shown, codec: &str) -> String {
 }
 
 impl Viewer {
-    fn new() -> Self {
-        let first = [String::new(), String::new()];
-        let (materials, codecs, pictures) = (Vec::new(), Vec::new(), BTreeMap::new());
-        Self { materials, codecs, first, width: 0, height: 0, scale: 1, pictures }
-    }
-
     /// The first picture's size is that of all.
     fn add(&mut self, of: &Subject, [width, height]: [u32; 2], picture: Picture) {
         let Subject { codec, material } = of;

@@ -54,7 +54,7 @@ pub struct Report {
 }
 
 /// The outcome for one codec.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Row {
     /// Codec.
     pub id: String,
@@ -214,19 +214,9 @@ struct Comparison<'a> {
 impl<'a> Comparison<'a> {
     fn new(format: &'static AnyCodec, backends: &'a mut Backends) -> Self {
         let none: Mismatches = backends.keys().map(|kind| (*kind, 0)).collect();
-        let row = Row {
-            id: format.id.to_owned(),
-            bits: format.bits,
-            vectors: 0,
-            codes: 0,
-            mean_deg: 0.0,
-            max_deg: 0.0,
-            tangent_mean_deg: None,
-            tangent_max_deg: None,
-            encode_mismatches: none.clone(),
-            decode_mismatches: none,
-            examples: Vec::new(),
-        };
+        let (encode_mismatches, decode_mismatches) = (none.clone(), none);
+        let (id, bits) = (format.id.to_owned(), format.bits);
+        let row = Row { id, bits, encode_mismatches, decode_mismatches, ..Row::default() };
         Self { format, backends, errors: ElementErrors::default(), row }
     }
 
@@ -308,17 +298,11 @@ mod tests {
     fn row(differing: [u64; 3]) -> Row {
         let [of_rust, of_glsl, decoded] = differing;
         Row {
-            id: "oct16".to_owned(),
-            bits: 16,
             vectors: 10,
             codes: 100,
-            mean_deg: 0.0,
-            max_deg: 0.0,
-            tangent_mean_deg: None,
-            tangent_max_deg: None,
             encode_mismatches: [(BackendKind::Rust, of_rust), (BackendKind::Glsl, of_glsl)].into(),
             decode_mismatches: [(BackendKind::Rust, decoded)].into(),
-            examples: Vec::new(),
+            ..Row::default()
         }
     }
 

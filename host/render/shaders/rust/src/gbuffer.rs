@@ -3,12 +3,13 @@
 use crate::RAW;
 use crate::geometry::Geometry;
 use crate::key::Key;
-use crate::normals::{DitheredNormals, Normals, ValueOf};
+use crate::normals::{AsIntegers, Normals, ValueOf};
 use crate::storage::Storage;
 use spirv_std::glam::{Vec3, Vec4};
 use spirv_std::image::Image2d;
 use spirv_std::spirv;
 use unitvec::arith::normalize;
+use unitvec::dither::Dithered;
 
 /// The normal to encode.
 fn normal_of(world_normal: Vec3, constants: &Geometry) -> Vec3 {
@@ -49,7 +50,7 @@ macro_rules! gbuffer {
 crate::for_all_normals!($ gbuffer uint_gbuffer);
 
 macro_rules! dithered_gbuffer {
-    ($id:ident $normals:path) => {
+    ($id:ident $codec:path) => {
         #[doc = concat!("Stores normals as `", stringify!($id), "`.")]
         pub mod $id {
             use super::*;
@@ -62,15 +63,15 @@ macro_rules! dithered_gbuffer {
                 #[spirv(frag_coord)] centre: Vec4,
                 #[spirv(push_constant)] constants: &Geometry,
                 #[spirv(descriptor_set = 0, binding = 2)] blue_noise: &Image2d,
-                stored: &mut ValueOf<$normals>,
+                stored: &mut ValueOf<AsIntegers<$codec>>,
                 normal: &mut Vec4,
                 surface: &mut Vec4,
             ) {
                 let n = normal_of(world_normal, constants);
                 let Geometry { key: kind, seed, .. } = *constants;
                 let offset = Key { kind, seed, centre, position: object_position }.offset(blue_noise);
-                let code = <$normals as DitheredNormals>::encode_dithered(n, offset);
-                *stored = <$normals as Normals>::In::value_of(code);
+                let code = <$codec as Dithered>::encode_dithered(n, offset);
+                *stored = <AsIntegers<$codec> as Normals>::In::value_of(code);
                 *normal = n.extend(1.0);
                 *surface = object_position.extend(constants.object as f32);
             }

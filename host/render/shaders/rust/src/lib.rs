@@ -110,14 +110,14 @@ use for_all_normals;
 #[cfg(any(feature = "gbuffer", feature = "light"))]
 macro_rules! for_all_dithered {
     ($callback:ident) => {
-        $callback!(oct16_dithered crate::normals::AsIntegers<unitvec::Oct16>);
-        $callback!(oct16p_dithered crate::normals::AsIntegers<unitvec::OctPrecise16>);
-        $callback!(oct24_dithered crate::normals::AsIntegers<unitvec::Oct24>);
-        $callback!(oct24p_dithered crate::normals::AsIntegers<unitvec::OctPrecise24>);
-        $callback!(hemioct16_dithered crate::normals::AsIntegers<unitvec::HemiOct16>);
-        $callback!(soct17_dithered crate::normals::AsIntegers<unitvec::SOct17>);
-        $callback!(eaoct16_dithered crate::normals::AsIntegers<unitvec::EaOct16>);
-        $callback!(eaoct16p_dithered crate::normals::AsIntegers<unitvec::EaOctPrecise16>);
+        $callback!(oct16_dithered unitvec::Oct16);
+        $callback!(oct16p_dithered unitvec::OctPrecise16);
+        $callback!(oct24_dithered unitvec::Oct24);
+        $callback!(oct24p_dithered unitvec::OctPrecise24);
+        $callback!(hemioct16_dithered unitvec::HemiOct16);
+        $callback!(soct17_dithered unitvec::SOct17);
+        $callback!(eaoct16_dithered unitvec::EaOct16);
+        $callback!(eaoct16p_dithered unitvec::EaOctPrecise16);
     };
 }
 #[cfg(any(feature = "gbuffer", feature = "light"))]

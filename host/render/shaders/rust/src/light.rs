@@ -2,7 +2,7 @@
 
 use crate::RAW;
 use crate::key::Key;
-use crate::normals::{CodeOf, DitheredNormals, Normals, TextureOf, ValueOf};
+use crate::normals::{AsIntegers, CodeOf, Normals, TextureOf, ValueOf};
 use crate::pixel::pixel_at;
 use crate::shading::seen;
 use crate::storage::{Storage, Value};
@@ -10,6 +10,7 @@ use spirv_std::glam::{Vec3, Vec4};
 use spirv_std::image::Image2d;
 use spirv_std::spirv;
 use unitvec::arith::normalize;
+use unitvec::dither::Dithered;
 
 /// The push constants.
 #[derive(Clone, Copy)]
@@ -88,7 +89,7 @@ macro_rules! light {
 crate::for_all_normals!($ light uint_light);
 
 macro_rules! dithered_light {
-    ($id:ident $normals:path) => {
+    ($id:ident $codec:path) => {
         #[doc = concat!("Reads normals that are stored as `", stringify!($id), "`.")]
         pub mod $id {
             use super::*;
@@ -98,7 +99,7 @@ macro_rules! dithered_light {
             pub fn light(
                 #[spirv(frag_coord)] centre: Vec4,
                 #[spirv(push_constant)] constants: &Lighting,
-                #[spirv(descriptor_set = 0, binding = 0)] stored: &TextureOf<$normals>,
+                #[spirv(descriptor_set = 0, binding = 0)] stored: &TextureOf<AsIntegers<$codec>>,
                 #[spirv(descriptor_set = 0, binding = 1)] surfaces: &Image2d,
                 #[spirv(descriptor_set = 0, binding = 2)] blue_noise: &Image2d,
                 colour: &mut Vec4,
@@ -107,8 +108,8 @@ macro_rules! dithered_light {
                 let surface = surface_of(surfaces, centre);
                 let Lighting { key: kind, seed, .. } = *constants;
                 let offset = Key { kind, seed, centre, position: surface.truncate() }.offset(blue_noise);
-                let code = code_of::<$normals>(stored, centre);
-                let n = <$normals as DitheredNormals>::decode_dithered(code, offset);
+                let code = code_of::<AsIntegers<$codec>>(stored, centre);
+                let n = <$codec as Dithered>::decode_dithered(code, offset);
                 *colour = colour_of(n, surface, centre, constants).extend(1.0);
                 *normal = n.extend(1.0);
             }

@@ -2,9 +2,8 @@
 
 use crate::storage::*;
 use core::marker::PhantomData;
-use spirv_std::glam::{Vec2, Vec3};
+use spirv_std::glam::Vec3;
 use unitvec::azimuthal::{self, Ellipse, Eqarea};
-use unitvec::dither::Dithered;
 use unitvec::{Codec, Frame, FrameCodec, for_each_codec, for_each_frame};
 use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
 
@@ -31,15 +30,6 @@ pub type AttributeOf<N> = <<N as Normals>::In as Storage>::Attribute;
 
 /// The texture that holds codes.
 pub type TextureOf<N> = <ValueOf<N> as Value>::Texture;
-
-/// [`Normals`] whose codes may be dithered.
-pub trait DitheredNormals: Normals {
-    /// The code of a normal, with this offset.
-    fn encode_dithered(n: Vec3, offset: Vec2) -> CodeOf<Self>;
-
-    /// The normal of a code, with this offset.
-    fn decode_dithered(code: CodeOf<Self>, offset: Vec2) -> Vec3;
-}
 
 /// The storage of integers that holds a code of this type.
 pub trait Integers {
@@ -183,15 +173,5 @@ impl<C: Codec<Code: Integers>> Normals for AsIntegers<C> {
 
     fn decode(code: C::Code) -> Vec3 {
         C::decode_vec3(code)
-    }
-}
-
-impl<C: Dithered<Code: Integers>> DitheredNormals for AsIntegers<C> {
-    fn encode_dithered(n: Vec3, offset: Vec2) -> C::Code {
-        C::encode_dithered(n, offset)
-    }
-
-    fn decode_dithered(code: C::Code, offset: Vec2) -> Vec3 {
-        C::decode_dithered(code, offset)
     }
 }
