@@ -16,11 +16,6 @@ fn normal_of(world_normal: Vec3, constants: &Geometry) -> Vec3 {
     if constants.flags & RAW != 0 { world_normal } else { normalize(world_normal) }
 }
 
-/// The stored value of a normal.
-fn value_of<N: Normals>(n: Vec3) -> ValueOf<N> {
-    N::In::value_of(N::encode(n))
-}
-
 macro_rules! gbuffer {
     ($id:ident $name:ident $normals:path) => {
         #[doc = concat!("Stores normals as `", stringify!($id), "`.")]
@@ -38,7 +33,7 @@ macro_rules! gbuffer {
                 surface: &mut Vec4,
             ) {
                 let n = normal_of(world_normal, constants);
-                *stored = value_of::<$normals>(n);
+                *stored = <$normals as Normals>::In::value_of(<$normals as Normals>::encode(n));
                 *normal = n.extend(1.0);
                 // The position is in object space, with the object's number as the fourth component.
                 *surface = object_position.extend(constants.object as f32);

@@ -1,14 +1,18 @@
 //! The offset of a dithered code, from the facts that both passes know about a pixel.
 
-use crate::pixel::pixel_at;
 use spirv_std::glam::{UVec2, Vec2, Vec3, Vec4};
 use spirv_std::image::Image2d;
-use unitvec::arith::floor;
+use unitvec::arith::{floor, whole_to_u32};
 use unitvec::dither::{dither_from_pixel, dither_from_position, dither_from_texel};
 
 const PIXEL: u32 = 1;
 const BLUE_NOISE: u32 = 2;
 const POSITION: u32 = 3;
+
+/// The pixel with this centre.
+pub fn pixel_at(centre: Vec4) -> UVec2 {
+    UVec2::new(whole_to_u32(centre.x), whole_to_u32(centre.y))
+}
 
 /// The source of an offset.
 #[derive(Clone, Copy)]

@@ -16,8 +16,6 @@ pub mod key;
 #[cfg(feature = "light")]
 pub mod light;
 pub mod normals;
-#[cfg(any(feature = "gbuffer", feature = "light"))]
-pub mod pixel;
 #[cfg(feature = "light")]
 pub mod shading;
 pub mod storage;

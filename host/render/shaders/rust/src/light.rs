@@ -1,9 +1,8 @@
 //! The fragment shaders of the lighting pass: they decode the normal of a pixel and light it.
 
 use crate::RAW;
-use crate::key::Key;
+use crate::key::{Key, pixel_at};
 use crate::normals::{AsIntegers, CodeOf, Normals, TextureOf, ValueOf};
-use crate::pixel::pixel_at;
 use crate::shading::seen;
 use crate::storage::{Storage, Value};
 use spirv_std::glam::{Vec3, Vec4};
