@@ -108,7 +108,6 @@ pub struct Bench {
     /// The baseline and the kernel of [`REFERENCE`].
     references: HashMap<(Operation, BackendKind), [Kernel; 2]>,
     options: Options,
-    vectors: Vec<[f32; 3]>,
     codes: Vec<u64>,
 }
 
@@ -126,19 +125,14 @@ impl Bench {
             compiler: glsl::Compiler::new()?,
             best_fit_table,
             references: HashMap::new(),
-            vectors: sampling::random_directions(Domain::Sphere, 1).take(options.count).collect(),
             codes: sampling::random_codes(1).take(options.count).collect(),
             options,
         };
         let reference = catalogue::find(REFERENCE)?;
         for operation in Operation::ALL {
             for backend in bench.measured() {
-                let baseline =
-                    match bench.rust_cost_kernel(backend, &format!("baseline_{operation}"), None)? {
-                        Some(kernel) => kernel,
-                        None => bench.glsl_kernel(&bench.compiler.baseline_kernel(operation)?, None)?,
-                    };
-                let pair = [baseline, bench.cost_kernel(backend, reference, operation)?];
+                let kernel = |format| bench.cost_kernel(backend, format, operation);
+                let pair = [kernel(None)?, kernel(Some(reference))?];
                 bench.references.insert((operation, backend), pair);
             }
         }
@@ -161,9 +155,9 @@ impl Bench {
             let measured = self.cost(format, operation)?;
             let of = |kind| measured.iter().find(|(backend, _)| *backend == kind).map(|(_, costs)| costs);
             let (rust, glsl) = (of(BackendKind::Rust), of(BackendKind::Glsl));
-            let speeds = self.throughput(format, operation)?;
+            let (copy, speeds) = self.throughput(format, operation)?;
             let traffic = (format.element.bytes() + format.bytes) as f64;
-            for (backend, by_table, vectors_per_s) in speeds.kernels {
+            for (backend, by_table, vectors_per_s) in speeds {
                 let costs = of(backend).filter(|_| !by_table);
                 let to_glsl = rust.zip(glsl).map(|(rust, glsl)| ratio(&rust.codec, &glsl.codec));
                 rows.push(Row {
@@ -178,7 +172,7 @@ impl Bench {
                     alu_ratio_to_glsl: to_glsl.filter(|_| backend == BackendKind::Rust && !by_table),
                     vectors_per_s,
                     bytes_per_s: vectors_per_s * traffic,
-                    copy_bytes_per_s: speeds.copy * traffic,
+                    copy_bytes_per_s: copy * traffic,
                     survey_ns_per_vector: survey_ns(format.id, operation),
                 });
             }
@@ -192,31 +186,25 @@ impl Bench {
         BACKENDS.into_iter().filter(move |backend| has_rust || *backend == BackendKind::Glsl)
     }
 
-    fn cost_kernel(&self, backend: BackendKind, format: &AnyCodec, operation: Operation) -> Result<Kernel> {
-        let table = self.table_of(format, operation);
-        match self.rust_cost_kernel(backend, &format.function(operation), table)? {
-            Some(kernel) => Ok(kernel),
-            None => self.glsl_kernel(&self.compiler.cost_kernel(format, operation)?, table),
-        }
-    }
-
-    /// The kernel that measures a function, where the backend is Rust and has one.
-    fn rust_cost_kernel(
+    /// The kernel that measures a codec's arithmetic; the baseline without a codec.
+    fn cost_kernel(
         &self,
         backend: BackendKind,
-        function: &str,
-        table: Option<&Table>,
-    ) -> Result<Option<Kernel>> {
-        let (BackendKind::Rust, Some(folder)) = (backend, &self.options.cost_kernels) else {
-            return Ok(None);
+        format: Option<&AnyCodec>,
+        operation: Operation,
+    ) -> Result<Kernel> {
+        let table = format.and_then(|format| self.table_of(format, operation));
+        if let (BackendKind::Rust, Some(folder)) = (backend, &self.options.cost_kernels) {
+            let function =
+                format.map_or_else(|| format!("baseline_{operation}"), |format| format.function(operation));
+            let name = format!("{function}_cost");
+            return Ok(self.runner.kernel(&modules::cost_kernel(folder, &name)?, &name, table)?);
+        }
+        let module = match format {
+            Some(format) => self.compiler.cost_kernel(format, operation)?,
+            None => self.compiler.baseline_kernel(operation)?,
         };
-        let name = format!("{function}_cost");
-        let module = modules::cost_kernel(folder, &name)?;
-        Ok(Some(self.runner.kernel(&module, &name, table)?))
-    }
-
-    fn glsl_kernel(&self, module: &[u8], table: Option<&Table>) -> Result<Kernel> {
-        Ok(self.runner.kernel(module, glsl::ENTRY_POINT, table)?)
+        Ok(self.runner.kernel(&module, glsl::ENTRY_POINT, table)?)
     }
 
     fn table_of(&self, format: &AnyCodec, operation: Operation) -> Option<&Table> {
@@ -226,10 +214,10 @@ impl Bench {
     /// Costs of the kernels of each backend that is measured.
     fn cost(&mut self, format: &AnyCodec, operation: Operation) -> Result<Vec<(BackendKind, Costs)>> {
         let backends: Vec<BackendKind> = self.measured().collect();
-        let kernels = backends.iter().map(|backend| self.cost_kernel(*backend, format, operation));
+        let kernels = backends.iter().map(|backend| self.cost_kernel(*backend, Some(format), operation));
         let kernels = kernels.collect::<Result<Vec<Kernel>>>()?;
         let input: Vec<u8> = match operation {
-            Operation::Encode => bytemuck::cast_slice(&self.vectors).to_vec(),
+            Operation::Encode => self.elements(Element::Vector),
             Operation::Decode => {
                 let words = |code: &u64| [*code as u32, (*code >> 32) as u32, 0];
                 let words: Vec<[u32; 3]> = self.codes.iter().map(words).collect();
@@ -260,14 +248,15 @@ impl Bench {
                 times[index][part] = time(kernel, REPETITIONS)?;
             }
             for ((_, costs), [baseline, reference, codec]) in costs.iter_mut().zip(times) {
-                costs.add(codec - baseline, reference - baseline);
+                costs.codec.push(codec - baseline);
+                costs.reference.push(reference - baseline);
             }
         }
         Ok(costs)
     }
 
-    /// Vectors a second of the shipped kernels and of one that copies.
-    fn throughput(&mut self, format: &AnyCodec, operation: Operation) -> Result<Speeds> {
+    /// Vectors a second of a kernel that copies, and of the shipped ones, each with its backend and whether it decodes by table.
+    fn throughput(&mut self, format: &AnyCodec, operation: Operation) -> Result<(f64, Vec<Speed>)> {
         let count = self.options.count;
         let copy = self.compiler.copy_kernel(format, operation)?;
         let table = self.table_of(format, operation).cloned();
@@ -300,26 +289,17 @@ impl Bench {
                 }
             }
         }
-        let mut speeds = Speeds { copy: 0.0, kernels: Vec::new() };
-        for ((kind, _), times) in kernels.iter().zip(times) {
-            let vectors_per_s = count as f64 / (median(times) * 1e-9);
-            match kind {
-                Some((backend, by_table)) => speeds.kernels.push((*backend, *by_table, vectors_per_s)),
-                None => speeds.copy = vectors_per_s,
-            }
-        }
-        Ok(speeds)
+        let mut speeds = times.into_iter().map(|times| count as f64 / (median(times) * 1e-9));
+        let copy = speeds.next().unwrap_or(f64::NAN);
+        let kinds = kernels.iter().filter_map(|(kind, _)| *kind);
+        Ok((copy, kinds.zip(speeds).map(|((backend, by_table), speed)| (backend, by_table, speed)).collect()))
     }
 
+    /// The bytes of random vectors or frames.
     fn elements(&self, element: Element) -> Vec<u8> {
-        match element {
-            Element::Vector => bytemuck::cast_slice(&self.vectors).to_vec(),
-            Element::Frame => {
-                let frames: Vec<f32> =
-                    sampling::random_frames(1).take(self.options.count).flatten().collect();
-                bytemuck::cast_slice(&frames).to_vec()
-            }
-        }
+        let floats = sampling::random_elements(element, Domain::Sphere, 1);
+        let floats: Vec<f32> = floats.take(self.options.count * element.floats()).collect();
+        bytemuck::cast_slice(&floats).to_vec()
     }
 }
 
@@ -331,19 +311,8 @@ struct Costs {
     reference: Vec<f64>,
 }
 
-impl Costs {
-    fn add(&mut self, codec: f64, reference: f64) {
-        self.codec.push(codec);
-        self.reference.push(reference);
-    }
-}
-
-/// Vectors a second.
-struct Speeds {
-    copy: f64,
-    /// Each kernel's backend, whether it decodes by table, and its time.
-    kernels: Vec<(BackendKind, bool, f64)>,
-}
+/// A kernel's backend, whether it decodes by table, and its vectors a second.
+type Speed = (BackendKind, bool, f64);
 
 /// The kernels measured, in the order of a [`Bench`]'s sources.
 const BACKENDS: [BackendKind; 2] = [BackendKind::Rust, BackendKind::Glsl];

@@ -132,9 +132,4 @@ mod tests {
             assert_eq!(corner(a).dot(corner(b)), -1.0, "{a} {b}");
         }
     }
-
-    #[test]
-    fn every_object_has_a_body() {
-        assert_eq!(bodies().unwrap().len(), OBJECTS.len());
-    }
 }

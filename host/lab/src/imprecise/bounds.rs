@@ -16,39 +16,25 @@ use unitvec_catalogue::AnyCodec;
 /// 2^-23: a ULP of the numbers from 1 to 2.
 const UNIT: f64 = 1.0 / 8_388_608.0;
 
-/// The number of quotients, square roots and arc functions that lead to the result whose way is longest. Those of
-/// constants count as well: a device may compute them.
-#[derive(Clone, Copy, Debug)]
-struct Way {
-    quotients: u32,
-    roots: u32,
-    arcs: u32,
-}
-
-impl Way {
-    const fn new(quotients: u32, roots: u32, arcs: u32) -> Self {
-        Self { quotients, roots, arcs }
-    }
-
-    /// The error where it ends, in [`UNIT`]s.
-    fn error(self) -> f64 {
-        let counted = 3 * self.quotients + 4 * self.roots + 3 * self.arcs;
-        if counted == 0 { 0.0 } else { f64::from(counted + 1) }
-    }
+/// The error of a result, in [`UNIT`]s, by the number of quotients, square roots and arc functions on the longest way to it. Those
+/// of constants count as well: a device may compute them.
+fn way(quotients: u32, roots: u32, arcs: u32) -> f64 {
+    let counted = 3 * quotients + 4 * roots + 3 * arcs;
+    if counted == 0 { 0.0 } else { f64::from(counted + 1) }
 }
 
 /// The source of an encoder's bound.
 #[derive(Clone, Copy, Debug)]
 enum Encoder {
-    /// The way to a coordinate, in whose unit there are half as many steps as codes in a row of the square of all codes.
-    Way(Way),
+    /// The [`way`] to a coordinate, in whose unit there are half as many steps as codes in a row of the square of all codes.
+    Way(f64),
     /// A [`Way`](Self::Way) whose coordinate is a sum of two floats, of which only the second has the error.
-    TwoFloats(Way),
+    TwoFloats(f64),
     /// Parts of a step by which a coordinate may be off on either side.
     Steps(f64),
-    /// The way to the distance of a code. For codes in nearly the same direction the last bit decides which is nearest:
+    /// The [`way`] to the distance of a code. For codes in nearly the same direction the last bit decides which is nearest:
     /// the number that differ has no bound.
-    Choice(Way),
+    Choice(f64),
 }
 
 /// The source of a decoder's bound.
@@ -56,8 +42,8 @@ enum Encoder {
 enum Decoder {
     /// The vector is exact but for a factor, which is the inverse of its length.
     Scaled,
-    /// The way to a coordinate whose unit is up to half a turn.
-    Way(Way),
+    /// The [`way`] to a coordinate whose unit is up to half a turn.
+    Way(f64),
 }
 
 /// The bounds of a codec's errors on a device.
@@ -92,8 +78,8 @@ impl Bounds {
     pub fn codes_differ(&self, elements: u64) -> Option<u64> {
         let steps = 2f64.powi(self.bits as i32 / 2 - 1);
         let off = match self.encoder {
-            Encoder::Way(way) => steps * way.error() * UNIT,
-            Encoder::TwoFloats(way) => steps * way.error() * UNIT * UNIT,
+            Encoder::Way(error) => steps * error * UNIT,
+            Encoder::TwoFloats(error) => steps * error * UNIT * UNIT,
             Encoder::Steps(part) => part,
             Encoder::Choice(_) => return None,
         };
@@ -107,11 +93,11 @@ impl Bounds {
         // The components of two vectors are rounded, each by at most 2^-25.
         let rounding = 3f64.sqrt() * UNIT / 2.0;
         // The inverse of a length.
-        let factor = Way::new(1, 1, 0).error();
+        let factor = way(1, 1, 0);
         match self.decoder {
             Decoder::Scaled => (2.0 * factor + 1.0, rounding.to_degrees()),
-            Decoder::Way(way) => {
-                let angle = PI * way.error() * UNIT;
+            Decoder::Way(error) => {
+                let angle = PI * error * UNIT;
                 (angle / UNIT * 2.0 + 2.0 * factor + 1.0, (angle + rounding).to_degrees())
             }
         }
@@ -152,8 +138,8 @@ impl Bounds {
     /// of the coordinates, or of the distances of two candidates.
     fn error_part(&self) -> f64 {
         let off = match self.encoder {
-            Encoder::Way(way) | Encoder::TwoFloats(way) => PI * way.error(),
-            Encoder::Choice(way) => 2.0 * way.error(),
+            Encoder::Way(error) | Encoder::TwoFloats(error) => PI * error,
+            Encoder::Choice(error) => 2.0 * error,
             Encoder::Steps(_) => 0.0,
         };
         1.0 + off * UNIT / self.error_bound_deg.to_radians()
@@ -163,40 +149,40 @@ impl Bounds {
 /// The sources of a family's bounds.
 fn derivation(family: &str) -> (Encoder, Decoder) {
     use Decoder::Scaled;
-    let exact = Way::new(0, 0, 0);
+    let exact = way(0, 0, 0);
     match family {
         // m / norm.
-        "oct" | "hemioct" | "soct" => (Encoder::Way(Way::new(1, 0, 0)), Scaled),
+        "oct" | "hemioct" | "soct" => (Encoder::Way(way(1, 0, 0)), Scaled),
         // The reciprocal of the norm corrects the error of a coordinate's first float.
-        "oct_wide" => (Encoder::TwoFloats(Way::new(1, 0, 0)), Scaled),
+        "oct_wide" => (Encoder::TwoFloats(way(1, 0, 0)), Scaled),
         // The length, r^2 by that, and r; the turn's way is shorter. Decoding: turn and 1 / m, and the distance from the axis.
-        "eaoct" => (Encoder::Way(Way::new(1, 2, 0)), Decoder::Way(Way::new(2, 1, 0))),
+        "eaoct" => (Encoder::Way(way(1, 2, 0)), Decoder::Way(way(2, 1, 0))),
         // The latitude of z and the distance from the axis. Decoding: 1 / m.
-        "spherical" => (Encoder::Way(Way::new(1, 1, 1)), Decoder::Way(Way::new(1, 0, 0))),
+        "spherical" => (Encoder::Way(way(1, 1, 1)), Decoder::Way(way(1, 0, 0))),
         // Its docs give the number: the arithmetic adds 1/16 of a step, on the CPU and on the device.
         "spherical_wide" => (Encoder::Steps(0.125), Scaled),
         // z by the length. Decoding: 1 / m, and the distance from the axis.
-        "cylindrical" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(1, 1, 0))),
+        "cylindrical" => (Encoder::Way(way(1, 1, 0)), Decoder::Way(way(1, 1, 0))),
         // As `spherical`. Decoding: the place on the ring, and 1 / n.
-        "latlong" => (Encoder::Way(Way::new(1, 1, 1)), Decoder::Way(Way::new(2, 1, 0))),
+        "latlong" => (Encoder::Way(way(1, 1, 1)), Decoder::Way(way(2, 1, 0))),
         // The reciprocal of the length, the area from the pole, the azimuth; the spacing of points, and their distance.
-        "fib" => (Encoder::Way(Way::new(4, 2, 1)), Decoder::Way(Way::new(0, 1, 0))),
+        "fib" => (Encoder::Way(way(4, 2, 1)), Decoder::Way(way(0, 1, 0))),
         // The reciprocal of the sum, that of the determinant, and 1 / n.
-        "ico" => (Encoder::Way(Way::new(3, 0, 0)), Decoder::Way(Way::new(2, 0, 0))),
+        "ico" => (Encoder::Way(way(3, 0, 0)), Decoder::Way(way(2, 0, 0))),
         // The parts of the longest component, the distance of each candidate. Decoding: the largest integer.
-        "best_fit" => (Encoder::Choice(Way::new(2, 1, 0)), Decoder::Way(Way::new(1, 0, 0))),
+        "best_fit" => (Encoder::Choice(way(2, 1, 0)), Decoder::Way(way(1, 0, 0))),
         // The norm; length and its inverse; disk and square, each with a quotient or root, and an angle.
-        "azimuthal" => (Encoder::Way(Way::new(4, 3, 1)), Decoder::Way(Way::new(4, 2, 0))),
+        "azimuthal" => (Encoder::Way(way(4, 3, 1)), Decoder::Way(way(4, 2, 0))),
         // The reciprocal of z and the scale; for angles the arc. Decoding: the scale.
-        "cube" => (Encoder::Way(Way::new(2, 0, 1)), Decoder::Way(Way::new(2, 0, 0))),
+        "cube" => (Encoder::Way(way(2, 0, 1)), Decoder::Way(way(2, 0, 0))),
         // The inverse of the length. Decoding: z, from the rest of x and y, which is the same number on every device.
-        "parallel" | "xyonly" => (Encoder::Way(Way::new(1, 1, 0)), Decoder::Way(Way::new(0, 1, 0))),
+        "parallel" | "xyonly" => (Encoder::Way(way(1, 1, 0)), Decoder::Way(way(0, 1, 0))),
         // Encoders do not divide.
-        "snorm" | "unorm" => (Encoder::Way(exact), Decoder::Way(Way::new(1, 0, 0))),
+        "snorm" | "unorm" => (Encoder::Way(exact), Decoder::Way(way(1, 0, 0))),
         "float" => (Encoder::Way(exact), Decoder::Way(exact)),
         // The normal's scale; basis, place on the diamond, and its warp. Decoding: the normal's length, basis, and that of
         // the tangent.
-        "frame" => (Encoder::Way(Way::new(3, 1, 0)), Decoder::Way(Way::new(3, 2, 0))),
+        "frame" => (Encoder::Way(way(3, 1, 0)), Decoder::Way(way(3, 2, 0))),
         // Exact: a family that is missing here shows at once.
         _ => (Encoder::Way(exact), Decoder::Way(exact)),
     }

@@ -66,17 +66,14 @@ struct Run<'a> {
 impl Run<'_> {
     fn random_elements(&mut self, elements: &[f32]) -> Result<()> {
         self.row.elements += (elements.len() / self.format.element.floats()) as u64;
-        let codes = self.encode_on_all(elements, |differ, error| Outcome {
-            codes_differ: differ,
-            error,
-            ..Outcome::default()
-        })?;
+        let outcome = |codes_differ, error| Outcome { codes_differ, error, ..Outcome::default() };
+        let codes = self.encode_on_all(elements, outcome)?;
         self.decode_on_all(&codes, false)
     }
 
     fn special_elements(&mut self) -> Result<()> {
         let special = sampling::special_elements(self.format.element);
-        let outcome = |differ, _| Outcome { special_differ: differ, ..Outcome::default() };
+        let outcome = |special_differ, _| Outcome { special_differ, ..Outcome::default() };
         self.encode_on_all(special, outcome).map(drop)
     }
 

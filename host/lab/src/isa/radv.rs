@@ -104,22 +104,19 @@ impl Radv {
     /// A driver that does not know the GPU ends the process, so another process has to ask it.
     fn probe(&self) -> Result<(), Error> {
         let output = self.here()?.arg("devices").stdin(Stdio::null()).output().map_err(Error::NotStarted)?;
-        let driver = self.driver.clone();
-        if output.status.success() {
-            let is_radv = String::from_utf8_lossy(&output.stdout).contains("RADV");
-            return if is_radv {
-                Ok(())
-            } else {
-                Err(Error::Unusable { driver, reason: "it is not RADV".to_owned() })
-            };
-        }
         let said = String::from_utf8_lossy(&output.stderr);
-        Err(if said.contains("Unknown family") {
-            Error::UnknownGpu { gpu: self.gpu.clone(), driver }
+        let driver = self.driver.clone();
+        let reason = if !output.status.success() {
+            if said.contains("Unknown family") {
+                return Err(Error::UnknownGpu { gpu: self.gpu.clone(), driver });
+            }
+            said.lines().last().unwrap_or("it ends the program").trim_start_matches("unitvec: ")
+        } else if String::from_utf8_lossy(&output.stdout).contains("RADV") {
+            return Ok(());
         } else {
-            let last = said.lines().last().unwrap_or("it ends the program").trim_start_matches("unitvec: ");
-            Error::Unusable { driver, reason: last.to_owned() }
-        })
+            "it is not RADV"
+        };
+        Err(Error::Unusable { driver, reason: reason.to_owned() })
     }
 
     fn here(&self) -> Result<Command, Error> {

@@ -24,7 +24,7 @@ impl Points {
     /// Points with these normals.
     pub(super) fn of_normals(renderer: &Renderer, normals: &[[f32; 3]]) -> Result<Self> {
         let attribute = Storage::Float.attribute(renderer.graphics.device());
-        Self::new(renderer, Variant::FLOAT, attribute, normals.len(), bytemuck::cast_slice(normals))
+        Self::of_attributes(renderer, Variant::FLOAT, attribute, bytemuck::cast_slice(normals))
     }
 
     /// Points with the normals of these codes.
@@ -42,20 +42,10 @@ impl Points {
     pub(super) fn of_attributes(
         renderer: &Renderer,
         vertices: Variant,
-        format: ImageFormat,
-        attributes: &[u8],
-    ) -> Result<Self> {
-        let count = attributes.len() / bytes_per_texel(format).unwrap_or(1);
-        Self::new(renderer, vertices, format, count, attributes)
-    }
-
-    fn new(
-        renderer: &Renderer,
-        vertices: Variant,
         attribute: ImageFormat,
-        count: usize,
         normals: &[u8],
     ) -> Result<Self> {
+        let count = normals.len() / bytes_per_texel(attribute).unwrap_or(1);
         let rows = count.div_ceil(WIDTH);
         // Pixels' centres in clip space.
         let centre = |at: usize, size: usize| ((2 * at + 1) as f64 / size as f64 - 1.0) as f32;

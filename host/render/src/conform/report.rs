@@ -150,25 +150,19 @@ impl Row {
     /// A row without comparisons yet; codes are drawn to `drawn`.
     pub(super) fn new(device: &Device, format: &AnyCodec, drawn: Storage) -> Self {
         let own = Storage::of(format);
-        let named = |format: ImageFormat| format!("{format:?}");
         let uses = [
             (own.own(), FormatUse::Attachment),
             (own.texel(), FormatUse::Attachment),
             (own.texel(), FormatUse::Texture),
             (own.attribute(device), FormatUse::Vertex),
         ];
-        let lacking = uses.iter().filter(|(format, usage)| !device.supports(*format, *usage));
-        let mut unsupported: Vec<String> =
-            lacking.map(|(format, usage)| format!("{} {}", named(*format), usage.words())).collect();
+        let mut unsupported = lacking(device, &uses);
         unsupported.dedup();
         if drawn != own && unsupported.is_empty() {
-            unsupported.push(format!(
-                "{} {}, rounded to nearest",
-                named(own.texel()),
-                FormatUse::Attachment.words()
-            ));
+            let (texel, drawn) = (own.texel(), FormatUse::Attachment.words());
+            unsupported.push(format!("{texel:?} {drawn}, rounded to nearest"));
         }
-        let (texel, attribute) = (named(drawn.texel()), named(own.attribute(device)));
+        let [texel, attribute] = [drawn.texel(), own.attribute(device)].map(|format| format!("{format:?}"));
         let (id, bits) = (format.id.to_owned(), format.bits);
         Self { id, bits, texel, attribute, unsupported, ..Self::default() }
     }
@@ -176,9 +170,8 @@ impl Row {
     /// A row without comparisons yet, for numbers in this format.
     pub(super) fn of_format(device: &Device, id: &str, bits: u32, format: ImageFormat) -> Self {
         let name = format!("{format:?}");
-        let lacking = |usage: &FormatUse| !device.supports(format, *usage);
-        let uses = [FormatUse::Attachment, FormatUse::Texture, FormatUse::Vertex].into_iter().filter(lacking);
-        let unsupported = uses.map(|usage| format!("{name} {}", usage.words())).collect();
+        let uses = [FormatUse::Attachment, FormatUse::Texture, FormatUse::Vertex];
+        let unsupported = lacking(device, &uses.map(|usage| (format, usage)));
         let (id, texel) = (id.to_owned(), name.clone());
         Self { id, bits, texel, attribute: name, unsupported, ..Self::default() }
     }
@@ -222,4 +215,10 @@ impl Row {
             format!("{:02x?}", &codes[at * size..][..size])
         })
     }
+}
+
+/// The formats that the device does not support for these uses, in words.
+fn lacking(device: &Device, uses: &[(ImageFormat, FormatUse)]) -> Vec<String> {
+    let lacking = uses.iter().filter(|(format, usage)| !device.supports(*format, *usage));
+    lacking.map(|(format, usage)| format!("{format:?} {}", usage.words())).collect()
 }

@@ -3,7 +3,6 @@
 use crate::Result;
 use crate::{Material, Normals, Renderer, Seen, Shot, View};
 use image::RgbImage;
-use unitvec_catalogue::AnyCodec;
 
 /// Takes pictures, as bytes of sRGB.
 pub trait Camera {
@@ -36,9 +35,4 @@ impl Camera for Renderer {
 /// A shot of some normals.
 pub fn shot(normals: Normals, material: Material, view: View) -> Shot {
     Shot { normals, view, ..Shot::new(material) }
-}
-
-/// The normals of a codec.
-pub fn coded(codec: &'static AnyCodec) -> Normals {
-    Normals::Codec(codec)
 }

@@ -1,6 +1,6 @@
 //! Dithered normals: the pictures of plain ones beside them, and a turning object.
 
-use super::camera::{Camera, coded, shot};
+use super::camera::{Camera, shot};
 use super::canvas::{Cell, crop, sheet};
 use super::compare::{Difference, mean};
 use super::pictures::{MANY, take, window};
@@ -23,7 +23,7 @@ fn variants(codec: &'static AnyCodec) -> impl Iterator<Item = (Normals, String)>
     let dithered = KEYS
         .into_iter()
         .map(move |(key, name)| (Normals::Dithered(codec, key), format!("{} by {name}", codec.id)));
-    std::iter::once((coded(codec), format!("{} plain", codec.id))).chain(dithered)
+    std::iter::once((Normals::Codec(codec), format!("{} plain", codec.id))).chain(dithered)
 }
 
 /// The errors of a picture's brightness, in steps of 1/255.
@@ -52,7 +52,7 @@ pub fn dither(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
         [(Material::Mirror, View::Scene, "mirror"), (Material::Glossy, View::Panel, "highlight")]
     {
         let float = take(camera, Normals::Float, material, view)?;
-        let first = take(camera, coded(find(CODECS[0])?), material, view)?;
+        let first = take(camera, Normals::Codec(find(CODECS[0])?), material, view)?;
         let window = window(options, MANY, &float, &first);
         let (mut cells, mut differences) = (Vec::new(), Vec::new());
         for (normals, label) in named(&CODECS)?.into_iter().flat_map(variants) {

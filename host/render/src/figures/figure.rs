@@ -9,7 +9,7 @@ use std::fmt::Write;
 use unitvec_vulkan::DeviceInfo;
 
 /// A figure.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Figure {
     /// The figure's number in the survey, or its name.
     pub id: String,
@@ -27,7 +27,7 @@ pub struct Figure {
 }
 
 /// A picture of a figure.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Shown {
     /// Name of its file.
     pub file: String,
@@ -93,8 +93,7 @@ impl Shown {
             Content::Pixels(picture) => Some([picture.width(), picture.height()]),
             Content::File | Content::Svg(_) => None,
         };
-        let (file, alt, differences, cells) = (file.into(), alt.into(), Vec::new(), Vec::new());
-        Self { file, alt, of: None, differences, cells, size, content }
+        Self { file: file.into(), alt: alt.into(), size, content, ..Self::default() }
     }
 
     pub(super) fn picture(file: impl Into<String>, alt: impl Into<String>, picture: RgbImage) -> Self {
@@ -149,8 +148,8 @@ impl Figure {
         caption: impl Into<String>,
         pictures: Vec<Shown>,
     ) -> Self {
-        let (id, title, caption, numbers) = (id.to_owned(), title.into(), caption.into(), Vec::new());
-        Self { id, title, caption, pictures, numbers, earlier: None }
+        let (id, title, caption) = (id.to_owned(), title.into(), caption.into());
+        Self { id, title, caption, pictures, ..Self::default() }
     }
 
     pub(super) fn with(self, numbers: Vec<Number>) -> Self {

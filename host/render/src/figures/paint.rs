@@ -24,14 +24,9 @@ pub fn from_the_side() -> DMat3 {
     DMat3::from_cols(right, eye.cross(right), eye).transpose()
 }
 
-/// Along the axis z, for hemispheres.
-pub fn from_above() -> DMat3 {
-    DMat3::IDENTITY
-}
-
-/// The view [`from_above`] for the hemisphere, [`from_the_side`] for the sphere.
+/// The view along the axis z for the hemisphere, [`from_the_side`] for the sphere.
 pub fn of_domain(domain: Domain) -> DMat3 {
-    if domain == Domain::Hemisphere { from_above() } else { from_the_side() }
+    if domain == Domain::Hemisphere { DMat3::IDENTITY } else { from_the_side() }
 }
 
 /// A square picture of a function of the plane [-1, 1]^2, y upwards; `samples` by `samples` samples a pixel.
@@ -146,7 +141,7 @@ mod tests {
     /// Anything drawn at a direction's place is drawn with that direction.
     #[test]
     fn places_and_directions_agree() {
-        for view in [from_the_side(), from_above()] {
+        for view in [Domain::Sphere, Domain::Hemisphere].map(of_domain) {
             let direction = seen(DVec2::new(0.3, -0.5), view).unwrap();
             assert!((direction.length() - 1.0).abs() < 1e-12);
             assert!(place(direction, view).unwrap().distance(DVec2::new(0.3, -0.5)) < 1e-12);

@@ -1,9 +1,9 @@
 //! Figures of the rendered scene: 1, 6, 7, 8 and Meyer's third.
 
-use super::camera::{Camera, coded, shot};
+use super::camera::{Camera, shot};
 use super::canvas::{Cell, crop, places, sheet};
 use super::compare::{Difference, amplified, mean, mean_where, most_different, rank_correlation};
-use super::{Figure, Labelled, Number, Options, Place, Shown, Subject, named};
+use super::{Figure, Labelled, Number, Options, Place, Shown, Subject};
 use crate::Result;
 use crate::{Material, Normals, OBJECTS, SIDES, Seen, View};
 use image::RgbImage;
@@ -88,7 +88,7 @@ fn compare(
     let mut all =
         vec![Compared { label: "float32x3".to_owned(), codec: None, picture: float, difference: None }];
     for codec in codecs {
-        let picture = take(camera, coded(codec), material, view)?;
+        let picture = take(camera, Normals::Codec(codec), material, view)?;
         let difference = Some(Difference::of(&all[0].picture, &picture));
         all.push(Compared { label: codec.survey_name.to_owned(), codec: Some(codec), picture, difference });
     }
@@ -288,13 +288,13 @@ fn ranks(camera: &mut dyn Camera, float: &RgbImage) -> Result<Vec<Number>> {
     let (mut numbers, mut pairs) = (Vec::new(), [const { Vec::new() }; 4]);
     for codec in vectors().iter().filter(is_asked) {
         let error = measure(&mut Cpu, codec, Domain::Sphere, MEASURED, 1)?.normal.mean_deg();
-        let coded_sides = sides(camera, coded(codec))?;
+        let coded_sides = sides(camera, Normals::Codec(codec))?;
         // The sky around the sphere does not differ.
         let around =
             mean(float_sides.iter().zip(&coded_sides).map(|(float, coded)| mean_where(&all, float, coded)));
-        let picture = camera.picture(&taken(coded(codec)))?;
+        let picture = camera.picture(&taken(Normals::Codec(codec)))?;
         let (whole, on_curved) = (mean_where(&all, float, &picture), mean_where(&curved, float, &picture));
-        let seen = camera.surface(&taken(coded(codec)))?;
+        let seen = camera.surface(&taken(Normals::Codec(codec)))?;
         let error_seen = error_shown(seen.iter().filter(|seen| is_curved(seen)));
         let found = [(error, around), (error_seen, on_curved), (error, on_curved), (error, whole)];
         pairs.iter_mut().zip(found).for_each(|(pairs, pair)| pairs.push(pair));
@@ -332,8 +332,7 @@ const MEYER: [(&str, &str); 7] = [
 
 /// Meyer's figure 3: a highlight on the panel at 16 bits.
 pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
-    let codecs =
-        if options.codecs.is_empty() { named(&MEYER.map(|(id, _)| id))? } else { options.codecs.clone() };
+    let codecs = options.codecs_or(&MEYER.map(|(id, _)| id))?;
     let mut compared = compare(camera, &codecs, Material::Glossy, View::Panel)?;
     for shown in &mut compared {
         let meyers = MEYER.iter().find(|(id, _)| *id == shown.id());

@@ -29,11 +29,10 @@ fn on_octahedron(place: DVec2, view: DMat3) -> Option<(DVec3, DVec3)> {
     let (from, toward) = (back * (place * 1.03).extend(3.0), back * DVec3::NEG_Z);
     let faces =
         (0..8).map(|n| DVec3::from_array([0, 1, 2].map(|bit| if n >> bit & 1 == 0 { 1.0 } else { -1.0 })));
-    let hits = faces.filter(|face| face.dot(toward) < 0.0).filter_map(|face| {
+    faces.filter(|face| face.dot(toward) < 0.0).find_map(|face| {
         let point = from + (1.0 - face.dot(from)) / face.dot(toward) * toward;
         (point * face).cmpge(DVec3::splat(-1e-9)).all().then_some((point, face.normalize()))
-    });
-    hits.into_iter().next()
+    })
 }
 
 /// Figure 3: how the octants of a sphere become a square.

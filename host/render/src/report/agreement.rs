@@ -1,96 +1,50 @@
 //! A device's agreement with the CPU, as the page shows it.
 
-use crate::conform::{Conversion, Report, Row};
-use serde::Serialize;
+use crate::conform::{Report, Row};
+use minijinja::{Value, context};
 use std::collections::BTreeSet;
-use unitvec_run::backend::BackendKind;
 use unitvec_run::conform as kernels;
-use unitvec_vulkan::DeviceInfo;
 
-/// The agreement of the device's kernels with the CPU.
-#[derive(Serialize)]
-pub struct Agreement<'a> {
-    device: &'a DeviceInfo,
-    totals: kernels::Summary<'a>,
-    rounds_to_nearest: bool,
-    /// The backends that were compared.
-    backends: Vec<BackendKind>,
-    /// The codecs that differ, with how often.
-    differing: Vec<(&'a str, u64)>,
-}
-
-impl<'a> Agreement<'a> {
-    /// Sums up the report of a run.
-    pub fn of(report: &'a kernels::Report) -> Self {
-        let first = report.rows.first();
-        Self {
-            device: &report.device,
-            totals: report.summary(),
-            rounds_to_nearest: kernels::all_round_to_nearest(&report.rounding),
-            backends: first.map_or_else(Vec::new, |row| row.encode_mismatches.keys().copied().collect()),
-            differing: differing(report.rows.iter().map(|row| (row.id.as_str(), row.mismatches()))),
-        }
+/// The agreement of the device's kernels with the CPU, from the report of a run.
+pub fn of_kernels(report: &kernels::Report) -> Value {
+    let first = report.rows.first();
+    let backends = first.map_or_else(Vec::new, |row| row.encode_mismatches.keys().collect());
+    context! {
+        device => report.device,
+        totals => report.summary(),
+        rounds_to_nearest => kernels::all_round_to_nearest(&report.rounding),
+        backends,
+        differing => differing(report.rows.iter().map(|row| (row.id.as_str(), row.mismatches()))),
     }
 }
 
-/// The graphics pipeline's agreement with the CPU.
-#[derive(Serialize)]
-pub struct Pipeline<'a> {
-    device: &'a DeviceInfo,
-    agreed: bool,
-    codecs: usize,
-    /// The languages of the shaders.
-    sources: Vec<BackendKind>,
-    /// Texels and vertices.
-    compared: u64,
-    differing: u64,
-    checks: [Check; 4],
-    /// The device's conversions of the numbers of formats, by the formats' names.
-    conversions: Vec<(&'a str, String)>,
-    /// Vectors that changed between vertex and fragment shader beyond what Vulkan allows.
-    changed: u64,
-    /// The codecs that differ, with how often.
-    failed: Vec<(&'a str, u64)>,
-    /// Formats that the device does not support, with their uses.
-    unsupported: BTreeSet<&'a str>,
-}
+/// The ways through the pipeline, in the order of [`Checks::all`](crate::conform::Checks::all).
+const WAYS: [&str; 4] =
+    ["codes in attachments", "normals from textures", "normals from vertices", "codes in the scene"];
 
-/// One way through the pipeline.
-#[derive(Serialize)]
-struct Check {
-    what: &'static str,
-    compared: u64,
-    differing: u64,
-}
-
-impl<'a> Pipeline<'a> {
-    /// Sums up the report of a run.
-    pub fn of(report: &'a Report) -> Self {
-        let Report { device, agreed, traits, rows, projections, .. } = report;
-        const WHAT: [&str; 4] =
-            ["codes in attachments", "normals from textures", "normals from vertices", "codes in the scene"];
-        let mut checks = WHAT.map(|what| Check { what, compared: 0, differing: 0 });
-        let all = || rows.iter().chain(projections);
-        for of_source in all().flat_map(|row| row.checks.values()) {
-            for (check, tally) in checks.iter_mut().zip(of_source.all()) {
-                check.compared += tally.compared;
-                check.differing += tally.differing;
-            }
-        }
-        let in_words = |one: &'a Conversion| (one.name(), one.in_words());
-        Self {
-            device,
-            agreed: *agreed,
-            codecs: rows.len(),
-            sources: rows.first().map_or_else(Vec::new, |row| row.checks.keys().copied().collect()),
-            compared: all().map(Row::compared).sum(),
-            differing: all().map(Row::differences).sum(),
-            checks,
-            conversions: traits.conversions.iter().map(in_words).collect(),
-            changed: traits.changed,
-            failed: differing(all().map(|row| (row.id.as_str(), row.differences()))),
-            unsupported: rows.iter().flat_map(|row| &row.unsupported).map(String::as_str).collect(),
-        }
+/// The graphics pipeline's agreement with the CPU, from the report of a run.
+pub fn of_pipeline(report: &Report) -> Value {
+    let Report { device, agreed, traits, rows, projections, .. } = report;
+    let all = || rows.iter().chain(projections);
+    let checks = (0..).zip(WAYS).map(|(way, what)| {
+        let tallies = || all().flat_map(|row| row.checks.values()).map(|checks| checks.all()[way]);
+        let compared = tallies().map(|tally| tally.compared).sum::<u64>();
+        context! { what, compared, differing => tallies().map(|tally| tally.differing).sum::<u64>() }
+    });
+    let conversions = traits.conversions.iter().map(|one| (one.name(), one.in_words()));
+    let unsupported: BTreeSet<&String> = rows.iter().flat_map(|row| &row.unsupported).collect();
+    context! {
+        device,
+        agreed,
+        codecs => rows.len(),
+        sources => rows.first().map_or_else(Vec::new, |row| row.checks.keys().collect()),
+        compared => all().map(Row::compared).sum::<u64>(),
+        differing => all().map(Row::differences).sum::<u64>(),
+        checks => checks.collect::<Vec<_>>(),
+        conversions => conversions.collect::<Vec<_>>(),
+        changed => traits.changed,
+        failed => differing(all().map(|row| (row.id.as_str(), row.differences()))),
+        unsupported,
     }
 }
 
@@ -102,6 +56,11 @@ fn differing<'a>(rows: impl Iterator<Item = (&'a str, u64)>) -> Vec<(&'a str, u6
 #[cfg(test)]
 mod tests {
     use super::*;
+    use serde_json::json;
+
+    fn shown(value: Value) -> serde_json::Value {
+        serde_json::to_value(value).unwrap()
+    }
 
     const DEVICE: &str =
         r#""device": {"index": 0, "name": "n", "kind": "software", "driver": "d", "api_version": "1.3"}"#;
@@ -121,11 +80,11 @@ mod tests {
             row("oct16", [2, 1]),
             row("oct32", [0, 0])
         );
-        let report = serde_json::from_str(&json).unwrap();
-        let Agreement { totals, rounds_to_nearest, backends, differing, .. } = Agreement::of(&report);
-        assert_eq!((totals.codecs, totals.vectors, totals.codes, totals.mismatches), (2, 10, 12, 3));
-        assert_eq!((rounds_to_nearest, backends), (false, vec![BackendKind::Rust]));
-        assert_eq!(differing, [("oct16", 3)]);
+        let shown = shown(of_kernels(&serde_json::from_str(&json).unwrap()));
+        let totals = ["codecs", "vectors", "codes", "mismatches"].map(|key| &shown["totals"][key]);
+        assert_eq!(totals, [2, 10, 12, 3]);
+        assert_eq!((&shown["rounds_to_nearest"], &shown["backends"]), (&json!(false), &json!(["rust"])));
+        assert_eq!(shown["differing"], json!([["oct16", 3]]));
     }
 
     /// A report of `conform pipeline` with one codec that differs in a texture is read as it was written.
@@ -140,12 +99,11 @@ mod tests {
             "vertex": {{"compared": 7, "differing": 0}}, "scene": {{"compared": 8, "differing": 0}}}}}}, "examples": [],
             "projected": {{"rust": {{"texels": 3, "differing": 2, "max_steps": 1, "unexplained": 1}}}}}}]}}"#
         );
-        let report = serde_json::from_str(&json).unwrap();
-        let pipeline = Pipeline::of(&report);
-        assert_eq!((pipeline.codecs, pipeline.compared, pipeline.differing), (1, 26, 3));
-        assert_eq!(pipeline.failed, [("oct16", 3)]);
-        assert_eq!((pipeline.checks[1].compared, pipeline.checks[1].differing), (6, 2));
-        let expected = ("A2B10G10R10_SNORM", "no attachment; 1 of 4 fetched inexactly".to_owned());
-        assert_eq!(pipeline.conversions, [expected]);
+        let shown = shown(of_pipeline(&serde_json::from_str(&json).unwrap()));
+        assert_eq!(["codecs", "compared", "differing"].map(|key| &shown[key]), [1, 26, 3]);
+        assert_eq!(shown["failed"], json!([["oct16", 3]]));
+        assert_eq!(["compared", "differing"].map(|key| &shown["checks"][1][key]), [6, 2]);
+        let expected = json!([["A2B10G10R10_SNORM", "no attachment; 1 of 4 fetched inexactly"]]);
+        assert_eq!(shown["conversions"], expected);
     }
 }

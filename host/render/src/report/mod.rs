@@ -10,7 +10,6 @@ pub use tables::{Machine, shipped_costs, work};
 use crate::conform;
 use crate::figures::{Difference, Figure, Figures, Labelled, Shown};
 use crate::{Error, Result};
-use agreement::{Agreement, Pipeline};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use minijinja::{AutoEscape, Environment, HtmlEscape, Value, context};
@@ -72,8 +71,8 @@ pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
         figures => figures.into_iter().map(|(figure, _)| figure).collect::<Vec<_>>(),
         // Set where figures are missing.
         note,
-        agreement => contents.agreement.as_ref().map(Agreement::of),
-        pipeline => contents.pipeline.as_ref().ok().map(Pipeline::of),
+        agreement => contents.agreement.as_ref().map(agreement::of_kernels),
+        pipeline => contents.pipeline.as_ref().ok().map(agreement::of_pipeline),
         no_pipeline => contents.pipeline.as_ref().err(),
     };
     render(page).map_err(|error| Error::Page(error.to_string()))

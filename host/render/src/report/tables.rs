@@ -2,11 +2,12 @@
 
 use crate::Result;
 use crate::Storage;
+use minijinja::{Value, context};
 use serde::Serialize;
 use unitvec_catalogue::{AnyCodec, Domain, Operation, find, vectors};
 use unitvec_choose::REFERENCE;
 use unitvec_choose::costs::{GENERATIONS, USUAL};
-use unitvec_choose::{COUNT, Costs, RECOMMENDED};
+use unitvec_choose::{COUNT, Costs, RECOMMENDED, Recommendation};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, measure_meyer_row, measure_row};
 use unitvec_lab::bench::survey_ns;
@@ -114,65 +115,37 @@ fn attachment(format: &AnyCodec) -> String {
     format!("{:?}{spare}{or}", storage.texel())
 }
 
-/// The recommended codec for a purpose.
-#[derive(Serialize)]
-pub struct Answer {
-    purpose: &'static str,
-    codecs: Vec<AnswerCodec>,
-}
-
-#[derive(Serialize)]
-struct AnswerCodec {
-    id: &'static str,
-    bits: u32,
-    format: Option<&'static str>,
-    /// The attachment in a G-buffer.
-    attachment: String,
-    mean: Option<f64>,
-    max: f64,
-    costs: [Option<f64>; 2],
-}
-
 /// The recommendations of `choose` and README.
-pub fn answers(codecs: &[Codec]) -> Vec<Answer> {
+pub fn answers(codecs: &[Codec]) -> Vec<Value> {
     let of_codec = |id: &&'static str| {
         let codec = find(id).ok()?;
         let measured = codecs.iter().find(|measured| measured.id == codec.id);
-        Some(AnswerCodec {
-            id: codec.id,
-            bits: codec.bits,
-            format: codec.vk_format.map(short_format),
-            attachment: attachment(codec),
-            mean: measured.map(|measured| measured.mean),
-            max: f64::from(codec.max_errors_deg[0]),
-            costs: measured.map_or([None; 2], |measured| measured.costs[0]),
+        Some(context! {
+            id => codec.id,
+            bits => codec.bits,
+            format => codec.vk_format.map(short_format),
+            attachment => attachment(codec),
+            mean => measured.map(|measured| measured.mean),
+            max => f64::from(codec.max_errors_deg[0]),
+            costs => measured.map_or([None; 2], |measured| measured.costs[0]),
         })
     };
-    let answer = |one: &unitvec_choose::Recommendation| Answer {
-        purpose: one.purpose,
-        codecs: one.codecs.iter().filter_map(of_codec).collect(),
+    let of_purpose = |one: &Recommendation| {
+        let codecs: Vec<Value> = one.codecs.iter().filter_map(of_codec).collect();
+        context! { purpose => one.purpose, codecs }
     };
-    RECOMMENDED.iter().map(answer).collect()
+    RECOMMENDED.iter().map(of_purpose).collect()
 }
 
-/// A published table beside ours.
-#[derive(Serialize)]
-pub struct PageTable {
-    title: &'static str,
-    note: String,
-    columns: Vec<String>,
-    rows: Vec<Vec<String>>,
-}
-
-/// The survey's tables 1, 2 and 3, and Meyer's.
-pub fn published(all: &[Costs], count: usize, progress: &mut dyn FnMut()) -> Result<Vec<PageTable>> {
+/// The survey's tables 1, 2 and 3, and Meyer's, beside ours.
+pub fn published(all: &[Costs], count: usize, progress: &mut dyn FnMut()) -> Result<Vec<Value>> {
     let one = errors(Table::One, "The survey's table 1: errors over the sphere", count, progress)?;
     let two = of_survey(all);
     let three = errors(Table::Three, "The survey's table 3: the hemisphere z >= 0", count, progress)?;
     Ok(vec![one, two, three, meyer(count, progress)?])
 }
 
-fn errors(table: Table, title: &'static str, count: usize, progress: &mut dyn FnMut()) -> Result<PageTable> {
+fn errors(table: Table, title: &str, count: usize, progress: &mut dyn FnMut()) -> Result<Value> {
     let mut rows = Vec::new();
     for published in table.published() {
         let Some(codec) = published.codec() else { continue };
@@ -187,16 +160,14 @@ fn errors(table: Table, title: &'static str, count: usize, progress: &mut dyn Fn
         ]);
         progress();
     }
-    let columns = ["codec", "bits", "mean", "survey's mean", "max of these", "survey's max"]
-        .map(str::to_owned)
-        .to_vec();
+    let columns = ["codec", "bits", "mean", "survey's mean", "max of these", "survey's max"];
     let note = format!(
         "Degrees, measured over {count} random directions, beside the published figures; in the survey's order."
     );
-    Ok(PageTable { title, note, columns, rows })
+    Ok(context! { title, note, columns, rows })
 }
 
-fn of_survey(all: &[Costs]) -> PageTable {
+fn of_survey(all: &[Costs]) -> Value {
     let ratio = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.2}"));
     let both = |costs: [Option<f64>; 2]| costs.map(ratio).join(" / ");
     let [encode, decode] =
@@ -208,21 +179,20 @@ fn of_survey(all: &[Costs]) -> PageTable {
             all.iter().map(|costs| both(Operation::ALL.map(|operation| costs.of(codec.id, operation))));
         Some([codec.survey_name.to_owned(), survey].into_iter().chain(others).collect())
     });
-    let devices = all
-        .iter()
-        .map(|costs| costs.device().split([',', '(']).next().unwrap_or_default().trim_end().to_owned());
-    PageTable {
-        title: "The survey's table 2: costs",
-        note: format!(
+    let devices =
+        all.iter().map(|costs| costs.device().split([',', '(']).next().unwrap_or_default().trim_end());
+    context! {
+        title => "The survey's table 2: costs",
+        note => format!(
             "Encoding / decoding as multiples of {REFERENCE}'s: the survey's times on a GeForce GTX 680, what the compilers of \
              AMD's GPUs estimate, and times measured on the others."
         ),
-        columns: ["codec".to_owned(), "GTX 680 (survey)".to_owned()].into_iter().chain(devices).collect(),
-        rows: rows.collect(),
+        columns => ["codec", "GTX 680 (survey)"].into_iter().chain(devices).collect::<Vec<_>>(),
+        rows => rows.collect::<Vec<Vec<String>>>(),
     }
 }
 
-fn meyer(count: usize, progress: &mut dyn FnMut()) -> Result<PageTable> {
+fn meyer(count: usize, progress: &mut dyn FnMut()) -> Result<Value> {
     let mut rows = Vec::new();
     for method in &METHODS {
         for codec in WIDTHS.iter().filter_map(|bits| method.codec(*bits)) {
@@ -238,13 +208,12 @@ fn meyer(count: usize, progress: &mut dyn FnMut()) -> Result<PageTable> {
             progress();
         }
     }
-    Ok(PageTable {
-        title: "Meyer's table 1: bounds",
-        note: "Degrees: the largest error as Meyer et al. estimate it for so many bits, to first order, and the largest that a \
-               search finds. What is found may lie above the estimate; at 48 bits the arithmetic in f32 adds its own, and floats \
-               of 16 bits stand for their floating-point normals."
-            .to_owned(),
-        columns: ["method", "codec", "bits", "estimate", "found"].map(str::to_owned).to_vec(),
+    Ok(context! {
+        title => "Meyer's table 1: bounds",
+        note => "Degrees: the largest error as Meyer et al. estimate it for so many bits, to first order, and the largest that a \
+                 search finds. What is found may lie above the estimate; at 48 bits the arithmetic in f32 adds its own, and \
+                 floats of 16 bits stand for their floating-point normals.",
+        columns => ["method", "codec", "bits", "estimate", "found"],
         rows,
     })
 }
