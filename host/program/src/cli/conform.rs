@@ -245,7 +245,8 @@ fn verdict(report: &Report, validation_messages: usize) -> String {
                 step off\n"
             .to_owned();
     }
-    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
+    let failed: Vec<&str> =
+        report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
     let failed = if failed.is_empty() { "none of the codecs" } else { &failed.join(", ") };
     let rounding = if is_nearest(&report.rounding) { "" } else { "; sums are not rounded to nearest" };
     format!("\nconform: FAIL: differences in {failed}{rounding}\n")
