@@ -67,7 +67,6 @@ impl DrawTarget for Canvas {
 
 /// A picture with the lines below it.
 pub struct Cell {
-    /// The picture.
     pub picture: RgbImage,
     /// One line each; those that are too long for the picture are cut.
     pub lines: Vec<String>,

@@ -33,7 +33,6 @@ pub struct Compared {
     pub label: String,
     /// The codec, unless it is floats.
     pub codec: Option<&'static AnyCodec>,
-    /// The picture.
     pub picture: RgbImage,
     /// The picture's difference; `None` for floats.
     pub difference: Option<Difference>,
