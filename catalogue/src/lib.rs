@@ -12,15 +12,16 @@
 //! ```
 //!
 //! A program that knows its codec when it is written needs only [`unitvec`]. This crate compiles all of them, which takes
-//! about a minute on two cores. With the feature `serde`, [`AnyCodec`], [`Element`] and [`Operation`] can be serialised.
+//! about a minute on two cores. With the feature `serde`, [`AnyCodec`], [`Element`] and [`Operation`] can be serialised;
+//! with `schemars`, they have JSON schemas.
 
 mod cpu;
+#[cfg(feature = "serde")]
+mod json;
 mod list;
 
 use bytemuck::{cast_slice, cast_slice_mut};
 use cpu::{AnyFunctions, Functions, resized, with_functions};
-#[cfg(feature = "serde")]
-use serde::ser::SerializeMap;
 use std::hash::{Hash, Hasher};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{EncodeAt, LengthMismatch, expect_length, par_decode_with, par_encode_with};
@@ -217,47 +218,10 @@ impl AnyCodec {
     }
 }
 
-/// The codec as JSON: a row of `unitvec codecs --json`. Codecs of frames have the properties that tell them apart.
-#[cfg(feature = "serde")]
-impl serde::Serialize for AnyCodec {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("element", &self.element)?;
-        map.serialize_entry("id", self.id)?;
-        map.serialize_entry("rust_type", self.rust_type)?;
-        if self.element == Element::Vector {
-            map.serialize_entry("survey_name", self.survey_name)?;
-        }
-        map.serialize_entry("bits", &self.bits)?;
-        map.serialize_entry("bytes", &self.bytes)?;
-        map.serialize_entry("vk_format", &self.vk_format)?;
-        match self.element {
-            Element::Vector => {
-                let is_hemisphere = self.domain == Domain::Hemisphere;
-                map.serialize_entry("domain", if is_hemisphere { "hemisphere" } else { "sphere" })?;
-                map.serialize_entry("is_unit", &self.is_unit)?;
-                map.serialize_entry("exact_axes", &self.exact_axes)?;
-                map.serialize_entry("stable_across_devices", &self.stable_across_devices)?;
-                map.serialize_entry("max_error_deg", &self.max_error_deg())?;
-                map.serialize_entry("family", self.family)?;
-                map.serialize_entry("encodes_by_table", &self.encodes_by_table)?;
-            }
-            Element::Frame => {
-                for (direction, bound) in self.element.directions().iter().zip(self.max_errors_deg) {
-                    map.serialize_entry(&format!("max_{direction}_error_deg"), bound)?;
-                }
-            }
-        }
-        for operation in Operation::ALL {
-            map.serialize_entry(&format!("{operation}_function"), &self.function(operation))?;
-        }
-        map.end()
-    }
-}
-
 /// The kind of element that a codec encodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub enum Element {
     /// Vectors of three floats.
     Vector,
@@ -300,6 +264,7 @@ impl Element {
 /// An operation of a codec.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "lowercase"))]
+#[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 pub enum Operation {
     /// Vectors or frames to codes.
     Encode,

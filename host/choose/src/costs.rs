@@ -80,7 +80,9 @@ impl Generation {
 }
 
 /// The language that a kernel was compiled from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, schemars::JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
     /// Rust: the SPIR-V that ships.
@@ -102,7 +104,7 @@ impl fmt::Display for Source {
 }
 
 /// A compiler's figures for the kernels.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Report {
     /// Device and driver.
     pub device: DeviceInfo,
@@ -113,7 +115,7 @@ pub struct Report {
 }
 
 /// A compiler's figures for one kernel. Those that the driver does not give are null.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec; for a textbook's kernel the codec in the same format.
     pub id: String,

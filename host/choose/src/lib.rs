@@ -163,7 +163,7 @@ impl Costs {
 }
 
 /// A codec that satisfies the demand.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Candidate {
     /// Codec.
     pub id: &'static str,

@@ -37,7 +37,7 @@ pub struct Options {
 }
 
 /// All that was measured.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Report {
     /// Device.
     pub device: DeviceInfo,
@@ -50,7 +50,7 @@ pub struct Report {
 }
 
 /// The measurements of one kernel.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec.
     pub id: &'static str,

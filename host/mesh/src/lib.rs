@@ -78,7 +78,7 @@ pub struct Frames {
 }
 
 /// The range of the vertices of a mesh or primitive.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize, schemars::JsonSchema)]
 pub struct Part {
     /// Index of the mesh in the file.
     pub mesh: usize,
@@ -422,27 +422,6 @@ mod tests {
         }
     }
 
-    /// A directory that goes when the test ends.
-    pub(super) struct Scratch(PathBuf);
-
-    impl Scratch {
-        pub(super) fn new(test: &str) -> Self {
-            let dir = std::env::temp_dir().join(format!("unitvec-mesh-{}-{test}", std::process::id()));
-            std::fs::create_dir_all(&dir).unwrap();
-            Self(dir)
-        }
-
-        pub(super) fn path(&self, name: &str) -> PathBuf {
-            self.0.join(name)
-        }
-    }
-
-    impl Drop for Scratch {
-        fn drop(&mut self) {
-            let _ = std::fs::remove_dir_all(&self.0);
-        }
-    }
-
     const PATH: &str = "a.obj";
 
     fn weighted(positions: &[[f64; 3]], triangles: &[[i64; 3]]) -> Result<Vec<[f32; 3]>, MeshError> {
@@ -517,24 +496,20 @@ mod tests {
         );
     }
 
-    /// A file that cannot be read is reported before its format, and one that is no mesh by its name.
+    /// A file on disk reads like the same text in memory. One that cannot be read is reported before its format, and one that
+    /// is no mesh by its name.
     #[test]
-    fn files_that_are_no_meshes() {
-        let scratch = Scratch::new("none");
-        std::fs::write(scratch.path("a.stl"), b"solid").unwrap();
-        assert!(matches!(read(&scratch.path("a.stl")), Err(MeshError::UnknownFormat { .. })));
-        assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::Read { .. })));
-    }
-
-    /// A file on disk reads like the same text in memory.
-    #[test]
-    fn reads_files() {
-        let scratch = Scratch::new("files");
+    fn files() {
+        let folder = tempfile::tempdir().unwrap();
+        let [obj, stl] = ["a.OBJ", "a.stl"].map(|name| folder.path().join(name));
         let text = b"vn 0 0 1\nvn 3 0 0\n";
-        std::fs::write(scratch.path("a.OBJ"), text).unwrap();
-        let mesh = read(&scratch.path("a.OBJ")).unwrap();
+        std::fs::write(&obj, text).unwrap();
+        let mesh = read(&obj).unwrap();
         assert_eq!(mesh, read_obj(Path::new("memory"), text).unwrap());
         assert_eq!(mesh.normals, [[0.0, 0.0, 1.0], [3.0, 0.0, 0.0]]);
+        std::fs::write(&stl, b"solid").unwrap();
+        assert!(matches!(read(&stl), Err(MeshError::UnknownFormat { .. })));
+        assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::Read { .. })));
     }
 
     /// Every message is one line that names the file.

@@ -252,13 +252,4 @@ mod tests {
             assert!(matches!(read(text), Err(MeshError::NoFaces { .. })), "{text}");
         }
     }
-
-    /// Text cut off anywhere does not panic.
-    #[test]
-    fn truncation_does_not_panic() {
-        let text = cube() + "vn 0 0 1\nvn 1 0 0\n";
-        for end in 0..text.len() {
-            let _ = read(&text[..end]);
-        }
-    }
 }

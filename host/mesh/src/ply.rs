@@ -300,18 +300,7 @@ mod tests {
         parse(Path::new("a.ply"), bytes)
     }
 
-    #[derive(Clone, Copy)]
-    enum Encoding {
-        Ascii,
-        Little,
-        Big,
-    }
-
-    const ENCODINGS: [(Encoding, &str); 3] = [
-        (Encoding::Ascii, "ascii"),
-        (Encoding::Little, "binary_little_endian"),
-        (Encoding::Big, "binary_big_endian"),
-    ];
+    const ENCODINGS: [&str; 3] = ["ascii", "binary_little_endian", "binary_big_endian"];
 
     /// One number of a payload, in the type that its header declares.
     enum Number {
@@ -321,38 +310,34 @@ mod tests {
         F64(f64),
     }
 
-    fn payload(encoding: Encoding, elements: &[Vec<Number>]) -> Vec<u8> {
-        let mut bytes = Vec::new();
+    impl Number {
+        fn written(&self, encoding: &str) -> Vec<u8> {
+            let (text, mut bytes) = match self {
+                Self::U8(n) => (n.to_string(), n.to_le_bytes().to_vec()),
+                Self::I16(n) => (n.to_string(), n.to_le_bytes().to_vec()),
+                Self::F32(n) => (n.to_string(), n.to_le_bytes().to_vec()),
+                Self::F64(n) => (n.to_string(), n.to_le_bytes().to_vec()),
+            };
+            match encoding {
+                "ascii" => return (text + " ").into_bytes(),
+                "binary_big_endian" => bytes.reverse(),
+                _ => {}
+            }
+            bytes
+        }
+    }
+
+    fn file(encoding: &str, header: &str, elements: &[Vec<Number>]) -> Vec<u8> {
+        let mut bytes = format!("ply\nformat {encoding} 1.0\n{header}end_header\n").into_bytes();
         for element in elements {
-            for number in element {
-                bytes.extend(match (encoding, number) {
-                    (Encoding::Ascii, Number::U8(n)) => format!("{n} ").into_bytes(),
-                    (Encoding::Ascii, Number::I16(n)) => format!("{n} ").into_bytes(),
-                    (Encoding::Ascii, Number::F32(n)) => format!("{n} ").into_bytes(),
-                    (Encoding::Ascii, Number::F64(n)) => format!("{n} ").into_bytes(),
-                    (_, Number::U8(n)) => vec![*n],
-                    (Encoding::Little, Number::I16(n)) => n.to_le_bytes().to_vec(),
-                    (Encoding::Little, Number::F32(n)) => n.to_le_bytes().to_vec(),
-                    (Encoding::Little, Number::F64(n)) => n.to_le_bytes().to_vec(),
-                    (Encoding::Big, Number::I16(n)) => n.to_be_bytes().to_vec(),
-                    (Encoding::Big, Number::F32(n)) => n.to_be_bytes().to_vec(),
-                    (Encoding::Big, Number::F64(n)) => n.to_be_bytes().to_vec(),
-                });
-            }
-            if matches!(encoding, Encoding::Ascii) {
-                bytes.push(b'\n');
-            }
+            bytes.extend(element.iter().flat_map(|number| number.written(encoding)));
+            bytes.extend((encoding == "ascii").then_some(b'\n'));
         }
         bytes
     }
 
-    fn file(encoding: (Encoding, &str), header: &str, elements: &[Vec<Number>]) -> Vec<u8> {
-        let head = format!("ply\nformat {} 1.0\n{header}end_header\n", encoding.1);
-        [head.into_bytes(), payload(encoding.0, elements)].concat()
-    }
-
     /// The cube without normals: positions as doubles, faces as lists of shorts after a property to skip.
-    fn cube(encoding: (Encoding, &str), list: &str) -> Vec<u8> {
+    fn cube(encoding: &str, list: &str) -> Vec<u8> {
         let header = format!(
             "comment a cube\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n\
             element face 6\nproperty uchar flags\nproperty list uchar short {list}\n"
@@ -366,7 +351,7 @@ mod tests {
     }
 
     /// Two vertices with normals of mixed types, and an element to skip before them.
-    fn with_normals(encoding: (Encoding, &str), second: f32) -> Vec<u8> {
+    fn with_normals(encoding: &str, second: f32) -> Vec<u8> {
         let header = "element extra 1\nproperty list uchar float weights\n\
             element vertex 2\nproperty float x\nproperty float y\nproperty float z\n\
             property float nx\nproperty short ny\nproperty double nz\n";
@@ -479,29 +464,12 @@ mod tests {
         }
     }
 
-    /// A binary file cut off at any byte is an error, not a panic, and so is an empty one.
+    /// A binary file cut off at any byte is an error, and so is an empty one. (`tests/fuzz` damages files otherwise.)
     #[test]
     fn truncation_is_an_error() {
         for encoding in &ENCODINGS[1..] {
-            for bytes in [cube(*encoding, INDICES[0]), with_normals(*encoding, 1.0)] {
+            for bytes in [cube(encoding, INDICES[0]), with_normals(encoding, 1.0)] {
                 assert!((0..bytes.len()).all(|end| read(&bytes[..end]).is_err()));
-            }
-        }
-        let bytes = cube(ENCODINGS[0], INDICES[0]);
-        (0..bytes.len()).for_each(|end| drop(read(&bytes[..end])));
-    }
-
-    /// One wrong byte anywhere does not panic.
-    #[test]
-    fn damage_does_not_panic() {
-        for encoding in ENCODINGS {
-            let bytes = cube(encoding, INDICES[1]);
-            for at in 0..bytes.len() {
-                for value in [0, b'0', b'9', b'-', b'\n', 0x80, 0xff] {
-                    let mut damaged = bytes.clone();
-                    damaged[at] = value;
-                    let _ = read(&damaged);
-                }
             }
         }
     }

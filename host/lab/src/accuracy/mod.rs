@@ -70,7 +70,7 @@ impl Published {
 }
 
 /// A row measured.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Row {
     /// Table it belongs to.
     pub table: &'static str,

@@ -23,7 +23,7 @@ use unitvec_run::backend::BackendKind;
 use unitvec_run::workers;
 
 /// The extent of the experiment.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Options {
     /// Random vectors or frames for each codec, and random codes for those whose codes are not all decoded.
     pub count: usize,
@@ -48,7 +48,7 @@ impl Options {
 }
 
 /// The outcome for one codec: of all models, seeds and sources of kernels.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec.
     pub id: String,
@@ -64,7 +64,7 @@ pub struct Row {
 }
 
 /// Results of one model's devices compared with the CPU: the worse of both where kernels from Rust and GLSL differ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Outcome {
     /// Random elements with another code than the CPU's.
     pub codes_differ: u64,

@@ -8,7 +8,20 @@ use std::fmt;
 ///
 /// Source: Vulkan specification, appendix "Vulkan Environment for SPIR-V", "Precision of Individual Operations" and
 /// "Denormalized values".
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum)]
+#[derive(
+    Clone,
+    Copy,
+    Debug,
+    PartialEq,
+    Eq,
+    Hash,
+    PartialOrd,
+    Ord,
+    Serialize,
+    Deserialize,
+    ValueEnum,
+    schemars::JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Model {
     /// All quotients and square roots are too large, by as much as the specification allows.

@@ -14,7 +14,7 @@ use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::FormatUse;
 
 /// A codec's projection, rounded by the hardware.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Projected {
     /// Texels compared with the CPU's codes.
     pub texels: u64,

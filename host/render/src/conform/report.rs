@@ -9,7 +9,7 @@ use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::{Device, DeviceInfo, FormatUse, ImageFormat};
 
 /// The outcome for all codecs.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Report {
     /// Device.
     pub device: DeviceInfo,
@@ -49,7 +49,7 @@ impl Report {
 }
 
 /// A device's effect on normals before and after they are codes.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Traits {
     /// The device's conversions to and from formats of two numbers.
     pub conversions: Vec<Conversion>,
@@ -72,7 +72,7 @@ impl Traits {
 }
 
 /// The outcome for one codec, or for one projection in one format.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec or projection.
     pub id: String,
@@ -94,7 +94,7 @@ pub struct Row {
 }
 
 /// The comparisons with the CPU.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Checks {
     /// Codes in an attachment, with those that the CPU encodes the same normals to.
     pub attachment: Tally,
@@ -107,7 +107,7 @@ pub struct Checks {
 }
 
 /// The numbers of elements compared and of those that differ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Tally {
     /// Compared.
     pub compared: u64,

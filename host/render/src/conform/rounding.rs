@@ -11,7 +11,7 @@ use std::fmt;
 use unitvec_vulkan::FormatUse;
 
 /// A device's rounding when it writes to an SNORM or UNORM format: of `x` times the largest integer.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum HardwareRounding {
     /// The product in f32 to nearest, halves to even.
@@ -70,7 +70,7 @@ impl HardwareRounding {
 }
 
 /// A device's conversions for one format.
-#[derive(Clone, Debug, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Conversion {
     /// The format.
     pub format: String,

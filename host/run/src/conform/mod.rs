@@ -35,7 +35,7 @@ pub struct Options {
 pub type Backends = BTreeMap<BackendKind, Box<dyn Backend>>;
 
 /// The outcome for all codecs.
-#[derive(Debug, Serialize, Deserialize)]
+#[derive(Debug, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Report {
     /// Device that ran the kernels.
     pub device: DeviceInfo,
@@ -54,7 +54,7 @@ pub struct Report {
 }
 
 /// The outcome for one codec.
-#[derive(Debug, Default, Serialize, Deserialize)]
+#[derive(Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec.
     pub id: String,

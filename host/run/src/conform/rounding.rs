@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use unitvec_catalogue::{AnyCodec, Element, find};
 
 /// A device's rounding of the sum of a number and 1.5 2^23, by which encoders find the nearest whole number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rounding {
     /// Rounds to the nearest whole number, which the codes and error bounds of this library rely on.
