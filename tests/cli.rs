@@ -1,8 +1,9 @@
 //! The program's commands, run as a user runs them.
 
+use crate::faults::assert_fails;
 use base64::Engine;
 use serde_json::{Value, json};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_catalogue::Element;
@@ -31,10 +32,25 @@ fn path(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
+/// The standard output of a command line that succeeds.
+fn printed(line: &str) -> String {
+    let output = run(line.split(' '));
+    assert!(output.status.success(), "{line}: {}", stderr(&output));
+    stdout(&output)
+}
+
+/// The standard output as JSON, without a table around it.
+fn json(line: &str) -> Value {
+    serde_json::from_str(&printed(line)).unwrap()
+}
+
+fn read_json(path: &Path) -> Value {
+    serde_json::from_slice(&std::fs::read(path).unwrap()).unwrap()
+}
+
 #[test]
 fn codecs_lists_the_catalogue() {
-    let table = stdout(&run(["codecs"]));
-    let json: Value = serde_json::from_slice(&run(["codecs", "--json"]).stdout).unwrap();
+    let (table, json) = (printed("codecs"), json("codecs --json -"));
     assert_eq!(json.as_array().unwrap().len(), CODECS.len());
     for (codec, entry) in CODECS.iter().zip(json.as_array().unwrap()) {
         assert!(table.lines().any(|line| line.starts_with(codec.id)), "{}", codec.id);
@@ -54,11 +70,81 @@ fn codecs_lists_the_catalogue() {
     }
 }
 
+/// True where a JSON value is what a schema describes: of the right type, with all keys that it requires and no others.
+fn fits(root: &Value, schema: &Value, value: &Value) -> bool {
+    if let Some(path) = schema["$ref"].as_str() {
+        return fits(root, root.pointer(&path[1..]).unwrap(), value);
+    }
+    if let Some(kinds) = schema["anyOf"].as_array().or(schema["oneOf"].as_array()) {
+        return kinds.iter().any(|kind| fits(root, kind, value));
+    }
+    let is_type = |name: &Value| match name.as_str().unwrap() {
+        "null" => value.is_null(),
+        "boolean" => value.is_boolean(),
+        "integer" => value.is_u64() || value.is_i64(),
+        "number" => value.is_number(),
+        "string" => value.is_string(),
+        "array" => value.is_array(),
+        _ => value.is_object(),
+    };
+    let has_type = match &schema["type"] {
+        Value::Null => true,
+        Value::Array(names) => names.iter().any(is_type),
+        name => is_type(name),
+    };
+    let is_listed = ["enum", "required"].map(|key| schema[key].as_array());
+    let member_fits = |(key, member): (&String, &Value)| {
+        let kind = schema["properties"].get(key).or(schema.get("additionalProperties"));
+        kind.is_some_and(|kind| fits(root, kind, member))
+    };
+    has_type
+        && (schema["const"].is_null() || schema["const"] == *value)
+        && is_listed[0].is_none_or(|values| values.contains(value))
+        && is_listed[1].into_iter().flatten().all(|key| value.get(key.as_str().unwrap()).is_some())
+        && value.as_array().into_iter().flatten().all(|item| fits(root, &schema["items"], item))
+        && value.as_object().into_iter().flatten().all(member_fits)
+}
+
+/// `unitvec schema` describes what each command writes with `--json`, and no command writes anything else.
+#[test]
+fn schemas_describe_what_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let [codes, back, mesh] = ["codes", "back", "two.gltf"].map(|name| folder.path().join(name));
+    std::fs::write(&mesh, two_meshes()).unwrap();
+    let (codes, back, mesh) = (path(&codes), path(&back), path(&mesh));
+    let mut commands = vec![
+        ("codecs", String::new()),
+        ("encode", format!("--codec hemioct16 {mesh} {codes}")),
+        ("decode", format!("--codec oct16 {codes} {back}")),
+        ("normals", format!("{mesh} {back}")),
+        ("error", format!("--codec oct16 {mesh}")),
+        ("choose", "--bits 16".into()),
+        ("accuracy", "--count 10 --table 3".into()),
+        ("conform", "--count 10 --codec oct16,frame32".into()),
+        ("conform kernels", "--count 10 --codec oct8".into()),
+        ("conform pipeline", "--count 16 --codec oct16".into()),
+        ("conform imprecise", "--count 10 --codec oct16".into()),
+    ];
+    if cfg!(feature = "glsl") {
+        let few = "--count 100 --samples 1 --codec oct16".to_owned();
+        commands.extend([("bench", few.clone()), ("bench device", few)]);
+        commands.push(("bench compiler", "--gpu navi21 --codec oct16".into()));
+    }
+    for (command, arguments) in &commands {
+        let schema = json(&format!("schema {command}"));
+        let written = json(format!("{command} --json - {arguments}").trim_end());
+        assert!(fits(&schema, &schema, &written), "{command}: {written}");
+        assert!(!fits(&schema, &schema, &Value::Bool(true)), "{command}");
+    }
+    let listed = printed("schema");
+    let is_run = |name: &&str| cfg!(feature = "glsl") || !name.starts_with("bench");
+    let run: HashSet<&str> = commands.iter().map(|(command, _)| *command).collect();
+    assert_eq!(listed.lines().filter(is_run).collect::<HashSet<_>>(), run);
+}
+
 #[test]
 fn devices_marks_the_one_that_would_be_used() {
-    let output = run(["devices"]);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let text = stdout(&output);
+    let text = printed("devices");
     assert!(text.lines().any(|line| line.starts_with('*') && line.contains("llvmpipe")), "{text}");
 }
 
@@ -161,17 +247,6 @@ fn standard_streams_are_a_pipe() {
     assert!(nothing.status.success() && nothing.stdout.is_empty());
 }
 
-#[test]
-fn a_mesh_is_encoded_as_its_normals() {
-    let folder = tempfile::tempdir().unwrap();
-    let bunny = repository().join("host/mesh/data/bunny.obj");
-    let codes = folder.path().join("bunny.oct16p");
-    let output = run(["encode", "--codec", "oct16p", path(&bunny), path(&codes)]);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let normals = mesh::read(&bunny).unwrap().normals;
-    assert_eq!(std::fs::read(&codes).unwrap().len(), 2 * normals.len());
-}
-
 /// A glTF file with two meshes. The first has normals: +X, zero and NaN. The second, `bare`, has four vertices and one
 /// face, which faces -Z and does not use its second vertex.
 fn two_meshes() -> String {
@@ -242,7 +317,7 @@ fn encode_says_it_in_json() {
     let folder = tempfile::tempdir().unwrap();
     let [mesh, codes] = ["two.gltf", "codes"].map(|name| folder.path().join(name));
     std::fs::write(&mesh, two_meshes()).unwrap();
-    let encode = |out| run(["encode", "--json", "--codec", "oct16", path(&mesh), out]);
+    let encode = |out| run(["encode", "--json", "-", "--codec", "oct16", path(&mesh), out]);
     let to_file = encode(path(&codes));
     assert!(to_file.stderr.is_empty());
     let mut json: Value = serde_json::from_slice(&to_file.stdout).unwrap();
@@ -317,7 +392,7 @@ fn another_name_of_the_standard_output() {
     let out = folder.path().join("out");
     std::fs::write(&out, b"before").unwrap();
     let appended = std::fs::File::options().append(true).open(&out).unwrap();
-    let arguments = ["encode", "--json", "--codec", "oct16", "host/mesh/data/bunny.obj", "/dev/stdout"];
+    let arguments = ["encode", "--json", "-", "--codec", "oct16", "host/mesh/data/bunny.obj", "/dev/stdout"];
     let to_file = command(arguments).current_dir(repository()).stdout(appended).output().unwrap();
     let to_pipe = command(arguments).current_dir(repository()).output().unwrap();
     for output in [&to_file, &to_pipe] {
@@ -325,16 +400,6 @@ fn another_name_of_the_standard_output() {
         assert_eq!(json["count"].as_u64().unwrap() as usize * 2, to_pipe.stdout.len());
     }
     assert_eq!(std::fs::read(&out).unwrap(), [&b"before"[..], &to_pipe.stdout].concat());
-}
-
-/// A mesh whose faces have no area gives a code for each vertex.
-#[test]
-fn faces_without_an_area() {
-    let folder = tempfile::tempdir().unwrap();
-    let mesh = folder.path().join("line.obj");
-    std::fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n").unwrap();
-    let output = run(["encode", "--codec", "oct16", path(&mesh), "-"]);
-    assert_eq!(decoded(&output.stdout), [[0.0, 0.0, 1.0]; 3], "{}", stderr(&output));
 }
 
 /// The header and the chunk of a GLB.
@@ -398,7 +463,7 @@ fn normals_are_exported() {
 
     let original: Vec<[f32; 7]> = sampling::random_frames(3).take(10).collect();
     std::fs::write(&framed, gltf(&original)).unwrap();
-    let told = run(["normals", "--frames", "--json", path(&framed), path(&out)]);
+    let told = run(["normals", "--frames", "--json", "-", path(&framed), path(&out)]);
     assert_eq!(elements::<7>(&std::fs::read(&out).unwrap()), original);
     let json: Value = serde_json::from_slice(&told.stdout).unwrap();
     assert_eq!((&json["element"], &json["count"]), (&"frame".into(), &10.into()));
@@ -412,24 +477,22 @@ fn conform_reports_in_words_and_json() {
     let folder = tempfile::tempdir().unwrap();
     let json = folder.path().join("report.json");
     let bunny = repository().join("host/mesh/data/bunny.obj");
-    let arguments = ["conform", "--validate", "--codec", "oct16", "--codec", "hemioct32", "--count", "1000"];
-    let output = run([&arguments[..], &["--json", path(&json), path(&bunny)]].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    let text = stdout(&output);
+    let line = format!(
+        "conform --validate --codec oct16 --codec hemioct32 --count 1000 --json {} {}",
+        path(&json),
+        path(&bunny)
+    );
+    let text = printed(&line);
     assert!(text.contains("conform: PASS"), "{text}");
     let covered = "(all codes of up to 16 bits, 1000 random codes of more)";
     assert!(text.trim_end().ends_with(covered), "{text}");
-    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let report = read_json(&json);
     assert_eq!(report["agreed"], true);
-    assert_eq!(report["all_codes_up_to"], 16);
-    assert_eq!(report["random_directions"], 1000);
+    assert_eq!((&report["all_codes_up_to"], &report["random_directions"]), (&16.into(), &1000.into()));
     assert_eq!(report["glsl_compared"], cfg!(feature = "glsl"));
     assert!(report["device"]["name"].as_str().unwrap().contains("llvmpipe"));
     let rows = report["rows"].as_array().unwrap();
-    assert_eq!(
-        rows.iter().map(|row| row["id"].as_str().unwrap()).collect::<Vec<_>>(),
-        ["oct16", "hemioct32"]
-    );
+    assert!(rows.iter().map(|row| row["id"].as_str().unwrap()).eq(["oct16", "hemioct32"]));
     for row in rows {
         assert!(row["vectors"].as_u64().unwrap() > 1000);
         assert!(row["mean_deg"].as_f64().unwrap() > 0.0);
@@ -448,11 +511,10 @@ fn conform_reports_in_words_and_json() {
 #[test]
 fn conform_sums_up_in_one_line() {
     let folder = tempfile::tempdir().unwrap();
-    let [json, summary] = ["report.json", "summary.tsv"].map(|name| folder.path().join(name));
-    let arguments = ["conform", "--codec", "oct12", "--codec", "frame32", "--count", "10"];
-    let output = run([&arguments[..], &["--json", path(&json), "--summary", path(&summary)]].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let summary = folder.path().join("summary.tsv");
+    let line =
+        format!("conform --codec oct12 --codec frame32 --count 10 --json - --summary {}", path(&summary));
+    let report = json(&line);
     let device = ["name", "driver", "api_version"].map(|field| report["device"][field].as_str().unwrap());
     let rows = report["rows"].as_array().unwrap();
     let total = |field| rows.iter().map(|row| row[field].as_u64().unwrap()).sum::<u64>().to_string();
@@ -463,19 +525,12 @@ fn conform_sums_up_in_one_line() {
     assert_eq!(lines[1..], [[&device[..], &["2", &vectors, &codes, "0"]].concat()]);
 }
 
-/// The report goes to a pipe whole: no table around it.
-fn report(arguments: &[&str]) -> Value {
-    let output = run([&["conform", "--json", "-"], arguments].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
 /// All codes of 20 bits are decoded with `--exhaustive`, and as many as are asked for without.
 #[test]
 fn conform_decodes_all_codes_where_it_says_so() {
-    let arguments = ["--codec", "oct20", "--count", "10"];
+    let [short, whole] = ["", " --exhaustive"]
+        .map(|option| json(&format!("conform --json - --codec oct20 --count 10{option}")));
     let codes = |report: &Value| report["rows"][0]["codes"].as_u64().unwrap();
-    let (short, whole) = (report(&arguments), report(&[&arguments[..], &["--exhaustive"]].concat()));
     assert_eq!(short["rows"][0]["id"], "oct20");
     assert_eq!((&short["all_codes_up_to"], &whole["all_codes_up_to"]), (&16.into(), &24.into()));
     assert_eq!(codes(&whole) - codes(&short), (1 << 20) - 10);
@@ -501,8 +556,7 @@ fn a_replaced_file_keeps_its_place_and_permissions() {
 /// The codecs chosen satisfy the demand; those of fewest bytes come first, and of those the cheapest.
 #[test]
 fn choose_gives_the_cheapest_that_meets_the_demand() {
-    let demand = ["choose", "--max-error", "0.05", "--mean-error", "0.02", "--bits", "32", "--json"];
-    let report: Value = serde_json::from_slice(&run(demand).stdout).unwrap();
+    let report = json("choose --max-error 0.05 --mean-error 0.02 --bits 32 --json -");
     let candidates = report["candidates"].as_array().unwrap();
     assert!(candidates.len() > 5);
     let number = |row: &Value, key: &str| row[key].as_f64().unwrap_or(f64::INFINITY);
@@ -516,67 +570,56 @@ fn choose_gives_the_cheapest_that_meets_the_demand() {
     assert!(candidates.is_sorted_by(|a, b| order(a) <= order(b)));
     assert!(candidates[0]["encode_cost"].is_number(), "the shipped costs lack {}", candidates[0]["id"]);
 
-    let hemisphere = stdout(&run(["choose", "--max-error", "0.6", "--bits", "16", "--hemisphere"]));
+    let hemisphere = printed("choose --max-error 0.6 --bits 16 --hemisphere");
     assert!(hemisphere.contains("hemioct16"), "{hemisphere}");
-    let finest = stdout(&run(["choose", "--bits", "24"]));
-    assert!(finest.contains("ico24: no codec of so many bits has a smaller maximum error"), "{finest}");
-    assert_eq!(run(["choose"]).status.code(), Some(2));
-    let none = run(["choose", "--max-error", "1e-9"]);
-    assert_eq!(none.status.code(), Some(1));
-    assert!(stdout(&none).contains("no codec meets this demand"));
-    assert_eq!(run(["choose", "--max-error", "zero"]).status.code(), Some(2));
+    let finest = printed("choose --bits 24");
+    assert!(finest.contains("take ico24: no codec of so few bits has a smaller maximum error"), "{finest}");
+    for (line, status, words) in [
+        ("choose", 2, "--max-error <DEG>"),
+        ("choose --max-error zero", 2, "zero"),
+        ("choose --max-error 1e-9", 1, "no codec meets this demand"),
+    ] {
+        let output = run(line.split(' '));
+        assert_eq!(output.status.code(), Some(status), "{line}");
+        assert!((stdout(&output) + &stderr(&output)).contains(words), "{line}");
+    }
 }
 
 /// The costs of RDNA 2 are those to choose by where nothing else is named.
 #[test]
 fn choose_takes_the_costs_of_a_gpu() {
-    let with = |gpu: &[&str]| {
-        let output = run([&["choose", "--max-error", "0.05", "--json"], gpu].concat());
-        serde_json::from_slice::<Value>(&output.stdout).unwrap()
-    };
-    let default = with(&[]);
+    let with = |gpu: &str| json(&format!("choose --max-error 0.05 --json -{gpu}"));
+    let default = with("");
     assert!(default["costs_of"].as_str().unwrap().starts_with("RDNA 2 (navi21)"), "{default}");
-    assert_eq!(default, with(&["--gpu", "navi21"]));
-    assert!(with(&["--gpu", "gcn4"])["costs_of"].as_str().unwrap().contains("polaris10"));
-    let lavapipe = with(&["--gpu", "lavapipe"]);
+    assert_eq!(default, with(" --gpu navi21"));
+    assert!(with(" --gpu gcn4")["costs_of"].as_str().unwrap().contains("polaris10"));
+    let lavapipe = with(" --gpu lavapipe");
     assert!(lavapipe["costs_of"].as_str().unwrap().contains("llvmpipe"));
     assert_ne!(lavapipe["candidates"][0]["encode_cost"], default["candidates"][0]["encode_cost"]);
-    let unknown = run(["choose", "--max-error", "0.05", "--gpu", "voodoo2"]);
-    assert_eq!(unknown.status.code(), Some(2));
-    assert!(stderr(&unknown).contains("bench compiler --gpu voodoo2 --json FILE"), "{}", stderr(&unknown));
+    let mut unknown = command(["choose", "--max-error", "0.05", "--gpu", "voodoo2"]);
+    assert_fails(&mut unknown, 2, &["bench compiler --gpu voodoo2 --json FILE"]);
 }
 
-/// A report without `oct32` has no reference for the costs.
-#[test]
-fn choose_needs_oct32_in_a_report() {
-    let folder = tempfile::tempdir().unwrap();
-    let costs = folder.path().join("costs.json");
-    let device = r#"{"index": 0, "name": "a", "kind": "discrete", "driver": "b", "api_version": "1.3.0"}"#;
-    let row = r#"{"id": "oct16", "operation": "encode", "source": "glsl", "inverse_throughput": 100}"#;
-    std::fs::write(&costs, format!(r#"{{"device": {device}, "sources": {{}}, "rows": [{row}]}}"#)).unwrap();
-    let refused = run(["choose", "--max-error", "0.05", "--costs", path(&costs)]);
-    assert_eq!(refused.status.code(), Some(1));
-    assert!(stderr(&refused).contains("no inverse throughput of oct32"), "{}", stderr(&refused));
-}
-
-/// The choice is another one with other costs.
+/// The choice is another one with other costs; a report without `oct32` has no reference for them.
 #[test]
 fn choose_goes_by_the_costs_it_is_given() {
     let folder = tempfile::tempdir().unwrap();
     let costs = folder.path().join("costs.json");
-    let row = |id: &str, operation: &str| {
-        format!(
-            r#"{{"id": "{id}", "operation": "{operation}", "backend": "rust", "alu_ratio_to_oct32": 0.1}}"#
-        )
-    };
-    let rows = [row("ico24", "encode"), row("ico24", "decode")].join(", ");
-    std::fs::write(&costs, format!(r#"{{"device": {{"name": "imagined"}}, "rows": [{rows}]}}"#)).unwrap();
-    let chosen = stdout(&run(["choose", "--max-error", "0.05", "--costs", path(&costs)]));
-    assert!(chosen.contains("imagined") && chosen.contains("\nico24: "), "{chosen}");
-    std::fs::write(&costs, "{}").unwrap();
-    let refused = run(["choose", "--max-error", "0.05", "--costs", path(&costs)]);
-    assert_eq!(refused.status.code(), Some(1));
-    assert!(stderr(&refused).contains("is not a report of `unitvec bench --json`"), "{}", stderr(&refused));
+    let choose = ["choose", "--max-error", "0.05", "--costs", path(&costs)];
+    let row = |operation: &str| json!({"id": "ico24", "operation": operation, "backend": "rust", "alu_ratio_to_oct32": 0.1});
+    let imagined = json!({"device": {"name": "imagined"}, "rows": [row("encode"), row("decode")]});
+    std::fs::write(&costs, imagined.to_string()).unwrap();
+    let chosen = stdout(&run(choose));
+    assert!(chosen.contains("imagined") && chosen.contains("\ntake ico24: "), "{chosen}");
+    let device = json!({"index": 0, "name": "a", "kind": "discrete", "driver": "b", "api_version": "1.3.0"});
+    let row = json!({"id": "oct16", "operation": "encode", "source": "glsl", "inverse_throughput": 100});
+    for (report, words) in [
+        (json!({}), "is not a report of `unitvec bench --json`"),
+        (json!({"device": device, "sources": {}, "rows": [row]}), "no inverse throughput of oct32"),
+    ] {
+        std::fs::write(&costs, report.to_string()).unwrap();
+        assert_fails(&mut command(choose), 1, &[words]);
+    }
 }
 
 /// A row for each operation and backend has plausible figures; the CSV has the same rows.
@@ -584,37 +627,16 @@ fn choose_goes_by_the_costs_it_is_given() {
 #[test]
 fn bench_reports_every_operation_and_backend() {
     let folder = tempfile::tempdir().unwrap();
-    let [json, csv, markdown] =
-        ["json", "csv", "md"].map(|kind| folder.path().join(format!("report.{kind}")));
+    let file = |name: &str| folder.path().join(name);
     cost_kernels(folder.path(), &["oct32", "oct16", "snorm8x3p", "frame64"]);
-    let output = run([
-        "bench",
-        "--device",
-        "llvmpipe",
-        "--validate",
-        "--cost-kernels",
+    let files = ["json", "csv", "markdown"].map(|kind| format!("--{kind} {}", path(&file(kind))));
+    let text = printed(&format!(
+        "bench --device llvmpipe --validate --cost-kernels {} --count 4099 --samples 2 --codec oct16,snorm8x3p,frame64 {}",
         path(folder.path()),
-        "--count",
-        "4099",
-        "--samples",
-        "2",
-        "--codec",
-        "oct16",
-        "--codec",
-        "snorm8x3p",
-        "--codec",
-        "frame64",
-        "--json",
-        path(&json),
-        "--csv",
-        path(&csv),
-        "--markdown",
-        path(&markdown),
-    ]);
-    assert!(output.status.success(), "{}", stderr(&output));
-    let text = stdout(&output);
+        files.join(" ")
+    ));
     assert!(text.contains("warning: this device is a CPU") && text.contains("bench: 3 codecs"), "{text}");
-    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
+    let report = read_json(&file("json"));
     assert_eq!(report["device"]["kind"], "software");
     let rows = report["rows"].as_array().unwrap();
     let named = |row: &Value| ["id", "operation", "backend"].map(|key| row[key].as_str().unwrap().to_owned());
@@ -635,8 +657,8 @@ fn bench_reports_every_operation_and_backend() {
         assert_eq!(row["alu_ns_per_vector"].is_number(), row["by_table"] == false, "{row}");
     }
     assert_eq!(rows[0]["survey_ns_per_vector"].as_f64(), Some(0.023132));
-    assert_eq!(std::fs::read_to_string(&csv).unwrap().lines().count(), 14);
-    assert_eq!(std::fs::read_to_string(&markdown).unwrap().matches("\n| `").count(), 3);
+    let text = |kind| std::fs::read_to_string(file(kind)).unwrap();
+    assert_eq!((text("csv").lines().count(), text("markdown").matches("\n| `").count()), (14, 3));
 }
 
 /// Kernels that measure, compiled from GLSL, in a folder as `cargo xtask spirv --cost` writes those from Rust.
@@ -675,23 +697,16 @@ fn with_entry_point(module: &[u8], name: &str) -> Vec<u8> {
 #[test]
 fn bench_says_how_to_build_the_kernels_that_measure() {
     let folder = tempfile::tempdir().unwrap();
-    let [json, none] = ["report.json", "none"].map(|name| folder.path().join(name));
-    let few = ["bench", "--device", "llvmpipe", "--count", "100", "--samples", "1", "--codec", "oct16"];
-    let output = run([&few[..], &["--json", path(&json)]].concat());
-    assert!(output.status.success(), "{}", stderr(&output));
-    assert!(stdout(&output).contains("cargo xtask spirv --cost"), "{}", stdout(&output));
-    let report: Value = serde_json::from_slice(&std::fs::read(&json).unwrap()).unwrap();
-    for row in report["rows"].as_array().unwrap() {
+    let [costs, none] = ["report.json", "none"].map(|name| folder.path().join(name));
+    let few = "bench --device llvmpipe --count 100 --samples 1 --codec oct16";
+    let text = printed(&format!("{few} --json {}", path(&costs)));
+    assert!(text.contains("cargo xtask spirv --cost"), "{text}");
+    for row in read_json(&costs)["rows"].as_array().unwrap() {
         assert_eq!(row["alu_ratio_to_oct32"].is_number(), row["backend"] == "glsl", "{row}");
     }
-    let chosen = run(["choose", "--max-error", "1", "--bits", "16", "--json", "--costs", path(&json)]);
-    let chosen: Value = serde_json::from_slice(&chosen.stdout).unwrap();
-    assert_eq!(
-        (&chosen["candidates"][0]["id"], chosen["candidates"][0]["encode_cost"].is_number()),
-        (&json!("oct16"), true)
-    );
-    let refused = run([&few[..], &["--cost-kernels", path(&none)]].concat());
-    assert_eq!(refused.status.code(), Some(1));
-    let said = stderr(&refused);
-    assert!(said.lines().count() == 1 && said.contains("`cargo xtask spirv --cost` builds it"), "{said}");
+    let chosen = json(&format!("choose --max-error 1 --bits 16 --json - --costs {}", path(&costs)));
+    let first = &chosen["candidates"][0];
+    assert_eq!((&first["id"], first["encode_cost"].is_number()), (&json!("oct16"), true));
+    let mut without = command(few.split(' ').chain(["--cost-kernels", path(&none)]));
+    assert_fails(&mut without, 1, &["`cargo xtask spirv --cost` builds it"]);
 }

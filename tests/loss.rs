@@ -25,7 +25,7 @@ fn file(folder: &TempDir, name: &str, floats: &[f32]) -> PathBuf {
 fn report(codecs: &[&str], files: &[&Path]) -> Value {
     let codecs = codecs.iter().flat_map(|id| ["--codec".as_ref(), id.as_ref()]);
     let files = files.iter().map(|path| path.as_os_str());
-    let output = run(["error".as_ref(), "--json".as_ref()].into_iter().chain(codecs).chain(files));
+    let output = run(["error", "--json", "-"].map(AsRef::as_ref).into_iter().chain(codecs).chain(files));
     assert!(output.status.success(), "{}", stderr(&output));
     serde_json::from_slice(&output.stdout).unwrap()
 }
@@ -164,13 +164,13 @@ fn inputs_and_backends_are_alike() {
     let folder = tempfile::tempdir().unwrap();
     let path = file(&folder, "in.bin", vectors().as_flattened());
     let of_file = report(&["oct32"], &[&path]);
-    let arguments = ["error", "--json", "--codec", "oct32", "--backend", "rust", "-"];
+    let arguments = ["error", "--json", "-", "--codec", "oct32", "--backend", "rust", "-"];
     let output = run_with_input(arguments, &raw(vectors().as_flattened()));
     let of_pipe: Value = serde_json::from_slice(&output.stdout).unwrap();
     for figure in ["count", "left_out", "mean_deg", "median_deg", "p99_deg", "max_deg"] {
         assert_eq!(of_file["rows"][0][figure], of_pipe["rows"][0][figure], "{figure}");
     }
-    let nothing = run_with_input(["error", "--json", "-"], &[]);
+    let nothing = run_with_input(["error", "--json", "-", "-"], &[]);
     let report: Value = serde_json::from_slice(&nothing.stdout).unwrap();
     assert_eq!((&report["rows"][0]["count"], &report["rows"][0]["mean_deg"]), (&0.into(), &Value::Null));
 }

@@ -61,7 +61,7 @@ fn meshes() {
             encode
         });
         run(&target, |mesh, out| {
-            let mut normals = command(["normals", "--frames", "--json"]);
+            let mut normals = command(["normals", "--frames", "--json", "-"]);
             normals.args([mesh, out]);
             normals
         });

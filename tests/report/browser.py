@@ -3,7 +3,7 @@
 
 usage: browser.py [--screenshots FOLDER] [--choose JSON] [--hemisphere JSON] REPORT [CHROMIUM [FOLDER OF ITS LIBRARIES...]]
 
-JSON is what `unitvec choose --max-error 0.1 --json` says, and the same with --hemisphere: the page has to choose the same, and show
+JSON is what `unitvec choose --max-error 0.1 --json -` says, and the same with --hemisphere: the page has to choose the same, and show
 the same means.
 """
 

@@ -62,7 +62,7 @@ fn report(repository: &Path, chromium: &Path) -> Result<(), String> {
         let path = folder.join(format!("{}.json", option.trim_start_matches('-')));
         let file =
             fs::File::create(&path).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-        run_command(unitvec(&["choose", "--max-error", "0.1", "--json"]).args(domain).stdout(file))?;
+        run_command(unitvec(&["choose", "--max-error", "0.1", "--json", "-"]).args(domain).stdout(file))?;
         chosen.extend([option.into(), path.into_os_string()]);
     }
     for (page, screenshots) in [(&report, folder.clone()), (&of_sheets, folder.join("sheets"))] {

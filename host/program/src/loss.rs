@@ -10,7 +10,7 @@ use unitvec_mesh::has_direction;
 use unitvec_run::backend::{Backend, CHUNK, round_trip_slice};
 
 /// The errors of one codec over one file, or over all of them.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Row {
     /// The file; `None` for all of them.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -31,7 +31,7 @@ pub struct Row {
 }
 
 /// Errors in degrees.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Errors {
     /// Mean.
     pub mean_deg: f64,
@@ -46,7 +46,7 @@ pub struct Errors {
 }
 
 /// A vector and its decoded one.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Worst {
     /// The file of the vector.
     pub file: String,
@@ -59,7 +59,7 @@ pub struct Worst {
 }
 
 /// The errors of all files.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, schemars::JsonSchema)]
 pub struct Report {
     /// A row for each file, codec and part.
     pub rows: Vec<Row>,

@@ -1,15 +1,15 @@
-use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, counts, degrees, print, progress, reports_to_stdout, to_csv, to_json};
+use super::run::{Json, Live, Outputs, Screen};
+use super::table::{Column, Wide, left, right};
+use super::{OpenBackend, Vulkan, counts, degrees, number, write_chart};
 use clap::{Args, ValueEnum};
-use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, frames};
+use unitvec_catalogue::{AnyCodec, Domain, frames};
 use unitvec_host::Result;
 use unitvec_lab::accuracy;
 use unitvec_lab::accuracy::meyer::{METHODS, Method, WIDTHS};
-use unitvec_lab::accuracy::{Row, Table, beyond, chart};
-use unitvec_run::backend::BackendKind;
+use unitvec_lab::accuracy::{Published, Row, Table, beyond, chart};
+use unitvec_run::backend::{Backend, BackendKind};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -28,12 +28,10 @@ pub struct Arguments {
     /// Measure with float64 intermediates too, as the survey did: all but Meyer's table and frames. Takes minutes more.
     #[arg(long)]
     float64: bool,
-    /// Write the rows as JSON as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write the rows as CSV as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
+    #[command(flatten)]
+    json: Json,
+    #[command(flatten)]
+    outputs: Outputs,
     /// Draw a chart of the errors against bits, with the covering bound, as SVG.
     #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
@@ -43,7 +41,7 @@ pub struct Arguments {
     vulkan: Vulkan,
 }
 
-#[derive(Clone, Copy, ValueEnum)]
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
 enum TableName {
     /// The survey's table 1: all representations, over the sphere.
     #[value(name = "1")]
@@ -59,124 +57,114 @@ enum TableName {
     All,
 }
 
-impl TableName {
-    fn tables(self) -> &'static [Table] {
-        match self {
-            Self::One => &[Table::One],
-            Self::Three => &[Table::Three],
-            Self::All => &[Table::One, Table::Three],
-            Self::Meyer | Self::Beyond => &[],
-        }
+/// Rows to be measured.
+enum Job {
+    Published(Table, Published, &'static AnyCodec),
+    Meyer(&'static Method, &'static AnyCodec),
+    Beyond(&'static AnyCodec),
+    Frame(&'static AnyCodec),
+}
+
+impl Job {
+    fn codec(&self) -> &'static AnyCodec {
+        let (Self::Published(_, _, codec) | Self::Meyer(_, codec) | Self::Beyond(codec) | Self::Frame(codec)) =
+            self;
+        codec
     }
 
-    fn has_meyer(self) -> bool {
-        matches!(self, Self::Meyer | Self::All)
-    }
-
-    fn has_beyond(self) -> bool {
-        matches!(self, Self::Beyond | Self::All)
+    fn measure(&self, backend: &mut dyn Backend, arguments: &Arguments) -> Result<Vec<Row>> {
+        let (codec, count, seed) = (self.codec(), arguments.count as usize, arguments.seed);
+        let with_float64 = |mut row: Row, domain: Domain| {
+            if arguments.float64 {
+                let errors = accuracy::measure_float64(codec, domain, count, seed);
+                (row.float64_mean_deg, row.float64_max_deg) = errors.unzip();
+            }
+            vec![row]
+        };
+        Ok(match self {
+            Self::Published(table, row, _) => {
+                let row = accuracy::measure_row(backend, *table, row, codec, count, seed)?;
+                with_float64(row, table.domain())
+            }
+            Self::Meyer(method, _) => {
+                vec![accuracy::measure_meyer_row(backend, method, codec, count, seed)?]
+            }
+            Self::Beyond(_) => with_float64(beyond::measure_row(backend, codec, count, seed)?, codec.domain),
+            Self::Frame(_) => beyond::measure_frame(backend, codec, count, seed)?.into(),
+        })
     }
 }
 
-#[derive(serde::Serialize)]
-struct Report {
+impl TableName {
+    /// The rows to measure, and the names of the survey's rows that no codec implements.
+    fn jobs(self) -> (Vec<Job>, Vec<String>) {
+        let (mut jobs, mut missing) = (Vec::new(), Vec::new());
+        let is_wanted = |name| self == name || self == Self::All;
+        for (name, table) in [(Self::One, Table::One), (Self::Three, Table::Three)] {
+            for row in table.published().into_iter().filter(|_| is_wanted(name)) {
+                match row.codec() {
+                    Some(codec) => jobs.push(Job::Published(table, row, codec)),
+                    None => missing.push(row.name),
+                }
+            }
+        }
+        if is_wanted(Self::Meyer) {
+            let widths = |method| WIDTHS.iter().filter_map(move |bits| Method::codec(method, *bits));
+            jobs.extend(
+                METHODS.iter().flat_map(|method| widths(method).map(|codec| Job::Meyer(method, codec))),
+            );
+        }
+        if is_wanted(Self::Beyond) {
+            jobs.extend(beyond::codecs().map(Job::Beyond).chain(frames().iter().map(Job::Frame)));
+        }
+        (jobs, missing)
+    }
+}
+
+/// The errors of all rows.
+#[derive(serde::Serialize, schemars::JsonSchema)]
+pub struct Report {
+    /// A row for each codec of each table, and for each part of a frame.
     rows: Vec<Row>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let to_stdout = reports_to_stdout(arguments.json.as_deref(), arguments.csv.as_deref())?;
-    let columns = arguments.wide.columns()?;
+    let is_quiet = arguments.outputs.take_stdout(&arguments.json)?;
+    let (jobs, missing) = arguments.table.jobs();
+    let live = Live::new(jobs.len() as u64, "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
+    let screen = Screen::new(columns(arguments.float64), &arguments.wide, live)?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
-    let published: Vec<_> = arguments
-        .table
-        .tables()
-        .iter()
-        .flat_map(|table| table.published().into_iter().map(move |row| (*table, row)))
-        .collect();
-    let methods = meyer_rows(arguments.table.has_meyer());
-    let beyond: Vec<_> = beyond::codecs().filter(|_| arguments.table.has_beyond()).collect();
-    let frames: Vec<_> = frames().iter().filter(|_| arguments.table.has_beyond()).collect();
-    let count = published.len() + methods.len() + beyond.len() + frames.len();
-    let bar = progress::bar(Some(count as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left");
-    let (backend, count, seed) = (open.backend.as_mut(), arguments.count as usize, arguments.seed);
-    let (mut rows, mut missing) = (Vec::new(), Vec::new());
-    for (table, row) in published {
-        progress::show_if_due(&bar);
-        bar.set_message(row.name.clone());
-        match row.codec() {
-            Some(codec) => {
-                let mut measured = accuracy::measure_row(backend, table, &row, codec, count, seed)?;
-                if arguments.float64 {
-                    let errors = accuracy::measure_float64(codec, table.domain(), count, seed);
-                    (measured.float64_mean_deg, measured.float64_max_deg) = errors.unzip();
-                }
-                rows.push(measured);
-            }
-            None => missing.push(row.name),
-        }
-        bar.inc(1);
+    screen.head(LEGEND)?;
+    let mut rows = Vec::new();
+    for job in jobs {
+        screen.live.name(job.codec().id);
+        let measured = job.measure(open.backend.as_mut(), arguments)?;
+        screen.row(job.codec().id, || measured.iter().map(|row| line(&screen, row)).collect())?;
+        screen.live.advance(1);
+        rows.extend(measured);
     }
-    for (method, codec) in methods {
-        progress::show_if_due(&bar);
-        bar.set_message(codec.id);
-        rows.push(accuracy::measure_meyer_row(backend, method, codec, count, seed)?);
-        bar.inc(1);
+    screen.live.finish();
+    for words in best(&rows) {
+        screen.say(&words, "    ")?;
     }
-    for codec in beyond {
-        progress::show_if_due(&bar);
-        bar.set_message(codec.id);
-        let mut measured = beyond::measure_row(backend, codec, count, seed)?;
-        if arguments.float64 {
-            let errors = accuracy::measure_float64(codec, codec.domain, count, seed);
-            (measured.float64_mean_deg, measured.float64_max_deg) = errors.unzip();
-        }
-        rows.push(measured);
-        bar.inc(1);
-    }
-    for codec in frames {
-        progress::show_if_due(&bar);
-        bar.set_message(codec.id);
-        rows.extend(beyond::measure_frame(backend, codec, count, seed)?);
-        bar.inc(1);
-    }
-    bar.finish_and_clear();
-
-    if !to_stdout {
-        print(&table_text(&rows, &missing, arguments.float64, columns))?;
-    }
+    screen.end(&not_implemented(&missing))?;
     if let Some(path) = &arguments.chart {
-        let failed = |error: Box<dyn std::error::Error>| {
-            unitvec_files::Error::writing(path, std::io::Error::other(error.to_string()))
-        };
-        unitvec_files::write_file(path, chart::svg(&rows).map_err(failed)?.as_bytes())?;
+        write_chart(path, chart::svg(&rows))?;
     }
-    if let Some(path) = &arguments.csv {
-        unitvec_files::write_file(path, &to_csv(path, &rows)?)?;
-    }
-    if let Some(path) = &arguments.json {
-        unitvec_files::write_file(path, to_json(&Report { rows }).as_bytes())?;
-    }
+    arguments.outputs.write(&rows)?;
+    arguments.json.write(&Report { rows })?;
     Ok(open.close())
 }
 
-/// Meyer's methods at each width that there is a codec for.
-fn meyer_rows(wanted: bool) -> Vec<(&'static Method, &'static AnyCodec)> {
-    let methods = METHODS.iter().filter(|_| wanted);
-    methods
-        .flat_map(|method| WIDTHS.iter().filter_map(move |bits| Some((method, method.codec(*bits)?))))
-        .collect()
-}
-
-/// As [`degrees`]; - for none.
-fn degrees_or_none(error: Option<f64>) -> String {
-    error.map_or_else(|| "-".to_owned(), degrees)
-}
+/// What the columns mean.
+const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal \
+     covering; waste is bits against it; --float64 adds mean and max with float64 intermediates\n";
 
 /// The column of the published names.
 const SURVEY: usize = 2;
 
 /// The columns of the table; those with float64 intermediates were asked for.
-fn table(float64: bool, columns: Option<usize>) -> Layout {
+fn columns(float64: bool) -> Vec<Column> {
     let mut all = vec![
         left("table", 5).rank(4),
         left("codec", 22),
@@ -195,61 +183,48 @@ fn table(float64: bool, columns: Option<usize>) -> Layout {
     if float64 {
         all.extend([right("mean f64", 10).apart(), right("max f64", 10)]);
     }
-    Layout::new(all, columns)
+    all
 }
 
-/// What the columns mean.
-fn legend(columns: Option<usize>) -> String {
-    wrapped(
-        "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal covering; waste is \
-         bits against it; --float64 adds mean and max with float64 intermediates",
-        "",
-        columns,
-    ) + "\n"
+fn line(screen: &Screen, row: &Row) -> String {
+    let error = |error: Option<f64>| error.map_or_else(|| "-".to_owned(), degrees);
+    // What of a frame the errors are of stands in the survey's column.
+    let of = if row.table == "frames" && !screen.shows(SURVEY) { &row.survey_name } else { "" };
+    screen.line(&[
+        &row.table,
+        &format!("{} {of}", row.id).trim_end(),
+        &row.survey_name,
+        &row.bits,
+        &degrees(row.mean_deg),
+        &number(row.survey_mean_deg, 5),
+        &number(row.survey_mean_deg.map(|mean| row.mean_deg / mean), 3),
+        &degrees(row.max_deg),
+        &error(row.survey_max_deg),
+        &number(row.survey_max_deg.map(|max| row.max_deg / max), 3),
+        &error(row.bound_mean_deg),
+        &error(row.bound_max_deg),
+        &number(row.wasted_bits, 2),
+        &error(row.float64_mean_deg),
+        &error(row.float64_max_deg),
+    ])
 }
 
-fn table_text(rows: &[Row], missing: &[String], float64: bool, columns: Option<usize>) -> String {
-    let table = table(float64, columns);
-    let mut text = legend(columns) + &table.heading();
-    for row in rows {
-        let number = |value: Option<f64>, digits: usize| {
-            value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-        };
-        // What of a frame the errors are of stands in the survey's column.
-        let of = if row.table == "frames" && !table.shows(SURVEY) { &row.survey_name } else { "" };
-        text += &table.line(&[
-            &row.table,
-            &format!("{} {of}", row.id).trim_end(),
-            &row.survey_name,
-            &row.bits,
-            &degrees(row.mean_deg),
-            &number(row.survey_mean_deg, 5),
-            &number(row.survey_mean_deg.map(|mean| row.mean_deg / mean), 3),
-            &degrees(row.max_deg),
-            &degrees_or_none(row.survey_max_deg),
-            &number(row.survey_max_deg.map(|max| row.max_deg / max), 3),
-            &degrees_or_none(row.bound_mean_deg),
-            &degrees_or_none(row.bound_max_deg),
-            &number(row.wasted_bits, 2),
-            &degrees_or_none(row.float64_mean_deg),
-            &degrees_or_none(row.float64_max_deg),
-        ]);
+/// A sentence for each width at which a codec beats the survey.
+fn best(rows: &[Row]) -> Vec<String> {
+    let sentence = |(at, bits): (usize, u32)| {
+        let best = beyond::beats_the_survey(rows, bits)?;
+        let gap = if at == 0 { "\n" } else { "" };
+        Some(format!(
+            "{gap}{bits} bits: {} has a lower maximum than every row of table 1 and a mean no higher\n",
+            best.id
+        ))
+    };
+    [16, 24, 32].into_iter().enumerate().filter_map(sentence).collect()
+}
+
+fn not_implemented(missing: &[String]) -> String {
+    match missing {
+        [] => String::new(),
+        _ => format!("\n{} rows of the survey are not implemented: {}\n", missing.len(), missing.join(", ")),
     }
-    // Writing to a String cannot fail.
-    for bits in [16, 24, 32] {
-        if let Some(best) = beyond::beats_the_survey(rows, bits) {
-            let found = format!(
-                "{bits} bits: {} has a lower maximum than every row of table 1 and a mean no higher",
-                best.id
-            );
-            let _ =
-                writeln!(text, "{}{}", if bits == 16 { "\n" } else { "" }, wrapped(&found, "    ", columns));
-        }
-    }
-    if !missing.is_empty() {
-        let list =
-            format!("{} rows of the survey are not implemented: {}", missing.len(), missing.join(", "));
-        let _ = writeln!(text, "\n{}", wrapped(&list, "", columns));
-    }
-    text + &left_out(&[&table])
 }

@@ -1,8 +1,8 @@
 //! `unitvec bench`.
 
-use super::run::{CODECS_LEFT, Live, Run, close};
-use super::table::{Layout, left, left_out, right, wrapped};
-use super::{print, reports_to_stdout, status_after_validation, to_csv, to_json};
+use super::run::{CODECS_LEFT, Live, Outputs, Run, Screen};
+use super::table::{Column, left, right};
+use super::{counted, examples, number, to_json};
 use clap::{Args, Subcommand};
 use serde::Serialize;
 use std::fmt::Write;
@@ -27,42 +27,34 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Mode {
     /// Run the kernels on a device; `unitvec bench` alone does the same. Needs a build with `--features glsl`.
+    #[command(after_help = examples::of("bench device"))]
     Device(OnDevice),
     /// Count the instructions that a GPU's compiler makes of the kernels; run nothing, so that no GPU is needed. Needs a build
     /// with `--features glsl`.
-    Compiler(super::isa::Arguments),
+    #[command(after_help = examples::of("bench compiler"))]
+    Compiler(super::compiler::Arguments),
 }
 
-/// Where the outcome of a measurement goes.
+/// Which kernels are measured, and where the outcome goes.
 #[derive(Args)]
-pub struct Outputs {
-    /// Write the rows as CSV as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE")]
-    pub csv: Option<PathBuf>,
+pub struct Measured {
+    #[command(flatten)]
+    pub outputs: Outputs,
     /// Write a table in Markdown as well.
     #[arg(long, value_name = "FILE")]
-    pub markdown: Option<PathBuf>,
+    markdown: Option<PathBuf>,
     #[command(flatten)]
     pub run: Run,
 }
 
-impl Outputs {
-    /// True where a report takes the standard output.
-    pub fn to_stdout(&self) -> Result<bool> {
-        reports_to_stdout(self.run.json.as_deref(), self.csv.as_deref())
-    }
-
+impl Measured {
     /// Writes the files that are asked for.
     pub fn write<R: Serialize>(&self, rows: &[R], json: &str, markdown: &str) -> Result<()> {
-        if let Some(path) = &self.csv {
-            unitvec_files::write_file(path, &to_csv(path, rows)?)?;
+        self.outputs.write(rows)?;
+        if let Some(path) = &self.markdown {
+            unitvec_files::write_file(path, markdown.as_bytes())?;
         }
-        for (path, text) in [(&self.run.json, json), (&self.markdown, markdown)] {
-            if let Some(path) = path {
-                unitvec_files::write_file(path, text.as_bytes())?;
-            }
-        }
-        Ok(())
+        self.run.json.write_text(json)
     }
 }
 
@@ -79,20 +71,20 @@ struct OnDevice {
     #[arg(long, value_name = "FOLDER")]
     cost_kernels: Option<PathBuf>,
     #[command(flatten)]
-    outputs: Outputs,
+    measured: Measured,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     match &arguments.mode {
         None => run_on_device(&arguments.on_device),
         Some(Mode::Device(arguments)) => run_on_device(arguments),
-        Some(Mode::Compiler(arguments)) => super::isa::run(arguments),
+        Some(Mode::Compiler(arguments)) => super::compiler::run(arguments),
     }
 }
 
 fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
-    let (outputs, run) = (&arguments.outputs, &arguments.outputs.run);
-    let to_stdout = outputs.to_stdout()?;
+    let (measured, run) = (&arguments.measured, &arguments.measured.run);
+    let is_quiet = measured.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
     let device = run.vulkan.device()?;
     let options = Options {
@@ -101,30 +93,22 @@ fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
         throughput_samples: 2 * arguments.samples as usize,
         cost_kernels: arguments.cost_kernels.clone(),
     };
-    let columns = run.wide.columns()?;
-    let table = table(columns);
-    if !to_stdout {
-        print(&(wrapped(&legend(device.info(), &options), "    ", columns) + &table.heading()))?;
-    }
-    let live = Live::new(chosen.len() as u64, CODECS_LEFT, to_stdout);
+    let live = Live::new(chosen.len() as u64, CODECS_LEFT, is_quiet);
+    let mut screen = Screen::new(columns(), &run.wide, live)?;
+    screen.head(&legend(device.info(), &options))?;
     let mut bench = Bench::new(&device, run.vulkan.modules()?, options)?;
     let mut rows = Vec::new();
     for format in chosen {
         let measured = bench.measure(format)?;
-        live.print(format.id, || lines(&table, &measured))?;
-        live.advance(1);
+        screen.row(format.id, || lines(&screen, &measured))?;
+        screen.live.advance(1);
         rows.extend(measured);
     }
-    live.finish();
     let report = bench.report(rows);
     drop(bench);
-    let (_, messages) = close(device);
-
-    outputs.write(&report.rows, &to_json(&report), &markdown(&report))?;
-    if !to_stdout {
-        print(&(wrapped(&summary(&report), "", columns) + &left_out(&[&table])))?;
-    }
-    Ok(status_after_validation(&messages, true))
+    screen.close(device);
+    measured.write(&report.rows, &to_json(&report), &markdown(&report))?;
+    screen.end(&summary(&report))
 }
 
 fn legend(device: &DeviceInfo, options: &Options) -> String {
@@ -151,28 +135,25 @@ fn legend(device: &DeviceInfo, options: &Options) -> String {
     )
 }
 
-fn table(columns: Option<usize>) -> Layout {
-    Layout::new(
-        vec![
-            left("codec", 20),
-            left("", 6),
-            right("ns\nrust", 8),
-            right("\n+-", 7).rank(7),
-            right("ns\nglsl", 8).rank(3),
-            right("\n+-", 7).rank(8),
-            right("rust /\nglsl", 6).rank(2),
-            right("\n/ oct32", 7),
-            right("survey\nns", 7).rank(5),
-            right("10^6/s\nrust", 8).apart(),
-            right("10^6/s\nglsl", 8).rank(4),
-            right("% of\ncopy", 8).rank(1),
-            right("by\ntable", 7).rank(6),
-        ],
-        columns,
-    )
+fn columns() -> Vec<Column> {
+    vec![
+        left("codec", 20),
+        left("", 6),
+        right("ns\nrust", 8),
+        right("\n+-", 7).rank(7),
+        right("ns\nglsl", 8).rank(3),
+        right("\n+-", 7).rank(8),
+        right("rust /\nglsl", 6).rank(2),
+        right("\n/ oct32", 7),
+        right("survey\nns", 7).rank(5),
+        right("10^6/s\nrust", 8).apart(),
+        right("10^6/s\nglsl", 8).rank(4),
+        right("% of\ncopy", 8).rank(1),
+        right("by\ntable", 7).rank(6),
+    ]
 }
 
-fn lines(table: &Layout, rows: &[Row]) -> String {
+fn lines(screen: &Screen, rows: &[Row]) -> String {
     let mut text = String::new();
     for operation in Operation::ALL {
         let of = |backend, by_table| {
@@ -183,7 +164,7 @@ fn lines(table: &Layout, rows: &[Row]) -> String {
             continue;
         };
         let by_table = of(BackendKind::Rust, true).map(|row| row.vectors_per_s / 1e6);
-        text += &table.line(&[
+        text += &screen.line(&[
             &rust.id,
             &operation.to_string(),
             &fitting(rust.alu_ns_per_vector, 4, 8),
@@ -253,10 +234,6 @@ fn bound(id: &str) -> String {
     if texts.is_empty() { "-".to_owned() } else { texts.join(", ") }
 }
 
-fn number(value: Option<f64>, digits: usize) -> String {
-    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-}
-
 /// A number with fewer digits where it would be wider than its column, as the noise of small samples can be.
 fn fitting(value: Option<f64>, digits: usize, width: usize) -> String {
     let texts = (0..=digits).rev().map(|digits| number(value, digits));
@@ -272,14 +249,12 @@ fn summary(report: &Report) -> String {
         .filter_map(|row| Some((row, row.alu_ratio_to_glsl.filter(|ratio| *ratio > 1.05)?)))
         .map(|(row, ratio)| format!("{} {} {ratio:.2}", row.id, row.operation))
         .collect();
-    let codecs = of_rust(report, Operation::Encode).count();
+    let codecs = counted(of_rust(report, Operation::Encode).count() as u64, "codecs");
     if report.rows.iter().all(|row| row.alu_ratio_to_glsl.is_none()) {
-        return format!("\nbench: {codecs} codecs\n");
+        return format!("\nbench: {codecs}\n");
     }
     let verdict = if slower.is_empty() { "none".to_owned() } else { slower.join(", ") };
-    format!(
-        "\nbench: {codecs} codecs; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n"
-    )
+    format!("\nbench: {codecs}; arithmetic of SPIR-V from Rust above 1.05 of that from GLSL: {verdict}\n")
 }
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
+use super::counted;
+use super::run::Json;
 use super::table::{Layout, Wide, left, right, wrapped};
-use super::{print, to_json};
 use clap::Args;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -10,9 +11,6 @@ use unitvec_files::read_small;
 use unitvec_host::Result;
 
 #[derive(Args)]
-#[command(
-    after_help = "Examples:\n  unitvec choose --max-error 0.05\n  unitvec choose --bits 24\n  unitvec choose --bits 16 --hemisphere --gpu rdna3"
-)]
 pub struct Arguments {
     /// Largest error that is allowed for any direction, in degrees. Codecs of few bytes come first; with --bits alone, those of
     /// the least error.
@@ -36,9 +34,8 @@ pub struct Arguments {
     /// Costs to choose by instead: a report that `unitvec bench device --json FILE` or `unitvec bench compiler --json FILE` wrote.
     #[arg(long, value_name = "FILE", conflicts_with = "gpu")]
     costs: Option<PathBuf>,
-    /// Print JSON instead of a table.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
     #[command(flatten)]
     wide: Wide,
 }
@@ -46,11 +43,15 @@ pub struct Arguments {
 /// Codecs that are shown.
 const SHOWN: usize = 8;
 
-#[derive(serde::Serialize)]
-struct Report<'a> {
-    costs_of: &'a str,
+/// The codecs that meet a demand.
+#[derive(serde::Serialize, schemars::JsonSchema)]
+pub struct Report {
+    /// The device whose costs the choice goes by.
+    costs_of: String,
+    /// Why the first is the choice, or why there is none.
     reason: String,
-    candidates: &'a [Candidate],
+    /// The codecs, the best choice first.
+    candidates: Vec<Candidate>,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
@@ -65,14 +66,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         no_table: arguments.no_table,
         hemisphere: arguments.hemisphere,
     };
+    let columns = arguments.wide.columns()?;
     let found = candidates(&demand, &costs)?;
     let reason = if demand.max_error_deg.is_some() { reason(&found) } else { finest(&found) };
-    if arguments.json {
-        print(&to_json(&Report { costs_of: costs.device(), reason, candidates: &found }))?;
-    } else {
-        print(&table(&found, &costs, &reason, arguments.wide.columns()?))?;
-    }
-    Ok(if found.is_empty() { ExitCode::FAILURE } else { ExitCode::SUCCESS })
+    let report = Report { costs_of: costs.device().to_owned(), reason, candidates: found };
+    let status = arguments.json.write_or_print(&report, || table(&report, columns))?;
+    Ok(if report.candidates.is_empty() { ExitCode::FAILURE } else { status })
 }
 
 fn degrees(text: &str) -> std::result::Result<f64, String> {
@@ -86,7 +85,7 @@ fn degrees(text: &str) -> std::result::Result<f64, String> {
 fn finest(found: &[Candidate]) -> String {
     match found {
         [] => "no codec has so few bits".to_owned(),
-        [best, ..] => format!("{}: no codec of so many bits has a smaller maximum error", best.id),
+        [best, ..] => format!("take {}: no codec of so few bits has a smaller maximum error", best.id),
     }
 }
 
@@ -96,28 +95,23 @@ fn reason(found: &[Candidate]) -> String {
         return "no codec meets this demand: allow more bits or a larger error".to_owned();
     };
     let alike: Vec<&Candidate> = rest.iter().filter(|other| other.bytes == best.bytes).collect();
-    let mut text =
-        format!("{}: no codec that meets the demand takes fewer bytes than {}", best.id, best.bytes);
+    let bytes = counted(best.bytes as u64, "bytes");
+    let mut text = format!("take {}: {bytes} a code is the least that meets the demand", best.id);
     let measured = best.cost().is_finite() && alike.iter().all(|other| other.cost().is_finite());
-    match alike.as_slice() {
-        _ if !measured && !alike.is_empty() => {
-            text += "; what it costs, or one of as few bytes, was not measured";
-        }
-        [] => text += ", and no other as few",
-        [_] => text += ", and the one other that takes as few costs more",
-        others => {
-            // Writing to a String cannot fail.
-            let _ = write!(text, ", and the {} others that take as few cost more", others.len());
-        }
-    }
+    text += match alike.as_slice() {
+        [] => ", and no other codec does with so few",
+        _ if !measured => "; the costs of the codecs that do with so few were not all measured",
+        [_] => ", and the other codec that does with so few costs more",
+        _ => ", and all others that do with so few cost more",
+    };
     let finest = alike.iter().min_by(|a, b| a.mean_error_deg.total_cmp(&b.mean_error_deg));
     if let Some(finer) = finest.filter(|finest| finest.mean_error_deg < 0.995 * best.mean_error_deg) {
-        let _ = write!(text, "; the least mean error of those has {}", finer.id);
+        text += &format!("; of these, {} has the smallest mean error", finer.id);
     }
     text
 }
 
-fn table(found: &[Candidate], costs: &Costs, reason: &str, columns: Option<usize>) -> String {
+fn table(Report { costs_of, reason, candidates: found }: &Report, columns: Option<usize>) -> String {
     let table = Layout::new(
         vec![
             left("codec", 20),
@@ -133,8 +127,7 @@ fn table(found: &[Candidate], costs: &Costs, reason: &str, columns: Option<usize
     let mut text = String::new();
     if !found.is_empty() {
         let legend = format!(
-            "errors in degrees: the upper bound of the maximum, the mean measured; cost as multiples of oct32's on {}",
-            costs.device()
+            "errors in degrees: the upper bound of the maximum, the mean measured; cost as multiples of oct32's on {costs_of}"
         );
         text += &wrapped(&legend, "", columns);
         text.push('\n');

@@ -1,5 +1,5 @@
+use super::run::Json;
 use super::table::{self, Layout, left, right};
-use super::{print, to_json};
 use clap::Args;
 use std::process::ExitCode;
 use unitvec_catalogue::{CODECS, Domain, frames, vectors};
@@ -7,15 +7,15 @@ use unitvec_host::Result;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Print JSON instead of a table.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
     #[command(flatten)]
     wide: table::Wide,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    print(&if arguments.json { to_json(&CODECS.as_slice()) } else { tables(arguments.wide.columns()?) })
+    let columns = arguments.wide.columns()?;
+    arguments.json.write_or_print(&CODECS.as_slice(), || tables(columns))
 }
 
 fn yes(flag: bool) -> &'static str {

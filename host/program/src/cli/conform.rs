@@ -1,8 +1,7 @@
-use super::run::{Live, PERCENT, Run, close};
-use super::table::{Layout, left, right, wrapped};
-use super::{counts, print, status_after_validation, to_json, to_separated};
+use super::run::{Live, PERCENT, Run, Screen};
+use super::table::{Column, left, right};
+use super::{counted, counts, examples, to_separated};
 use clap::{Args, Subcommand};
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::AnyCodec;
@@ -27,14 +26,17 @@ pub struct Arguments {
 #[derive(Subcommand)]
 enum Mode {
     /// Compare the kernels with the CPU, to the bit; `unitvec conform` alone does the same.
+    #[command(after_help = examples::of("conform kernels"))]
     Kernels(Kernels),
     /// Compare attachments, textures and vertex attributes with the CPU: the hardware converts codes to formats and back.
     #[cfg(feature = "render")]
+    #[command(after_help = examples::of("conform pipeline"), mut_args = super::hide_modules)]
     Pipeline(super::pipeline::Arguments),
     /// Run devices that round as loosely as Vulkan allows: kernels rewritten so that quotients and square roots are off,
     /// denormals are flushed, or sums are truncated. Differences are held against their bounds, and each code has to come back
     /// from any two devices.
     #[cfg(feature = "lab")]
+    #[command(after_help = examples::of("conform imprecise"))]
     Imprecise(super::imprecise::Arguments),
 }
 
@@ -110,6 +112,9 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
         all_codes_up_to: all_codes_up_to(arguments.exhaustive),
     };
     let formats = arguments.inputs.formats()?;
+    let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
+    let live = Live::new(plans.iter().map(Plan::work).sum(), PERCENT, run.json.is_to_stdout());
+    let mut screen = Screen::new(columns(), &run.wide, live)?;
     let device = run.vulkan.device()?;
     let open = || run.vulkan.backends(&device);
 
@@ -117,33 +122,21 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
         .iter_mut()
         .map(|(kind, backend)| Ok((*kind, Rounding::of(backend.as_mut())?)))
         .collect::<Result<Roundings>>()?;
-    let columns = run.wide.columns()?;
-    let table = table(columns);
-    if !run.to_stdout() {
-        print(&(heading(device.info(), &options, &rounding, columns) + &table.heading()))?;
-    }
-    let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
-    let live = Live::new(plans.iter().map(Plan::work).sum(), PERCENT, run.to_stdout());
+    screen.head(&legend(device.info(), &options, &rounding))?;
     let mut rows = Vec::new();
-    conform::run(plans, open, &mut |done| live.advance(done), &mut |row| {
-        live.print(&row.id, || lines(&table, &row, columns))?;
+    conform::run(plans, open, &mut |done| screen.live.advance(done), &mut |row| {
+        screen.row(&row.id, || lines(&screen, &row))?;
         rows.push(row);
         Ok(())
     })?;
-    live.finish();
-    let (device, messages) = close(device);
+    let device = screen.close(device);
 
     let report = Report::new(device, &options, rounding, rows);
-    if let Some(path) = &run.json {
-        unitvec_files::write_file(path, to_json(&report).as_bytes())?;
-    }
+    run.json.write(&report)?;
     if let Some(path) = &arguments.summary {
         unitvec_files::write_file(path, &to_separated(path, &[report.summary()], b'\t')?)?;
     }
-    if !run.to_stdout() {
-        print(&wrapped(&verdict(&report, messages.len()), "", columns))?;
-    }
-    Ok(status_after_validation(&messages, report.agreed))
+    screen.verdict("conform", outcome(&report))
 }
 
 fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
@@ -157,9 +150,9 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
     Ok(normals)
 }
 
-fn heading(device: &DeviceInfo, options: &Options, rounding: &Roundings, columns: Option<usize>) -> String {
+fn legend(device: &DeviceInfo, options: &Options, rounding: &Roundings) -> String {
     let sums = if is_nearest(rounding) { "rounded to nearest" } else { "not rounded to nearest" };
-    let text = format!(
+    format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), {} mesh normals, special vectors; {}\n\
          sums, by which encoders round: {sums}\n\
@@ -172,22 +165,18 @@ fn heading(device: &DeviceInfo, options: &Options, rounding: &Roundings, columns
         options.seed,
         options.normals.len(),
         codes_covered(options.all_codes_up_to, options.count),
-    );
-    wrapped(&text, "    ", columns)
+    )
 }
 
-fn table(columns: Option<usize>) -> Layout {
+fn columns() -> Vec<Column> {
     let kinds = in_one_line(BackendKind::of_devices().map(|kind| kind.to_string()));
-    Layout::new(
-        vec![
-            left("codec", 20),
-            right("bits", 4),
-            right("mean\ndegrees", 10),
-            right("max\ndegrees", 10),
-            right(&format!("diff\n{kinds}"), kinds.len()).apart(),
-        ],
-        columns,
-    )
+    vec![
+        left("codec", 20),
+        right("bits", 4),
+        right("mean\ndegrees", 10),
+        right("max\ndegrees", 10),
+        right(&format!("diff\n{kinds}"), kinds.len()).apart(),
+    ]
 }
 
 /// What is said of each backend, side by side.
@@ -200,7 +189,7 @@ fn codes_covered(all_up_to: u32, count: usize) -> String {
     format!("all codes of up to {all_up_to} bits, {count} random codes of more")
 }
 
-fn lines(table: &Layout, row: &Row, columns: Option<usize>) -> String {
+fn lines(screen: &Screen, row: &Row) -> String {
     let differing = in_one_line(BackendKind::of_devices().map(|kind| {
         let counts = [&row.encode_mismatches, &row.decode_mismatches].map(|mismatches| mismatches.get(&kind));
         let count = match counts {
@@ -212,42 +201,44 @@ fn lines(table: &Layout, row: &Row, columns: Option<usize>) -> String {
     }));
     let errors = |mean: f64, max: f64| [mean, max].map(|error| format!("{error:.6}"));
     let [mean, max] = errors(row.mean_deg, row.max_deg);
-    let mut text = table.line(&[&row.id, &row.bits, &mean, &max, &differing]);
+    let mut text = screen.line(&[&row.id, &row.bits, &mean, &max, &differing]);
     if let (Some(mean), Some(max)) = (row.tangent_mean_deg, row.tangent_max_deg) {
         let [mean, max] = errors(mean, max);
-        text += &table.line(&[&"  its tangents", &"", &mean, &max]);
+        text += &screen.line(&[&"  its tangents", &"", &mean, &max]);
     }
-    for example in &row.examples {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{}", wrapped(&format!("    {example}"), "        ", columns));
-    }
-    text
+    text + &row.examples.iter().map(|example| screen.note(example)).collect::<String>()
 }
 
-fn verdict(report: &Report, validation_messages: usize) -> String {
-    if validation_messages > 0 {
-        return format!("\nconform: FAIL: {validation_messages} messages of the validation layer\n");
-    }
+/// The names of what was compared.
+pub fn compared_with_cpu(kinds: impl Iterator<Item = BackendKind>, with_glsl: bool) -> String {
+    let kinds: String = kinds.map(|kind| format!(", {kind}")).collect();
+    let without = if with_glsl { "" } else { " (this build has no GLSL compiler: `--features glsl`)" };
+    format!("cpu{kinds}{without}")
+}
+
+/// What agrees, or why the device fails.
+fn outcome(report: &Report) -> Result<String, String> {
     let Summary { codecs, vectors, codes, .. } = report.summary();
-    let backends: Vec<String> = BackendKind::of_devices().map(|kind| kind.to_string()).collect();
-    let without =
-        if report.glsl_compared { "" } else { " (this build has no GLSL compiler: `--features glsl`)" };
-    let compared = format!("cpu, {}{without}", backends.join(", "));
     if report.agreed {
-        return format!(
-            "\nconform: PASS: {compared} agree to the bit: {codecs} codecs, {vectors} vectors encoded, {codes} codes \
-             decoded ({})\n",
+        return Ok(format!(
+            "{} agree to the bit: {}, {vectors} vectors encoded, {codes} codes decoded ({})",
+            compared_with_cpu(BackendKind::of_devices(), report.glsl_compared),
+            counted(codecs as u64, "codecs"),
             codes_covered(report.all_codes_up_to, report.random_directions),
-        );
+        ));
     }
     if report.rounding.values().any(|rounding| *rounding == Rounding::Down) {
-        return "\nconform: FAIL: this device rounds sums down, and encoders need them rounded to nearest: codes are up to a \
-                step off\n"
-            .to_owned();
+        return Err("this device rounds sums down, and encoders need them rounded to nearest: codes are up to a step off"
+            .to_owned());
     }
-    let failed: Vec<&str> =
-        report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
-    let failed = if failed.is_empty() { "none of the codecs" } else { &failed.join(", ") };
-    let rounding = if is_nearest(&report.rounding) { "" } else { "; sums are not rounded to nearest" };
-    format!("\nconform: FAIL: differences in {failed}{rounding}\n")
+    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
+    let differences = match failed.as_slice() {
+        [] => "no codec differs".to_owned(),
+        failed => format!("differences in {}", failed.join(", ")),
+    };
+    let rounding = match is_nearest(&report.rounding) {
+        true => "",
+        false => "; sums are not rounded to nearest",
+    };
+    Err(differences + rounding)
 }

@@ -59,7 +59,7 @@ pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
     let mut conversion = Conversion::start(arguments, format)?;
     let mut elements = Elements::open(&arguments.r#in, format.element, arguments.raw)?;
     let counts = conversion.run(&mut elements.floats, elements.count, stream::encode)?;
-    conversion.finish(&Summary::of_encoding(format, counts, elements.parts))
+    conversion.finish(Summary::of_encoding(format, counts, elements.parts))
 }
 
 pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
@@ -74,7 +74,7 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
     }
     let count = input.count(format.bytes, "codes")?;
     let count = conversion.run(&mut input, count, stream::decode)?;
-    conversion.finish(&Summary::of_decoding(format, count))
+    conversion.finish(Summary::of_decoding(format, count))
 }
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
@@ -97,7 +97,7 @@ pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
     let mut counts = Counts { no_direction: filled, ..Counts::default() };
     counts.add(element, &floats);
     let summary = Summary::of_export(element, counts, parts, filled);
-    arguments.summary.print(&summary, [&arguments.mesh, &arguments.out], to_stdout)?;
+    arguments.summary.print(summary, [&arguments.mesh, &arguments.out], to_stdout)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -144,7 +144,7 @@ impl<'a> Conversion<'a> {
         Ok(converted)
     }
 
-    fn finish(self, summary: &Summary) -> Result<ExitCode> {
+    fn finish(self, summary: Summary) -> Result<ExitCode> {
         let to_stdout = self.output.is_stdout();
         self.output.finish()?;
         let Arguments { summary: options, r#in, out, .. } = self.arguments;

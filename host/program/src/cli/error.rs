@@ -1,5 +1,6 @@
+use super::run::Json;
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, chosen_formats, degrees, print, progress, to_json};
+use super::{OpenBackend, Vulkan, chosen_formats, degrees, progress};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -24,9 +25,8 @@ pub struct Arguments {
     /// Take the files as raw f32, whatever their names and first bytes say.
     #[arg(long)]
     raw: bool,
-    /// Print JSON instead of a table.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
     #[command(flatten)]
     wide: Wide,
     #[command(flatten)]
@@ -61,7 +61,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     bar.finish_and_clear();
     let report = Report { computed, ..meter.report() };
-    print(&if arguments.json { to_json(&report) } else { text(&report, columns) })?;
+    arguments.json.write_or_print(&report, || text(&report, columns))?;
     Ok(open.close())
 }
 

@@ -6,16 +6,17 @@ mod accuracy;
 mod bench;
 mod choose;
 mod codecs;
+#[cfg(feature = "lab")]
+mod compiler;
 mod conform;
 mod convert;
 mod devices;
 mod error;
+mod examples;
 #[cfg(feature = "render")]
 mod figures;
 #[cfg(feature = "lab")]
 mod imprecise;
-#[cfg(feature = "lab")]
-mod isa;
 mod link;
 #[cfg(feature = "render")]
 mod pipeline;
@@ -23,10 +24,13 @@ mod progress;
 #[cfg(feature = "render")]
 mod report;
 mod run;
+mod schema;
 mod shader;
 mod summary;
 mod table;
 
+#[cfg(feature = "render")]
+use clap::Arg;
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -65,14 +69,18 @@ enum Command {
     ///
     /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
     /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
-    /// primitives share comes once, at the first of them. --json says where each primitive begins.
+    /// primitives share comes once, at the first of them. --json says where each primitive begins; where OUT is the standard
+    /// output, `--json -` goes to the standard error.
     ///
     /// A vertex without a face to compute its normal from gets +Z.
+    #[command(after_help = examples::of("encode"))]
     Encode(convert::Arguments),
     /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
+    #[command(after_help = examples::of("decode"))]
     Decode(convert::Arguments),
     /// Export the normals of a mesh as raw little-endian f32, which `encode` takes, or its tangent frames; in the order
     /// of `encode --help`.
+    #[command(after_help = examples::of("normals"))]
     Normals(convert::NormalsArguments),
     /// Measure the errors of codecs over the vectors or frames of your own meshes and raw files.
     ///
@@ -82,24 +90,32 @@ enum Command {
     /// (percentile), to within 0.03 %. Vectors without a usable
     /// direction are counted and left out. A frame's normal and tangent are measured apart; a tangent that is not
     /// perpendicular to its normal comes back perpendicular, and the turn counts as error.
+    #[command(after_help = examples::of("error"))]
     Error(error::Arguments),
     /// Measure the errors of all codecs, beside the figures that the survey publishes.
     #[cfg(feature = "lab")]
+    #[command(after_help = examples::of("accuracy"))]
     Accuracy(accuracy::Arguments),
     /// Measure the cost of encoding and decoding: `device` beside the survey's figures, `compiler` by a GPU's compiler.
     #[cfg(feature = "lab")]
+    #[command(after_help = examples::of("bench"))]
     Bench(bench::Arguments),
     /// Find the cheapest codecs of vectors that meet a demand: --max-error, --bits or both.
+    #[command(after_help = examples::of("choose"))]
     Choose(choose::Arguments),
     /// Draw the figures of the survey and of Meyer et al., error maps and charts, with their numbers.
     #[cfg(feature = "render")]
+    #[command(after_help = examples::of("figures"), mut_args = hide_modules)]
     Figures(figures::Arguments),
     /// Write a page to decide from: what to take, the published tables, the figures, and whether this device agrees.
     #[cfg(feature = "render")]
+    #[command(after_help = examples::of("report"))]
     Report(report::Arguments),
     /// Write the functions of codecs in a shading language, ready to paste, with all that they need.
+    #[command(after_help = examples::of("shader"))]
     Shader(shader::Arguments),
     /// Show that the backends agree to the bit: cpu, rust, wgsl and, in a build with a GLSL compiler, glsl and hlsl.
+    #[command(after_help = examples::of("conform"))]
     Conform(conform::Arguments),
     /// Link a shader's SPIR-V with the codecs' functions.
     ///
@@ -107,7 +123,11 @@ enum Command {
     /// the library spirv/unitvec.spv in their place, removes what is not used, optimises and validates, by spirv-link,
     /// spirv-opt and spirv-val of the Vulkan SDK or of Debian's package spirv-tools. The compiler has to leave the stubs' names
     /// and calls in place: glslangValidator -V, glslc, dxc -spirv -fcgl, slangc -target spirv. docs/linking.md says more.
+    #[command(after_help = examples::of("link"))]
     Link(link::Arguments),
+    /// Print the JSON schema of what a command writes with --json: its keys, with their meaning and units.
+    #[command(after_help = examples::of("schema"))]
+    Schema(schema::Arguments),
 }
 
 impl Arguments {
@@ -132,6 +152,7 @@ impl Arguments {
             Command::Shader(arguments) => shader::run(&arguments),
             Command::Conform(arguments) => conform::run(&arguments),
             Command::Link(arguments) => link::run(&arguments),
+            Command::Schema(arguments) => schema::run(&arguments),
         }
     }
 }
@@ -168,7 +189,7 @@ impl Vulkan {
         Device::open(&self.instance()?, &self.choice())
     }
 
-    /// Fails where the command line names modules that a command does not take.
+    /// Fails where the command line names modules that a command does not take; its help [hides](hide_modules) them.
     fn refuse_modules(&self) -> Result<()> {
         if self.spirv.is_some() || self.trust {
             let options = "--spirv and --trust apply to the kernels; the renderer's shaders are built in";
@@ -257,6 +278,13 @@ impl Vulkan {
     }
 }
 
+/// Hides the options of modules in the help of a command that takes none.
+#[cfg(feature = "render")]
+fn hide_modules(option: Arg) -> Arg {
+    let is_of_modules = ["spirv", "trust"].contains(&option.get_id().as_str());
+    if is_of_modules { option.hide(true) } else { option }
+}
+
 /// An environment variable; `None` where it is unset or empty.
 fn variable(name: &str) -> Option<String> {
     std::env::var(name).ok().filter(|value| !value.is_empty())
@@ -325,17 +353,6 @@ fn counts() -> clap::builder::RangedU64ValueParser<u64> {
     clap::value_parser!(u64).range(1..=1 << 40)
 }
 
-/// Fails where JSON and CSV would both go to the standard output; tells whether one of them does.
-fn reports_to_stdout(json: Option<&Path>, csv: Option<&Path>) -> Result<bool> {
-    let stdout = Some(Path::new("-"));
-    if json == stdout && csv == stdout {
-        return Err(Error::Usage(
-            "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
-        ));
-    }
-    Ok(json == stdout || csv == stdout)
-}
-
 /// Rows as CSV, for `path`.
 fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
     to_separated(path, rows, b',')
@@ -354,6 +371,28 @@ fn to_separated<T: serde::Serialize>(path: &Path, rows: &[T], separator: u8) -> 
 /// Degrees with six decimals, or four digits of what they would not show.
 fn degrees(error: f64) -> String {
     if error < 0.0001 { format!("{error:.3e}") } else { format!("{error:.6}") }
+}
+
+/// `1 vector`, `2 meshes`.
+fn counted(count: u64, plural: &str) -> String {
+    let singular = plural.strip_suffix("es").filter(|word| word.ends_with("sh"));
+    let singular = singular.or(plural.strip_suffix('s')).unwrap_or(plural);
+    format!("{count} {}", if count == 1 { singular } else { plural })
+}
+
+/// A number with so many decimals; - for none.
+#[cfg(feature = "lab")]
+fn number(value: Option<f64>, digits: usize) -> String {
+    value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
+}
+
+/// Writes a chart, as SVG.
+#[cfg(feature = "lab")]
+fn write_chart(path: &Path, svg: Result<String, Box<dyn std::error::Error>>) -> Result<()> {
+    let failed = |error: Box<dyn std::error::Error>| {
+        unitvec_files::Error::writing(path, io::Error::other(error.to_string()))
+    };
+    Ok(unitvec_files::write_file(path, svg.map_err(failed)?.as_bytes())?)
 }
 
 /// JSON with a final newline.

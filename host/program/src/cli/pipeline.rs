@@ -1,16 +1,14 @@
 //! `unitvec conform pipeline`.
 
-use super::conform::Inputs;
-use super::run::{Live, PERCENT, close};
-use super::table::{Layout, left, right, wrapped};
-use super::{print, status_after_validation, to_json};
+use super::conform::{Inputs, compared_with_cpu};
+use super::counted;
+use super::run::{Live, PERCENT, Screen};
+use super::table::{Column, left, right};
 use clap::Args;
-use std::fmt::Write;
 use std::process::ExitCode;
 use unitvec_host::{Error, Result};
 use unitvec_render::conform;
 use unitvec_render::conform::{Options, Projected, Report, Row, Traits};
-use unitvec_run::backend::BackendKind;
 use unitvec_vulkan::DeviceInfo;
 
 /// Random directions of a codec: besides the special ones, of which there are more.
@@ -34,45 +32,36 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     let options = Options { count: count as usize, seed: *seed };
     let formats = arguments.inputs.formats()?;
-    let device = run.vulkan.device_for_graphics()?;
-    let columns = run.wide.columns()?;
-    let table = table(columns);
-    let traits = conform::traits(&device, &options)?;
-    if !run.to_stdout() {
-        print(&(heading(device.info(), &options, &traits, columns) + &table.heading()))?;
-    }
     // A choice of codecs leaves projections out.
     let pairs = if run.codec.is_empty() { conform::pairs() } else { Vec::new() };
-    let live = Live::new((formats.len() + pairs.len()) as u64, PERCENT, run.to_stdout());
+    let live = Live::new((formats.len() + pairs.len()) as u64, PERCENT, run.json.is_to_stdout());
+    let mut screen = Screen::new(columns(), &run.wide, live)?;
+    let device = run.vulkan.device_for_graphics()?;
+    let traits = conform::traits(&device, &options)?;
+    screen.head(&legend(device.info(), &options, &traits))?;
     let (mut rows, mut projections) = (Vec::new(), Vec::new());
     let show = |row: Row, rows: &mut Vec<Row>| {
-        live.advance(1);
-        live.print(&row.id, || lines(&table, &row, columns))?;
+        screen.live.advance(1);
+        screen.row(&row.id, || lines(&screen, &row))?;
         rows.push(row);
         Ok::<(), Error>(())
     };
     conform::run(formats, &options, &device, &traits, &mut |row| show(row, &mut rows))?;
     if !pairs.is_empty() {
-        live.print("", || "\n".to_owned() + &wrapped(PROJECTIONS, "", columns))?;
+        screen.say(PROJECTIONS, "")?;
     }
     conform::run_pairs(pairs, &options, &device, &traits, &mut |row| show(row, &mut projections))?;
-    live.finish();
-    let (device, messages) = close(device);
+    let device = screen.close(device);
 
     let report = Report::new(&device, &options, traits, rows, projections);
-    if let Some(path) = &run.json {
-        unitvec_files::write_file(path, to_json(&report).as_bytes())?;
-    }
-    if !run.to_stdout() {
-        print(&wrapped(&verdict(&report, messages.len()), "", columns))?;
-    }
-    Ok(status_after_validation(&messages, report.agreed))
+    run.json.write(&report)?;
+    screen.verdict("conform pipeline", outcome(&report))
 }
 
-fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Option<usize>) -> String {
+fn legend(device: &DeviceInfo, options: &Options, traits: &Traits) -> String {
     let conversions: String =
         traits.conversions.iter().map(|one| format!("{}: {}\n", one.name(), one.in_words())).collect();
-    let text = format!(
+    format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), special vectors; all codes of up to 16 bits, random and special codes \
          of more; the normals of the rendered scene\n\
@@ -90,43 +79,35 @@ fn heading(device: &DeviceInfo, options: &Options, traits: &Traits, columns: Opt
         traits.changed,
         traits.interpolated,
         traits.flushed,
-    );
-    wrapped(&text, "    ", columns)
+    )
 }
 
 /// What stands over the rows of projections.
-const PROJECTIONS: &str = "projections that the hardware rounds; diff: texels that are not the CPU's numbers, rounded as the \
+const PROJECTIONS: &str = "\nprojections that the hardware rounds; diff: texels that are not the CPU's numbers, rounded as the \
      device does, and normals that are not what the CPU makes of the numbers fetched\n";
 
 /// As wide as the longest name of a format in it.
 const FORMAT: usize = 24;
 
-fn table(columns: Option<usize>) -> Layout {
+fn columns() -> Vec<Column> {
     let kinds: Vec<String> = conform::sources().map(|kind| format!("{kind:>5}")).collect();
     let kinds = kinds.join(" ");
-    Layout::new(
-        vec![
-            left("codec", 20),
-            right("bits", 4),
-            left("attachment", FORMAT).apart(),
-            right(&format!("diff\n{kinds}"), kinds.len()).apart(),
-            right("projected", 10).apart(),
-        ],
-        columns,
-    )
+    vec![
+        left("codec", 20),
+        right("bits", 4),
+        left("attachment", FORMAT).apart(),
+        right(&format!("diff\n{kinds}"), kinds.len()).apart(),
+        right("projected", 10).apart(),
+    ]
 }
 
-fn lines(table: &Layout, row: &Row, columns: Option<usize>) -> String {
+fn lines(screen: &Screen, row: &Row) -> String {
     let differing: Vec<String> =
         conform::sources().map(|kind| format!("{:>5}", row.differing(kind))).collect();
     let texel = row.texel.trim_end_matches("_PACK32");
-    let mut text = table.line(&[&row.id, &row.bits, &texel, &differing.join(" "), &projected(row)]);
+    let text = screen.line(&[&row.id, &row.bits, &texel, &differing.join(" "), &projected(row)]);
     let notes = row.unsupported.iter().map(|what| format!("not here: {what}"));
-    for note in notes.chain(row.examples.iter().cloned()) {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "{}", wrapped(&format!("    {note}"), "        ", columns));
-    }
-    text
+    text + &notes.chain(row.examples.iter().cloned()).map(|note| screen.note(&note)).collect::<String>()
 }
 
 /// The differences of the sources, which are the same as a rule.
@@ -141,31 +122,25 @@ fn projected(row: &Row) -> String {
     counts.join(" ")
 }
 
-fn verdict(report: &Report, validation_messages: usize) -> String {
-    let fail = |reason: String| format!("\nconform pipeline: FAIL: {reason}\n");
-    if validation_messages > 0 {
-        return fail(format!("{validation_messages} messages of the validation layer"));
-    }
+/// What agrees, or why the device fails.
+fn outcome(report: &Report) -> Result<String, String> {
     let rows = || report.rows.iter().chain(&report.projections);
     let failed: Vec<&str> = rows().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
     if !failed.is_empty() {
-        return fail(format!("differences in {}", failed.join(", ")));
+        return Err(format!("differences in {}", failed.join(", ")));
     }
     if !report.agreed {
-        return fail("this device changes normals between vertex and fragment shader".to_owned());
+        return Err("this device changes normals between vertex and fragment shader".to_owned());
     }
-    let sources: Vec<String> = conform::sources().map(|kind: BackendKind| kind.to_string()).collect();
-    let without =
-        if report.glsl_compared { "" } else { " (this build has no GLSL compiler: `--features glsl`)" };
     let compared: u64 = rows().map(Row::compared).sum();
-    let projections = match report.projections.len() {
+    let projections = match report.projections.len() as u64 {
         0 => String::new(),
+        1 => ", 1 pair of projection and format".to_owned(),
         count => format!(", {count} pairs of projection and format"),
     };
-    format!(
-        "\nconform pipeline: PASS: cpu, {}{without} agree to the bit: {} codecs{projections}, {compared} texels and \
-         vertices\n",
-        sources.join(", "),
-        report.rows.len(),
-    )
+    Ok(format!(
+        "{} agree to the bit: {}{projections}, {compared} texels and vertices",
+        compared_with_cpu(conform::sources(), report.glsl_compared),
+        counted(report.rows.len() as u64, "codecs"),
+    ))
 }

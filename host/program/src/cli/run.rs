@@ -1,15 +1,91 @@
 //! Options and output that the runs over codecs share.
 
-use super::table::Wide;
-use super::{Vulkan, chosen_formats, print, progress};
+use super::table::{Column, Layout, Wide, left_out, wrapped};
+use super::{Vulkan, chosen_formats, print, progress, status_after_validation, to_csv, to_json};
 use clap::Args;
+use clap::builder::{PathBufValueParser, TypedValueParser};
 use indicatif::ProgressBar;
+use serde::Serialize;
+use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_catalogue::AnyCodec;
-use unitvec_host::Result;
+use unitvec_host::input::RAW_ENDINGS;
+use unitvec_host::{Error, Result};
+use unitvec_mesh::FileFormat;
 use unitvec_vulkan::{Device, DeviceInfo};
+
+/// The option `--json`, which all commands with a result have.
+#[derive(Args)]
+pub struct Json {
+    /// Write the result as JSON as well; - for the standard output, instead of the text. `unitvec schema COMMAND` describes
+    /// it.
+    #[arg(long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(not_an_input))]
+    json: Option<PathBuf>,
+}
+
+/// Refuses the name of a mesh or of raw floats: with FILE forgotten, it would be an input's, which the JSON would replace.
+fn not_an_input(path: PathBuf) -> Result<PathBuf, String> {
+    let is_raw = |ending: &str| RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending));
+    let ending = path.extension().and_then(|ending| ending.to_str());
+    if FileFormat::of_ending(&path).is_some() || ending.is_some_and(is_raw) {
+        return Err("it has the name of an input; give a file.json, or - for the standard output".to_owned());
+    }
+    Ok(path)
+}
+
+impl Json {
+    /// True where the JSON goes to the standard output.
+    pub fn is_to_stdout(&self) -> bool {
+        self.json.as_deref() == Some(Path::new("-"))
+    }
+
+    /// Writes the report, where it is asked for.
+    pub fn write(&self, report: &impl Serialize) -> Result<()> {
+        self.write_text(&to_json(report))
+    }
+
+    /// Writes a report that is JSON already.
+    pub fn write_text(&self, json: &str) -> Result<()> {
+        self.json.as_ref().map_or(Ok(()), |path| Ok(unitvec_files::write_file(path, json.as_bytes())?))
+    }
+
+    /// Prints the report to the standard output where it is to go there, else the text, and writes the report to its file.
+    pub fn write_or_print(&self, report: &impl Serialize, text: impl FnOnce() -> String) -> Result<ExitCode> {
+        if !self.is_to_stdout() {
+            print(&text())?;
+        }
+        self.write(report)?;
+        Ok(ExitCode::SUCCESS)
+    }
+}
+
+/// The files of a run with rows: all of them as JSON, the rows as CSV.
+#[derive(Args)]
+pub struct Outputs {
+    /// Write the rows as CSV as well; - for the standard output, instead of the table.
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+}
+
+impl Outputs {
+    /// True where the JSON or the CSV goes to the standard output. Both fail.
+    pub fn take_stdout(&self, json: &Json) -> Result<bool> {
+        let is_csv = self.csv.as_deref() == Some(Path::new("-"));
+        if json.is_to_stdout() && is_csv {
+            return Err(Error::Usage(
+                "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
+            ));
+        }
+        Ok(json.is_to_stdout() || is_csv)
+    }
+
+    /// Writes the rows, where they are asked for.
+    pub fn write<T: Serialize>(&self, rows: &[T]) -> Result<()> {
+        self.csv.as_ref().map_or(Ok(()), |path| Ok(unitvec_files::write_file(path, &to_csv(path, rows)?)?))
+    }
+}
 
 /// Which codecs, on which device, and where the outcome goes.
 #[derive(Args)]
@@ -17,9 +93,8 @@ pub struct Run {
     /// Codecs to run, as `unitvec codecs` lists them: oct16,oct32p. All of them if not given.
     #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     pub codec: Vec<String>,
-    /// Write the report as JSON as well; - for the standard output, instead of the table.
-    #[arg(long, value_name = "FILE")]
-    pub json: Option<PathBuf>,
+    #[command(flatten)]
+    pub json: Json,
     #[command(flatten)]
     pub wide: Wide,
     #[command(flatten)]
@@ -31,14 +106,9 @@ impl Run {
     pub fn formats(&self) -> Result<Vec<&'static AnyCodec>> {
         chosen_formats(&self.codec)
     }
-
-    /// True where the JSON goes to the standard output.
-    pub fn to_stdout(&self) -> bool {
-        self.json.as_deref() == Some(Path::new("-"))
-    }
 }
 
-/// The table of a run while it grows, above a bar of progress.
+/// A bar of progress, and the lines above it.
 pub struct Live {
     bar: ProgressBar,
     is_quiet: bool,
@@ -62,20 +132,102 @@ impl Live {
         self.bar.set_message(id.to_owned());
     }
 
-    /// Prints the lines of a codec above the bar.
-    pub fn print(&self, id: &str, lines: impl FnOnce() -> String) -> Result<()> {
-        self.name(id);
+    /// Prints above the bar, unless a report takes the standard output.
+    pub fn print(&self, text: impl FnOnce() -> String) -> Result<()> {
         if self.is_quiet {
             return Ok(());
         }
         let mut printed = Ok(ExitCode::SUCCESS);
-        self.bar.suspend(|| printed = print(&lines()));
+        self.bar.suspend(|| printed = print(&text()));
         printed.map(drop)
     }
 
     /// Removes the bar.
-    pub fn finish(self) {
+    pub fn finish(&self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// The table of a run, which grows above the bar, and its last words.
+pub struct Screen {
+    /// The bar.
+    pub live: Live,
+    table: Layout,
+    columns: Option<usize>,
+    messages: Vec<String>,
+}
+
+impl Screen {
+    /// An empty table with these columns.
+    pub fn new(columns: Vec<Column>, wide: &Wide, live: Live) -> Result<Self> {
+        let width = wide.columns()?;
+        Ok(Self { live, table: Layout::new(columns, width), columns: width, messages: Vec::new() })
+    }
+
+    /// Prints the legend and the headings.
+    pub fn head(&self, legend: &str) -> Result<()> {
+        self.live.print(|| wrapped(legend, "    ", self.columns) + &self.table.heading())
+    }
+
+    /// Prints a codec's lines of the table.
+    pub fn row(&self, id: &str, lines: impl FnOnce() -> String) -> Result<()> {
+        self.live.name(id);
+        self.live.print(lines)
+    }
+
+    /// A line of the table: a cell for each column, shown or not.
+    pub fn line(&self, cells: &[&dyn Display]) -> String {
+        self.table.line(cells)
+    }
+
+    /// Whether there is room for a column.
+    pub fn shows(&self, column: usize) -> bool {
+        self.table.shows(column)
+    }
+
+    /// A remark below a row of the table.
+    pub fn note(&self, words: &str) -> String {
+        wrapped(&format!("    {words}\n"), "        ", self.columns)
+    }
+
+    /// Prints a paragraph within or below the table.
+    pub fn say(&self, words: &str, indent: &str) -> Result<()> {
+        self.live.print(|| wrapped(words, indent, self.columns))
+    }
+
+    /// Closes the device, which nothing else holds, and keeps the validation layer's messages.
+    pub fn close(&mut self, device: Arc<Device>) -> DeviceInfo {
+        let (info, messages) = close(device);
+        self.finish(messages);
+        info
+    }
+
+    /// Removes the bar, and keeps the validation layer's messages.
+    pub fn finish(&mut self, messages: Vec<String>) {
+        self.live.finish();
+        self.messages = messages;
+    }
+
+    /// Prints the last words, below the number of columns that were left out; fails for messages of the validation layer.
+    pub fn end(self, words: &str) -> Result<ExitCode> {
+        self.live.finish();
+        self.live.print(|| wrapped(words, "", self.columns) + &left_out(&[&self.table]))?;
+        Ok(status_after_validation(&self.messages, true))
+    }
+
+    /// Ends a comparison with its verdict: what agreed, or why it fails.
+    pub fn verdict(self, command: &str, outcome: Result<String, String>) -> Result<ExitCode> {
+        let outcome = match self.messages.len() {
+            0 => outcome,
+            1 => Err("1 message of the validation layer".to_owned()),
+            count => Err(format!("{count} messages of the validation layer")),
+        };
+        let words = match &outcome {
+            Ok(agreed) => format!("\n{command}: PASS: {agreed}\n"),
+            Err(reason) => format!("\n{command}: FAIL: {reason}\n"),
+        };
+        let status = self.end(&words)?;
+        Ok(if outcome.is_ok() { status } else { ExitCode::FAILURE })
     }
 }
 

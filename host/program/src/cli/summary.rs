@@ -1,6 +1,7 @@
 //! What `encode`, `decode` and `normals` say when they are done.
 
-use super::{print, to_json};
+use super::run::Json;
+use super::{counted, to_json};
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
@@ -16,69 +17,73 @@ pub struct Options {
     /// Do not print the line of counts to the standard error.
     #[arg(long, short)]
     quiet: bool,
-    /// Print the counts as JSON instead of the line, and of a mesh where each primitive begins: to the standard output, or
-    /// to the standard error if OUT is the standard output.
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    json: Json,
 }
 
 impl Options {
     /// Prints what was read from one file and written to the other, which is the standard output or not.
-    pub fn print(&self, summary: &Summary, files: [&Path; 2], to_stdout: bool) -> Result<()> {
-        let json = |summary| {
-            let [input, output] = files.map(|path| path.display().to_string());
-            to_json(&Report { input, output, summary })
-        };
-        match (self.json, self.quiet) {
-            // Where the standard error is closed, the exit status has to do.
-            (true, _) if to_stdout => {
-                let _ = write!(std::io::stderr(), "{}", json(summary));
-            }
-            (true, _) => drop(print(&json(summary))?),
-            (false, true) => {}
-            (false, false) => {
-                let _ = writeln!(std::io::stderr(), "{}", summary.line());
-            }
+    pub fn print(&self, summary: Summary, files: [&Path; 2], to_stdout: bool) -> Result<()> {
+        // Where the standard error is closed, the exit status has to do.
+        if !self.quiet && !self.json.is_to_stdout() {
+            let _ = writeln!(std::io::stderr(), "{}", summary.line());
         }
-        Ok(())
+        let [input, output] = files.map(|path| path.display().to_string());
+        let report = Report { input, output, summary };
+        if to_stdout && self.json.is_to_stdout() {
+            let _ = write!(std::io::stderr(), "{}", to_json(&report));
+            return Ok(());
+        }
+        self.json.write(&report)
     }
 }
 
-#[derive(Serialize)]
-struct Report<'a> {
+/// What was converted. Counts that do not apply are absent.
+#[derive(Serialize, schemars::JsonSchema)]
+pub struct Report {
+    /// The file that was read; - is the standard input.
     input: String,
+    /// The file that was written; - is the standard output.
     output: String,
     #[serde(flatten)]
-    summary: &'a Summary,
+    summary: Summary,
 }
 
 /// What was converted.
-#[derive(Serialize)]
+#[derive(Serialize, schemars::JsonSchema)]
 pub struct Summary {
+    /// Codec; absent for `normals`.
     #[serde(skip_serializing_if = "Option::is_none")]
     codec: Option<&'static str>,
+    /// What was counted.
     element: Element,
+    /// Vectors or frames.
     count: u64,
-    /// Of vectors or of normals.
+    /// Vectors, or normals of frames, without a usable direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     without_direction: Option<u64>,
+    /// Tangents of frames without a usable direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     tangents_without_direction: Option<u64>,
+    /// Vectors with z < 0, which a codec of the hemisphere moved up to z = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     below_equator: Option<u64>,
-    /// Of an encoding.
+    /// True where the codec stores components as given, clamped; absent where nothing was encoded.
     #[serde(skip_serializing_if = "Option::is_none")]
     keeps_lengths: Option<bool>,
-    /// Of an export: computed normals without a direction, in whose place +Z was written.
+    /// Computed normals without a direction, in whose place `normals` wrote +Z.
     #[serde(rename = "written_as_z", skip_serializing_if = "Option::is_none")]
     filled: Option<u64>,
     #[serde(flatten)]
     mesh: Option<MeshSummary>,
 }
 
-#[derive(Serialize)]
+/// The mesh that was read.
+#[derive(Serialize, schemars::JsonSchema)]
 struct MeshSummary {
+    /// Meshes of the file.
     meshes: usize,
+    /// Primitives, in the order of their vectors or frames.
     parts: Vec<Part>,
 }
 
@@ -176,13 +181,6 @@ impl Summary {
             None => " (stored as +Z)".to_owned(),
         }
     }
-}
-
-/// `1 vector`, `2 meshes`.
-fn counted(count: u64, plural: &str) -> String {
-    let singular = plural.strip_suffix("es").filter(|word| word.ends_with("sh"));
-    let singular = singular.or(plural.strip_suffix('s')).unwrap_or(plural);
-    format!("{count} {}", if count == 1 { singular } else { plural })
 }
 
 fn computed(parts: &[Part]) -> String {

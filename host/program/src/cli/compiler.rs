@@ -1,12 +1,11 @@
 //! `unitvec bench compiler`.
 
-use super::bench::Outputs;
-use super::run::{CODECS_LEFT, Live};
-use super::table::{Layout, left, left_out, right, wrapped};
-use super::{print, status_after_validation, variable};
+use super::bench::Measured;
+use super::run::{CODECS_LEFT, Live, Screen};
+use super::table::{Column, left, right};
+use super::{counted, number, variable, write_chart};
 use clap::Args;
-use std::fmt::Write;
-use std::io;
+use std::fmt::{Display, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::Operation;
@@ -32,7 +31,7 @@ pub struct Arguments {
     #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
     #[command(flatten)]
-    outputs: Outputs,
+    measured: Measured,
 }
 
 impl Arguments {
@@ -45,7 +44,7 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let (outputs, run) = (&arguments.outputs, &arguments.outputs.run);
+    let (measured, run) = (&arguments.measured, &arguments.measured.run);
     if let Some(radv) = arguments.radv()? {
         if run.vulkan.names_device() {
             return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));
@@ -56,31 +55,27 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
             return Ok(code.map_or(ExitCode::FAILURE, ExitCode::from));
         }
     }
-    let to_stdout = outputs.to_stdout()?;
+    let is_quiet = measured.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
-    let columns = run.wide.columns()?;
+    let live = Live::new(chosen.len() as u64, CODECS_LEFT, is_quiet);
+    let mut screen = Screen::new(columns(), &run.wide, live)?;
     let instance = run.vulkan.instance()?;
     let inspector = Inspector::open(&instance, &run.vulkan.choice())?;
-
-    let live = Live::new(chosen.len() as u64, CODECS_LEFT, true);
     let report = isa::measure(&inspector, &run.vulkan.modules()?, &chosen, |format| {
-        live.name(format.id);
-        live.advance(1);
+        screen.live.name(format.id);
+        screen.live.advance(1);
     })?;
-    live.finish();
     drop(inspector);
+    screen.finish(instance.validation_messages());
 
-    outputs.write(&report.rows, &report.to_json(), &markdown(&report))?;
+    measured.write(&report.rows, &report.to_json(), &markdown(&report))?;
     if let Some(path) = &arguments.chart {
-        let failed = |error: Box<dyn std::error::Error>| {
-            unitvec_files::Error::writing(path, io::Error::other(error.to_string()))
-        };
-        unitvec_files::write_file(path, pareto::svg(&report).map_err(failed)?.as_bytes())?;
+        write_chart(path, pareto::svg(&report))?;
     }
-    if !to_stdout {
-        print(&text(&report, columns))?;
-    }
-    Ok(status_after_validation(&instance.validation_messages(), true))
+    screen.head(&legend(&report.device))?;
+    let line = |row| screen.line(&cells(&report, row).each_ref().map(|cell| cell as &dyn Display));
+    screen.live.print(|| report.rows.iter().map(line).collect())?;
+    screen.end(&summary(&report))
 }
 
 fn legend(device: &DeviceInfo) -> String {
@@ -95,40 +90,24 @@ fn legend(device: &DeviceInfo) -> String {
     )
 }
 
-fn table(columns: Option<usize>) -> Layout {
-    Layout::new(
-        vec![
-            left("codec", 20),
-            left("", 6),
-            left("source", 8),
-            right("T", 5),
-            right("/\noct32", 5).rank(1),
-            right("vector\n/ v", 6).rank(3),
-            right("instruc-\ntions", 8),
-            right("/\nglsl", 5).rank(2),
-            right("regis-\nters", 6).rank(4),
-            right("latency", 7).rank(6),
-            right("bytes", 6).rank(5),
-        ],
-        columns,
-    )
-}
-
-fn text(report: &Report, columns: Option<usize>) -> String {
-    let table = table(columns);
-    let mut text = wrapped(&legend(&report.device), "    ", columns) + &table.heading();
-    for row in &report.rows {
-        let cells = cells(report, row);
-        text += &table.line(&cells.each_ref().map(|cell| cell as &dyn std::fmt::Display));
-    }
-    text + &wrapped(&summary(report), "", columns) + &left_out(&[&table])
+fn columns() -> Vec<Column> {
+    vec![
+        left("codec", 20),
+        left("", 6),
+        left("source", 8),
+        right("T", 5),
+        right("/\noct32", 5).rank(1),
+        right("vector\n/ v", 6).rank(3),
+        right("instruc-\ntions", 8),
+        right("/\nglsl", 5).rank(2),
+        right("regis-\nters", 6).rank(4),
+        right("latency", 7).rank(6),
+        right("bytes", 6).rank(5),
+    ]
 }
 
 fn cells(report: &Report, row: &Row) -> [String; 11] {
     let integer = |value: Option<u64>| value.map_or_else(|| "-".to_owned(), |value| value.to_string());
-    let number = |value: Option<f64>, digits: usize| {
-        value.map_or_else(|| "-".to_owned(), |value| format!("{value:.digits$}"))
-    };
     [
         row.textbook.clone().unwrap_or_else(|| row.id.clone()),
         row.operation.to_string(),
@@ -178,7 +157,7 @@ fn summary(report: &Report) -> String {
     let verdict = if named.is_empty() { "none".to_owned() } else { named.join(", ") };
     let is_counted = |row: &&Row| (row.source, row.operation) == (Source::Glsl, Operation::Encode);
     format!(
-        "\nbench compiler: {} codecs; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",
-        report.rows.iter().filter(is_counted).count()
+        "\nbench compiler: {}; instructions of SPIR-V from Rust above 1.02 of those from GLSL: {verdict}\n",
+        counted(report.rows.iter().filter(is_counted).count() as u64, "codecs")
     )
 }
