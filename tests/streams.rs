@@ -3,6 +3,7 @@
 
 #![cfg(target_os = "linux")]
 
+use crate::faults::assert_fails;
 use std::ffi::OsStr;
 use std::fs::{self, File};
 use std::io::{Read, Seek, SeekFrom, Write};
@@ -43,15 +44,6 @@ fn assert_encodes(command: &mut Command) -> Output {
     let output = command.output().unwrap();
     assert!(output.status.success(), "{}", stderr(&output));
     output
-}
-
-/// Fails with this status and one line that has these words.
-fn assert_fails(command: &mut Command, status: i32, words: &[&str]) {
-    let output = command.output().unwrap();
-    let said = stderr(&output);
-    assert_eq!(output.status.code(), Some(status), "{said}");
-    assert!(said.starts_with("unitvec: ") && said.lines().count() == 1, "{said}");
-    assert!(words.iter().all(|word| said.contains(word)), "{words:?} are not in: {said}");
 }
 
 fn count(folder: &TempDir) -> usize {
@@ -215,7 +207,7 @@ fn names_that_are_not_utf_8() {
     fs::rename(&input, &odd).unwrap();
     assert_encodes(&mut encode(&odd, &out));
     assert_eq!(fs::read(&out).unwrap(), CODES);
-    let mut error = command(["error", "--json"]);
+    let mut error = command(["error", "--json", "-"]);
     assert!(error.arg(&odd).output().unwrap().status.success());
     File::options().append(true).open(&odd).unwrap().write_all(b"x").unwrap();
     assert_fails(&mut encode(&odd, &out), 1, &["in \u{fffd}\\n\\u{1b}[31m.f32"]);
@@ -348,7 +340,7 @@ fn readers_that_leave() {
     normals.args([&bunny, Path::new("-")]);
     let mut decode = command(["decode", "--codec", CODEC]);
     decode.args([&input, Path::new("/dev/stdout")]);
-    for mut program in [encode(&input, Path::new("-")), decode, normals, command(["codecs", "--json"])] {
+    for mut program in [encode(&input, Path::new("-")), decode, normals, command(["codecs", "--json", "-"])] {
         let mut running = program.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
         drop(running.stdout.take());
         assert_ends_quietly(running);
