@@ -10,9 +10,7 @@ use unitvec_catalogue::{CODECS, Operation, find};
 use unitvec_link::{LIBRARY, Signature};
 #[cfg(feature = "glsl")]
 use unitvec_manifest::modules::Modules;
-use unitvec_manifest::{
-    BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, render_sources_sha256, schema, sha256_hex, sources_sha256,
-};
+use unitvec_manifest::{BEST_FIT_TABLE, Manifest, Module, Role, SCHEMA, schema, sha256_hex};
 use unitvec_render::shaders;
 #[cfg(feature = "glsl")]
 use unitvec_run::glsl::{Compiler, ENTRY_POINT};
@@ -31,20 +29,6 @@ fn folder() -> PathBuf {
 
 fn manifest() -> Manifest {
     serde_json::from_slice(&std::fs::read(folder().join("manifest.json")).unwrap()).unwrap()
-}
-
-/// A stale module is found without the compiler: `cargo xtask spirv` rebuilds it.
-#[test]
-fn modules_are_built_from_the_sources_as_they_are() {
-    let sources = sources_sha256(&repository()).unwrap();
-    assert_eq!(manifest().sources_sha256, sources, "run `cargo xtask spirv`");
-}
-
-/// A stale module of the renderer is found as well.
-#[test]
-fn render_modules_are_built_from_the_sources_as_they_are() {
-    let sources = render_sources_sha256(&repository()).unwrap();
-    assert_eq!(shaders::sources_sha256(), Some(sources.as_str()), "run `cargo xtask spirv`");
 }
 
 /// A module of two entry points a codec, and the decoder by table.

@@ -9,15 +9,10 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-use std::{fs, io};
 use unitvec_catalogue::{Element, Operation};
 
 /// Name of the manifest file in the modules' folder.
 pub const FILE_NAME: &str = "manifest.json";
-
-/// Name of the file beside the renderer's modules that has the hash of their [sources](render_sources_sha256).
-pub const RENDER_SOURCES: &str = "sources.sha256";
 
 /// Name of the manifest's JSON schema in the same folder.
 pub const SCHEMA: &str = "manifest.schema.json";
@@ -246,97 +241,5 @@ pub fn schema() -> String {
 
 /// SHA-256 of `bytes` in hexadecimal.
 pub fn sha256_hex(bytes: &[u8]) -> String {
-    hex(&Sha256::digest(bytes))
-}
-
-fn hex(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
-}
-
-/// A hash of what the modules are made from: the crate's and the SPIR-V build's sources without comments, and the locked
-/// versions of the packages that shape the output.
-///
-/// # Errors
-/// Any error of reading those files.
-pub fn sources_sha256(repository: &Path) -> io::Result<String> {
-    let mut hash = Sha256::new();
-    hash_crates(&mut hash, repository, &["shader-crate", "xtask/spirv"])?;
-    hash_locked(&mut hash, &repository.join("Cargo.lock"))?;
-    Ok(hex(&hash.finalize()))
-}
-
-/// A hash of what the renderer's modules are made from: their crate's sources, and those that [`sources_sha256`] is of.
-///
-/// # Errors
-/// Any error of reading those files.
-pub fn render_sources_sha256(repository: &Path) -> io::Result<String> {
-    let folder = "host/render/shaders/rust";
-    let mut hash = Sha256::new();
-    hash_entry(&mut hash, "unitvec", sources_sha256(repository)?.as_bytes());
-    hash_crates(&mut hash, repository, &[folder])?;
-    hash_locked(&mut hash, &repository.join(folder).join("Cargo.lock"))?;
-    Ok(hex(&hash.finalize()))
-}
-
-/// The manifests and sources of crates in these folders.
-fn hash_crates(hash: &mut Sha256, repository: &Path, folders: &[&str]) -> io::Result<()> {
-    let mut files = Vec::new();
-    for folder in folders {
-        files.push(repository.join(folder).join("Cargo.toml"));
-        rust_files(&repository.join(folder).join("src"), &mut files)?;
-    }
-    let mut named: Vec<(String, PathBuf)> =
-        files.into_iter().map(|file| (portable_name(repository, &file), file)).collect();
-    named.sort();
-    for (name, file) in named {
-        hash_entry(hash, &name, code(&fs::read_to_string(file)?).as_bytes());
-    }
-    Ok(())
-}
-
-/// The packages of a lock file that decide the bytes of modules.
-fn hash_locked(hash: &mut Sha256, lock: &Path) -> io::Result<()> {
-    for package in locked_packages(&fs::read_to_string(lock)?) {
-        hash_entry(hash, "Cargo.lock", package.trim().as_bytes());
-    }
-    Ok(())
-}
-
-/// Packages whose version decides the bytes of the modules.
-const SHAPING_PACKAGES: [&str; 7] =
-    ["glam", "libm", "rspirv", "spirv-builder", "spirv-std", "spirv-tools", "spirv-tools-sys"];
-
-fn locked_packages(lock: &str) -> impl Iterator<Item = &str> {
-    lock.split("[[package]]").filter(|package| {
-        SHAPING_PACKAGES.iter().any(|name| package.trim_start().starts_with(&format!("name = \"{name}\"\n")))
-    })
-}
-
-/// A file's lines but for those that are comments: they change no module.
-fn code(text: &str) -> String {
-    text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n")
-}
-
-fn hash_entry(hash: &mut Sha256, name: &str, content: &[u8]) {
-    hash.update(name.as_bytes());
-    hash.update([0]);
-    hash.update((content.len() as u64).to_le_bytes());
-    hash.update(content);
-}
-
-fn rust_files(folder: &Path, files: &mut Vec<PathBuf>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        if path.is_dir() {
-            rust_files(&path, files)?;
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
-            files.push(path);
-        }
-    }
-    Ok(())
-}
-
-fn portable_name(root: &Path, file: &Path) -> String {
-    let relative = file.strip_prefix(root).unwrap_or(file);
-    relative.components().map(|part| part.as_os_str().to_string_lossy()).collect::<Vec<_>>().join("/")
+    Sha256::digest(bytes).iter().map(|byte| format!("{byte:02x}")).collect()
 }

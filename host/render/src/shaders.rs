@@ -29,11 +29,6 @@ pub fn dithered() -> impl Iterator<Item = &'static str> {
     modules().filter_map(|name| name.strip_suffix("_dithered.spv"))
 }
 
-/// The hash of the sources that the modules were compiled from.
-pub fn sources_sha256() -> Option<&'static str> {
-    SPIRV.get_file(unitvec_manifest::RENDER_SOURCES)?.contents_utf8().map(str::trim_end)
-}
-
 /// Compiles a shader of [`glsl`](fn@glsl), `vertex.vert`, for a variant of this name, optimised.
 pub(crate) fn compile_glsl(
     compiler: &Compiler,

@@ -8,6 +8,7 @@ mod example;
 mod kernel;
 mod passes;
 mod render;
+mod sources;
 
 use anyhow::{Context, Result, bail, ensure};
 use kernel::Kernel;
@@ -99,7 +100,7 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         features: Vec::new(),
         rust_gpu: compile::RUST_GPU.to_owned(),
         target: compile::TARGET.to_owned(),
-        sources_sha256: manifest::sources_sha256(repository)?,
+        sources_sha256: sources::of_modules(repository)?,
         interfaces: BTreeMap::new(),
         library: describe::library(&library),
         modules: Vec::new(),

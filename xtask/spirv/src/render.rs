@@ -2,12 +2,12 @@
 
 use crate::compile::Compiler;
 use crate::passes;
+use crate::sources::{RENDER_SOURCES, of_render};
 use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::path::Path;
 use unitvec_catalogue::CODECS;
-use unitvec_manifest::{RENDER_SOURCES, render_sources_sha256};
 
 /// Where they lie.
 pub const FOLDER: &str = "host/render/shaders/spirv";
@@ -35,6 +35,6 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         Ok((format!("{id}.spv"), words.iter().flat_map(|word| word.to_le_bytes()).collect()))
     });
     let mut files = finished.collect::<Result<BTreeMap<_, Vec<u8>>>>()?;
-    files.insert(RENDER_SOURCES.to_owned(), (render_sources_sha256(repository)? + "\n").into_bytes());
+    files.insert(RENDER_SOURCES.to_owned(), (of_render(repository)? + "\n").into_bytes());
     Ok(files)
 }
