@@ -76,36 +76,29 @@ fn peak_memory(child: &Child) -> u64 {
     line.trim().trim_end_matches(" kB").parse::<u64>().unwrap() * 1024
 }
 
-/// A link stays a link, and its target is replaced, as with `cp`; a link of links too.
+/// A link stays a link, and its target is replaced, as with `cp`; a link of links too. A link to nothing, and one to itself,
+/// are refused, as by `cp`: nobody named the file that would come to be.
 #[test]
 fn output_to_a_link() {
     let (folder, input) = folder();
     let path = |name: &str| folder.path().join(name);
     fs::create_dir(path("elsewhere")).unwrap();
-    fs::write(path("elsewhere/codes"), b"before").unwrap();
-    symlink("elsewhere/codes", path("link")).unwrap();
-    symlink("link", path("link of links")).unwrap();
+    for (link, target) in
+        [("link", "elsewhere/codes"), ("link of links", "link"), ("dangling", "absent"), ("loop", "loop")]
+    {
+        symlink(target, path(link)).unwrap();
+    }
     for link in ["link", "link of links"] {
+        fs::write(path("elsewhere/codes"), b"before").unwrap();
         assert_encodes(&mut encode(&input, &path(link)));
         assert!(path(link).is_symlink());
         assert_eq!(fs::read(path("elsewhere/codes")).unwrap(), CODES);
-        fs::write(path("elsewhere/codes"), b"before").unwrap();
     }
-    assert_eq!((count(&folder), fs::read_dir(path("elsewhere")).unwrap().count()), (4, 1));
-}
-
-/// A link to nothing, and one to itself, are refused, as by `cp`: nobody named the file that would come to be.
-#[test]
-fn output_to_a_link_to_nothing() {
-    let (folder, input) = folder();
-    let path = |name: &str| folder.path().join(name);
-    symlink("absent", path("link")).unwrap();
-    symlink("loop", path("loop")).unwrap();
-    for link in ["link", "loop"] {
+    for link in ["dangling", "loop"] {
         assert_fails(&mut encode(&input, &path(link)), 1, &[link, "link to nothing"]);
         assert!(path(link).is_symlink());
     }
-    assert_eq!(count(&folder), 3);
+    assert_eq!((count(&folder), fs::read_dir(path("elsewhere")).unwrap().count()), (6, 1));
 }
 
 /// The output is the input by its own name, by another way there, by a link and by a hard link; all stay as they were.
@@ -124,41 +117,26 @@ fn output_equal_to_input() {
     assert_eq!((fs::read(&input).unwrap(), count(&folder)), (floats(), 3));
 }
 
-/// Through named pipes on both sides, in any kind of portions.
+/// Through named pipes on both sides, in any kind of portions; a mesh from a pipe is known by its first bytes.
 #[test]
 fn fifos() {
-    let (folder, _) = folder();
-    let [from, to] = ["from", "to"].map(|name| folder.path().join(name));
-    make_fifo(&from);
-    make_fifo(&to);
-    let mut running = encode(&from, &to).stderr(Stdio::piped()).spawn().unwrap();
-    let reader = std::thread::spawn(move || fs::read(to).unwrap());
-    let mut pipe = File::options().write(true).open(&from).unwrap();
-    for part in floats().chunks(5) {
-        pipe.write_all(part).unwrap();
-        pipe.flush().unwrap();
-    }
-    drop(pipe);
-    assert_eq!(reader.join().unwrap(), CODES);
-    assert!(running.wait().unwrap().success());
-    assert_eq!(count(&folder), 3);
-}
-
-/// A mesh from a pipe is known by its first bytes.
-#[test]
-fn a_mesh_from_a_fifo() {
-    let (folder, _) = folder();
-    let [from, to] = ["from", "to"].map(|name| folder.path().join(name));
-    make_fifo(&from);
-    let text = "ply\nformat ascii 1.0\nelement vertex 2\nproperty float nx\nproperty float ny\nproperty float nz\n\
+    let ply =
+        b"ply\nformat ascii 1.0\nelement vertex 2\nproperty float nx\nproperty float ny\nproperty float nz\n\
         end_header\n0 0 1\n0 0 1\n";
-    let writer = std::thread::spawn({
-        let from = from.clone();
-        move || fs::write(from, text).unwrap()
-    });
-    assert_encodes(&mut encode(&from, &to));
-    writer.join().unwrap();
-    assert_eq!(fs::read(to).unwrap(), CODES);
+    for content in [floats(), ply.to_vec()] {
+        let (folder, _) = folder();
+        let [from, to] = ["from", "to"].map(|name| folder.path().join(name));
+        make_fifo(&from);
+        make_fifo(&to);
+        let mut running = encode(&from, &to).stderr(Stdio::piped()).spawn().unwrap();
+        let reader = std::thread::spawn(move || fs::read(to).unwrap());
+        let mut pipe = File::options().write(true).open(&from).unwrap();
+        content.chunks(5).for_each(|part| pipe.write_all(part).unwrap());
+        drop(pipe);
+        assert_eq!(reader.join().unwrap(), CODES);
+        assert!(running.wait().unwrap().success());
+        assert_eq!(count(&folder), 3);
+    }
 }
 
 /// A glTF file that names a pipe or a device as its buffer neither waits for it nor reads it without end.
@@ -367,30 +345,25 @@ fn a_full_device() {
     assert_eq!(count(&folder), 1);
 }
 
-/// A folder is no input, no output, and none of the other files that are named.
+/// A folder is no input, no output, and none of the other files that are named; endless input is no report of costs, and no
+/// module.
 #[test]
-fn folders_for_files() {
+fn folders_and_devices_for_files() {
     let (folder, input) = folder();
     let here = folder.path();
+    symlink("/dev/zero", here.join("manifest.json")).unwrap();
     assert_fails(&mut encode(here, &here.join("out")), 1, &["directory"]);
     assert_fails(&mut encode(&input, here), 1, &["cannot write", "directory"]);
     assert_fails(&mut encode(&input, &here.join("absent/out")), 1, &["cannot write", "absent/out"]);
-    assert_fails(command(["choose", "--max-error", "1", "--costs"]).arg(here), 1, &["cannot read"]);
+    for (costs, words) in [(here, "cannot read"), (Path::new("/dev/zero"), "/dev/zero")] {
+        assert_fails(command(["choose", "--max-error", "1", "--costs"]).arg(costs), 1, &[words]);
+    }
     assert_fails(command(["conform"]).arg(here), 1, &["cannot read"]);
-    let mut modules = encode(&input, &here.join("out"));
-    modules.args(["--backend", "rust", "--spirv"]).arg(&input);
-    assert_fails(&mut modules, 1, &["in.f32", "manifest.json"]);
-    assert_eq!(count(&folder), 1);
-}
-
-/// Endless input is no report of costs, and no module.
-#[test]
-fn devices_for_small_files() {
-    let (folder, input) = folder();
-    assert_fails(&mut command(["choose", "--max-error", "1", "--costs", "/dev/zero"]), 1, &["/dev/zero"]);
-    symlink("/dev/zero", folder.path().join("manifest.json")).unwrap();
-    let mut modules = encode(&input, &folder.path().join("out"));
-    modules.args(["--backend", "rust", "--spirv"]).arg(folder.path());
-    assert_fails(&mut modules, 1, &["manifest.json", "it is no file"]);
+    for (modules, words) in
+        [(input.as_path(), ["in.f32", "manifest.json"]), (here, ["manifest.json", "it is no file"])]
+    {
+        let mut encode = encode(&input, &here.join("out"));
+        assert_fails(encode.args(["--backend", "rust", "--spirv"]).arg(modules), 1, &words);
+    }
     assert_eq!(count(&folder), 2);
 }

@@ -1,3 +1,4 @@
+use super::handle::Handle;
 use super::memory::{Memory, Place};
 use super::{Device, Error, Named};
 use ash::vk;
@@ -5,11 +6,11 @@ use std::sync::Arc;
 
 /// A buffer of storage, vertices or indices.
 pub(super) struct Buffer {
-    pub(super) raw: vk::Buffer,
+    pub(super) raw: Handle<vk::Buffer>,
     /// Bytes, whole words.
     pub(super) size: usize,
-    memory: Option<Memory>,
-    device: Arc<Device>,
+    // Freed after the buffer is destroyed.
+    memory: Memory,
 }
 
 impl Buffer {
@@ -21,25 +22,28 @@ impl Buffer {
             | vk::BufferUsageFlags::TRANSFER_SRC
             | vk::BufferUsageFlags::TRANSFER_DST;
         let create = vk::BufferCreateInfo::default().size(size as u64).usage(usage);
-        // SAFETY: `create` is valid: a nonzero size and no queue sharing.
-        let raw = unsafe { device.raw.create_buffer(&create, None) }.named("vkCreateBuffer")?;
-        let mut buffer = Self { raw, size, memory: None, device: device.clone() };
+        // SAFETY: `create` is valid: a nonzero size and no queue sharing; whatever uses the buffer waits.
+        let raw = unsafe {
+            let created = device.raw.create_buffer(&create, None);
+            Handle::new(device, created, "vkCreateBuffer", ash::Device::destroy_buffer)?
+        };
         // SAFETY: a query of a buffer of the device.
-        let requirements = unsafe { device.raw.get_buffer_memory_requirements(raw) };
-        let (memory, offset) = buffer.memory.insert(Memory::new(device, requirements, place)?).binding();
+        let requirements = unsafe { device.raw.get_buffer_memory_requirements(*raw) };
+        let memory = Memory::new(device, requirements, place)?;
+        let (bound, offset) = memory.binding();
         // SAFETY: the memory meets the buffer's requirements, and the buffer is bound once, before any use.
-        unsafe { device.raw.bind_buffer_memory(raw, memory, offset) }.named("vkBindBufferMemory")?;
-        Ok(buffer)
+        unsafe { device.raw.bind_buffer_memory(*raw, bound, offset) }.named("vkBindBufferMemory")?;
+        Ok(Self { raw, size, memory })
     }
 
     /// True where the device and the host both use it at full speed; a buffer of [`Place::Device`] needs staging elsewhere.
     pub(super) fn is_unified(&self) -> bool {
-        self.memory.as_ref().is_some_and(Memory::is_unified)
+        self.memory.is_unified()
     }
 
     /// Copies as much of `bytes` as fits to the start of the buffer, if the host sees it.
     pub(super) fn write(&mut self, bytes: &[u8]) {
-        if let Some(mapped) = self.memory.as_mut().and_then(Memory::bytes) {
+        if let Some(mapped) = self.memory.bytes() {
             let count = bytes.len().min(self.size);
             mapped[..count].copy_from_slice(&bytes[..count]);
         }
@@ -47,7 +51,7 @@ impl Buffer {
 
     /// Copies the start of the buffer to `bytes`, as much as there is, if the host sees it.
     pub(super) fn read(&mut self, bytes: &mut [u8]) {
-        if let Some(mapped) = self.memory.as_mut().and_then(Memory::bytes) {
+        if let Some(mapped) = self.memory.bytes() {
             let count = bytes.len().min(self.size);
             bytes[..count].copy_from_slice(&mapped[..count]);
         }
@@ -66,13 +70,6 @@ impl Buffer {
     ) {
         let region = [vk::BufferCopy::default().size(bytes as u64)];
         // SAFETY: as the caller promises.
-        unsafe { device.cmd_copy_buffer(commands, self.raw, to.raw, &region) };
-    }
-}
-
-impl Drop for Buffer {
-    fn drop(&mut self) {
-        // SAFETY: it is this one's own and no submission is running; its memory is freed after it.
-        unsafe { self.device.raw.destroy_buffer(self.raw, None) };
+        unsafe { device.cmd_copy_buffer(commands, *self.raw, *to.raw, &region) };
     }
 }

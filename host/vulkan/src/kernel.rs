@@ -1,3 +1,4 @@
+use super::handle::Handle;
 use super::layout::Layout;
 use super::module::Module;
 use super::{Device, Error, Table};
@@ -29,17 +30,10 @@ pub enum BufferPromise {
 /// A compute kernel with the interface of `spirv/manifest.json`: binding 0 in, binding 1 out, binding 2 a table, the
 /// number of vectors as push constant.
 pub struct Kernel {
-    pub(super) pipeline: vk::Pipeline,
+    pub(super) pipeline: Handle<vk::Pipeline>,
     pub(super) layout: Arc<Layout>,
     pub(super) table: Option<Table>,
     pub(super) promise: BufferPromise,
-}
-
-impl Drop for Kernel {
-    fn drop(&mut self) {
-        // SAFETY: the pipeline is this kernel's own; every submission that used it was waited for.
-        unsafe { self.layout.device.raw.destroy_pipeline(self.pipeline, None) };
-    }
 }
 
 impl Layout {
@@ -55,17 +49,20 @@ impl Layout {
         spirv: &[u8],
         entry_point: &str,
         flags: vk::PipelineCreateFlags,
-    ) -> Result<vk::Pipeline, Error> {
+    ) -> Result<Handle<vk::Pipeline>, Error> {
         let module = Module::new(&self.device, spirv, entry_point)?;
         let data = (promise as u32).to_ne_bytes();
         let constants = [vk::SpecializationMapEntry::default().constant_id(0).offset(0).size(data.len())];
         let specialization = vk::SpecializationInfo::default().map_entries(&constants).data(&data);
         let stage = module.stage(vk::ShaderStageFlags::COMPUTE).specialization_info(&specialization);
         let create =
-            [vk::ComputePipelineCreateInfo::default().flags(flags).stage(stage).layout(self.pipeline)];
-        // SAFETY: the module and the layout are of this device, as the extensions of the flags are.
-        unsafe { self.device.raw.create_compute_pipelines(vk::PipelineCache::null(), &create, None) }
-            .map(|pipelines| pipelines[0])
-            .map_err(|(_, result)| Error::Call { call: "vkCreateComputePipelines", result })
+            [vk::ComputePipelineCreateInfo::default().flags(flags).stage(stage).layout(*self.pipeline)];
+        // SAFETY: the module and the layout are of this device, as the extensions of the flags are; each submission is waited for.
+        unsafe {
+            let created = self.device.raw.create_compute_pipelines(vk::PipelineCache::null(), &create, None);
+            let created = created.map(|pipelines| pipelines[0]).map_err(|(_, result)| result);
+            let destroy = ash::Device::destroy_pipeline;
+            Handle::new(&self.device, created, "vkCreateComputePipelines", destroy)
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Interfaces of pipelines, and the descriptors for them.
 
+use super::handle::Handle;
 use super::{Device, Error, Named};
 use ash::vk;
 use std::sync::Arc;
@@ -9,8 +10,8 @@ pub(super) const BINDINGS: u32 = 3;
 
 /// The interface that all kernels share, or all graphics pipelines: [`BINDINGS`] descriptors and push constants.
 pub(super) struct Layout {
-    set: vk::DescriptorSetLayout,
-    pub(super) pipeline: vk::PipelineLayout,
+    pub(super) pipeline: Handle<vk::PipelineLayout>,
+    set: Handle<vk::DescriptorSetLayout>,
     descriptors: vk::DescriptorType,
     pub(super) device: Arc<Device>,
 }
@@ -29,36 +30,28 @@ impl Layout {
             .stage_flags(stages);
         let bindings: Vec<_> = (0..BINDINGS).map(|index| binding.binding(index)).collect();
         let create = vk::DescriptorSetLayoutCreateInfo::default().bindings(&bindings);
-        // SAFETY: a valid create info; destroyed in `drop`.
-        let set = unsafe { device.raw.create_descriptor_set_layout(&create, None) }
-            .named("vkCreateDescriptorSetLayout")?;
-        let pipeline = vk::PipelineLayout::null();
-        let mut layout = Self { set, pipeline, descriptors, device: device.clone() };
-
-        let sets = [set];
+        // SAFETY: a valid create info; pipelines and whatever runs them keep an Arc to the layout.
+        let set = unsafe {
+            let created = device.raw.create_descriptor_set_layout(&create, None);
+            let destroy = ash::Device::destroy_descriptor_set_layout;
+            Handle::new(device, created, "vkCreateDescriptorSetLayout", destroy)?
+        };
+        let sets = [*set];
         let constants = [vk::PushConstantRange::default().stage_flags(stages).size(constants)];
         let create =
             vk::PipelineLayoutCreateInfo::default().set_layouts(&sets).push_constant_ranges(&constants);
         // SAFETY: as above.
-        layout.pipeline =
-            unsafe { device.raw.create_pipeline_layout(&create, None) }.named("vkCreatePipelineLayout")?;
-        Ok(layout)
-    }
-}
-
-impl Drop for Layout {
-    fn drop(&mut self) {
-        // SAFETY: pipelines and whatever runs them keep an Arc to the layout, so nothing uses it; null is ignored.
-        unsafe {
-            self.device.raw.destroy_pipeline_layout(self.pipeline, None);
-            self.device.raw.destroy_descriptor_set_layout(self.set, None);
-        }
+        let pipeline = unsafe {
+            let created = device.raw.create_pipeline_layout(&create, None);
+            Handle::new(device, created, "vkCreatePipelineLayout", ash::Device::destroy_pipeline_layout)?
+        };
+        Ok(Self { pipeline, set, descriptors, device: device.clone() })
     }
 }
 
 /// The descriptor set of one submission at a time.
 pub(super) struct Descriptors {
-    pool: vk::DescriptorPool,
+    pool: Handle<vk::DescriptorPool>,
     layout: Arc<Layout>,
 }
 
@@ -66,9 +59,12 @@ impl Descriptors {
     pub(super) fn new(layout: &Arc<Layout>) -> Result<Self, Error> {
         let sizes = [vk::DescriptorPoolSize::default().ty(layout.descriptors).descriptor_count(BINDINGS)];
         let create = vk::DescriptorPoolCreateInfo::default().max_sets(1).pool_sizes(&sizes);
-        // SAFETY: a valid create info; destroyed in `drop`.
-        let pool = unsafe { layout.device.raw.create_descriptor_pool(&create, None) }
-            .named("vkCreateDescriptorPool")?;
+        let (device, destroy) = (&layout.device, ash::Device::destroy_descriptor_pool);
+        // SAFETY: a valid create info; each submission is waited for.
+        let pool = unsafe {
+            let created = device.raw.create_descriptor_pool(&create, None);
+            Handle::new(device, created, "vkCreateDescriptorPool", destroy)?
+        };
         Ok(Self { pool, layout: layout.clone() })
     }
 
@@ -79,21 +75,14 @@ impl Descriptors {
     /// No submission that uses the last set is running.
     pub(super) unsafe fn renew(&mut self) -> Result<vk::DescriptorSet, Error> {
         let device = &self.layout.device.raw;
-        let layouts = [self.layout.set];
+        let layouts = [*self.layout.set];
         let allocate =
-            vk::DescriptorSetAllocateInfo::default().descriptor_pool(self.pool).set_layouts(&layouts);
+            vk::DescriptorSetAllocateInfo::default().descriptor_pool(*self.pool).set_layouts(&layouts);
         // SAFETY: no set of the pool is in use, as the caller promises; the pool has room for one.
         unsafe {
             let reset = vk::DescriptorPoolResetFlags::empty();
-            device.reset_descriptor_pool(self.pool, reset).named("vkResetDescriptorPool")?;
+            device.reset_descriptor_pool(*self.pool, reset).named("vkResetDescriptorPool")?;
             Ok(device.allocate_descriptor_sets(&allocate).named("vkAllocateDescriptorSets")?[0])
         }
-    }
-}
-
-impl Drop for Descriptors {
-    fn drop(&mut self) {
-        // SAFETY: it is this one's own and no submission is running.
-        unsafe { self.layout.device.raw.destroy_descriptor_pool(self.pool, None) };
     }
 }

@@ -9,6 +9,7 @@ mod device;
 mod error;
 mod format;
 mod graphics;
+mod handle;
 mod instance;
 mod kernel;
 mod layout;

@@ -1,6 +1,7 @@
 //! The running of kernels: staging, dispatches and tables.
 
 use super::buffer::Buffer;
+use super::handle::Handle;
 use super::kernel::MAX_ELEMENT;
 use super::layout::{Descriptors, Layout};
 use super::memory::Place;
@@ -22,8 +23,8 @@ pub struct Runner {
     output: Staged,
     submission: Submission,
     descriptors: Descriptors,
-    /// Two timestamps; null on a device without.
-    queries: vk::QueryPool,
+    /// Two timestamps, where the device has them.
+    queries: Option<Handle<vk::QueryPool>>,
     capacity: usize,
     fill_output: bool,
 }
@@ -40,25 +41,23 @@ impl Runner {
         }
         let size = buffer_size(capacity);
         let layout = Arc::new(Layout::of_kernels(device)?);
-        let mut runner = Self {
+        let create = vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2);
+        // SAFETY: a valid create info; each submission is waited for.
+        let pool = |_: &_| unsafe {
+            let created = device.raw.create_query_pool(&create, None);
+            Handle::new(device, created, "vkCreateQueryPool", ash::Device::destroy_query_pool)
+        };
+        Ok(Self {
             device: device.clone(),
             input: Staged::new(device, size)?,
             output: Staged::new(device, size)?,
             submission: Submission::new(device)?,
             descriptors: Descriptors::new(&layout)?,
             layout,
-            queries: vk::QueryPool::null(),
+            queries: device.timestamps.as_ref().map(pool).transpose()?,
             capacity,
             fill_output,
-        };
-        if device.timestamps.is_some() {
-            let create =
-                vk::QueryPoolCreateInfo::default().query_type(vk::QueryType::TIMESTAMP).query_count(2);
-            // SAFETY: a valid create info; destroyed in `drop`.
-            runner.queries =
-                unsafe { device.raw.create_query_pool(&create, None) }.named("vkCreateQueryPool")?;
-        }
-        Ok(runner)
+        })
     }
 
     /// The most vectors that [`run`](Self::run) takes.
@@ -188,24 +187,24 @@ impl Runner {
         self.input.host().write(input);
         let written = output.len().min(size);
         let set = self.bind(dispatch.kernel, input.len(), written)?;
-        let timed = self.queries != vk::QueryPool::null();
+        let queries = self.queries.as_deref().copied();
         // SAFETY: all handles are the runner's or the kernel's, of the same device; copies and the dispatch stay within the
         // buffers, whose size is that of `capacity` vectors of the largest element, in whole groups; barriers order each
         // step's memory accesses before the next's.
         unsafe {
             self.submission.run(|device, commands| {
-                if timed {
-                    device.cmd_reset_query_pool(commands, self.queries, 0, 2);
+                if let Some(queries) = queries {
+                    device.cmd_reset_query_pool(commands, queries, 0, 2);
                 }
                 if let Some(staging) = &self.input.staging {
                     staging.copy_to(device, commands, &self.input.device, input.len());
                 }
                 if self.fill_output {
                     let words = written.next_multiple_of(4) as u64;
-                    device.cmd_fill_buffer(commands, self.output.device.raw, 0, words, SENTINEL);
+                    device.cmd_fill_buffer(commands, *self.output.device.raw, 0, words, SENTINEL);
                 }
                 barrier(device, commands, ALL);
-                dispatch.record(device, commands, set, self.queries);
+                dispatch.record(device, commands, set, queries);
                 if let Some(staging) = &self.output.staging {
                     barrier(device, commands, ALL);
                     self.output.device.copy_to(device, commands, staging, written);
@@ -230,7 +229,7 @@ impl Runner {
         for ((buffer, bytes), binding) in buffers.into_iter().chain(table).zip(0..) {
             // The rest of the last word is bound as well. Anything beyond does not exist for the kernel.
             let range = bytes.next_multiple_of(4).max(4) as u64;
-            let buffer = [vk::DescriptorBufferInfo::default().buffer(buffer.raw).range(range)];
+            let buffer = [vk::DescriptorBufferInfo::default().buffer(*buffer.raw).range(range)];
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set)
                 .dst_binding(binding)
@@ -244,20 +243,15 @@ impl Runner {
     }
 
     fn elapsed(&self) -> Result<Option<f64>, Error> {
-        let Some(timestamps) = &self.device.timestamps else { return Ok(None) };
+        let (Some(timestamps), Some(queries)) = (&self.device.timestamps, &self.queries) else {
+            return Ok(None);
+        };
         let mut ticks = [0u64; 2];
         let flags = vk::QueryResultFlags::TYPE_64 | vk::QueryResultFlags::WAIT;
         // SAFETY: both queries were written by the submission that has ended.
-        unsafe { self.device.raw.get_query_pool_results(self.queries, 0, &mut ticks, flags) }
+        unsafe { self.device.raw.get_query_pool_results(**queries, 0, &mut ticks, flags) }
             .named("vkGetQueryPoolResults")?;
         Ok(Some(timestamps.elapsed(ticks[0], ticks[1])))
-    }
-}
-
-impl Drop for Runner {
-    fn drop(&mut self) {
-        // SAFETY: the pool is this runner's own, or null, which is ignored, and no submission is running.
-        unsafe { self.device.raw.destroy_query_pool(self.queries, None) };
     }
 }
 
@@ -269,7 +263,7 @@ struct Dispatch<'a> {
 }
 
 impl Dispatch<'_> {
-    /// Records the dispatch, between two timestamps unless `queries` is null.
+    /// Records the dispatch, between two timestamps where there are `queries`.
     ///
     /// # Safety
     /// `commands` is being recorded, `set` has the buffers that the kernel uses, and all handles are of one device.
@@ -278,12 +272,12 @@ impl Dispatch<'_> {
         device: &ash::Device,
         commands: vk::CommandBuffer,
         set: vk::DescriptorSet,
-        queries: vk::QueryPool,
+        queries: Option<vk::QueryPool>,
     ) {
-        let (compute, layout) = (vk::PipelineBindPoint::COMPUTE, self.kernel.layout.pipeline);
+        let (compute, layout) = (vk::PipelineBindPoint::COMPUTE, *self.kernel.layout.pipeline);
         let constants = bytemuck::bytes_of(&self.constants);
         let timestamp = |query| {
-            if queries != vk::QueryPool::null() {
+            if let Some(queries) = queries {
                 let stage = vk::PipelineStageFlags::COMPUTE_SHADER;
                 // SAFETY: as the caller promises; the pool has two queries.
                 unsafe { device.cmd_write_timestamp(commands, stage, queries, query) };
@@ -291,7 +285,7 @@ impl Dispatch<'_> {
         };
         // SAFETY: as the caller promises; the kernel has this layout.
         unsafe {
-            device.cmd_bind_pipeline(commands, compute, self.kernel.pipeline);
+            device.cmd_bind_pipeline(commands, compute, *self.kernel.pipeline);
             device.cmd_bind_descriptor_sets(commands, compute, layout, 0, &[set], &[]);
             device.cmd_push_constants(commands, layout, vk::ShaderStageFlags::COMPUTE, 0, constants);
             timestamp(0);

@@ -40,14 +40,10 @@ impl Inspector {
     pub fn statistics(&self, module: &[u8], entry_point: &str) -> Result<Statistics, Error> {
         let flags = vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR;
         let pipeline = self.layout.compile(BufferPromise::WholeGroups, module, entry_point, flags)?;
-        let info = vk::PipelineExecutableInfoKHR::default().pipeline(pipeline);
-        // SAFETY: the pipeline was made to capture statistics and has one executable at least; nothing else knows it.
-        let statistics = unsafe {
-            let statistics = self.functions.get_pipeline_executable_statistics(&info);
-            self.layout.device.raw.destroy_pipeline(pipeline, None);
-            statistics
-        }
-        .named("vkGetPipelineExecutableStatisticsKHR")?;
+        let info = vk::PipelineExecutableInfoKHR::default().pipeline(*pipeline);
+        // SAFETY: the pipeline was made to capture statistics and has one executable at least.
+        let statistics = unsafe { self.functions.get_pipeline_executable_statistics(&info) }
+            .named("vkGetPipelineExecutableStatisticsKHR")?;
         Ok(statistics.iter().filter_map(integer).collect())
     }
 }

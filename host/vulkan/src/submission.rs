@@ -1,3 +1,4 @@
+use super::handle::Handle;
 use super::{Device, Error, Named};
 use ash::vk;
 use std::sync::{Arc, PoisonError};
@@ -7,10 +8,10 @@ pub(super) const ALL: vk::PipelineStageFlags = vk::PipelineStageFlags::ALL_COMMA
 
 /// A command buffer and the fence that its submissions are waited for with.
 pub(super) struct Submission {
-    pool: vk::CommandPool,
+    fence: Handle<vk::Fence>,
     commands: vk::CommandBuffer,
-    fence: vk::Fence,
-    device: Arc<Device>,
+    // Has the command buffer.
+    _pool: Handle<vk::CommandPool>,
 }
 
 impl Submission {
@@ -19,18 +20,17 @@ impl Submission {
         let pool = vk::CommandPoolCreateInfo::default()
             .queue_family_index(device.queue_family)
             .flags(vk::CommandPoolCreateFlags::RESET_COMMAND_BUFFER);
-        // SAFETY: the create infos are valid for this device; what is created is destroyed in `drop`.
+        // SAFETY: the create infos are valid for this device, and each submission is waited for.
         unsafe {
-            let pool = raw.create_command_pool(&pool, None).named("vkCreateCommandPool")?;
-            let (commands, fence) = (vk::CommandBuffer::null(), vk::Fence::null());
-            let mut submission = Self { pool, commands, fence, device: device.clone() };
+            let pool = raw.create_command_pool(&pool, None);
+            let destroy = ash::Device::destroy_command_pool;
+            let pool = Handle::new(device, pool, "vkCreateCommandPool", destroy)?;
             let allocate =
-                vk::CommandBufferAllocateInfo::default().command_pool(pool).command_buffer_count(1);
-            submission.commands =
-                raw.allocate_command_buffers(&allocate).named("vkAllocateCommandBuffers")?[0];
-            submission.fence =
-                raw.create_fence(&vk::FenceCreateInfo::default(), None).named("vkCreateFence")?;
-            Ok(submission)
+                vk::CommandBufferAllocateInfo::default().command_pool(*pool).command_buffer_count(1);
+            let commands = raw.allocate_command_buffers(&allocate).named("vkAllocateCommandBuffers")?[0];
+            let fence = raw.create_fence(&vk::FenceCreateInfo::default(), None);
+            let fence = Handle::new(device, fence, "vkCreateFence", ash::Device::destroy_fence)?;
+            Ok(Self { fence, commands, _pool: pool })
         }
     }
 
@@ -43,7 +43,8 @@ impl Submission {
         &mut self,
         record: impl FnOnce(&ash::Device, vk::CommandBuffer),
     ) -> Result<(), Error> {
-        let (device, commands) = (&self.device.raw, self.commands);
+        let owner = self.fence.device();
+        let (device, commands) = (&owner.raw, self.commands);
         let begin = vk::CommandBufferBeginInfo::default().flags(vk::CommandBufferUsageFlags::ONE_TIME_SUBMIT);
         let buffers = [commands];
         let submit = [vk::SubmitInfo::default().command_buffers(&buffers)];
@@ -57,26 +58,16 @@ impl Submission {
             barrier(device, commands, vk::PipelineStageFlags::HOST);
             device.end_command_buffer(commands).named("vkEndCommandBuffer")?;
             {
-                let queue = self.device.queue.lock().unwrap_or_else(PoisonError::into_inner);
-                device.queue_submit(*queue, &submit, self.fence).named("vkQueueSubmit")?;
+                let queue = owner.queue.lock().unwrap_or_else(PoisonError::into_inner);
+                device.queue_submit(*queue, &submit, *self.fence).named("vkQueueSubmit")?;
             }
-            let waited = device.wait_for_fences(&[self.fence], true, u64::MAX).named("vkWaitForFences");
+            let waited = device.wait_for_fences(&[*self.fence], true, u64::MAX).named("vkWaitForFences");
             if waited.is_err() {
                 // The submission may still run: the device is idled, and if even that fails it is lost and runs nothing.
-                let _queue = self.device.queue.lock().unwrap_or_else(PoisonError::into_inner);
+                let _queue = owner.queue.lock().unwrap_or_else(PoisonError::into_inner);
                 let _ = device.device_wait_idle();
             }
-            waited.and(device.reset_fences(&[self.fence]).named("vkResetFences"))
-        }
-    }
-}
-
-impl Drop for Submission {
-    fn drop(&mut self) {
-        // SAFETY: both belong to this submission (or are null, which is ignored), and nothing is running.
-        unsafe {
-            self.device.raw.destroy_fence(self.fence, None);
-            self.device.raw.destroy_command_pool(self.pool, None);
+            waited.and(device.reset_fences(&[*self.fence]).named("vkResetFences"))
         }
     }
 }

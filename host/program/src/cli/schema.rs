@@ -15,8 +15,10 @@ pub struct Arguments {
     command: Vec<String>,
 }
 
-/// The commands, each with the schema of its JSON.
-const SCHEMAS: &[(&str, fn() -> Schema)] = &[
+/// A command, and the schema of its JSON.
+type Described = (&'static str, fn() -> Schema);
+
+const SCHEMAS: &[Described] = &[
     ("codecs", of::<Vec<AnyCodec>>),
     ("encode", of::<summary::Report>),
     ("decode", of::<summary::Report>),

@@ -70,7 +70,7 @@ impl Graphics {
         let set = unsafe { descriptors.renew()? };
         for (binding, texture) in textures {
             let image =
-                [vk::DescriptorImageInfo::default().image_view(texture.view).image_layout(BETWEEN_PASSES)];
+                [vk::DescriptorImageInfo::default().image_view(*texture.view).image_layout(BETWEEN_PASSES)];
             let write = vk::WriteDescriptorSet::default()
                 .dst_set(set)
                 .dst_binding(*binding)
@@ -107,8 +107,8 @@ impl Graphics {
         let mut clear = vec![vk::ClearValue::default(); target.colours.len()];
         clear.push(vk::ClearValue { depth_stencil: vk::ClearDepthStencilValue { depth: 1.0, stencil: 0 } });
         let begin = vk::RenderPassBeginInfo::default()
-            .render_pass(target.pass.raw)
-            .framebuffer(target.framebuffer)
+            .render_pass(*target.pass.raw)
+            .framebuffer(*target.framebuffer)
             .render_area(area)
             .clear_values(&clear);
         // SAFETY: as the caller promises; there is a clear value for each attachment.
@@ -117,12 +117,12 @@ impl Graphics {
             device.cmd_set_viewport(commands, 0, &[viewport]);
             device.cmd_set_scissor(commands, 0, &[area]);
             if let Some(set) = set {
-                device.cmd_bind_descriptor_sets(commands, graphics, self.layout.pipeline, 0, &[set], &[]);
+                device.cmd_bind_descriptor_sets(commands, graphics, *self.layout.pipeline, 0, &[set], &[]);
             }
             for draw in draws {
-                device.cmd_bind_pipeline(commands, graphics, draw.pipeline.raw);
+                device.cmd_bind_pipeline(commands, graphics, *draw.pipeline.raw);
                 if !draw.constants.is_empty() {
-                    device.cmd_push_constants(commands, self.layout.pipeline, STAGES, 0, draw.constants);
+                    device.cmd_push_constants(commands, *self.layout.pipeline, STAGES, 0, draw.constants);
                 }
                 draw_mesh(device, commands, draw.mesh);
             }
@@ -159,12 +159,12 @@ unsafe fn draw_mesh(device: &ash::Device, commands: vk::CommandBuffer, mesh: Opt
             device.cmd_draw(commands, 3, 1, 0, 0);
             return;
         };
-        let buffers: Vec<_> = mesh.attributes.iter().map(|(_, buffer)| buffer.raw).collect();
+        let buffers: Vec<_> = mesh.attributes.iter().map(|(_, buffer)| *buffer.raw).collect();
         device.cmd_bind_vertex_buffers(commands, 0, &buffers, &vec![0; buffers.len()]);
         match &mesh.indices {
             None => device.cmd_draw(commands, mesh.count, 1, 0, 0),
             Some(indices) => {
-                device.cmd_bind_index_buffer(commands, indices.raw, 0, vk::IndexType::UINT32);
+                device.cmd_bind_index_buffer(commands, *indices.raw, 0, vk::IndexType::UINT32);
                 device.cmd_draw_indexed(commands, mesh.count, 1, 0, 0, 0);
             }
         }

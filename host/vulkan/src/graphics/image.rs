@@ -1,4 +1,5 @@
 use super::super::buffer::Buffer;
+use super::super::handle::Handle;
 use super::super::memory::{Memory, Place};
 use super::super::{Error, FormatUse, ImageFormat, Named, bytes_per_texel};
 use super::Graphics;
@@ -11,9 +12,10 @@ pub(super) const BETWEEN_PASSES: vk::ImageLayout = vk::ImageLayout::SHADER_READ_
 /// An image of one level and layer: a texture, or an attachment of a [`Target`](super::Target). It can be
 /// read by shaders outside of passes that draw to it.
 pub struct Image {
-    raw: vk::Image,
-    pub(super) view: vk::ImageView,
-    memory: Option<Memory>,
+    pub(super) view: Handle<vk::ImageView>,
+    raw: Handle<vk::Image>,
+    // Freed after the image is destroyed.
+    _memory: Memory,
     format: ImageFormat,
     width: u32,
     height: u32,
@@ -45,7 +47,7 @@ impl Image {
             graphics.submit(|device, commands| {
                 let copied = vk::ImageLayout::TRANSFER_DST_OPTIMAL;
                 image.transition(device, commands, vk::ImageLayout::UNDEFINED, copied);
-                device.cmd_copy_buffer_to_image(commands, staging.raw, image.raw, copied, &[region]);
+                device.cmd_copy_buffer_to_image(commands, *staging.raw, *image.raw, copied, &[region]);
                 image.transition(device, commands, copied, BETWEEN_PASSES);
             })?;
         }
@@ -84,34 +86,32 @@ impl Image {
             .samples(vk::SampleCountFlags::TYPE_1)
             .tiling(vk::ImageTiling::OPTIMAL)
             .usage(image_usage(usage));
-        // SAFETY: the size is within the limits and the format has these uses; destroyed in `drop`.
-        let raw = unsafe { device.raw.create_image(&create, None) }.named("vkCreateImage")?;
-        let view = vk::ImageView::null();
-        let mut image = Self { raw, view, memory: None, format, width, height, graphics: graphics.clone() };
+        // SAFETY: the size is within the limits and the format has these uses; each submission is waited for.
+        let raw = unsafe {
+            let created = device.raw.create_image(&create, None);
+            Handle::new(device, created, "vkCreateImage", ash::Device::destroy_image)?
+        };
         // SAFETY: a query of an image of the device.
-        let requirements = unsafe { device.raw.get_image_memory_requirements(raw) };
+        let requirements = unsafe { device.raw.get_image_memory_requirements(*raw) };
         let memory = Memory::new(device, requirements, Place::Image)?;
-        let (memory, offset) = image.memory.insert(memory).binding();
+        let (bound, offset) = memory.binding();
         // SAFETY: the memory meets the image's requirements, and the image is bound once.
-        unsafe { device.raw.bind_image_memory(raw, memory, offset) }.named("vkBindImageMemory")?;
-        image.create_view(usage)?;
-        Ok(image)
-    }
-
-    fn create_view(&mut self, usage: FormatUse) -> Result<(), Error> {
-        let mut range = self.range();
-        if usage == FormatUse::Depth {
-            range.aspect_mask = vk::ImageAspectFlags::DEPTH;
-        }
+        unsafe { device.raw.bind_image_memory(*raw, bound, offset) }.named("vkBindImageMemory")?;
+        let aspect = match usage {
+            FormatUse::Depth => vk::ImageAspectFlags::DEPTH,
+            _ => vk::ImageAspectFlags::COLOR,
+        };
         let create = vk::ImageViewCreateInfo::default()
-            .image(self.raw)
+            .image(*raw)
             .view_type(vk::ImageViewType::TYPE_2D)
-            .format(self.format)
-            .subresource_range(range);
-        // SAFETY: the image has memory and this format; destroyed in `drop`.
-        let view = unsafe { self.graphics.device.raw.create_image_view(&create, None) };
-        self.view = view.named("vkCreateImageView")?;
-        Ok(())
+            .format(format)
+            .subresource_range(range(aspect));
+        // SAFETY: the image has memory and this format; each submission is waited for.
+        let view = unsafe {
+            let created = device.raw.create_image_view(&create, None);
+            Handle::new(device, created, "vkCreateImageView", ash::Device::destroy_image_view)?
+        };
+        Ok(Self { view, raw, _memory: memory, format, width, height, graphics: graphics.clone() })
     }
 
     /// The format of its texels.
@@ -134,7 +134,7 @@ impl Image {
             self.graphics.submit(|device, commands| {
                 let copied = vk::ImageLayout::TRANSFER_SRC_OPTIMAL;
                 self.transition(device, commands, BETWEEN_PASSES, copied);
-                device.cmd_copy_image_to_buffer(commands, self.raw, copied, staging.raw, &[region]);
+                device.cmd_copy_image_to_buffer(commands, *self.raw, copied, *staging.raw, &[region]);
                 self.transition(device, commands, copied, BETWEEN_PASSES);
             })?;
         }
@@ -154,8 +154,8 @@ impl Image {
         to: vk::ImageLayout,
     ) {
         let barrier = [vk::ImageMemoryBarrier::default()
-            .image(self.raw)
-            .subresource_range(self.range())
+            .image(*self.raw)
+            .subresource_range(range(vk::ImageAspectFlags::COLOR))
             .old_layout(from)
             .new_layout(to)
             .src_access_mask(vk::AccessFlags::MEMORY_WRITE)
@@ -164,13 +164,6 @@ impl Image {
         let flags = vk::DependencyFlags::empty();
         // SAFETY: as the caller promises.
         unsafe { device.cmd_pipeline_barrier(commands, all, all, flags, &[], &[], &barrier) };
-    }
-
-    fn range(&self) -> vk::ImageSubresourceRange {
-        vk::ImageSubresourceRange::default()
-            .aspect_mask(vk::ImageAspectFlags::COLOR)
-            .level_count(1)
-            .layer_count(1)
     }
 
     /// The whole image, as the region of a copy.
@@ -182,15 +175,8 @@ impl Image {
     }
 }
 
-impl Drop for Image {
-    fn drop(&mut self) {
-        // SAFETY: both are this image's own and no submission is running; null is ignored. Its memory is freed after it.
-        unsafe {
-            let device = &self.graphics.device.raw;
-            device.destroy_image_view(self.view, None);
-            device.destroy_image(self.raw, None);
-        }
-    }
+fn range(aspect: vk::ImageAspectFlags) -> vk::ImageSubresourceRange {
+    vk::ImageSubresourceRange::default().aspect_mask(aspect).level_count(1).layer_count(1)
 }
 
 fn image_usage(usage: FormatUse) -> vk::ImageUsageFlags {

@@ -1,3 +1,4 @@
+use super::super::handle::Handle;
 use super::super::module::Module;
 use super::super::{Error, FormatUse, ImageFormat, bytes_per_texel};
 use super::target::RenderPass;
@@ -29,7 +30,7 @@ pub struct PipelineOptions<'a> {
 /// A graphics pipeline. Triangles are drawn whichever side they show; push constants and up to three textures are its
 /// input besides vertices.
 pub struct Pipeline {
-    pub(super) raw: vk::Pipeline,
+    pub(super) raw: Handle<vk::Pipeline>,
     pub(super) attributes: Vec<ImageFormat>,
     // Made apart from the target's, which may go before the pipeline does.
     pub(super) pass: RenderPass,
@@ -55,19 +56,12 @@ impl Pipeline {
     }
 }
 
-impl Drop for Pipeline {
-    fn drop(&mut self) {
-        // SAFETY: it is this one's own and no submission is running.
-        unsafe { self.pass.graphics.device.raw.destroy_pipeline(self.raw, None) };
-    }
-}
-
 fn create(
     graphics: &Graphics,
     stages: &[vk::PipelineShaderStageCreateInfo<'_>],
     options: &PipelineOptions<'_>,
     pass: &RenderPass,
-) -> Result<vk::Pipeline, Error> {
+) -> Result<Handle<vk::Pipeline>, Error> {
     let (bindings, attributes) = vertex_input(options.attributes);
     let input = vk::PipelineVertexInputStateCreateInfo::default()
         .vertex_binding_descriptions(&bindings)
@@ -104,14 +98,16 @@ fn create(
         .depth_stencil_state(&depth)
         .color_blend_state(&blend)
         .dynamic_state(&dynamic)
-        .layout(graphics.layout.pipeline)
-        .render_pass(pass.raw)];
-    let device = &graphics.device.raw;
-    // SAFETY: modules, layout and pass are of this device; all that is pointed to outlives the call.
-    let result = unsafe { device.create_graphics_pipelines(vk::PipelineCache::null(), &create, None) };
-    let pipelines =
-        result.map_err(|(_, result)| Error::Call { call: "vkCreateGraphicsPipelines", result })?;
-    Ok(pipelines[0])
+        .layout(*graphics.layout.pipeline)
+        .render_pass(*pass.raw)];
+    let device = &graphics.device;
+    // SAFETY: modules, layout and pass are of this device; all that is pointed to outlives the call; each submission is waited
+    // for.
+    unsafe {
+        let created = device.raw.create_graphics_pipelines(vk::PipelineCache::null(), &create, None);
+        let created = created.map(|pipelines| pipelines[0]).map_err(|(_, result)| result);
+        Handle::new(device, created, "vkCreateGraphicsPipelines", ash::Device::destroy_pipeline)
+    }
 }
 
 /// Descriptions of the attributes, each in a binding of its own.

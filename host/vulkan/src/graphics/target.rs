@@ -1,4 +1,5 @@
-use super::super::{Error, FormatUse, ImageFormat, Named};
+use super::super::handle::Handle;
+use super::super::{Device, Error, FormatUse, ImageFormat};
 use super::image::BETWEEN_PASSES;
 use super::{Graphics, Image};
 use ash::vk;
@@ -10,11 +11,11 @@ const DEPTH_FORMATS: [ImageFormat; 3] =
 
 /// The attachments that a pass draws to: one or several colours, and maybe depth.
 pub struct Target {
+    pub(super) framebuffer: Handle<vk::Framebuffer>,
     pub(super) colours: Vec<Image>,
     // Kept for as long as the framebuffer refers to it.
     _depth: Option<Image>,
     pub(super) pass: RenderPass,
-    pub(super) framebuffer: vk::Framebuffer,
     pub(super) width: u32,
     pub(super) height: u32,
 }
@@ -38,16 +39,19 @@ impl Target {
             .collect::<Result<Vec<_>, _>>()?;
         let depth =
             pass.depth.map(|format| Image::new(graphics, format, size, FormatUse::Depth)).transpose()?;
-        let views: Vec<_> = colours.iter().chain(&depth).map(|image| image.view).collect();
+        let views: Vec<_> = colours.iter().chain(&depth).map(|image| *image.view).collect();
         let create = vk::FramebufferCreateInfo::default()
-            .render_pass(pass.raw)
+            .render_pass(*pass.raw)
             .attachments(&views)
             .width(width)
             .height(height)
             .layers(1);
-        // SAFETY: the views have the pass's formats and this size; destroyed in `drop`.
-        let framebuffer =
-            unsafe { graphics.device.raw.create_framebuffer(&create, None) }.named("vkCreateFramebuffer")?;
+        let device = &graphics.device;
+        // SAFETY: the views have the pass's formats and this size; each submission is waited for.
+        let framebuffer = unsafe {
+            let created = device.raw.create_framebuffer(&create, None);
+            Handle::new(device, created, "vkCreateFramebuffer", ash::Device::destroy_framebuffer)?
+        };
         let target = Self { colours, _depth: depth, pass, framebuffer, width, height };
         // Each colour is from here on in the layout for reading.
         target.clear()?;
@@ -73,16 +77,9 @@ impl Target {
     }
 }
 
-impl Drop for Target {
-    fn drop(&mut self) {
-        // SAFETY: it is this target's own and no submission is running.
-        unsafe { self.pass.graphics.device.raw.destroy_framebuffer(self.framebuffer, None) };
-    }
-}
-
 /// A render pass that clears its attachments to zero, depth to one, and keeps the colours.
 pub(super) struct RenderPass {
-    pub(super) raw: vk::RenderPass,
+    pub(super) raw: Handle<vk::RenderPass>,
     pub(super) colours: Vec<ImageFormat>,
     pub(super) depth: Option<ImageFormat>,
     pub(super) graphics: Arc<Graphics>,
@@ -109,7 +106,7 @@ impl RenderPass {
             .map(|format| attachment(*format, BETWEEN_PASSES))
             .chain(depth.map(|format| attachment(format, vk::ImageLayout::DEPTH_STENCIL_ATTACHMENT_OPTIMAL)))
             .collect();
-        let raw = create(&device.raw, &attachments, colours.len())?;
+        let raw = create(device, &attachments, colours.len())?;
         Ok(Self { raw, colours: colours.to_vec(), depth, graphics: graphics.clone() })
     }
 
@@ -118,13 +115,6 @@ impl RenderPass {
         self.colours == other.colours
             && self.depth == other.depth
             && Arc::ptr_eq(&self.graphics, &other.graphics)
-    }
-}
-
-impl Drop for RenderPass {
-    fn drop(&mut self) {
-        // SAFETY: it is this one's own and no submission is running.
-        unsafe { self.graphics.device.raw.destroy_render_pass(self.raw, None) };
     }
 }
 
@@ -142,10 +132,10 @@ fn attachment(format: ImageFormat, after: vk::ImageLayout) -> vk::AttachmentDesc
 
 /// A pass of one subpass, whose last attachment is the depth where there are more than colours.
 fn create(
-    device: &ash::Device,
+    device: &Arc<Device>,
     attachments: &[vk::AttachmentDescription],
     colours: usize,
-) -> Result<vk::RenderPass, Error> {
+) -> Result<Handle<vk::RenderPass>, Error> {
     let references: Vec<_> = (0..attachments.len() as u32)
         .map(|index| {
             let layout = if (index as usize) < colours {
@@ -184,5 +174,9 @@ fn create(
         .subpasses(&subpasses)
         .dependencies(&dependencies);
     // SAFETY: a valid create info: the references are to the attachments there are, whose formats the device takes.
-    unsafe { device.create_render_pass(&create, None) }.named("vkCreateRenderPass")
+    // Each submission is waited for.
+    unsafe {
+        let created = device.raw.create_render_pass(&create, None);
+        Handle::new(device, created, "vkCreateRenderPass", ash::Device::destroy_render_pass)
+    }
 }
