@@ -11,7 +11,6 @@ use unitvec_catalogue::Operation;
 #[cfg(feature = "glsl")]
 use unitvec_catalogue::find;
 use unitvec_catalogue::{CODECS, Domain, frames, vectors};
-use unitvec_mesh as mesh;
 #[cfg(feature = "glsl")]
 use unitvec_run::glsl::Compiler;
 use unitvec_run::sampling;
@@ -189,26 +188,35 @@ fn files_round_trip_on_every_backend() {
     }
 }
 
-/// A glTF file of points with normals and tangents, its buffer inside.
-fn gltf(frames: &[[f32; 7]]) -> String {
-    let part = |range: std::ops::Range<usize>| -> Vec<u8> {
-        frames
-            .iter()
-            .flat_map(|frame| raw(&frame[range.clone()].iter().map(|&c| [c]).collect::<Vec<_>>()))
-            .collect()
+/// A glTF file with its buffer inside, of a view for each accessor.
+fn gltf(meshes: Value, views: &[Vec<u8>], accessors: Value) -> String {
+    let mut end = 0;
+    let mut view = |bytes: &Vec<u8>| {
+        end += bytes.len();
+        json!({"buffer": 0, "byteOffset": end - bytes.len(), "byteLength": bytes.len()})
     };
-    let (normals, tangents) = (part(0..3), part(3..7));
-    let (count, middle, end) = (frames.len(), normals.len(), normals.len() + tangents.len());
-    let uri = base64::engine::general_purpose::STANDARD.encode([normals, tangents].concat());
-    format!(
-        r#"{{"asset":{{"version":"2.0"}},"meshes":[{{"primitives":[{{"mode":0,"attributes":
-        {{"POSITION":0,"NORMAL":0,"TANGENT":1}}}}]}}],
-        "buffers":[{{"byteLength":{end},"uri":"data:;base64,{uri}"}}],
-        "bufferViews":[{{"buffer":0,"byteLength":{middle}}},
-        {{"buffer":0,"byteOffset":{middle},"byteLength":{}}}],
-        "accessors":[{{"bufferView":0,"componentType":5126,"count":{count},"type":"VEC3","min":[-1,-1,-1],"max":[1,1,1]}},
-        {{"bufferView":1,"componentType":5126,"count":{count},"type":"VEC4"}}]}}"#,
-        end - middle
+    let all: Vec<Value> = views.iter().map(&mut view).collect();
+    let uri = base64::engine::general_purpose::STANDARD.encode(views.concat());
+    let buffer = json!({"byteLength": end, "uri": format!("data:;base64,{uri}")});
+    json!({"asset": {"version": "2.0"}, "meshes": meshes, "buffers": [buffer], "bufferViews": all, "accessors": accessors})
+        .to_string()
+}
+
+/// An accessor of floats, with the bounds that positions need.
+fn accessor(view: usize, count: usize, of_type: &str) -> Value {
+    json!({"bufferView": view, "componentType": 5126, "count": count, "type": of_type, "min": [0, 0, 0], "max": [1, 1, 1]})
+}
+
+/// A glTF file of points with normals and tangents.
+fn framed(frames: &[[f32; 7]]) -> String {
+    let normals: Vec<[f32; 3]> = frames.iter().map(|frame| std::array::from_fn(|at| frame[at])).collect();
+    let tangents: Vec<[f32; 4]> =
+        frames.iter().map(|frame| std::array::from_fn(|at| frame[3 + at])).collect();
+    let tangent = json!({"bufferView": 1, "componentType": 5126, "count": frames.len(), "type": "VEC4"});
+    gltf(
+        json!([{"primitives": [{"mode": 0, "attributes": {"POSITION": 0, "NORMAL": 0, "TANGENT": 1}}]}]),
+        &[raw(&normals), raw(&tangents)],
+        json!([accessor(0, frames.len(), "VEC3"), tangent]),
     )
 }
 
@@ -219,7 +227,7 @@ fn frames_round_trip_on_every_backend() {
     let original: Vec<[f32; 7]> = sampling::random_frames(12).take(100_003).collect();
     let [file, mesh] = ["frames.bin", "frames.gltf"].map(|name| folder.path().join(name));
     std::fs::write(&file, raw(&original)).unwrap();
-    std::fs::write(&mesh, gltf(&original)).unwrap();
+    std::fs::write(&mesh, framed(&original)).unwrap();
     for codec in frames() {
         let (codes, back) = convert(codec.id, folder.path(), &file);
         let of_mesh = convert(codec.id, folder.path(), &mesh);
@@ -252,18 +260,15 @@ fn standard_streams_are_a_pipe() {
 fn two_meshes() -> String {
     let normals = raw(&[[1.0, 0.0, 0.0], [0.0; 3], [f32::NAN, 0.0, 0.0]]);
     let corners = raw(&[[0.0, 0.0, 0.0], [1.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
-    let uri = base64::engine::general_purpose::STANDARD.encode([normals, corners, vec![0, 2, 3]].concat());
-    format!(
-        r#"{{"asset":{{"version":"2.0"}},"meshes":[
-        {{"primitives":[{{"mode":0,"attributes":{{"POSITION":1,"NORMAL":0}}}}]}},
-        {{"name":"bare","primitives":[{{"attributes":{{"POSITION":2}},"indices":3}}]}}],
-        "buffers":[{{"byteLength":87,"uri":"data:;base64,{uri}"}}],
-        "bufferViews":[{{"buffer":0,"byteLength":36}},{{"buffer":0,"byteOffset":36,"byteLength":48}},
-        {{"buffer":0,"byteOffset":84,"byteLength":3}}],
-        "accessors":[{{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}},
-        {{"bufferView":1,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}},
-        {{"bufferView":1,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,1]}},
-        {{"bufferView":2,"componentType":5121,"count":3,"type":"SCALAR"}}]}}"#
+    let normal = json!({"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"});
+    let indices = json!({"bufferView": 2, "componentType": 5121, "count": 3, "type": "SCALAR"});
+    gltf(
+        json!([
+            {"primitives": [{"mode": 0, "attributes": {"POSITION": 1, "NORMAL": 0}}]},
+            {"name": "bare", "primitives": [{"attributes": {"POSITION": 2}, "indices": 3}]}
+        ]),
+        &[normals, corners, vec![0, 2, 3]],
+        json!([normal, accessor(1, 3, "VEC3"), accessor(1, 4, "VEC3"), indices]),
     )
 }
 
@@ -446,7 +451,7 @@ fn files_are_known_by_their_first_bytes() {
 #[test]
 fn normals_are_exported() {
     let folder = tempfile::tempdir().unwrap();
-    let [two, framed, out] = ["two.glb", "framed.gltf", "out.bin"].map(|name| folder.path().join(name));
+    let [two, frame_file, out] = ["two.glb", "framed.gltf", "out.bin"].map(|name| folder.path().join(name));
     std::fs::write(&two, glb(&two_meshes())).unwrap();
     let told = run(["normals", path(&two), path(&out)]);
     assert_eq!(
@@ -462,14 +467,14 @@ fn normals_are_exported() {
     assert_eq!(codes(path(&out)), codes(path(&two)));
 
     let original: Vec<[f32; 7]> = sampling::random_frames(3).take(10).collect();
-    std::fs::write(&framed, gltf(&original)).unwrap();
-    let told = run(["normals", "--frames", "--json", "-", path(&framed), path(&out)]);
+    std::fs::write(&frame_file, framed(&original)).unwrap();
+    let told = run(["normals", "--frames", "--json", "-", path(&frame_file), path(&out)]);
     assert_eq!(elements::<7>(&std::fs::read(&out).unwrap()), original);
     let json: Value = serde_json::from_slice(&told.stdout).unwrap();
     assert_eq!((&json["element"], &json["count"]), (&"frame".into(), &10.into()));
     assert_eq!((&json["written_as_z"], json["parts"].as_array().unwrap().len()), (&0.into(), 1));
     assert_eq!((&json["tangents_without_direction"], &json["codec"]), (&0.into(), &Value::Null));
-    assert_eq!(run(["normals", "--quiet", path(&framed), "-"]).stdout.len(), 120);
+    assert_eq!(run(["normals", "--quiet", path(&frame_file), "-"]).stdout.len(), 120);
 }
 
 #[test]

@@ -106,6 +106,7 @@ fn inputs_that_cannot_be_encoded() {
     let bare = br#"{"asset":{"version":"2.0"}}"#;
     for (name, content, codec, status, words) in [
         ("points.obj", &b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"[..], "oct16", 1, &["points.obj", "faces"][..]),
+        ("far.obj", b"v 0 0 0\nf 1 1 3\n", "oct16", 1, &["far.obj uses vertex 2"]),
         ("nan.obj", b"v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n", "oct16", 1, &["nan.obj"]),
         ("noise.obj", noise, "oct16", 1, &["noise.obj"]),
         ("noise.ply", noise, "oct16", 1, &["noise.ply"]),

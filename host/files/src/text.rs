@@ -16,3 +16,15 @@ pub fn one_line(text: impl std::fmt::Display) -> String {
     line.truncate(line.trim_end_matches([';', '.', ' ']).len());
     line
 }
+
+#[cfg(test)]
+mod tests {
+    use super::one_line;
+
+    #[test]
+    fn messages_of_others_are_one_short_line() {
+        assert_eq!(one_line("a\n\tb\u{7f}c; "), "a b c");
+        let long = one_line("\u{e9}".repeat(500));
+        assert!(long.chars().count() == 203 && long.ends_with("..."), "{long}");
+    }
+}

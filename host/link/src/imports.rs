@@ -5,7 +5,7 @@
 //! remove.
 
 use super::signature::{Signature, Type};
-use super::words::{Instruction, Module, literal, op};
+use super::words::{Instruction, Module, Op, literal};
 use super::{Error, stubs};
 use std::collections::HashMap;
 
@@ -44,11 +44,11 @@ pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
 
 /// The functions that have the names of stubs, if they are of this version.
 fn find_stubs(module: &Module, version: &str) -> Result<Stubs, Error> {
-    let functions: Vec<u32> = module.all(op::FUNCTION).filter_map(|function| function.word(1)).collect();
+    let functions: Vec<u32> = module.all(Op::Function).filter_map(|function| function.word(1)).collect();
     let known: HashMap<String, Signature> =
         Signature::all().map(|signature| (signature.name.clone(), signature)).collect();
     let (mut stubs, mut markers) = (Stubs::new(), Vec::new());
-    for name in module.all(op::NAME) {
+    for name in module.all(Op::Name) {
         let Some(id) = name.word(0).filter(|id| functions.contains(id)) else { continue };
         let text = name.text(1);
         // glslang adds the types of parameters: `unitvec_oct16_encode(vf3;`.
@@ -89,7 +89,7 @@ impl Declaration {
 }
 
 fn declaration(module: &Module, id: u32, types: &Types) -> Option<Declaration> {
-    let function = module.all(op::FUNCTION).find(|function| function.word(1) == Some(id))?;
+    let function = module.all(Op::Function).find(|function| function.word(1) == Some(id))?;
     match types.known.get(&function.word(3)?)? {
         Known::Function(result, parameters) => {
             Some(Declaration { result: *result, parameters: parameters.clone() })
@@ -122,13 +122,13 @@ impl Types {
     fn of(module: &Module) -> Self {
         let known = module.instructions.iter().filter_map(|instruction| {
             let [id, rest @ ..] = instruction.operands.as_slice() else { return None };
-            let known = match (instruction.opcode, rest) {
-                (op::TYPE_FLOAT, [32]) => Known::Float,
-                (op::TYPE_INT, [32, 0]) => Known::Uint,
-                (op::TYPE_VECTOR, [component, count]) => Known::Vector(*component, *count),
-                (op::TYPE_STRUCT, members) => Known::Struct(members.to_vec()),
-                (op::TYPE_POINTER, [STORAGE_FUNCTION, to]) => Known::Pointer(*to),
-                (op::TYPE_FUNCTION, [result, parameters @ ..]) => {
+            let known = match (instruction.op()?, rest) {
+                (Op::TypeFloat, [32]) => Known::Float,
+                (Op::TypeInt, [32, 0]) => Known::Uint,
+                (Op::TypeVector, [component, count]) => Known::Vector(*component, *count),
+                (Op::TypeStruct, members) => Known::Struct(members.to_vec()),
+                (Op::TypePointer, [STORAGE_FUNCTION, to]) => Known::Pointer(*to),
+                (Op::TypeFunction, [result, parameters @ ..]) => {
                     Known::Function(*result, parameters.to_vec())
                 }
                 _ => return None,
@@ -166,7 +166,7 @@ impl Types {
     fn frame(&mut self, members: [u32; 2], module: &mut Module) -> u32 {
         *self.frame.get_or_insert_with(|| {
             let id = module.fresh();
-            self.added.push(Instruction::new(op::TYPE_STRUCT, [id, members[0], members[1]]));
+            self.added.push(Instruction::new(Op::TypeStruct, [id, members[0], members[1]]));
             id
         })
     }
@@ -179,7 +179,7 @@ impl Types {
         }
         let id = module.fresh();
         let operands: Vec<u32> = [id, result].iter().chain(parameters).copied().collect();
-        self.added.push(Instruction::new(op::TYPE_FUNCTION, operands));
+        self.added.push(Instruction::new(Op::TypeFunction, operands));
         self.known.insert(id, wanted);
         id
     }
@@ -221,11 +221,11 @@ impl Import {
 
     /// A function without a body.
     fn declaration(&self, module: &mut Module) -> Vec<Instruction> {
-        let mut lines = vec![Instruction::new(op::FUNCTION, [self.result, self.id, 0, self.of_type])];
+        let mut lines = vec![Instruction::new(Op::Function, [self.result, self.id, 0, self.of_type])];
         for of_type in &self.parameters {
-            lines.push(Instruction::new(op::FUNCTION_PARAMETER, [*of_type, module.fresh()]));
+            lines.push(Instruction::new(Op::FunctionParameter, [*of_type, module.fresh()]));
         }
-        lines.push(Instruction::new(op::FUNCTION_END, []));
+        lines.push(Instruction::new(Op::FunctionEnd, []));
         lines
     }
 
@@ -233,7 +233,7 @@ impl Import {
         let mut operands = vec![self.id, DECORATION_LINKAGE];
         operands.extend(literal(&self.name));
         operands.push(LINKAGE_IMPORT);
-        Instruction::new(op::DECORATE, operands)
+        Instruction::new(Op::Decorate, operands)
     }
 
     /// The instructions in place of a call of the stub, with this result type, result and arguments.
@@ -244,24 +244,24 @@ impl Import {
             let mut value = *argument;
             if *is_pointer {
                 value = module.fresh();
-                lines.push(Instruction::new(op::LOAD, [*of_type, value, *argument]));
+                lines.push(Instruction::new(Op::Load, [*of_type, value, *argument]));
             }
             operands.push(value);
         }
         let Some(members) = self.members else {
-            lines.push(Instruction::new(op::FUNCTION_CALL, operands));
+            lines.push(Instruction::new(Op::FunctionCall, operands));
             return lines;
         };
         let frame = module.fresh();
         operands[1] = frame;
-        lines.push(Instruction::new(op::FUNCTION_CALL, operands));
+        lines.push(Instruction::new(Op::FunctionCall, operands));
         let mut constructed = vec![of_type, result];
         for (n, member) in (0..).zip(members) {
             let part = module.fresh();
-            lines.push(Instruction::new(op::COMPOSITE_EXTRACT, [member, part, frame, n]));
+            lines.push(Instruction::new(Op::CompositeExtract, [member, part, frame, n]));
             constructed.push(part);
         }
-        lines.push(Instruction::new(op::COMPOSITE_CONSTRUCT, constructed));
+        lines.push(Instruction::new(Op::CompositeConstruct, constructed));
         lines
     }
 }
@@ -275,7 +275,7 @@ fn write(module: &mut Module, imports: &HashMap<u32, Import>, types: Vec<Instruc
     for import in sorted {
         declarations.append(&mut import.declaration(module));
     }
-    let linkage = Instruction::new(op::CAPABILITY, [CAPABILITY_LINKAGE]);
+    let linkage = Instruction::new(Op::Capability, [CAPABILITY_LINKAGE]);
     let mut lines = Vec::new();
     if !module.instructions.contains(&linkage) {
         lines.push(linkage);
@@ -284,15 +284,17 @@ fn write(module: &mut Module, imports: &HashMap<u32, Import>, types: Vec<Instruc
         if !decorations.is_empty() && is_after_names(instruction.opcode) {
             lines.append(&mut decorations);
         }
-        match (instruction.opcode, instruction.operands.as_slice()) {
-            (op::FUNCTION, _) => lines.append(&mut declarations),
-            (op::FUNCTION_CALL, [of_type, result, callee, arguments @ ..]) => {
+        match (instruction.op(), instruction.operands.as_slice()) {
+            (Some(Op::Function), _) => lines.append(&mut declarations),
+            (Some(Op::FunctionCall), [of_type, result, callee, arguments @ ..]) => {
                 if let Some(import) = imports.get(callee) {
                     lines.extend(import.call(*of_type, *result, arguments, module));
                     continue;
                 }
             }
-            (op::SOURCE, [language, ..]) if *language >= SOURCE_LANGUAGES => instruction.operands[0] = 0,
+            (Some(Op::Source), [language, ..]) if *language >= SOURCE_LANGUAGES => {
+                instruction.operands[0] = 0
+            }
             _ => {}
         }
         lines.push(instruction);
@@ -302,9 +304,11 @@ fn write(module: &mut Module, imports: &HashMap<u32, Import>, types: Vec<Instruc
 
 /// True for decorations and for the types after them.
 fn is_after_names(opcode: u32) -> bool {
-    matches!(opcode, op::DECORATE..=op::GROUP_MEMBER_DECORATE
-        | op::DECORATE_ID | op::DECORATE_STRING | op::MEMBER_DECORATE_STRING
-        | op::TYPE_VOID..=op::TYPE_FORWARD_POINTER | op::FUNCTION)
+    let is_from = |first: Op, last: Op| (first as u32..=last as u32).contains(&opcode);
+    let others = [Op::DecorateId, Op::DecorateString, Op::MemberDecorateString, Op::Function];
+    is_from(Op::Decorate, Op::GroupMemberDecorate)
+        || is_from(Op::TypeVoid, Op::TypeForwardPointer)
+        || others.iter().any(|op| *op as u32 == opcode)
 }
 
 #[cfg(test)]
@@ -318,8 +322,8 @@ mod tests {
         let bytes: Vec<u8> = header.into_iter().flat_map(u32::to_le_bytes).collect();
         let mut module = Module::parse(&bytes).unwrap();
         for (id, name) in (1..).zip(names) {
-            module.instructions.push(Instruction::new(op::NAME, [&[id][..], &literal(name)].concat()));
-            module.instructions.push(Instruction::new(op::FUNCTION, [90, id, 0, 91]));
+            module.instructions.push(Instruction::new(Op::Name, [&[id][..], &literal(name)].concat()));
+            module.instructions.push(Instruction::new(Op::Function, [90, id, 0, 91]));
         }
         module
     }

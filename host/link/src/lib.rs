@@ -14,7 +14,7 @@ mod words;
 pub use signature::{Signature, Type};
 use std::io;
 pub use tools::link;
-use words::{Module, op};
+use words::{Module, Op};
 
 /// File of the library, in `spirv/`.
 pub const LIBRARY: &str = "unitvec.spv";
@@ -132,7 +132,7 @@ fn memory_model(module: &Module) -> Result<[u32; 2], Error> {
     const PHYSICAL_STORAGE_BUFFER_64: u32 = 5348;
     const GLSL450: u32 = 1;
     const VULKAN: u32 = 3;
-    match module.all(op::MEMORY_MODEL).next().map(|model| model.operands.as_slice()) {
+    match module.all(Op::MemoryModel).next().map(|model| model.operands.as_slice()) {
         Some(&[addressing @ (LOGICAL | PHYSICAL_STORAGE_BUFFER_64), memory @ (GLSL450 | VULKAN)]) => {
             Ok([addressing, memory])
         }

@@ -1,32 +1,6 @@
 //! SPIR-V as instructions whose words mean nothing yet: the output of newer compilers than this program passes through.
 
-/// Opcodes that matter here.
-pub mod op {
-    pub const SOURCE: u32 = 3;
-    pub const NAME: u32 = 5;
-    pub const MEMORY_MODEL: u32 = 14;
-    pub const CAPABILITY: u32 = 17;
-    pub const TYPE_VOID: u32 = 19;
-    pub const TYPE_INT: u32 = 21;
-    pub const TYPE_FLOAT: u32 = 22;
-    pub const TYPE_VECTOR: u32 = 23;
-    pub const TYPE_STRUCT: u32 = 30;
-    pub const TYPE_POINTER: u32 = 32;
-    pub const TYPE_FUNCTION: u32 = 33;
-    pub const TYPE_FORWARD_POINTER: u32 = 39;
-    pub const FUNCTION: u32 = 54;
-    pub const FUNCTION_PARAMETER: u32 = 55;
-    pub const FUNCTION_END: u32 = 56;
-    pub const FUNCTION_CALL: u32 = 57;
-    pub const LOAD: u32 = 61;
-    pub const DECORATE: u32 = 71;
-    pub const GROUP_MEMBER_DECORATE: u32 = 75;
-    pub const COMPOSITE_CONSTRUCT: u32 = 80;
-    pub const COMPOSITE_EXTRACT: u32 = 81;
-    pub const DECORATE_ID: u32 = 332;
-    pub const DECORATE_STRING: u32 = 5632;
-    pub const MEMBER_DECORATE_STRING: u32 = 5633;
-}
+pub use rspirv::spirv::Op;
 
 const MAGIC: u32 = 0x0723_0203;
 
@@ -45,8 +19,13 @@ pub struct Instruction {
 }
 
 impl Instruction {
-    pub fn new(opcode: u32, operands: impl Into<Vec<u32>>) -> Self {
-        Self { opcode, operands: operands.into() }
+    pub fn new(op: Op, operands: impl Into<Vec<u32>>) -> Self {
+        Self { opcode: op as u32, operands: operands.into() }
+    }
+
+    /// The operation, where it is a known one.
+    pub fn op(&self) -> Option<Op> {
+        Op::from_u32(self.opcode)
     }
 
     /// An operand's word.
@@ -107,7 +86,7 @@ impl Module {
         while let Some(first) = rest.first() {
             let length = (first >> 16) as usize;
             let operands = rest.get(1..length).ok_or("it is cut short")?;
-            instructions.push(Instruction::new(first & 0xffff, operands));
+            instructions.push(Instruction { opcode: first & 0xffff, operands: operands.to_vec() });
             rest = &rest[length..];
         }
         Ok(Self { version, generator, bound, instructions })
@@ -123,9 +102,9 @@ impl Module {
         words.iter().flat_map(|word| word.to_le_bytes()).collect()
     }
 
-    /// The instructions of an opcode.
-    pub fn all(&self, opcode: u32) -> impl Iterator<Item = &Instruction> {
-        self.instructions.iter().filter(move |instruction| instruction.opcode == opcode)
+    /// The instructions of an operation.
+    pub fn all(&self, op: Op) -> impl Iterator<Item = &Instruction> {
+        self.instructions.iter().filter(move |instruction| instruction.opcode == op as u32)
     }
 
     /// An id that is free.
@@ -165,7 +144,7 @@ mod tests {
         for text in ["", "abc", "abcd", "unitvec_oct16_encode"] {
             let words = literal(text);
             assert_eq!(words.last().unwrap() >> 24, 0);
-            assert_eq!(Instruction::new(op::NAME, words).text(0), text);
+            assert_eq!(Instruction::new(Op::Name, words).text(0), text);
         }
     }
 }

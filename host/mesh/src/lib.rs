@@ -511,31 +511,4 @@ mod tests {
         assert!(matches!(read(&stl), Err(MeshError::UnknownFormat { .. })));
         assert!(matches!(read(Path::new("absent.stl")), Err(MeshError::Read { .. })));
     }
-
-    /// Every message is one line that names the file.
-    #[test]
-    fn messages() {
-        let path = || PathBuf::from(PATH);
-        let errors = [
-            MeshError::Read { path: path(), source: io::ErrorKind::NotFound.into() },
-            parse_error(Path::new(PATH), "OBJ", format!("a\n\tb\u{7f}{}", "\u{e9}".repeat(500))),
-            MeshError::NoFaces { path: path() },
-            MeshError::NotFinite { path: path(), vertex: 3 },
-            MeshError::IndexOutOfRange { path: path(), index: -1, vertices: 3 },
-            MeshError::UnknownFormat { path: path() },
-            MeshError::NoTangents { path: path() },
-            MeshError::MissingBuffer { path: path(), buffer: 0, reason: "it has 1 of its 2 bytes".into() },
-            MeshError::Compressed {
-                path: path(),
-                extension: "EXT_meshopt_compression",
-                method: "meshoptimizer",
-                remedy: "export it without compression".into(),
-            },
-            parse_error(Path::new(PATH), "glTF", "invalid glTF: asset: unsupported extension; "),
-        ];
-        for message in errors.map(|error| error.to_string()) {
-            assert!(message.contains(PATH) && !message.contains(char::is_control), "{message}");
-            assert!(message.chars().count() < 300 && !message.contains(";;"), "{message}");
-        }
-    }
 }

@@ -213,17 +213,6 @@ pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
 mod tests {
     use super::*;
 
-    /// A file that shrinks while it is read is no shorter file.
-    #[test]
-    fn a_file_that_shrinks() {
-        let file = tempfile::NamedTempFile::with_suffix(".f32").unwrap();
-        file.as_file().set_len(2 * FileFormat::HEAD as u64).unwrap();
-        let (mut input, mut read) = (Input::open(file.path()).unwrap(), Vec::new());
-        file.as_file().set_len(FileFormat::HEAD as u64 + 12).unwrap();
-        let error = input.read_to_end(&mut read).unwrap_err();
-        assert!(error.to_string().contains("shorter") && read.len() == FileFormat::HEAD + 12, "{error}");
-    }
-
     /// Bytes that were looked at are read again, and all after them.
     #[test]
     fn the_first_bytes_are_read_again() {
@@ -267,27 +256,5 @@ mod tests {
             let raw = Elements::open(&path, Element::Vector, true).map(drop);
             assert!(matches!(raw, Ok(()) | Err(Error::Truncated { .. })), "{raw:?}");
         }
-    }
-
-    /// Raw floats are known by the ending, in any case; a mesh is known by its first bytes whatever its ending.
-    #[test]
-    fn what_a_file_holds() {
-        let folder = tempfile::tempdir().unwrap();
-        for (name, bytes, expected) in [
-            ("a.bin", &b"\0\0\0\0"[..], (None, true)),
-            ("a.F32", b"", (None, true)),
-            ("a.raw", b"{", (None, true)),
-            ("a.fbx", b"Kaydara FBX Binary", (None, false)),
-            ("bin", b"", (None, false)),
-            ("a.vrm", b"glTF\x02\0\0\0", (Some(FileFormat::Gltf), false)),
-            ("b.bin", b"ply\nformat", (Some(FileFormat::Ply), true)),
-            ("a.obj", b"", (Some(FileFormat::Obj), false)),
-        ] {
-            let path = folder.path().join(name);
-            std::fs::write(&path, bytes).unwrap();
-            let input = Input::open(&path).unwrap();
-            assert_eq!((input.mesh(), input.is_raw()), expected, "{name}");
-        }
-        assert!(matches!(Input::open(folder.path()), Err(Error::Files(unitvec_files::Error::Read { .. }))));
     }
 }

@@ -352,12 +352,6 @@ mod tests {
     }
 
     #[test]
-    fn an_input_cut_within_a_vector_is_an_error() {
-        let error = run_encode(&[0; 12 * 5 + 4], &mut Vec::new()).unwrap_err();
-        assert!(matches!(error, Error::Truncated { whole: 5, left: 4, .. }), "{error}");
-    }
-
-    #[test]
     fn a_full_disk_is_an_error_that_names_the_file() {
         let error = run_encode(&[0; 24], &mut FullDisk).unwrap_err();
         assert!(

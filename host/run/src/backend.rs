@@ -55,13 +55,8 @@ impl BackendKind {
 
 impl fmt::Display for BackendKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Cpu => "cpu",
-            Self::Rust => "rust",
-            Self::Glsl => "glsl",
-            Self::Hlsl => "hlsl",
-            Self::Wgsl => "wgsl",
-        })
+        // Each has a name, since clap skips none.
+        self.to_possible_value().map_or(Ok(()), |value| f.write_str(value.get_name()))
     }
 }
 
@@ -154,21 +149,6 @@ impl KernelSource {
         table: Option<&Table>,
     ) -> Result<Kernel> {
         self.load(runner, &format.function(operation), table, |compiler| compiler.kernel(format, operation))
-    }
-
-    /// The kernel in a rewritten module.
-    fn rewritten_kernel(
-        &self,
-        runner: &Runner,
-        format: &AnyCodec,
-        operation: Operation,
-        table: Option<&Table>,
-        rewrite: &Rewrite,
-    ) -> Result<Kernel> {
-        let name = format.function(operation);
-        let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
-        let module = (rewrite.module)(&module, &name, entry_point).map_err(Error::Rewrite)?;
-        Ok(runner.kernel(&module, entry_point, table)?)
     }
 
     /// The kernel that decodes two-byte codes by `table`, which holds the vectors of all codes.
@@ -273,11 +253,14 @@ impl Gpu {
             let by_table = operation == Operation::Encode && format.encodes_by_table;
             let table = if by_table { Some(self.best_fit_table()?) } else { None };
             let (source, runner, table) = (&self.source, &self.runner, table.as_ref());
-            let kernel = match &self.rewrite {
-                None => source.kernel(runner, format, operation, table)?,
-                Some(rewrite) => source.rewritten_kernel(runner, format, operation, table, rewrite)?,
-            };
-            self.kernels.insert(key, kernel);
+            let name = format.function(operation);
+            let (mut module, entry_point) =
+                source.module(&name, |compiler| compiler.kernel(format, operation))?;
+            if let Some(rewrite) = &self.rewrite {
+                let rewritten = (rewrite.module)(&module, &name, entry_point);
+                module = Cow::Owned(rewritten.map_err(Error::Rewrite)?);
+            }
+            self.kernels.insert(key, runner.kernel(&module, entry_point, table)?);
         }
         self.runner.run(&self.kernels[&key], count, input, output)?;
         Ok(())
