@@ -95,7 +95,8 @@ mod tests {
         let manifest = fs::read(repository.join("spirv").join(FILE_NAME)).unwrap();
         let manifest: Manifest = serde_json::from_slice(&manifest).unwrap();
         assert_eq!(manifest.sources_sha256, of_modules(&repository).unwrap(), "run `cargo xtask spirv`");
-        let render = fs::read_to_string(repository.join(crate::render::FOLDER).join(RENDER_SOURCES)).unwrap();
+        let render = repository.join("host/render/shaders/spirv").join(RENDER_SOURCES);
+        let render = fs::read_to_string(render).unwrap();
         assert_eq!(render.trim_end(), of_render(&repository).unwrap(), "run `cargo xtask spirv`");
     }
 }

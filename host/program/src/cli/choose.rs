@@ -147,7 +147,7 @@ fn table(Report { costs_of, reason, candidates: found }: &Report, columns: Optio
     }
     if found.len() > SHOWN {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "and {} more; --json lists them", found.len() - SHOWN);
+        let _ = writeln!(text, "and {} more; `--json -` lists them", found.len() - SHOWN);
     }
     let _ = writeln!(text, "\n{}", wrapped(reason, "", columns));
     text
