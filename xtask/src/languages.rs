@@ -1,8 +1,8 @@
 //! The compilers of all shading languages: fetched from package registries into `target/languages`, and given to the
 //! program of `tests/languages`, which compiles with them, runs the code, and compares.
 
-use crate::drivers::debian::{CHROMIUM, Missing, PACKAGED, Packaged};
-use crate::{cargo, run as run_command, setup};
+use crate::drivers::debian::{CHROMIUM, PACKAGED};
+use crate::{built, cache, cargo, output, repository, run as run_command, setup, target};
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -99,53 +99,34 @@ impl Options {
 }
 
 /// Fetches what is missing, builds the program and runs it.
-pub fn run(repository: &Path, arguments: &[String]) -> Result<(), String> {
+pub fn run(arguments: &[String]) -> Result<(), String> {
     let options = Options::of(arguments)?;
-    let pending = setup::begin()?;
-    println!("xtask: building; the first build takes minutes");
-    let tested = run_command(cargo(&["test", "--quiet"]).args(PACKAGE));
-    let built = tested.and_then(|()| run_command(cargo(&["build", "--quiet"]).args(PACKAGE)));
-    pending.finish().and(built)?;
+    built(cargo(&["test", "--quiet"]).args(PACKAGE))?;
+    run_command(cargo(&["build", "--quiet"]).args(PACKAGE))?;
 
-    let target = target(repository)?;
-    let mut found = Found::default();
-    found.all(&target);
-    let mut program = found.program(&target);
+    let found = Found::all(&cache("languages")?, &cache("drivers")?);
+    let is_recorded = options.records && found.missing.is_empty();
+    let mut program = found.program()?;
     program.arg("--wgpu").args(&options.others);
-    if options.records && found.missing.is_empty() {
-        program.arg("--record").arg(repository.join(RECORD));
+    if is_recorded {
+        program.args(["--record", RECORD]);
     }
-    let outcome = run_command(program.current_dir(repository));
+    let outcome = run_command(&mut program);
     for missing in &found.missing {
         eprintln!("xtask: NOT RUN: {missing}");
     }
     outcome?;
     // A run that fails leaves them as they are.
-    if options.records && found.missing.is_empty() {
-        record_barriers(&target, &found, repository)?;
+    if is_recorded {
+        // The program compiles for a GPU that is not there.
+        let mut program = found.program()?;
+        program.env("VK_ICD_FILENAMES", RADV).env("VK_DRIVER_FILES", RADV).env("RADV_FORCE_FAMILY", GPU);
+        run_command(program.args(["--barriers", BARRIERS]))?;
     }
     if options.needs_all && !found.missing.is_empty() {
         return Err(format!("not all compilers can be had: {}", found.missing.join("; ")));
     }
     Ok(())
-}
-
-/// Runs the program so that it compiles for a GPU that is not there.
-fn record_barriers(target: &Path, found: &Found, repository: &Path) -> Result<(), String> {
-    let mut program = found.program(target);
-    program.arg("--barriers").arg(repository.join(BARRIERS)).current_dir(repository);
-    run_command(
-        program.env("VK_ICD_FILENAMES", RADV).env("VK_DRIVER_FILES", RADV).env("RADV_FORCE_FAMILY", GPU),
-    )
-}
-
-/// The folder that cargo builds in: xtask lies in `debug` below it.
-pub fn target(repository: &Path) -> Result<PathBuf, String> {
-    let here = std::env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
-    let target = here.ancestors().nth(2).map_or_else(|| repository.join("target"), Path::to_owned);
-    let languages = target.join("languages");
-    fs::create_dir_all(&languages).map_err(|error| format!("{}: {error}", languages.display()))?;
-    Ok(target)
 }
 
 /// Arguments for the compilers that are there, and the reasons why others are not.
@@ -157,53 +138,41 @@ struct Found {
 
 impl Found {
     /// The program, with arguments for the parts that are there.
-    fn program(&self, target: &Path) -> Command {
-        let mut program = Command::new(target.join("debug/unitvec-language-tests"));
-        let scratch = target.join("languages");
+    fn program(&self) -> Result<Command, String> {
+        let mut program = Command::new(target()?.join("debug/unitvec-language-tests"));
+        let scratch = cache("languages")?;
         // Drivers complain without such a folder.
         program.env("XDG_RUNTIME_DIR", &scratch).arg("--scratch").arg(scratch).args(&self.arguments);
-        program
+        program.current_dir(repository());
+        Ok(program)
     }
 
-    fn all(&mut self, target: &Path) {
-        let (languages, drivers) = (target.join("languages"), target.join("drivers"));
-        if let Err(reason) = setup::packages(&["curl", "ca-certificates", "python3"]) {
-            self.missing.push(reason);
+    fn all(languages: &Path, drivers: &Path) -> Self {
+        let mut found = Self::default();
+        found.missing.extend(setup::packages(&["curl", "ca-certificates", "python3"]).err());
+        found.add("DXC", "--dxc", DXC.fetch(languages));
+        found.add("Slang", "--slang", SLANG.fetch(languages));
+        if let Err(reason) = setup::packages(&["clang"]) {
+            found.missing.push(format!("clang: {reason}"));
+        } else {
+            found.arguments.push("--clang".into());
         }
-        for (option, title, archive) in [("--dxc", "DXC", &DXC), ("--slang", "Slang", &SLANG)] {
-            self.add(title, archive.fetch(&languages), |file| vec![option.into(), file.into()]);
-        }
-        self.add("clang", setup::packages(&["clang"]), |()| vec!["--clang".into()]);
-        let chromium = unpacked(&CHROMIUM, &drivers).map(|()| CHROMIUM.root(&drivers));
-        self.add("Chromium", chromium, |root| vec!["--chromium".into(), root.into()]);
+        found.add("Chromium", "--chromium", CHROMIUM.fetch(drivers).map(|()| CHROMIUM.root(drivers)));
         let node = setup::packages(&["nodejs"]);
-        let dawn = node.and_then(|()| DAWN.fetch(&languages));
-        self.add("Dawn", dawn, |file| vec!["--dawn".into(), file.into()]);
+        found.add("Dawn", "--dawn", node.and_then(|()| DAWN.fetch(languages)));
         // Dawn refuses the lavapipe of Debian 12.
         for driver in PACKAGED.iter().filter(|driver| !driver.is_newer()) {
-            let icd = unpacked(driver, &drivers).map(|()| driver.icd(&drivers));
-            self.add(&driver.title(), icd, |icd| vec!["--icd".into(), icd.into()]);
+            found.add(&driver.title(), "--icd", driver.fetch(drivers).map(|()| driver.icd(drivers)));
         }
+        found
     }
 
-    fn add<T>(
-        &mut self,
-        title: &str,
-        outcome: Result<T, String>,
-        arguments: impl FnOnce(T) -> Vec<OsString>,
-    ) {
-        match outcome {
-            Ok(found) => self.arguments.extend(arguments(found)),
+    fn add(&mut self, title: &str, option: &str, path: Result<PathBuf, String>) {
+        match path {
+            Ok(path) => self.arguments.extend([option.into(), path.into()]),
             Err(reason) => self.missing.push(format!("{title}: {reason}")),
         }
     }
-}
-
-/// Fetches a package where it is not there yet.
-pub fn unpacked(packaged: &Packaged, cache: &Path) -> Result<(), String> {
-    packaged.fetch(cache).map_err(|missing| match missing {
-        Missing::NotHere(reason) | Missing::Failed(reason) => reason,
-    })
 }
 
 impl Archive {
@@ -235,9 +204,7 @@ impl Archive {
 
     /// Fails where the archive is not the expected one.
     fn check(&self, archive: &Path) -> Result<(), String> {
-        let output = Command::new("sha256sum").arg(archive).output();
-        let output = output.map_err(|error| format!("sha256sum cannot be started: {error}"))?;
-        let sum = String::from_utf8_lossy(&output.stdout);
+        let sum = output(Command::new("sha256sum").arg(archive))?;
         let sum = sum.split_whitespace().next().unwrap_or_default();
         if sum == self.sha256 {
             return Ok(());
@@ -267,39 +234,28 @@ mod tests {
     #[test]
     fn archives_are_pinned() {
         for archive in [&DXC, &SLANG, &DAWN] {
-            assert!(
-                archive.url.starts_with("https://") && archive.url.contains(archive.name),
-                "{}",
-                archive.url
-            );
-            assert!(archive.sha256.len() == 64 && archive.sha256.chars().all(|c| c.is_ascii_hexdigit()));
+            let Archive { name, url, sha256, .. } = archive;
+            assert!(url.starts_with("https://") && url.contains(name), "{url}");
+            assert!(sha256.len() == 64 && sha256.chars().all(|c| c.is_ascii_hexdigit()), "{sha256}");
         }
     }
 
     #[test]
     fn another_archive_is_refused() {
         let path = std::env::temp_dir().join(format!("unitvec-xtask-{}-archive", std::process::id()));
+        const OF_NOTHING: &str = "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855";
         fs::write(&path, "").unwrap();
+        assert_eq!(Archive { sha256: OF_NOTHING, ..DAWN }.check(&path), Ok(()));
         let error = DAWN.check(&path).unwrap_err();
-        // The sum of nothing.
-        assert!(
-            error.contains("e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"),
-            "{error}"
-        );
-        assert!(!path.exists());
-        let empty =
-            Archive { sha256: "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855", ..DAWN };
-        fs::write(&path, "").unwrap();
-        assert_eq!(empty.check(&path), Ok(()));
-        fs::remove_file(&path).unwrap();
+        assert!(error.contains(OF_NOTHING) && !path.exists(), "{error}");
     }
 
     #[test]
     fn what_is_missing_is_told() {
         let mut found = Found::default();
-        found.add("Slang", Err::<(), _>("no network".to_owned()), |()| unreachable!());
-        found.add("clang", Ok(()), |()| vec!["--clang".into()]);
+        found.add("Slang", "--slang", Err("no network".to_owned()));
+        found.add("DXC", "--dxc", Ok("dxc.so".into()));
         assert_eq!(found.missing, ["Slang: no network"]);
-        assert_eq!(found.arguments, ["--clang"]);
+        assert_eq!(found.arguments, ["--dxc", "dxc.so"]);
     }
 }

@@ -10,10 +10,10 @@ mod processors;
 mod renew;
 mod setup;
 
-use std::env;
 use std::path::{Path, PathBuf};
-use std::process::{Command, ExitCode};
+use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
+use std::{env, fs};
 
 const USAGE: &str = "\
 usage: cargo xtask <command>
@@ -63,17 +63,15 @@ fn main() -> ExitCode {
     let started = Instant::now();
     let outcome = match command.as_str() {
         "conform" => conform(rest),
-        "test" if rest.iter().any(|argument| argument == "--languages") => {
-            languages::run(&repository(), rest)
-        }
+        "test" if rest.iter().any(|argument| argument == "--languages") => languages::run(rest),
         "test" => test(rest),
         "setup" => setup::run(),
         "spirv" => spirv(rest),
         "shaders" => shaders(rest),
-        "examples" => examples::run(&repository(), rest),
-        "processors" => processors::run(&repository(), rest),
+        "examples" => examples::run(rest),
+        "processors" => processors::run(rest),
         "renew" => renew::run(rest),
-        "packages" => setup::run().and_then(|()| packages::run(&repository())),
+        "packages" => setup::run().and_then(|()| packages::run()),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
             return ExitCode::SUCCESS;
@@ -96,14 +94,14 @@ fn main() -> ExitCode {
     }
 }
 
-/// Both commands build with the same features, so that cargo does not build dependencies twice.
+/// All commands build with the same features, so that cargo does not build dependencies twice.
 const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
 
 fn conform(arguments: &[String]) -> Result<(), String> {
     let of_drivers = drivers::Options::of(arguments)?;
     let unitvec = program()?;
     if let Some(options) = of_drivers {
-        return drivers::run(&options, &unitvec, &repository());
+        return drivers::run(&options, &unitvec);
     }
     let mut command = Command::new(unitvec);
     // A subcommand comes first.
@@ -118,21 +116,37 @@ fn conform(arguments: &[String]) -> Result<(), String> {
 
 /// Builds `unitvec`, and installs its requirements.
 fn program() -> Result<PathBuf, String> {
+    let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
+    built(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL))?;
+    Ok(target()?.join("debug/unitvec"))
+}
+
+/// Builds by this command, and installs the requirements meanwhile.
+fn built(command: &mut Command) -> Result<(), String> {
     let pending = setup::begin()?;
     println!("xtask: building; the first build takes minutes");
-    let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
-    let built = run(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL));
-    pending.finish().and(built)?;
-    // xtask and unitvec are in the same target folder.
+    let built = run(command);
+    pending.finish().and(built)
+}
+
+/// The folder that cargo builds in: xtask lies in `debug` below it.
+fn target() -> Result<PathBuf, String> {
     let here = env::current_exe().map_err(|error| format!("cannot tell where xtask lies: {error}"))?;
-    Ok(here.with_file_name("unitvec"))
+    Ok(here.ancestors().nth(2).map_or_else(|| repository().join("target"), Path::to_owned))
+}
+
+/// A folder below that of cargo, made where it is missing.
+fn cache(name: &str) -> Result<PathBuf, String> {
+    let folder = target()?.join(name);
+    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    Ok(folder)
 }
 
 fn test(arguments: &[String]) -> Result<(), String> {
-    let (exhaustive, others): (Vec<_>, Vec<_>) =
-        arguments.iter().partition(|argument| *argument == "--exhaustive");
-    let (fuzz, others): (Vec<_>, Vec<_>) = others.into_iter().partition(|argument| *argument == "--fuzz");
-    let pending = setup::begin()?;
+    let (own, others): (Vec<&str>, Vec<&str>) = arguments
+        .iter()
+        .map(String::as_str)
+        .partition(|argument| ["--exhaustive", "--fuzz"].contains(argument));
     let left_out = [
         "--exclude=xtask-spirv",
         "--exclude=xtask-header",
@@ -140,28 +154,35 @@ fn test(arguments: &[String]) -> Result<(), String> {
         "--exclude=unitvec-language-tests",
         "--exclude=unitvec-example-wgpu",
     ];
-    let selection = ["test", "--workspace"].into_iter().chain(left_out).collect::<Vec<_>>();
-    println!("xtask: building; the first build takes minutes");
-    let of_cargo: Vec<_> = others.iter().take_while(|argument| **argument != "--").collect();
-    let is_split = !of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(&argument.as_str()));
-    let built =
-        if is_split { run(cargo(&selection).args(WITH_GLSL).arg("--no-run").args(of_cargo)) } else { Ok(()) };
-    pending.finish().and(built)?;
-    run(cargo(&selection).args(WITH_GLSL).args(others))?;
-    if !fuzz.is_empty() {
+    let all = || {
+        let mut command = cargo(&["test", "--workspace"]);
+        command.args(left_out).args(WITH_GLSL);
+        command
+    };
+    let of_cargo: Vec<_> = others.iter().copied().take_while(|argument| *argument != "--").collect();
+    if of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(argument)) {
+        setup::run()?;
+    } else {
+        built(all().arg("--no-run").args(of_cargo))?;
+    }
+    run(all().args(others))?;
+    if own.contains(&"--fuzz") {
         println!("xtask: 10^6 mutated files; UNITVEC_FUZZ and UNITVEC_FUZZ_SEED give other numbers");
         let count = env::var_os("UNITVEC_FUZZ").unwrap_or_else(|| "1000000".into());
-        let tests = ["test", "--package", "unitvec-tests", "--test", "unitvec"];
-        let only = ["--", "--nocapture", "fuzz::"];
-        run(cargo(&tests).args(WITH_GLSL).args(only).env("UNITVEC_FUZZ", count))?;
+        run(integration(&["--", "--nocapture", "fuzz::"]).env("UNITVEC_FUZZ", count))?;
     }
-    if exhaustive.is_empty() {
-        return Ok(());
+    if own.contains(&"--exhaustive") {
+        println!("xtask: all 2^32 codes of each 32-bit codec, 1 to 3 minutes a codec on 2 cores");
+        run(&mut integration(&["--", "--ignored", "--nocapture", "exhaustive::"]))?;
     }
-    println!("xtask: all 2^32 codes of each 32-bit codec, 1 to 3 minutes a codec on 2 cores");
-    let tests = ["--package", "unitvec-tests", "--test", "unitvec"];
-    let only = ["--", "--ignored", "--nocapture", "exhaustive::"];
-    run(cargo(&["test"]).args(tests).args(WITH_GLSL).args(only))
+    Ok(())
+}
+
+/// The tests of all packages together, in one program.
+fn integration(arguments: &[&str]) -> Command {
+    let mut command = cargo(&["test", "--package", "unitvec-tests", "--test", "unitvec"]);
+    command.args(WITH_GLSL).args(arguments);
+    command
 }
 
 fn spirv(arguments: &[String]) -> Result<(), String> {
@@ -190,9 +211,24 @@ fn repository() -> PathBuf {
 }
 
 fn run(command: &mut Command) -> Result<(), String> {
+    let program = command.get_program().to_string_lossy().into_owned();
     match command.status() {
         Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!("{} ended with {status}", command.get_program().to_string_lossy())),
-        Err(error) => Err(format!("{} cannot be started: {error}", command.get_program().to_string_lossy())),
+        Ok(status) => Err(format!("{program} ended with {status}")),
+        Err(error) => Err(format!("{program} cannot be started: {error}")),
     }
+}
+
+/// A command's output, or the last lines of its errors.
+fn output(command: &mut Command) -> Result<String, String> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let output = command.stdin(Stdio::null()).output();
+    let output = output.map_err(|error| format!("{program} cannot be started: {error}"))?;
+    if output.status.success() {
+        return Ok(String::from_utf8_lossy(&output.stdout).into_owned());
+    }
+    let errors = String::from_utf8_lossy(&output.stderr);
+    let said: Vec<&str> = errors.lines().filter(|line| !line.trim().is_empty()).collect();
+    let last = said[said.len().saturating_sub(3)..].join("; ");
+    Err(format!("{program} ended with {}: {last}", output.status))
 }

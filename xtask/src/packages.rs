@@ -2,7 +2,7 @@
 
 use crate::{cargo, run as run_command};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::Command;
 
 /// The published libraries for everybody, in the order of the dependencies.
@@ -29,10 +29,11 @@ fn packages() -> impl Iterator<Item = &'static str> {
 }
 
 /// Packages, unpacks and tests all of them, in a temporary folder.
-pub fn run(repository: &Path) -> Result<(), String> {
+pub fn run() -> Result<(), String> {
     let folder = std::env::temp_dir().join(format!("unitvec-packages-{}", std::process::id()));
-    let outcome = Unpacked::new(repository, &folder).and_then(|unpacked| unpacked.check());
-    let removed = fs::remove_dir_all(&folder).map_err(|error| error.to_string());
+    let unpacked = Unpacked { folder };
+    let outcome = unpacked.unpack().and_then(|()| unpacked.check());
+    let removed = fs::remove_dir_all(&unpacked.folder).map_err(|error| error.to_string());
     outcome.and(removed)
 }
 
@@ -42,38 +43,36 @@ struct Unpacked {
 }
 
 impl Unpacked {
-    fn new(repository: &Path, folder: &Path) -> Result<Self, String> {
-        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-        let target = folder.join("package");
+    fn unpack(&self) -> Result<(), String> {
+        let target = self.folder.join("package");
+        fs::create_dir_all(&target).map_err(|error| format!("{}: {error}", target.display()))?;
         let mut package = cargo(&["package", "--no-verify", "--allow-dirty"]);
         package.args(packages().flat_map(|name| ["--package", name])).arg("--target-dir").arg(&target);
-        run_command(package.current_dir(repository))?;
-        let unpacked = Self { folder: folder.to_owned() };
-        for name in packages() {
+        run_command(&mut package)?;
+        packages().try_for_each(|name| {
             let file = target.join("package").join(format!("{}.crate", versioned(name)));
-            run_command(Command::new("tar").arg("xzf").arg(file).arg("-C").arg(folder))?;
-        }
-        Ok(unpacked)
+            run_command(Command::new("tar").arg("xzf").arg(file).arg("-C").arg(&self.folder))
+        })
     }
 
     fn check(&self) -> Result<(), String> {
         // The program's tests build its libraries, whose own tests would build most packages again with other features.
         for name in LIBRARIES.into_iter().chain(["unitvec-host"]) {
-            self.announce(&format!("{name}, its own tests"));
+            println!("xtask: {name}, its own tests");
             run_command(&mut self.cargo(name, "test"))?;
         }
-        self.announce("unitvec with the newest dependencies");
+        println!("xtask: unitvec with the newest dependencies");
         run_command(&mut self.cargo("unitvec", "update"))?;
         run_command(self.cargo("unitvec", "test").args(["--features", "rayon"]))?;
-        self.announce("unitvec with the oldest dependencies");
+        println!("xtask: unitvec with the oldest dependencies");
         fs::remove_file(self.path("unitvec").join("Cargo.lock")).map_err(|error| error.to_string())?;
         // The option has been unstable for years, and the compiler is the same with and without the variable.
         let mut oldest = self.cargo("unitvec", "generate-lockfile");
         run_command(oldest.arg("-Zdirect-minimal-versions").env("RUSTC_BOOTSTRAP", "1"))?;
         run_command(self.cargo("unitvec", "test").args(["--features", "rayon"]))?;
-        self.announce("unitvec without std");
+        println!("xtask: unitvec without std");
         self.without_std()?;
-        self.announce("the program, installed without a GLSL compiler");
+        println!("xtask: the program, installed without a GLSL compiler");
         self.installed()
     }
 
@@ -101,20 +100,18 @@ impl Unpacked {
         let program = root.join("bin/unitvec");
         run_command(Command::new(&program).args(["conform", "--device", "lavapipe", "--codec", "oct16"]))?;
         let mut glsl = Command::new(&program);
-        let output = glsl
-            .args([
-                "encode",
-                "--backend",
-                "glsl",
-                "--device",
-                "lavapipe",
-                "--codec",
-                "oct16",
-                "/dev/null",
-                "-",
-            ])
-            .output()
-            .map_err(|error| error.to_string())?;
+        glsl.args([
+            "encode",
+            "--backend",
+            "glsl",
+            "--device",
+            "lavapipe",
+            "--codec",
+            "oct16",
+            "/dev/null",
+            "-",
+        ]);
+        let output = glsl.output().map_err(|error| error.to_string())?;
         let message = String::from_utf8_lossy(&output.stderr);
         if !output.status.success() && message.lines().count() == 1 && message.contains("--features glsl") {
             return Ok(());
@@ -140,10 +137,6 @@ impl Unpacked {
 
     fn path(&self, name: &str) -> PathBuf {
         self.folder.join(versioned(name))
-    }
-
-    fn announce(&self, what: &str) {
-        println!("xtask: {what}");
     }
 }
 

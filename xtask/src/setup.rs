@@ -1,44 +1,31 @@
 //! Installs the missing packages for building and running.
 
+use crate::output;
 use std::fs;
 use std::process::{Command, Stdio};
 use std::thread::{self, JoinHandle};
 
-/// A Debian package and its purpose.
-#[derive(Clone, Copy)]
-struct Package {
-    name: &'static str,
-    purpose: &'static str,
-}
+/// Debian packages, each with its purpose.
+type Packages = &'static [(&'static str, &'static str)];
 
 /// The packages that the build links: small ones, so that compiling starts soon.
-const TO_BUILD: [Package; 4] = [
-    Package { name: "g++", purpose: "linking shaderc; programs in C and C++ in tests" },
-    Package { name: "libshaderc-dev", purpose: "compiling GLSL" },
-    Package { name: "glslang-dev", purpose: "libraries that libshaderc-dev does not contain" },
-    Package {
-        name: "spirv-tools",
-        purpose: "libraries that libshaderc-dev does not contain; spirv-val in tests",
-    },
+const TO_BUILD: Packages = &[
+    ("g++", "linking shaderc; programs in C and C++ in tests"),
+    ("libshaderc-dev", "compiling GLSL"),
+    ("glslang-dev", "libraries that libshaderc-dev does not contain"),
+    ("spirv-tools", "libraries that libshaderc-dev does not contain; spirv-val in tests"),
 ];
 
-/// The packages in place of `libshaderc-dev` and `glslang-dev` where the distribution has no such packages.
-const TO_BUILD_FROM_SOURCE: [Package; 6] = [
-    TO_BUILD[0],
-    TO_BUILD[3],
-    Package { name: "cmake", purpose: "building shaderc" },
-    Package { name: "ninja-build", purpose: "building shaderc" },
-    Package { name: "python3", purpose: "building shaderc" },
-    Package { name: "git", purpose: "building shaderc" },
-];
+/// The packages for building shaderc, where the distribution has no `libshaderc-dev` and `glslang-dev`.
+const TO_BUILD_FROM_SOURCE: [&str; 6] = ["g++", "spirv-tools", "cmake", "ninja-build", "python3", "git"];
 
 /// The packages that the programs need once they are built: drivers and all their dependencies.
-const TO_RUN: [Package; 5] = [
-    Package { name: "libvulkan1", purpose: "the Vulkan loader" },
-    Package { name: "mesa-vulkan-drivers", purpose: "lavapipe, Vulkan on the CPU" },
-    Package { name: "vulkan-validationlayers", purpose: "Vulkan validation in tests" },
-    Package { name: "glslang-tools", purpose: "GLSL ES validation in tests" },
-    Package { name: "python3", purpose: "a client of the kernels in tests" },
+const TO_RUN: Packages = &[
+    ("libvulkan1", "the Vulkan loader"),
+    ("mesa-vulkan-drivers", "lavapipe, Vulkan on the CPU"),
+    ("vulkan-validationlayers", "Vulkan validation in tests"),
+    ("glslang-tools", "GLSL ES validation in tests"),
+    ("python3", "a client of the kernels in tests"),
 ];
 
 /// Packages that are being installed while cargo builds.
@@ -64,26 +51,20 @@ pub fn run() -> Result<(), String> {
 /// Installs the build's packages, as root or through sudo without a password, or prints the command to type; then
 /// begins to install those for running.
 pub fn begin() -> Result<Pending, String> {
-    if !has_apt() {
-        let needs =
-            TO_BUILD.iter().chain(&TO_RUN).map(|package| format!("{} ({})", package.name, package.purpose));
-        println!(
-            "xtask: no apt-get here; install the equivalents of these Debian packages: {}",
-            needs.collect::<Vec<_>>().join(", ")
-        );
+    let needs = TO_BUILD.iter().chain(TO_RUN).map(|(name, purpose)| format!("{name} ({purpose})"));
+    if !has_apt(&needs.collect::<Vec<_>>().join(", ")) {
         return Ok(Pending(None));
     }
-    let to_run = missing(&TO_RUN);
-    let mut to_build = missing(to_build());
+    let (to_run, mut to_build) = (missing(names(TO_RUN)), missing(to_build()));
     if to_build.is_empty() && to_run.is_empty() {
         return Ok(Pending(None));
     }
-    let Some(prefix) = privilege() else { return Err(to_type(&[to_build, to_run].concat())) };
+    let prefix = privilege(&[&to_build[..], &to_run].concat())?;
     println!("xtask: apt-get update");
     apt_get(prefix, &["update", "-qq"])?;
     // apt-get may not have known any package before the update.
     if to_build.iter().any(|name| !is_available(name)) {
-        to_build = missing(&TO_BUILD_FROM_SOURCE);
+        to_build = missing(TO_BUILD_FROM_SOURCE.to_vec());
         println!(
             "xtask: this distribution has no shaderc to link: it is built from source, which takes minutes"
         );
@@ -100,63 +81,63 @@ pub fn begin() -> Result<Pending, String> {
 }
 
 /// Installs missing packages, as root or through sudo without a password, or prints the command to type.
-pub fn packages(names: &[&'static str]) -> Result<(), String> {
-    if !has_apt() {
-        println!(
-            "xtask: no apt-get here; install the equivalents of these Debian packages: {}",
-            names.join(", ")
-        );
+pub fn packages(names: &[&str]) -> Result<(), String> {
+    if !has_apt(&names.join(", ")) {
         return Ok(());
     }
-    let missing: Vec<&str> = names.iter().copied().filter(|name| !is_installed(name)).collect();
+    let missing = missing(names.to_vec());
     if missing.is_empty() {
         return Ok(());
     }
-    let Some(prefix) = privilege() else { return Err(to_type(&missing)) };
+    let prefix = privilege(&missing)?;
     println!("xtask: installing {}", missing.join(" "));
     apt_get(prefix, &["update", "-qq"])?;
     install(prefix, &missing)
 }
 
-/// The command that installs the missing packages.
-fn to_type(missing: &[&str]) -> String {
-    format!(
-        "these packages are missing; type this and run the command again:\n  \
-         sudo apt-get update && sudo apt-get install -y --no-install-recommends {}",
-        missing.join(" ")
-    )
+/// True where there is apt-get; elsewhere it prints what is needed.
+fn has_apt(needs: &str) -> bool {
+    let has_apt = succeeds("apt-get", &["--version"]) && succeeds("dpkg-query", &["--version"]);
+    if !has_apt {
+        println!("xtask: no apt-get here; install the equivalents of these Debian packages: {needs}");
+    }
+    has_apt
+}
+
+fn names(packages: Packages) -> Vec<&'static str> {
+    packages.iter().map(|(name, _)| *name).collect()
 }
 
 /// The build's packages: the tools for building shaderc where apt-get knows other packages but not its library.
-fn to_build() -> &'static [Package] {
-    let has_shaderc = TO_BUILD.iter().all(|package| is_installed(package.name) || is_available(package.name));
-    if has_shaderc || !is_available("g++") { &TO_BUILD } else { &TO_BUILD_FROM_SOURCE }
+fn to_build() -> Vec<&'static str> {
+    let has_shaderc = TO_BUILD.iter().all(|(name, _)| is_installed(name) || is_available(name));
+    if has_shaderc || !is_available("g++") { names(TO_BUILD) } else { TO_BUILD_FROM_SOURCE.to_vec() }
 }
 
-fn missing(packages: &[Package]) -> Vec<&'static str> {
-    packages.iter().map(|package| package.name).filter(|name| !is_installed(name)).collect()
+fn missing(mut packages: Vec<&str>) -> Vec<&str> {
+    packages.retain(|name| !is_installed(name));
+    packages
 }
 
-/// The prefix that runs a command as root: none, or `sudo -n`. `None` if neither works.
-fn privilege() -> Option<&'static [&'static str]> {
+/// The prefix that runs a command as root: none, or `sudo -n`. If neither works, the command to type.
+fn privilege(missing: &[&str]) -> Result<&'static [&'static str], String> {
     if is_root() {
-        Some(&[])
+        Ok(&[])
     } else if succeeds("sudo", &["-n", "true"]) {
-        Some(&["sudo", "-n"])
+        Ok(&["sudo", "-n"])
     } else {
-        None
+        Err(format!(
+            "these packages are missing; type this and run the command again:\n  \
+             sudo apt-get update && sudo apt-get install -y --no-install-recommends {}",
+            missing.join(" ")
+        ))
     }
 }
 
-fn has_apt() -> bool {
-    succeeds("apt-get", &["--version"]) && succeeds("dpkg-query", &["--version"])
-}
-
 fn is_installed(package: &str) -> bool {
-    Command::new("dpkg-query")
-        .args(["--show", "--showformat=${db:Status-Status}", package])
-        .output()
-        .is_ok_and(|output| output.stdout == b"installed")
+    let mut query = Command::new("dpkg-query");
+    output(query.args(["--show", "--showformat=${db:Status-Status}", package]))
+        .is_ok_and(|is| is == "installed")
 }
 
 fn is_available(package: &str) -> bool {
@@ -171,12 +152,7 @@ fn is_root() -> bool {
 }
 
 fn succeeds(program: &str, arguments: &[&str]) -> bool {
-    Command::new(program)
-        .args(arguments)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status()
-        .is_ok_and(|status| status.success())
+    output(Command::new(program).args(arguments)).is_ok()
 }
 
 fn install(prefix: &[&str], packages: &[&str]) -> Result<(), String> {

@@ -7,8 +7,8 @@ use unitvec::codec::Code;
 use unitvec::frame::{decode_frames, encode_frames};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{decode_slice_at, encode_slice_at};
-use unitvec::{Codec, Frame, Listed, ListedFrame, for_each_codec, for_each_frame};
-use unitvec_processors::{COUNT, Coder, special_frames, special_vectors};
+use unitvec::{Frame, Listed, ListedFrame, for_each_codec, for_each_frame};
+use unitvec_processors::{COUNT, Coder, Decode, Encode, special_frames, special_vectors};
 
 fn main() {
     let (vectors, frames) = (special_vectors(), special_frames());
@@ -36,59 +36,50 @@ fn count(table: &[&str]) -> usize {
 }
 
 fn report_codec<C: Listed>(count: usize, special: &[[f32; 3]]) {
-    let (id, bits, bytes) = (C::NAME, C::BITS, C::BYTES);
-    let (encode, decode) = (encode_each::<C>, decode_each::<C>);
-    report("values", count, &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
+    let encode =
+        |vectors: &[_], codes: &mut [_]| store(vectors, codes, C::BYTES, |v| C::encode(v).to_words());
+    let decode = |codes: &[_], vectors: &mut [_]| {
+        load(codes, vectors, C::BYTES, |words| C::decode(C::Code::from_words(words)));
+    };
+    let coder = (C::NAME, C::BITS, C::BYTES);
+    report("values", coder, &encode, &decode, count, special);
     for level in Level::available() {
-        let encode = |vectors: &[_], codes: &mut [_]| {
-            encode_slice_at::<C>(level, vectors, codes).expect("slices of the same number");
-        };
-        let decode = |codes: &[_], vectors: &mut [_]| {
-            decode_slice_at::<C>(level, codes, vectors).expect("slices of the same number");
-        };
-        report(
-            &format!("{level:?}"),
-            count,
-            &Coder { id, bits, bytes, encode: &encode, decode: &decode },
-            special,
-        );
+        let encode =
+            |vectors: &[_], codes: &mut [_]| encode_slice_at::<C>(level, vectors, codes).expect(SAME);
+        let decode =
+            |codes: &[_], vectors: &mut [_]| decode_slice_at::<C>(level, codes, vectors).expect(SAME);
+        report(&format!("{level:?}"), coder, &encode, &decode, count, special);
     }
 }
 
 fn report_frames<F: ListedFrame>(special: &[[f32; 7]]) {
-    let (id, bits, bytes) = (F::NAME, F::BITS, F::BYTES);
-    let count = count(&[]);
     let encode = |frames: &[_], codes: &mut [_]| {
-        store(frames, codes, bytes, |frame| F::encode(Frame::from_array(frame)).to_words());
+        store(frames, codes, F::BYTES, |frame| F::encode(Frame::from_array(frame)).to_words());
     };
     let decode = |codes: &[_], frames: &mut [_]| {
-        load(codes, frames, bytes, |words| F::decode(F::Code::from_words(words)).to_array());
+        load(codes, frames, F::BYTES, |words| F::decode(F::Code::from_words(words)).to_array());
     };
-    report("values", count, &Coder { id, bits, bytes, encode: &encode, decode: &decode }, special);
-    let encode = |frames: &[_], codes: &mut [_]| {
-        encode_frames::<F>(frames, codes).expect("slices of the same number");
-    };
-    let decode = |codes: &[_], frames: &mut [_]| {
-        decode_frames::<F>(codes, frames).expect("slices of the same number");
-    };
-    report(
-        &format!("{:?}", Level::BASELINE),
-        count,
-        &Coder { id, bits, bytes, encode: &encode, decode: &decode },
-        special,
-    );
+    let (coder, count) = ((F::NAME, F::BITS, F::BYTES), count(&[]));
+    report("values", coder, &encode, &decode, count, special);
+    let encode = |frames: &[_], codes: &mut [_]| encode_frames::<F>(frames, codes).expect(SAME);
+    let decode = |codes: &[_], frames: &mut [_]| decode_frames::<F>(codes, frames).expect(SAME);
+    report(&format!("{:?}", Level::BASELINE), coder, &encode, &decode, count, special);
 }
 
-fn report<const N: usize>(way: &str, count: usize, coder: &Coder<N>, special: &[[f32; N]]) {
+const SAME: &str = "slices of the same number";
+
+/// Prints a line: a way of running a codec of this name, bits and bytes, and the digests.
+fn report<const N: usize>(
+    way: &str,
+    (id, bits, bytes): (&str, u32, usize),
+    encode: Encode<N>,
+    decode: Decode<N>,
+    count: usize,
+    special: &[[f32; N]],
+) {
+    let coder = Coder { id, bits, bytes, encode, decode };
+    let way = way.trim_start_matches("Level(").trim_end_matches(')');
     print(&format!("{way},{},{}\n", coder.released(count), coder.more(count, special)));
-}
-
-fn encode_each<C: Codec>(vectors: &[[f32; 3]], codes: &mut [u8]) {
-    store(vectors, codes, C::BYTES, |v| C::encode(v).to_words());
-}
-
-fn decode_each<C: Codec>(codes: &[u8], vectors: &mut [[f32; 3]]) {
-    load(codes, vectors, C::BYTES, |words| C::decode(C::Code::from_words(words)));
 }
 
 /// Codes as they are stored, one by one: the low bytes of both words.

@@ -1,9 +1,10 @@
 //! Drivers, and programs with one, out of Debian's packages, unpacked into a folder: nothing is installed, and nobody need be
 //! root.
 
+use crate::output;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::Duration;
 use std::{env, fs, io, thread};
 
@@ -66,15 +67,6 @@ const SERVER: &str = "http://deb.debian.org";
 const KEYRING: &str = "/usr/share/keyrings/debian-archive-keyring.gpg";
 const TRIES: u64 = 3;
 
-/// Why a driver is not there.
-#[derive(Debug)]
-pub enum Missing {
-    /// The driver is not available on this machine.
-    NotHere(String),
-    /// The driver should have been available.
-    Failed(String),
-}
-
 impl Packaged {
     /// The driver and its suite.
     pub fn title(&self) -> String {
@@ -111,24 +103,25 @@ impl Packaged {
     }
 
     /// Fetches the missing packages.
-    pub fn fetch(&self, cache: &Path) -> Result<(), Missing> {
+    pub fn fetch(&self, cache: &Path) -> Result<(), String> {
         if self.version(cache).is_some() {
             return Ok(());
         }
-        let system = fs::read_to_string("/etc/os-release").unwrap_or_default();
-        if let Some(reason) = self.refusal(&system, env::consts::ARCH) {
-            return Err(Missing::NotHere(reason));
-        }
+        self.refusal_here().map_or(Ok(()), Err)?;
         println!("xtask: fetching {}", self.title());
-        let mut tries = 1;
-        loop {
-            let Err(reason) = self.try_fetch(&self.folder(cache)) else { return Ok(()) };
-            if tries == TRIES {
-                return Err(Missing::Failed(self.not_fetched(&reason)));
+        let mut outcome = self.try_fetch(&self.folder(cache));
+        for tries in 1..TRIES {
+            if outcome.is_err() {
+                thread::sleep(Duration::from_secs(5 * tries));
+                outcome = self.try_fetch(&self.folder(cache));
             }
-            thread::sleep(Duration::from_secs(5 * tries));
-            tries += 1;
         }
+        outcome.map_err(|reason| self.not_fetched(&reason))
+    }
+
+    /// The reason why it cannot be fetched on this machine.
+    pub fn refusal_here(&self) -> Option<String> {
+        self.refusal(&fs::read_to_string("/etc/os-release").unwrap_or_default(), env::consts::ARCH)
     }
 
     fn not_fetched(&self, reason: &str) -> String {
@@ -164,26 +157,32 @@ impl Packaged {
         if folder.exists() {
             fs::remove_dir_all(folder).map_err(failed)?;
         }
-        let apt = Apt::new(folder.join("apt"), &self.sources()).map_err(failed)?;
-        apt.get(&["update"])?;
+        let apt = folder.join("apt");
+        let archives = prepare_apt(&apt, &self.sources()).map_err(failed)?;
+        let get = |arguments: &[&str]| {
+            let mut command = Command::new("apt-get");
+            command.env("LC_ALL", "C").env("APT_CONFIG", apt.join("settings"));
+            output(command.args(arguments).current_dir(&archives))
+        };
+        get(&["update"])?;
         if self.has_dependencies {
             let only = ["install", "--yes", "--download-only", "--no-install-recommends"];
             // Programs load Vulkan's loader, which the drivers do not ask for.
             let what = ["--target-release", self.suite().1, self.package, "libvulkan1"];
-            apt.get(&[&only[..], &what].concat())?;
+            get(&[&only[..], &what].concat())?;
         } else {
-            apt.get(&["download", self.package])?;
+            get(&["download", self.package])?;
         }
         let root = folder.join("unpacked");
         let mut versions = String::new();
-        for package in apt.packages().map_err(failed)? {
-            run(Command::new("dpkg-deb").arg("--extract").arg(&package).arg(&root))?;
+        for package in files_of(&archives, "deb") {
+            output(Command::new("dpkg-deb").arg("--extract").arg(&package).arg(&root))?;
             versions += &version_of(&package, self.package).unwrap_or_default();
         }
         if !root.join(self.library).is_file() {
             return Err(format!("the package has no {}", self.library));
         }
-        fs::remove_dir_all(&apt.folder).map_err(failed)?;
+        fs::remove_dir_all(&apt).map_err(failed)?;
         fs::write(folder.join("icd.json"), manifest(self.library)).map_err(failed)?;
         fs::write(folder.join("version"), versions).map_err(failed)
     }
@@ -206,9 +205,7 @@ fn manifest(library: &str) -> String {
 /// not know.
 pub fn newer_radv(cache: &Path) -> Result<PathBuf, String> {
     let package = &PACKAGED[0];
-    package.fetch(cache).map_err(|missing| match missing {
-        Missing::NotHere(reason) | Missing::Failed(reason) => reason,
-    })?;
+    package.fetch(cache)?;
     let file = package.folder(cache).join("radeon_icd.json");
     let written = fs::write(&file, manifest("usr/lib/x86_64-linux-gnu/libvulkan_radeon.so"));
     written.map_err(|error| format!("{}: {error}", file.display()))?;
@@ -223,45 +220,17 @@ fn version_of(path: &Path, package: &str) -> Option<String> {
     Some(format!("{package} {}", version.replace("%3a", ":")))
 }
 
-/// An apt-get with a folder of its own in the place of the system's.
-struct Apt {
-    folder: PathBuf,
-}
-
-impl Apt {
-    fn new(folder: PathBuf, sources: &str) -> io::Result<Self> {
-        let folders = [
-            "etc/apt/apt.conf.d",
-            "etc/apt/preferences.d",
-            "var/lib/apt/lists/partial",
-            "var/lib/dpkg",
-            "var/cache/apt/archives/partial",
-        ];
-        for name in folders {
-            fs::create_dir_all(folder.join(name))?;
-        }
-        fs::write(folder.join("etc/apt/sources.list"), sources)?;
-        fs::write(folder.join("var/lib/dpkg/status"), "")?;
-        fs::write(folder.join("settings"), settings(&folder))?;
-        Ok(Self { folder })
+/// Makes a folder in the place of the system's for apt-get. Returns the folder in it of fetched packages.
+fn prepare_apt(folder: &Path, sources: &str) -> io::Result<PathBuf> {
+    let archives = folder.join("var/cache/apt/archives");
+    for name in ["etc/apt/apt.conf.d", "etc/apt/preferences.d", "var/lib/apt/lists/partial", "var/lib/dpkg"] {
+        fs::create_dir_all(folder.join(name))?;
     }
-
-    fn get(&self, arguments: &[&str]) -> Result<(), String> {
-        let mut command = Command::new("apt-get");
-        command.args(arguments).current_dir(self.archives());
-        run(command.env("APT_CONFIG", self.folder.join("settings")))
-    }
-
-    /// The packages that were fetched.
-    fn packages(&self) -> io::Result<Vec<PathBuf>> {
-        let entries = fs::read_dir(self.archives())?.collect::<io::Result<Vec<_>>>()?;
-        let is_package = |path: &PathBuf| path.extension().is_some_and(|extension| extension == "deb");
-        Ok(entries.iter().map(fs::DirEntry::path).filter(is_package).collect())
-    }
-
-    fn archives(&self) -> PathBuf {
-        self.folder.join("var/cache/apt/archives")
-    }
+    fs::create_dir_all(archives.join("partial"))?;
+    fs::write(folder.join("etc/apt/sources.list"), sources)?;
+    fs::write(folder.join("var/lib/dpkg/status"), "")?;
+    fs::write(folder.join("settings"), settings(folder))?;
+    Ok(archives)
 }
 
 /// The system's settings of proxies and the like, without its hooks, which clean the system's folders up. Unsigned
@@ -276,20 +245,13 @@ fn settings(folder: &Path) -> String {
     String::from_utf8_lossy(&settings).into_owned()
 }
 
-/// Runs a program of Debian's in silence, and returns its errors where it fails.
-fn run(command: &mut Command) -> Result<(), String> {
-    let program = command.get_program().to_string_lossy().into_owned();
-    let output = command
-        .env("LC_ALL", "C")
-        .stdin(Stdio::null())
-        .output()
-        .map_err(|error| format!("{program} cannot be started: {error}"))?;
-    if output.status.success() {
-        return Ok(());
-    }
-    let said = String::from_utf8_lossy(&output.stderr);
-    let first = said.lines().find_map(|line| line.strip_prefix("E: "));
-    Err(first.map_or_else(|| format!("{program} ended with {}", output.status), str::to_owned))
+/// The files of this ending in a folder, if there is one, in their order.
+pub fn files_of(folder: &Path, ending: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == ending));
+    files.sort();
+    files
 }
 
 #[cfg(test)]

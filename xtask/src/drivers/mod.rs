@@ -2,10 +2,11 @@
 
 pub mod debian;
 
+use crate::{cache, repository};
 pub use debian::newer_radv;
-use debian::{Missing, PACKAGED, Packaged};
+use debian::{PACKAGED, Packaged, files_of};
 use std::collections::HashSet;
-use std::ffi::{OsStr, OsString};
+use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -71,8 +72,8 @@ struct Row {
 
 #[derive(Debug, PartialEq)]
 enum Outcome {
-    /// The fields of `unitvec conform --summary`, and whether it passed.
-    Ran { fields: Vec<(String, String)>, passed: bool },
+    /// The names and the values that `unitvec conform --summary` wrote, a line each, and whether it passed.
+    Ran { summary: String, passed: bool },
     /// A word, and the reason. Some drivers may be missing.
     NotRun { word: &'static str, reason: String, is_failure: bool },
 }
@@ -98,10 +99,8 @@ struct Driver {
 }
 
 /// Runs `unitvec conform` on all drivers, and ends in a table of them.
-pub fn run(options: &Options, unitvec: &Path, repository: &Path) -> Result<(), String> {
-    // The cache is beside the folder of cargo's profile.
-    let cache = unitvec.ancestors().nth(2).unwrap_or(repository).join("drivers");
-    fs::create_dir_all(&cache).map_err(|error| format!("{}: {error}", cache.display()))?;
+pub fn run(options: &Options, unitvec: &Path) -> Result<(), String> {
+    let cache = cache("drivers")?;
     // Drivers are fetched before any runs: a network that fails is known at once.
     let packaged: Vec<_> =
         PACKAGED.iter().map(|driver| from_package(driver, &cache, options.fetch)).collect();
@@ -117,8 +116,8 @@ pub fn run(options: &Options, unitvec: &Path, repository: &Path) -> Result<(), S
     print!("\n{}\n", table(&rows));
     verdict(&rows)?;
     if options.record {
-        let path = repository.join(RECORD);
-        fs::write(&path, record(&rows)).map_err(|error| format!("{}: {error}", path.display()))?;
+        let written = fs::write(repository().join(RECORD), record(&rows));
+        written.map_err(|error| format!("{RECORD}: {error}"))?;
     }
     Ok(())
 }
@@ -130,10 +129,8 @@ fn from_package(driver: &Packaged, cache: &Path, fetch: bool) -> Result<Driver, 
         outcome: Outcome::NotRun { word: "not run", reason, is_failure },
     };
     if fetch {
-        driver.fetch(cache).map_err(|error| match error {
-            Missing::NotHere(reason) => missing(reason, false),
-            Missing::Failed(reason) => missing(reason, duty == Duty::Always),
-        })?;
+        let is_needed = duty == Duty::Always && driver.refusal_here().is_none();
+        driver.fetch(cache).map_err(|reason| missing(reason, is_needed))?;
     }
     let icd = driver.icd(cache);
     if !icd.is_file() {
@@ -159,9 +156,7 @@ fn installed() -> Vec<Driver> {
 
 /// The drivers' files of the folders, and those named besides, each once.
 fn found(folders: &[PathBuf], named: Vec<PathBuf>) -> Vec<PathBuf> {
-    let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten().flatten();
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
-    files.retain(|path| path.extension() == Some(OsStr::new("json")));
+    let mut files: Vec<PathBuf> = folders.iter().flat_map(|folder| files_of(folder, "json")).collect();
     files.sort();
     files.extend(named);
     let mut known = HashSet::new();
@@ -187,8 +182,8 @@ impl Driver {
         if let Err(error) = told.as_ref().map_or(Ok(()), |_| fs::remove_file(&summary)) {
             return self.did_not_run(format!("{} cannot be removed: {error}", summary.display()));
         }
-        match told.ok().and_then(|text| fields(&text)) {
-            Some(fields) => Outcome::Ran { fields, passed: ended.success() },
+        match told.ok().filter(|text| text.lines().count() == 2) {
+            Some(summary) => Outcome::Ran { summary, passed: ended.success() },
             None => self.did_not_run(format!("conform ended with {ended}")),
         }
     }
@@ -227,13 +222,6 @@ fn reason(said: &str) -> String {
     words.join(" ")
 }
 
-/// The fields of `unitvec conform --summary`, with their names.
-fn fields(summary: &str) -> Option<Vec<(String, String)>> {
-    let (names, values) = summary.trim_end_matches('\n').split_once('\n')?;
-    let pairs = names.split('\t').zip(values.split('\t'));
-    Some(pairs.map(|(name, value)| (name.to_owned(), value.to_owned())).collect())
-}
-
 /// Figures of a driver that ran, by their names in `unitvec conform --summary`.
 const FIGURES: [&str; 4] = ["codecs", "vectors", "codes", "mismatches"];
 
@@ -245,8 +233,8 @@ fn table(rows: &[Row]) -> String {
     let mut text = line("", FIGURES, "driver; device; where from");
     for Row { origin, outcome } in rows {
         text += &match outcome {
-            Outcome::Ran { fields, passed } => {
-                let field = |name| value(fields, name);
+            Outcome::Ran { summary, passed } => {
+                let field = |name| value(summary, name);
                 let last = format!("{}; {}; {origin}", field("driver"), field("device"));
                 line(if *passed { "PASS" } else { "FAIL" }, FIGURES.map(field), &last)
             }
@@ -256,24 +244,23 @@ fn table(rows: &[Row]) -> String {
     text
 }
 
-fn value<'a>(fields: &'a [(String, String)], name: &str) -> &'a str {
-    fields.iter().find(|(other, _)| other == name).map_or("?", |(_, value)| value)
+/// The value of this name in a summary.
+fn value<'a>(summary: &'a str, name: &str) -> &'a str {
+    let (names, values) = summary.split_once('\n').unwrap_or_default();
+    let mut fields = names.split('\t').zip(values.trim_end_matches('\n').split('\t'));
+    fields.find(|(other, _)| *other == name).map_or("?", |(_, value)| value)
 }
 
 /// The drivers that ran, below the names of the fields.
 fn record(rows: &[Row]) -> String {
-    let ran = rows.iter().filter_map(|Row { origin, outcome }| match outcome {
-        Outcome::Ran { fields, .. } => Some((origin, fields)),
-        Outcome::NotRun { .. } => None,
-    });
     let mut text = String::new();
-    for (origin, fields) in ran {
-        let (names, values): (Vec<&str>, Vec<&str>) =
-            fields.iter().map(|(name, value)| (name.as_str(), value.as_str())).unzip();
+    for Row { origin, outcome } in rows {
+        let Outcome::Ran { summary, .. } = outcome else { continue };
+        let (names, values) = summary.split_once('\n').unwrap_or_default();
         if text.is_empty() {
-            text = format!("origin\t{}\n", names.join("\t"));
+            text = format!("origin\t{names}\n");
         }
-        text += &format!("{origin}\t{}\n", values.join("\t"));
+        text += &format!("{origin}\t{}\n", values.trim_end_matches('\n'));
     }
     text
 }
@@ -286,13 +273,10 @@ fn verdict(rows: &[Row]) -> Result<(), String> {
     let different = of(|outcome| matches!(outcome, Outcome::Ran { passed: false, .. }));
     let missing = of(|outcome| matches!(outcome, Outcome::NotRun { is_failure: true, .. }));
     let ran = of(|outcome| matches!(outcome, Outcome::Ran { .. })).len();
-    let mut faults = Vec::new();
-    if !different.is_empty() {
-        faults.push(format!("conform fails on {}", different.join(", ")));
-    }
-    if !missing.is_empty() {
-        faults.push(format!("not run: {}", missing.join(", ")));
-    }
+    let faults = [("conform fails on ", different), ("not run: ", missing)];
+    let faults = faults.into_iter().filter(|(_, origins)| !origins.is_empty());
+    let mut faults: Vec<String> =
+        faults.map(|(what, origins)| what.to_owned() + &origins.join(", ")).collect();
     if ran == 0 {
         faults.push("no driver ran".to_owned());
     }

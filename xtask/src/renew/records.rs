@@ -6,8 +6,8 @@
 
 use super::state::matches;
 use crate::{
-    WITH_GLSL, cargo, conform, drivers, languages, processors, program, repository, run, setup, shaders,
-    spirv,
+    built, cache, cargo, conform, drivers, integration, languages, processors, program, repository, run,
+    shaders, spirv,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -217,7 +217,7 @@ pub static RECORDS: &[Record] = &[
             // Any RADV that knows the newest generations serves; without one named, that of Debian's backports is fetched.
             let newer = match std::env::var_os(drivers::NEWER_RADV) {
                 Some(file) => file,
-                None => drivers::newer_radv(&languages::target(&repository())?.join("drivers"))?.into(),
+                None => drivers::newer_radv(&cache("drivers")?)?.into(),
             };
             let tests = ["isa::compiled::renew", "isa::dithered::compiled::renew"];
             by_tests(&tests, &["--ignored"], (drivers::NEWER_RADV, newer))
@@ -297,7 +297,7 @@ pub static RECORDS: &[Record] = &[
         kind: Kind::Run,
         minutes: 20,
         needs: "Debian 12 on amd64, and 500 MB of compilers, which it fetches",
-        renew: || languages::run(&repository(), &["--languages".to_owned(), "--record".to_owned()]),
+        renew: || languages::run(&["--languages".to_owned(), "--record".to_owned()]),
     },
     Record {
         name: "processors",
@@ -310,7 +310,7 @@ pub static RECORDS: &[Record] = &[
         kind: Kind::Run,
         minutes: 10,
         needs: "Debian's cross compilers, qemu and Node.js, which it installs",
-        renew: || processors::run(&repository(), &["--record".to_owned()]),
+        renew: || processors::run(&["--record".to_owned()]),
     },
     Record {
         name: "figures",
@@ -365,13 +365,9 @@ fn measure(tests: &[&str]) -> Result<(), String> {
 }
 
 fn by_tests(tests: &[&str], arguments: &[&str], variable: (&str, OsString)) -> Result<(), String> {
-    let program = ["test", "--package", "unitvec-tests", "--test", "unitvec"];
-    let pending = setup::begin()?;
-    let built = run(cargo(&program).args(WITH_GLSL).arg("--no-run"));
-    pending.finish().and(built)?;
-    let mut command = cargo(&program);
-    command.args(WITH_GLSL).args(["--", "--exact", "--nocapture"]).args(arguments).args(tests);
-    run(command.env(variable.0, variable.1))
+    built(&mut integration(&["--no-run"]))?;
+    let mut command = integration(&["--", "--exact", "--nocapture"]);
+    run(command.args(arguments).args(tests).env(variable.0, variable.1))
 }
 
 /// Runs `unitvec` in the repository's root.
