@@ -1,7 +1,7 @@
 //! Builds the examples and runs them, and opens the report in a browser.
 
 use crate::drivers::debian::CHROMIUM;
-use crate::{built, cache, cargo, repository, run as run_command};
+use crate::{built, cache, cargo, repository, run as run_command, take};
 use std::fs::File;
 use std::path::Path;
 use std::process::Command;
@@ -10,11 +10,11 @@ const WGPU: [&str; 2] = ["--package", "unitvec-example-wgpu"];
 
 /// Runs the program on wgpu with its tests, and opens the page for browsers and the report. `--all` fails where there is no browser.
 pub fn run(arguments: &[String]) -> Result<(), String> {
-    let needs_all = match arguments {
-        [] => std::env::var_os("CI").is_some(),
-        [option] if option == "--all" => true,
-        [other, ..] => return Err(format!("unknown argument `{other}`; there is --all")),
-    };
+    let mut others = arguments.to_vec();
+    let needs_all = take(&mut others, "--all") || std::env::var_os("CI").is_some();
+    if let Some(other) = others.first() {
+        return Err(format!("unknown argument `{other}`; there is --all"));
+    }
     built(cargo(&["test"]).args(WGPU))?;
     let cache = cache("drivers")?;
     // Drivers complain without such a folder.

@@ -2,7 +2,7 @@
 //! program of `tests/languages`, which compiles with them, runs the code, and compares.
 
 use crate::drivers::debian::{CHROMIUM, PACKAGED};
-use crate::{built, cache, cargo, output, repository, run as run_command, setup, target};
+use crate::{built, cache, cargo, output, repository, run as run_command, setup, take, target};
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -86,15 +86,12 @@ struct Options {
 
 impl Options {
     fn of(arguments: &[String]) -> Result<Self, String> {
-        let has = |name: &str| arguments.iter().any(|argument| argument == name);
-        let own = ["--languages", "--all", "--record"];
-        let others: Vec<String> =
-            arguments.iter().filter(|argument| !own.contains(&argument.as_str())).cloned().collect();
-        if has("--record") && !others.is_empty() {
+        let mut others = arguments.to_vec();
+        let [_, all, records] = ["--languages", "--all", "--record"].map(|option| take(&mut others, option));
+        if records && !others.is_empty() {
             return Err(format!("--record keeps what all codecs do, and takes no {}", others[0]));
         }
-        let needs_all = has("--all") || has("--record") || std::env::var_os("CI").is_some();
-        Ok(Self { needs_all, records: has("--record"), others })
+        Ok(Self { needs_all: all || records || std::env::var_os("CI").is_some(), records, others })
     }
 }
 

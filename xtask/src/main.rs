@@ -143,10 +143,8 @@ fn cache(name: &str) -> Result<PathBuf, String> {
 }
 
 fn test(arguments: &[String]) -> Result<(), String> {
-    let (own, others): (Vec<&str>, Vec<&str>) = arguments
-        .iter()
-        .map(String::as_str)
-        .partition(|argument| ["--exhaustive", "--fuzz"].contains(argument));
+    let mut others = arguments.to_vec();
+    let [exhaustive, fuzz] = ["--exhaustive", "--fuzz"].map(|option| take(&mut others, option));
     let left_out = [
         "--exclude=xtask-spirv",
         "--exclude=xtask-header",
@@ -159,19 +157,19 @@ fn test(arguments: &[String]) -> Result<(), String> {
         command.args(left_out).args(WITH_GLSL);
         command
     };
-    let of_cargo: Vec<_> = others.iter().copied().take_while(|argument| *argument != "--").collect();
-    if of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(argument)) {
+    let of_cargo: Vec<_> = others.iter().take_while(|argument| *argument != "--").collect();
+    if of_cargo.iter().any(|argument| ["--no-run", "--doc"].contains(&argument.as_str())) {
         setup::run()?;
     } else {
         built(all().arg("--no-run").args(of_cargo))?;
     }
     run(all().args(others))?;
-    if own.contains(&"--fuzz") {
+    if fuzz {
         println!("xtask: 10^6 mutated files; UNITVEC_FUZZ and UNITVEC_FUZZ_SEED give other numbers");
         let count = env::var_os("UNITVEC_FUZZ").unwrap_or_else(|| "1000000".into());
         run(integration(&["--", "--nocapture", "fuzz::"]).env("UNITVEC_FUZZ", count))?;
     }
-    if own.contains(&"--exhaustive") {
+    if exhaustive {
         println!("xtask: all 2^32 codes of each 32-bit codec, 1 to 3 minutes a codec on 2 cores");
         run(&mut integration(&["--", "--ignored", "--nocapture", "exhaustive::"]))?;
     }
@@ -196,6 +194,13 @@ fn spirv(arguments: &[String]) -> Result<(), String> {
 fn shaders(arguments: &[String]) -> Result<(), String> {
     let write = ["run", "--quiet", "--package", "unitvec-languages", "--example", "shaders", "--"];
     run(cargo(&write).args(arguments))
+}
+
+/// Takes an option out of the arguments. True if it was there.
+fn take(arguments: &mut Vec<String>, option: &str) -> bool {
+    let before = arguments.len();
+    arguments.retain(|argument| argument != option);
+    arguments.len() < before
 }
 
 /// The cargo that runs this, in the repository's root.

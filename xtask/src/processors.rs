@@ -1,7 +1,7 @@
 //! The same bits on other processors: cargo builds a small program that digests every codec's results for fixed input, and
 //! runs it by qemu, Node.js or Miri. Its output must be that of this machine.
 
-use crate::{output, repository, setup};
+use crate::{output, repository, setup, take};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
@@ -124,13 +124,13 @@ pub fn versions() -> String {
 
 /// `cargo xtask processors [--exhaustive] [--build-std] [--record] [NAME…]`.
 pub fn run(arguments: &[String]) -> Result<(), String> {
-    let (options, names): (Vec<&str>, Vec<&str>) =
-        arguments.iter().map(String::as_str).partition(|argument| argument.starts_with("--"));
-    if let Some(unknown) = options.iter().find(|o| !["--exhaustive", "--build-std", "--record"].contains(o)) {
+    let mut names = arguments.to_vec();
+    let [exhaustive, build_std, record] =
+        ["--exhaustive", "--build-std", "--record"].map(|option| take(&mut names, option));
+    if let Some(unknown) = names.iter().find(|name| name.starts_with("--")) {
         return Err(format!("unknown option {unknown}; `cargo xtask help` lists those of processors"));
     }
-    let has = |option| options.contains(&option);
-    if has("--record") && !names.is_empty() {
+    if record && !names.is_empty() {
         return Err("--record keeps what all processors do, and takes no names".to_owned());
     }
     let chosen = chosen(&names)?;
@@ -143,8 +143,8 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     let rows: Vec<Row> = thread::scope(|scope| {
         let mut threads = Vec::new();
         for processor in &chosen {
-            let toolchain = processor.toolchain(has("--build-std"));
-            let count = if has("--exhaustive") && processor.count == SOME { ALL } else { processor.count };
+            let toolchain = processor.toolchain(build_std);
+            let count = if exhaustive && processor.count == SOME { ALL } else { processor.count };
             for features in processor.features {
                 let (toolchain, reference) = (toolchain.clone(), &references[&count]);
                 threads.push(scope.spawn(move || processor.row(features, count, toolchain, reference)));
@@ -159,7 +159,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     if failed > 0 {
         return Err(format!("{failed} of {} programs differ or did not run", rows.len()));
     }
-    if has("--record") {
+    if record {
         let lines: String = rows.iter().map(|(record, _)| format!("{record}\n")).collect();
         let text = format!("{COLUMNS}\n{lines}");
         fs::write(repository().join(RECORD), text).map_err(|error| format!("{RECORD}: {error}"))?;
@@ -168,13 +168,13 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
 }
 
 /// The processors of these names, or all but the interpreter.
-fn chosen(names: &[&str]) -> Result<Vec<Processor>, String> {
+fn chosen(names: &[String]) -> Result<Vec<Processor>, String> {
     let mut all = processors();
-    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|p| p.name == **name)) {
+    if let Some(unknown) = names.iter().find(|name| !all.iter().any(|p| p.name == *name)) {
         let known: Vec<String> = all.iter().map(|p| format!("`{}`", p.name)).collect();
         return Err(format!("no processor `{unknown}`; there are {}", known.join(", ")));
     }
-    all.retain(|p| if names.is_empty() { p.name != MIRI } else { names.contains(&p.name) });
+    all.retain(|p| if names.is_empty() { p.name != MIRI } else { names.iter().any(|name| name == p.name) });
     Ok(all)
 }
 
@@ -367,8 +367,8 @@ mod tests {
 
     #[test]
     fn unknown_names_are_refused() {
-        assert!(chosen(&["vax"]).err().unwrap_or_default().contains("`s390x`"));
-        assert_eq!(chosen(&["s390x"]).map(|found| found.len()), Ok(1));
+        assert!(chosen(&["vax".to_owned()]).err().unwrap_or_default().contains("`s390x`"));
+        assert_eq!(chosen(&["s390x".to_owned()]).map(|found| found.len()), Ok(1));
         assert_eq!(chosen(&[]).map(|found| found.len()), Ok(processors().len() - 1));
     }
 }

@@ -2,7 +2,7 @@
 
 pub mod debian;
 
-use crate::{cache, repository};
+use crate::{cache, repository, take};
 pub use debian::newer_radv;
 use debian::{PACKAGED, Packaged, files_of};
 use std::collections::HashSet;
@@ -43,23 +43,22 @@ pub struct Options {
 impl Options {
     /// `None` where the arguments have no `--drivers`.
     pub fn of(arguments: &[String]) -> Result<Option<Self>, String> {
-        let has = |name: &str| arguments.iter().any(|argument| argument == name);
-        if !has("--drivers") {
+        let mut others = arguments.to_vec();
+        let [drivers, fetch, record] =
+            ["--drivers", "--fetch", "--record"].map(|option| take(&mut others, option));
+        if !drivers {
             return Ok(None);
         }
         let given = |names: &[&str]| {
-            let is_it = |argument: &&String| names.contains(&argument.split('=').next().unwrap_or_default());
-            arguments.iter().find(is_it)
+            others.iter().find(|argument| names.contains(&argument.split('=').next().unwrap_or_default()))
         };
         if let Some(argument) = given(&["--device", "imprecise", "pipeline", "--json", "--summary"]) {
             return Err(format!("--drivers runs one driver after the other, and takes no {argument}"));
         }
-        if let Some(argument) = given(&["--codec", "--count", "--seed"]).filter(|_| has("--record")) {
+        if let Some(argument) = given(&["--codec", "--count", "--seed"]).filter(|_| record) {
             return Err(format!("--record keeps what all codecs do, and takes no {argument}"));
         }
-        let own = ["--drivers", "--fetch", "--record"];
-        let others = arguments.iter().filter(|argument| !own.contains(&argument.as_str())).cloned().collect();
-        Ok(Some(Self { fetch: has("--fetch"), record: has("--record"), others }))
+        Ok(Some(Self { fetch, record, others }))
     }
 }
 

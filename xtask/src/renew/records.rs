@@ -97,6 +97,9 @@ const FILE: Record = Record {
     renew: || Ok(()),
 };
 
+/// The defaults of runs.
+const RUN: Record = Record { kind: Kind::Run, ..FILE };
+
 /// All records, each after those among its inputs.
 pub static RECORDS: &[Record] = &[
     Record {
@@ -104,20 +107,19 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("spirv/*")],
         from: "`shader-crate/` by rust-gpu and `xtask/spirv/`",
         inputs: &[CODECS, SPIRV_BUILD],
-        kind: Kind::Run,
         minutes: 12,
         needs: "rustup, which installs rust-gpu's nightly",
         renew: || spirv(&[]),
+        ..RUN
     },
     Record {
         name: "render-modules",
         outputs: &[Bytes("host/render/shaders/spirv/*")],
         from: "the renderer's shaders in Rust, the same way",
         inputs: &[CODECS, SPIRV_BUILD, RENDER],
-        kind: Kind::Run,
         needs: "rustup, which installs rust-gpu's nightly",
         renew: || spirv(&["--render".to_owned()]),
-        ..FILE
+        ..RUN
     },
     Record {
         name: "rust-gpu-example",
@@ -126,10 +128,9 @@ pub static RECORDS: &[Record] = &[
             CODECS,
             &[Bytes("examples/rust-gpu/Cargo.* shader-crate/Cargo.toml"), Code("examples/rust-gpu/*.rs")],
         ],
-        kind: Kind::Run,
         needs: "rustup, which installs rust-gpu's nightly",
         renew: || spirv(&["--example".to_owned()]),
-        ..FILE
+        ..RUN
     },
     Record {
         name: "shaders",
@@ -255,36 +256,33 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "agreement",
-        outputs: &[],
         from: "CPU, modules, GLSL, HLSL and WGSL on lavapipe: a run of `conform --exhaustive`, which leaves no file",
         inputs: &[CODECS, KERNELS, GLSL, &[Code("shaders/*/*")]],
-        kind: Kind::Run,
         minutes: 5,
         renew: || conform(&["--exhaustive".to_owned()]),
-        ..FILE
+        ..RUN
     },
     Record {
         name: "imprecise",
         outputs: &[Bytes("docs/data/imprecise.csv")],
         from: "the modules and the GLSL, rewritten for devices that round badly",
         inputs: &[KERNELS, GLSL, &[Code("host/lab/src/imprecise/*.rs")]],
-        kind: Kind::Run,
         minutes: 6,
         renew: || {
             let file = repository().join("docs/data/imprecise.csv").display().to_string();
             conform(&["imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))
         },
-        ..FILE
+        ..RUN
     },
     Record {
         name: "drivers",
         outputs: &[Bytes("docs/data/drivers.tsv")],
         from: "the modules and the GLSL on other Vulkan drivers",
         inputs: &[KERNELS, GLSL, &[Versions(drivers::versions)]],
-        kind: Kind::Run,
         minutes: 15,
         needs: "Debian 12 on amd64, whose packages of drivers it fetches",
         renew: || conform(&["--drivers", "--fetch", "--record"].map(str::to_owned)),
+        ..RUN
     },
     Record {
         name: "languages",
@@ -294,10 +292,10 @@ pub static RECORDS: &[Record] = &[
             Code("shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs"),
             Versions(languages::versions),
         ]],
-        kind: Kind::Run,
         minutes: 20,
         needs: "Debian 12 on amd64, and 500 MB of compilers, which it fetches",
         renew: || languages::run(&["--languages".to_owned(), "--record".to_owned()]),
+        ..RUN
     },
     Record {
         name: "processors",
@@ -307,10 +305,10 @@ pub static RECORDS: &[Record] = &[
             CODECS,
             &[Code("tests/processors/*.rs tests/processors/*.mjs"), Versions(processors::versions)],
         ],
-        kind: Kind::Run,
         minutes: 10,
         needs: "Debian's cross compilers, qemu and Node.js, which it installs",
         renew: || processors::run(&["--record".to_owned()]),
+        ..RUN
     },
     Record {
         name: "figures",
