@@ -3,7 +3,7 @@
 use crate::kernel::{Kernel, name_of_path};
 use anyhow::{Context, Result, bail};
 use cargo_gpu_install::install::{Install, InstalledBackend};
-use cargo_gpu_install::spirv_builder::ModuleResult;
+use cargo_gpu_install::spirv_builder::{ModuleResult, SpirvBuilder};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,8 +19,8 @@ pub const RUST_GPU: &str = "0.10.0";
 pub const KERNELS: &str = "kernels";
 pub const COST_KERNELS: &str = "cost-kernels";
 
-/// The feature that has the library's functions.
-const LIBRARY: &str = "library";
+/// The feature that has the library's functions, each an entry point.
+pub const LIBRARY: &str = "library";
 
 /// rust-gpu, and the crate that it compiles.
 pub struct Compiler {
@@ -47,12 +47,6 @@ impl Compiler {
         compiled.map(|(entry_point, words)| Ok((Kernel::of_entry_point(&entry_point)?, words))).collect()
     }
 
-    /// Compiles the functions of `unitvec`'s library, each as the entry point of a module, not optimised, by the name of codec and
-    /// operation.
-    pub fn library(&self) -> Result<BTreeMap<String, Vec<u32>>> {
-        self.named(LIBRARY)
-    }
-
     /// Compiles what is behind a feature to a module for each entry point, not optimised, by the name of the entry point's module
     /// and its own.
     pub fn named(&self, feature: &str) -> Result<BTreeMap<String, Vec<u32>>> {
@@ -60,15 +54,17 @@ impl Compiler {
         Ok(compiled.map(|(entry_point, words)| (name_of_path(&entry_point), words)).collect())
     }
 
+    /// The settings of all builds.
+    pub fn builder(&self) -> SpirvBuilder {
+        self.backend.to_spirv_builder(&self.shader_crate, TARGET).release(true).deny_warnings(true)
+    }
+
     /// The names of the entry points behind a feature, and the words of the module of each.
     fn compile(&self, feature: &str) -> Result<Vec<(String, Vec<u32>)>> {
         eprintln!("spirv: compiling the {feature} of {}", self.shader_crate.display());
         let compiled = self
-            .backend
-            .to_spirv_builder(&self.shader_crate, TARGET)
+            .builder()
             .multimodule(true)
-            .release(true)
-            .deny_warnings(true)
             .shader_crate_default_features(false)
             .shader_crate_features([feature.to_owned()])
             // rust-gpu's own run of the optimiser folds chains of float operations.

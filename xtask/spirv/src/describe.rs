@@ -10,12 +10,6 @@ use unitvec_manifest::{
 };
 use unitvec_vulkan::{GROUP, WORKGROUP};
 
-/// All kernels' buffers.
-const STORAGE_BUFFER: &str = "VK_DESCRIPTOR_TYPE_STORAGE_BUFFER";
-
-/// Bytes of a word: kernels read and write no less.
-const WORD: u32 = 4;
-
 /// The table of [`unitvec::best_fit`], of these bytes.
 pub fn table(bytes: &[u8]) -> Table {
     Table {
@@ -42,7 +36,7 @@ pub fn library(bytes: &[u8]) -> Library {
 /// A module in this file of `spirv/`.
 pub fn module(file: &str, kernels: &[Kernel], bytes: &[u8]) -> Module {
     let entry_points = kernels.iter().map(|kernel| EntryPoint {
-        name: kernel.name(),
+        name: kernel.name.clone(),
         operation: kernel.operation,
         interface: interface(kernel).0,
     });
@@ -63,14 +57,17 @@ fn codec(format: &AnyCodec) -> Codec {
 
 /// A kernel's interface and the name of that.
 pub fn interface(kernel: &Kernel) -> (String, Interface) {
-    let [input, output] = buffers(kernel);
-    let mut name = format!("{} to {}", input.name, output.name);
-    let mut bindings = vec![input.binding(0, Role::Input), output.binding(1, Role::Output)];
-    if kernel.name() == manifest::DECODE_BY_TABLE {
+    let [(input, reads), (output, writes)] = buffers(kernel);
+    let mut name = format!("{input} to {output}");
+    let mut bindings = vec![reads, writes];
+    if kernel.name == manifest::DECODE_BY_TABLE {
         let content = "table: the decoded vectors, of three f32, of the codes 0 to 65535";
-        bindings.push(table_binding(content, Element::Vector.bytes() << 16, None));
+        let bytes = Some((Element::Vector.bytes() << 16) as u32);
+        bindings.push(Binding { bytes, ..storage_buffer(2, Role::Table, content) });
     } else if kernel.encodes_by_table() {
-        bindings.push(table_binding("table", size_of_val(best_fit_table()), Some(manifest::BEST_FIT_TABLE)));
+        let bytes = Some(size_of_val(best_fit_table()) as u32);
+        let table = Some(manifest::BEST_FIT_TABLE.to_owned());
+        bindings.push(Binding { bytes, table, ..storage_buffer(2, Role::Table, "table") });
     }
     if bindings.len() > 2 {
         name += " by a table";
@@ -87,62 +84,39 @@ pub fn interface(kernel: &Kernel) -> (String, Interface) {
     (name, interface)
 }
 
-/// What a buffer of elements or codes holds.
-struct Buffer {
-    name: String,
-    content: &'static str,
-    bytes_per_vector: usize,
-}
-
-impl Buffer {
-    fn new(name: &str, content: &'static str, bytes_per_vector: usize) -> Self {
-        Self { name: name.to_owned(), content, bytes_per_vector }
-    }
-
-    fn binding(&self, binding: u32, role: Role) -> Binding {
-        Binding {
-            binding,
-            role,
-            descriptor_type: STORAGE_BUFFER.to_owned(),
-            content: self.content.to_owned(),
-            bytes_per_vector: Some(self.bytes_per_vector as u32),
-            bytes: None,
-            size_multiple: WORD,
-            table: None,
-        }
-    }
-}
-
-/// What a kernel reads and what it writes.
-fn buffers(kernel: &Kernel) -> [Buffer; 2] {
-    let elements = match kernel.codec.map(|codec| codec.element) {
-        Some(Element::Frame) => Buffer::new(
-            "frames",
-            "seven f32 a frame (normal, tangent, handedness), packed",
-            Element::Frame.bytes(),
-        ),
-        _ => Buffer::new("vectors", "three f32 a vector, packed", Element::Vector.bytes()),
+/// The buffers that a kernel reads and writes, with the names of their contents.
+fn buffers(kernel: &Kernel) -> [(String, Binding); 2] {
+    let element = kernel.codec.map_or(Element::Vector, |codec| codec.element);
+    let (elements, content) = match element {
+        Element::Frame => ("frames", "seven f32 a frame (normal, tangent, handedness), packed"),
+        Element::Vector => ("vectors", "three f32 a vector, packed"),
     };
     // Codes that are decoded by a table have two bytes.
     let bytes = kernel.codec.map_or(2, |codec| codec.bytes);
     let plural = if bytes == 1 { "" } else { "s" };
-    let codes = Buffer::new(&format!("codes of {bytes} byte{plural}"), "codes, little endian, packed", bytes);
-    match kernel.operation {
+    let elements = (elements.to_owned(), content, element.bytes());
+    let codes = (format!("codes of {bytes} byte{plural}"), "codes, little endian, packed", bytes);
+    let [input, output] = match kernel.operation {
         Operation::Encode => [elements, codes],
         Operation::Decode => [codes, elements],
-    }
+    };
+    [(0, Role::Input, input), (1, Role::Output, output)].map(|(binding, role, (name, content, bytes))| {
+        let bytes_per_vector = Some(bytes as u32);
+        (name, Binding { bytes_per_vector, ..storage_buffer(binding, role, content) })
+    })
 }
 
-fn table_binding(content: &str, bytes: usize, file: Option<&str>) -> Binding {
+fn storage_buffer(binding: u32, role: Role, content: &str) -> Binding {
     Binding {
-        binding: 2,
-        role: Role::Table,
-        descriptor_type: STORAGE_BUFFER.to_owned(),
+        binding,
+        role,
+        descriptor_type: "VK_DESCRIPTOR_TYPE_STORAGE_BUFFER".to_owned(),
         content: content.to_owned(),
         bytes_per_vector: None,
-        bytes: Some(bytes as u32),
-        size_multiple: WORD,
-        table: file.map(str::to_owned),
+        bytes: None,
+        // Kernels read and write no less than words.
+        size_multiple: 4,
+        table: None,
     }
 }
 

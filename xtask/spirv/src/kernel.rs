@@ -10,14 +10,14 @@ const BASELINE: &str = "baseline";
 /// A kernel.
 #[derive(Debug)]
 pub struct Kernel {
-    /// Codec's identifier; [`BASELINE`] or [`DECODE_BY_TABLE`] for those that belong to none.
-    id: String,
-    /// The codec, if it belongs to one.
+    /// Its entry point's name in the module: `oct16_encode`, `oct16_encode_cost`.
+    pub name: String,
+    /// The codec, if it belongs to one. [`BASELINE`] and [`DECODE_BY_TABLE`] belong to none.
     pub codec: Option<&'static AnyCodec>,
     /// What it does.
     pub operation: Operation,
     /// True of those that measure arithmetic.
-    pub is_cost: bool,
+    is_cost: bool,
 }
 
 impl Kernel {
@@ -25,33 +25,28 @@ impl Kernel {
     pub fn of_entry_point(entry_point: &str) -> Result<Self> {
         let name = name_of_path(entry_point);
         if name == DECODE_BY_TABLE {
-            return Ok(Self { id: name, codec: None, operation: Operation::Decode, is_cost: false });
+            return Ok(Self { name, codec: None, operation: Operation::Decode, is_cost: false });
         }
-        let belongs = || format!("entry point {entry_point} belongs to no codec of the catalogue");
-        let function = name.strip_suffix("_cost").unwrap_or(&name);
-        let (id, operation) = Operation::ALL
+        let (function, is_cost) = name.strip_suffix("_cost").map_or((&*name, false), |name| (name, true));
+        let of_operation = |operation| {
+            let id = function.strip_suffix(&format!("_{operation}"))?;
+            let codec = CODECS.iter().find(|codec| codec.id == id);
+            (codec.is_some() || (id == BASELINE && is_cost)).then_some((codec, operation))
+        };
+        let (codec, operation) = Operation::ALL
             .into_iter()
-            .find_map(|operation| Some((function.strip_suffix(&format!("_{operation}"))?, operation)))
-            .with_context(belongs)?;
-        let is_cost = function.len() < name.len();
-        let codec = CODECS.iter().find(|codec| codec.id == id);
-        if codec.is_none() && (id != BASELINE || !is_cost) {
-            return None.with_context(belongs);
-        }
-        Ok(Self { id: id.to_owned(), codec, operation, is_cost })
-    }
-
-    /// Its entry point's name in the module: `oct16_encode`, `oct16_encode_cost`.
-    pub fn name(&self) -> String {
-        if self.id == DECODE_BY_TABLE {
-            return self.id.clone();
-        }
-        format!("{}_{}{}", self.id, self.operation, if self.is_cost { "_cost" } else { "" })
+            .find_map(of_operation)
+            .with_context(|| format!("entry point {entry_point} belongs to no codec of the catalogue"))?;
+        Ok(Self { codec, operation, is_cost, name })
     }
 
     /// Path, in `spirv/`, of the module that it is part of. Kernels that measure lie in a folder of their own, a module each.
     pub fn file(&self) -> String {
-        if self.is_cost { format!("{}.spv", self.name()) } else { format!("kernels/{}.spv", self.id) }
+        match self.codec {
+            _ if self.is_cost => format!("{}.spv", self.name),
+            Some(codec) => format!("kernels/{}.spv", codec.id),
+            None => format!("kernels/{}.spv", self.name),
+        }
     }
 
     /// True of those that look up lengths in the table of [`unitvec::best_fit`].
@@ -90,7 +85,7 @@ mod tests {
             ("decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
         ] {
             let kernel = Kernel::of_entry_point(entry_point).unwrap();
-            assert_eq!((kernel.name().as_str(), kernel.file().as_str()), (name, file));
+            assert_eq!((kernel.name.as_str(), kernel.file().as_str()), (name, file));
         }
     }
 

@@ -14,7 +14,7 @@ use anyhow::{Context, Result, bail, ensure};
 use kernel::Kernel;
 use rayon::prelude::*;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
 use std::{env, fs};
 use unitvec_catalogue::{CODECS, Operation, best_fit_table};
@@ -33,14 +33,15 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<()> {
-    let repository = repository()?;
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let repository = here.ancestors().nth(2).context("xtask/spirv has no repository around it")?;
     let (mut check, mut only_render) = (false, false);
     for argument in env::args().skip(1) {
         match argument.as_str() {
             "--check" => check = true,
             "--render" => only_render = true,
-            "--cost" => return replace(&repository, COST_FOLDER, &cost_kernels(&repository)?),
-            "--example" => return example::check(&repository),
+            "--cost" => return replace(repository, COST_FOLDER, &cost_kernels(repository)?),
+            "--example" => return example::check(repository),
             other => {
                 bail!(
                     "unknown argument {other:?}; usage: cargo xtask spirv [--check] [--render] | --cost | --example"
@@ -50,16 +51,10 @@ fn run() -> Result<()> {
     }
     let finish = if check { compare } else { replace };
     if !only_render {
-        finish(&repository, "spirv", &build(&repository)?)?;
+        finish(repository, "spirv", &build(repository)?)?;
     }
-    finish(&repository, render::FOLDER, &render::build(&repository)?)?;
-    if check && !only_render { example::check(&repository) } else { Ok(()) }
-}
-
-fn repository() -> Result<PathBuf> {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let root = here.ancestors().nth(2).context("xtask/spirv has no repository around it")?;
-    Ok(root.to_owned())
+    finish(repository, render::FOLDER, &render::build(repository)?)?;
+    if check && !only_render { example::check(repository) } else { Ok(()) }
 }
 
 /// Where the kernels lie that measure. They are not committed: they are built where somebody measures.
@@ -91,7 +86,7 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     let modules = modules(kernels)?;
     let library = library(&compiler)?;
 
-    let table: Vec<u8> = best_fit_table().iter().flat_map(|word| word.to_le_bytes()).collect();
+    let table = bytes(best_fit_table());
     let mut manifest = Manifest {
         schema: manifest::SCHEMA.to_owned(),
         vulkan: "1.1".to_owned(),
@@ -126,7 +121,7 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
 
 /// The module of all codecs' functions.
 fn library(compiler: &compile::Compiler) -> Result<Vec<u8>> {
-    let mut compiled = compiler.library()?;
+    let mut compiled = compiler.named(compile::LIBRARY)?;
     let mut functions = Vec::new();
     for (format, operation) in CODECS.iter().flat_map(|format| Operation::ALL.map(|each| (format, each))) {
         let name = format.function(operation);
@@ -135,8 +130,12 @@ fn library(compiler: &compile::Compiler) -> Result<Vec<u8>> {
     }
     ensure!(compiled.is_empty(), "{:?} belong to no codec of the catalogue", compiled.keys());
     eprintln!("spirv: optimising {} functions", functions.len());
-    let words = passes::library(functions).context(link::LIBRARY)?;
-    Ok(words.iter().flat_map(|word| word.to_le_bytes()).collect())
+    Ok(bytes(&passes::library(functions).context(link::LIBRARY)?))
+}
+
+/// The words of a module, or of a table, in its file.
+fn bytes(words: &[u32]) -> Vec<u8> {
+    words.iter().flat_map(|word| word.to_le_bytes()).collect()
 }
 
 /// A module as it is shipped.
@@ -157,10 +156,9 @@ fn modules(kernels: Vec<(Kernel, Vec<u32>)>) -> Result<Vec<Built>> {
     let finished = parts.into_par_iter().map(|(file, mut parts)| {
         parts.sort_by_key(|(kernel, _)| kernel.operation);
         let (kernels, modules): (Vec<_>, Vec<_>) = parts.into_iter().unzip();
-        let named = kernels.iter().map(Kernel::name).zip(modules);
+        let named = kernels.iter().map(|kernel| kernel.name.clone()).zip(modules);
         let words = passes::run(named.collect()).with_context(|| file.clone())?;
-        let bytes = words.iter().flat_map(|word| word.to_le_bytes()).collect();
-        Ok(Built { file, kernels, bytes })
+        Ok(Built { file, kernels, bytes: bytes(&words) })
     });
     finished.collect()
 }

@@ -1,5 +1,6 @@
 //! The renderer's modules, from `host/render/shaders/rust`.
 
+use crate::bytes;
 use crate::compile::Compiler;
 use crate::passes;
 use crate::sources::{RENDER_SOURCES, of_render};
@@ -32,7 +33,7 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     eprintln!("spirv: optimising {} modules of render shaders", modules.len());
     let finished = modules.into_par_iter().map(|(id, shaders)| {
         let words = passes::run(shaders).with_context(|| id.clone())?;
-        Ok((format!("{id}.spv"), words.iter().flat_map(|word| word.to_le_bytes()).collect()))
+        Ok((format!("{id}.spv"), bytes(&words)))
     });
     let mut files = finished.collect::<Result<BTreeMap<_, Vec<u8>>>>()?;
     files.insert(RENDER_SOURCES.to_owned(), (of_render(repository)? + "\n").into_bytes());

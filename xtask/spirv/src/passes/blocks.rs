@@ -56,3 +56,9 @@ pub fn predecessors(function: &Function, block: Word) -> usize {
     let ends = function.blocks.iter().filter_map(|block| block.instructions.last());
     ends.filter(|end| end.operands.contains(&Operand::IdRef(block))).count()
 }
+
+/// Removes the blocks at these places.
+pub fn remove(function: &mut Function, gone: &[usize]) {
+    let mut place = 0..;
+    function.blocks.retain(|_| place.next().is_none_or(|place| !gone.contains(&place)));
+}

@@ -4,7 +4,8 @@
 //! a word but two shifts, nor for a minimum of integers but `if`, since its `min` needs a capability. Compilers of GPUs
 //! do not always know these as what they are.
 
-use anyhow::{Result, anyhow};
+use super::globals::{Globals, instruction, operands};
+use anyhow::Result;
 use rspirv::dr::{Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 use std::collections::HashMap;
@@ -12,83 +13,30 @@ use std::collections::HashMap;
 /// Replaces selects of a boolean or a constant by logical operations, those of the lesser number by minima, and shifts to
 /// the left and back by extractions.
 pub fn instructions(module: &mut Module) -> Result<()> {
-    let header = module.header.as_ref().ok_or_else(|| anyhow!("the module has no header"))?;
     let is_glsl =
         |import: &&Instruction| import.operands == [Operand::LiteralString("GLSL.std.450".to_owned())];
-    let extended = module.ext_inst_imports.iter().find(is_glsl).and_then(|import| import.result_id);
-    let known = std::mem::take(&mut module.types_global_values);
-    let mut globals = Globals { bound: header.bound, known, extended };
-    for function in &mut module.functions {
-        let defined = definitions(function);
-        for block in &mut function.blocks {
-            let mut combined = Vec::with_capacity(block.instructions.len());
-            for instruction in block.instructions.drain(..) {
-                let other = logical(&instruction, &mut globals)
-                    .or_else(|| minimum(&instruction, &defined, &globals))
-                    .or_else(|| field(&instruction, &defined, &mut globals));
-                combined.extend(other.unwrap_or_else(|| vec![instruction]));
+    let glsl = module.ext_inst_imports.iter().find(is_glsl).and_then(|import| import.result_id);
+    Globals::pass(module, |functions, globals| {
+        for function in functions {
+            let defined = definitions(function);
+            for block in &mut function.blocks {
+                let mut combined = Vec::with_capacity(block.instructions.len());
+                for instruction in block.instructions.drain(..) {
+                    let other = logical(&instruction, globals)
+                        .or_else(|| minimum(&instruction, &defined, glsl?))
+                        .or_else(|| field(&instruction, &defined, globals));
+                    combined.extend(other.unwrap_or_else(|| vec![instruction]));
+                }
+                block.instructions = combined;
             }
-            block.instructions = combined;
         }
-    }
-    module.types_global_values = globals.known;
-    if let Some(header) = &mut module.header {
-        header.bound = globals.bound;
-    }
-    Ok(())
+    })
 }
 
 /// The instructions of a function by their results.
 fn definitions(function: &Function) -> HashMap<Word, Instruction> {
     let instructions = function.blocks.iter().flat_map(|block| &block.instructions);
     instructions.filter_map(|instruction| Some((instruction.result_id?, instruction.clone()))).collect()
-}
-
-/// The module's types and constants, the import of GLSL.std.450, and the next free id.
-struct Globals {
-    known: Vec<Instruction>,
-    extended: Option<Word>,
-    bound: Word,
-}
-
-impl Globals {
-    fn fresh(&mut self) -> Word {
-        self.bound += 1;
-        self.bound - 1
-    }
-
-    fn find(&self, id: Word) -> Option<&Instruction> {
-        self.known.iter().find(|global| global.result_id == Some(id))
-    }
-
-    fn is(&self, id: Word, opcode: Op) -> bool {
-        self.find(id).is_some_and(|global| global.class.opcode == opcode)
-    }
-
-    /// The value of a constant of 32 bits.
-    fn value(&self, id: Word) -> Option<u32> {
-        let constant = self.find(id).filter(|global| global.class.opcode == Op::Constant)?;
-        match constant.operands.as_slice() {
-            [Operand::LiteralBit32(value)] => Some(*value),
-            _ => None,
-        }
-    }
-
-    /// The constant of this type and value.
-    fn constant(&mut self, of_type: Word, value: u32) -> Word {
-        let (result_type, operands) = (Some(of_type), vec![Operand::LiteralBit32(value)]);
-        let equals = |global: &&Instruction| {
-            global.class.opcode == Op::Constant
-                && global.result_type == result_type
-                && global.operands == operands
-        };
-        if let Some(id) = self.known.iter().find(equals).and_then(|global| global.result_id) {
-            return id;
-        }
-        let id = self.fresh();
-        self.known.push(Instruction::new(Op::Constant, result_type, Some(id), operands));
-        id
-    }
 }
 
 /// `c && x` of `c ? x : false`, `c || x` of `c ? true : x`, and so on with `!c`.
@@ -109,16 +57,15 @@ fn logical(select: &Instruction, globals: &mut Globals) -> Option<Vec<Instructio
     } else {
         return None;
     };
-    let mut combined = Vec::new();
-    let condition = if is_negated {
-        let negated = globals.fresh();
-        combined.push(instruction(Op::LogicalNot, of_type, negated, &[condition]));
-        negated
-    } else {
-        condition
-    };
-    combined.push(instruction(opcode, of_type, select.result_id?, &[condition, other]));
-    Some(combined)
+    let result = select.result_id?;
+    if !is_negated {
+        return Some(vec![instruction(opcode, of_type, result, &[condition, other])]);
+    }
+    let negated = globals.fresh();
+    Some(vec![
+        instruction(Op::LogicalNot, of_type, negated, &[condition]),
+        instruction(opcode, of_type, result, &[negated, other]),
+    ])
 }
 
 /// `UMin` of GLSL.std.450.
@@ -128,20 +75,16 @@ const UMIN: u32 = 38;
 fn minimum(
     select: &Instruction,
     defined: &HashMap<Word, Instruction>,
-    globals: &Globals,
+    glsl: Word,
 ) -> Option<Vec<Instruction>> {
     let [condition, yes, no] = operands(select).filter(|_| select.class.opcode == Op::Select)?;
     let condition = defined.get(&condition).filter(|of| of.class.opcode == Op::ULessThan)?;
     if operands(condition)? != [yes, no] {
         return None;
     }
-    let of_both = vec![
-        Operand::IdRef(globals.extended?),
-        Operand::LiteralExtInstInteger(UMIN),
-        Operand::IdRef(yes),
-        Operand::IdRef(no),
-    ];
-    Some(vec![Instruction::new(Op::ExtInst, select.result_type, select.result_id, of_both)])
+    let mut minimum = instruction(Op::ExtInst, select.result_type?, select.result_id?, &[glsl, yes, no]);
+    minimum.operands.insert(1, Operand::LiteralExtInstInteger(UMIN));
+    Some(vec![minimum])
 }
 
 /// The signed field of a word, for `(word << a) as i32 >> b`, or `((word >> c) << a) as i32 >> b` with `c` up to `a`.
@@ -177,19 +120,10 @@ fn field(
     ])
 }
 
-fn operands<const N: usize>(instruction: &Instruction) -> Option<[Word; N]> {
-    let ids: Vec<Word> = instruction.operands.iter().filter_map(Operand::id_ref_any).collect();
-    ids.try_into().ok()
-}
-
-fn instruction(opcode: Op, of_type: Word, result: Word, operands: &[Word]) -> Instruction {
-    let operands = operands.iter().map(|id| Operand::IdRef(*id)).collect();
-    Instruction::new(opcode, Some(of_type), Some(result), operands)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::snippet::{assert_valid, instructions, module};
+    use super::super::globals::ids;
+    use super::super::snippet::{self, assert_valid, module};
     use super::*;
 
     /// The instructions that are left of these: opcode and operands.
@@ -197,9 +131,7 @@ mod tests {
         let mut module = module(lines);
         super::instructions(&mut module).unwrap();
         assert_valid(&module);
-        let ids =
-            |instruction: &Instruction| instruction.operands.iter().filter_map(Operand::id_ref_any).collect();
-        let all = super::super::snippet::instructions(&module);
+        let all = snippet::instructions(&module);
         let left = all.iter().map(|instruction| (instruction.class.opcode, ids(instruction))).collect();
         (module, left)
     }
@@ -222,12 +154,12 @@ mod tests {
             let (module, left) = combined(&lines);
             let (result, condition) = if is_negated {
                 assert_eq!(left[2], (Op::LogicalNot, vec![10]));
-                (3, super::super::snippet::instructions(&module)[2].result_id.unwrap())
+                (3, snippet::instructions(&module)[2].result_id.unwrap())
             } else {
                 (2, 10)
             };
             assert_eq!(left[result], (opcode, vec![condition, 11]), "{yes} {no}");
-            assert_eq!(instructions(&module)[result].result_id, Some(12));
+            assert_eq!(snippet::instructions(&module)[result].result_id, Some(12));
         }
         let (_, left) = combined(
             "%10 = OpFOrdLessThan %bool %7 %f0
@@ -280,7 +212,7 @@ mod tests {
             assert_eq!(left_over[4], (Op::Bitcast, vec![word]), "{inner} {left} {right}");
             let (opcode, operands) = &left_over[5];
             assert_eq!(*opcode, Op::BitFieldSExtract);
-            let globals = Globals { bound: 0, extended: None, known: module.types_global_values };
+            let globals = Globals { bound: 0, known: module.types_global_values };
             let values = operands[1..].iter().map(|id| globals.value(*id).unwrap());
             assert_eq!(values.collect::<Vec<_>>(), [first, bits], "{inner} {left} {right}");
         }

@@ -1,39 +1,15 @@
 //! NoContraction on every float arithmetic result.
 
-use anyhow::{Result, anyhow};
+use super::join::target;
+use anyhow::{Result, ensure};
 use rspirv::dr::{Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, Op};
 use std::collections::HashSet;
 
 /// True for the instructions whose result a device could otherwise fuse or reassociate.
 fn is_float_arithmetic(op: Op) -> bool {
-    matches!(
-        op,
-        Op::FNegate
-            | Op::FAdd
-            | Op::FSub
-            | Op::FMul
-            | Op::FDiv
-            | Op::FRem
-            | Op::FMod
-            | Op::VectorTimesScalar
-            | Op::MatrixTimesScalar
-            | Op::VectorTimesMatrix
-            | Op::MatrixTimesVector
-            | Op::MatrixTimesMatrix
-            | Op::OuterProduct
-            | Op::Dot
-    )
-}
-
-fn arithmetic_results(module: &Module) -> impl Iterator<Item = u32> {
-    module
-        .functions
-        .iter()
-        .flat_map(|function| &function.blocks)
-        .flat_map(|block| &block.instructions)
-        .filter(|instruction| is_float_arithmetic(instruction.class.opcode))
-        .filter_map(|instruction| instruction.result_id)
+    use Op::*;
+    matches!(op, FNegate | FAdd | FSub | FMul | FDiv) || (FRem..=Dot).contains(&op)
 }
 
 /// Adds NoContraction wherever it is missing.
@@ -47,26 +23,21 @@ pub fn no_contraction(module: &mut Module) {
 
 /// Fails if a float arithmetic result lacks NoContraction.
 pub fn check_no_contraction(module: &Module) -> Result<()> {
-    match undecorated(module).as_slice() {
-        [] => Ok(()),
-        ids => Err(anyhow!(
-            "{} float results lost their NoContraction in spirv-opt, %{} first",
-            ids.len(),
-            ids[0]
-        )),
-    }
+    let ids = undecorated(module);
+    let lost = "float results lost their NoContraction in spirv-opt";
+    ensure!(ids.is_empty(), "{} {lost}, %{} first", ids.len(), ids[0]);
+    Ok(())
 }
 
 fn undecorated(module: &Module) -> Vec<u32> {
-    let decorated: HashSet<u32> = module
-        .annotations
-        .iter()
-        .filter(|annotation| {
-            annotation.operands.get(1) == Some(&Operand::Decoration(Decoration::NoContraction))
-        })
-        .filter_map(|annotation| annotation.operands.first()?.id_ref_any())
-        .collect();
-    arithmetic_results(module).filter(|id| !decorated.contains(id)).collect()
+    let is_it = Some(&Operand::Decoration(Decoration::NoContraction));
+    let decorations = module.annotations.iter().filter(|annotation| annotation.operands.get(1) == is_it);
+    let decorated: HashSet<u32> = decorations.filter_map(target).collect();
+    let blocks = module.functions.iter().flat_map(|function| &function.blocks);
+    let arithmetic = blocks.flat_map(|block| &block.instructions);
+    let arithmetic = arithmetic.filter(|instruction| is_float_arithmetic(instruction.class.opcode));
+    let results = arithmetic.filter_map(|instruction| instruction.result_id);
+    results.filter(|id| !decorated.contains(id)).collect()
 }
 
 #[cfg(test)]

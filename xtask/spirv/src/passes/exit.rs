@@ -4,7 +4,8 @@
 //! repeats. GLSL leaves a loop where the condition fails, which costs one mask less a round where invocations are
 //! lanes of a vector.
 
-use super::blocks::{incoming, index_of, label, phis, predecessors};
+use super::blocks::{incoming, index_of, label, phis, predecessors, remove};
+use super::globals::ids;
 use rspirv::dr::{Block, Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
 
@@ -79,14 +80,10 @@ fn only_target(block: &Block) -> Option<Word> {
 /// True if nothing but the header's phis uses the phis of the meeting block.
 fn is_known_to_header_alone(function: &Function, meeting: usize, header: usize) -> bool {
     let results: Vec<Word> = phis(&function.blocks[meeting]).filter_map(|phi| phi.result_id).collect();
-    let uses = |instruction: &Instruction| {
-        instruction.operands.iter().filter_map(Operand::id_ref_any).any(|id| results.contains(&id))
-    };
+    let uses = |instruction: &&Instruction| ids(instruction).iter().any(|id| results.contains(id));
     function.blocks.iter().enumerate().all(|(n, block)| {
-        block
-            .instructions
-            .iter()
-            .all(|instruction| !uses(instruction) || (n == header && instruction.class.opcode == Op::Phi))
+        let mut users = block.instructions.iter().filter(uses);
+        users.all(|user| n == header && user.class.opcode == Op::Phi)
     })
 }
 
@@ -115,11 +112,7 @@ fn unguard(function: &mut Function, found: &Guarded) {
         instructions.pop();
         instructions.push(Instruction::new(Op::Branch, None, None, vec![Operand::IdRef(target)]));
     }
-    let mut gone = [nothing, meeting];
-    gone.sort_unstable();
-    for block in gone.into_iter().rev() {
-        function.blocks.remove(block);
-    }
+    remove(function, &[nothing, meeting]);
 }
 
 #[cfg(test)]
@@ -177,9 +170,6 @@ mod tests {
             ]
         );
         let [_, header, guard, body, repeat, end] = module.functions[0].blocks.as_slice() else { panic!() };
-        let ids = |instruction: &Instruction| -> Vec<Word> {
-            instruction.operands.iter().filter_map(Operand::id_ref_any).collect()
-        };
         assert_eq!(ids(&header.instructions[0])[2..], [12, 25], "the phi takes the body's result");
         let leave = guard.instructions.last().unwrap();
         assert_eq!(ids(leave), [11, label(body), label(end)]);

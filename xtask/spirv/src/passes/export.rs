@@ -1,7 +1,8 @@
 //! Exported functions of entry points: what they read becomes parameters, what they write the result.
 
-use super::join::{self, target};
-use anyhow::{Context, Result, ensure};
+use super::globals::{Globals, extract, instruction, operands};
+use super::join::{self, decorations, target};
+use anyhow::{Context, Result, bail, ensure};
 use rspirv::binary::Assemble;
 use rspirv::dr::{Block, Function, Instruction, Module, Operand};
 use rspirv::spirv::{Capability, Decoration, FunctionControl, LinkageType, Op, StorageClass, Word};
@@ -15,10 +16,15 @@ pub fn function(module: &mut Module) -> Result<()> {
     ensure!(module.functions.len() == 1, "the module has {} functions", module.functions.len());
     let inputs = variables(module, StorageClass::Input)?;
     let outputs = variables(module, StorageClass::Output)?;
-    let parameters =
-        inputs.iter().map(|input| Ok((input.of_type, fresh(module)?))).collect::<Result<Vec<_>>>()?;
-    let result = result_type(module, &outputs)?;
-    let of_type = function_type(module, result, &parameters)?;
+    let of_inputs = inputs.iter().map(|input| Ok((input.of_type, fresh(module)?)));
+    let parameters = of_inputs.collect::<Result<Vec<_>>>()?;
+    let result = match outputs.as_slice() {
+        [output] => output.of_type,
+        [] => bail!("the entry point writes nothing"),
+        _ => of_types(module, Op::TypeStruct, outputs.iter().map(|output| output.of_type))?,
+    };
+    let types = [result].into_iter().chain(parameters.iter().map(|(of_type, _)| *of_type));
+    let of_type = of_types(module, Op::TypeFunction, types)?;
 
     read_parameters(module, &inputs, &parameters);
     let mut values = Vec::new();
@@ -27,15 +33,16 @@ pub fn function(module: &mut Module) -> Result<()> {
     }
     let returned = construct(module, result, &values)?;
     let function = &mut module.functions[0];
-    give_back(function, returned)?;
+    if let Some(last) = last_block(function)?.instructions.last_mut() {
+        *last = Instruction::new(Op::ReturnValue, None, None, vec![Operand::IdRef(returned)]);
+    }
     if let Some(definition) = &mut function.def {
         definition.result_type = Some(result);
         definition.operands = vec![Operand::FunctionControl(FunctionControl::NONE), Operand::IdRef(of_type)];
     }
-    function.parameters = parameters
-        .iter()
-        .map(|(of_type, id)| Instruction::new(Op::FunctionParameter, Some(*of_type), Some(*id), Vec::new()))
-        .collect();
+    let parameters = parameters.iter();
+    function.parameters =
+        parameters.map(|(of_type, id)| instruction(Op::FunctionParameter, *of_type, *id, &[])).collect();
     remove_interface(module, inputs.iter().chain(&outputs).map(|variable| variable.id).collect());
     Ok(())
 }
@@ -48,22 +55,19 @@ struct Variable {
 
 /// The variables of a storage class, by their locations.
 fn variables(module: &Module, class: StorageClass) -> Result<Vec<Variable>> {
+    let decorations = decorations(module);
     let mut found = Vec::new();
     for global in &module.types_global_values {
         if global.class.opcode != Op::Variable || global.operands[0] != Operand::StorageClass(class) {
             continue;
         }
-        let (id, pointer) = (global.result_id.context("a variable without an id")?, global.result_type);
-        let location =
-            module.annotations.iter().find_map(|annotation| match annotation.operands.as_slice() {
-                [
-                    Operand::IdRef(of),
-                    Operand::Decoration(Decoration::Location),
-                    Operand::LiteralBit32(location),
-                ] if *of == id => Some(*location),
-                _ => None,
-            });
-        let pointer = module.types_global_values.iter().find(|other| other.result_id == pointer);
+        let id = global.result_id.context("a variable without an id")?;
+        let location = decorations.get(&Some(id)).into_iter().flatten().find_map(|of| match of.as_slice() {
+            [Operand::Decoration(Decoration::Location), Operand::LiteralBit32(location)] => Some(*location),
+            _ => None,
+        });
+        let mut globals = module.types_global_values.iter();
+        let pointer = globals.find(|other| other.result_id == global.result_type);
         let of_type = pointer.and_then(|pointer| pointer.operands[1].id_ref_any());
         let of_type = of_type.context("a variable whose type is no pointer")?;
         found.push((location.context("a variable without a location")?, Variable { id, of_type }));
@@ -78,23 +82,11 @@ fn fresh(module: &mut Module) -> Result<Word> {
     Ok(header.bound - 1)
 }
 
-/// The one output's type, or a struct of those of several.
-fn result_type(module: &mut Module, outputs: &[Variable]) -> Result<Word> {
-    if let [output] = outputs {
-        return Ok(output.of_type);
-    }
-    ensure!(!outputs.is_empty(), "the entry point writes nothing");
+/// A new type of these types.
+fn of_types(module: &mut Module, opcode: Op, types: impl Iterator<Item = Word>) -> Result<Word> {
     let id = fresh(module)?;
-    let members = outputs.iter().map(|output| Operand::IdRef(output.of_type)).collect();
-    module.types_global_values.push(Instruction::new(Op::TypeStruct, None, Some(id), members));
-    Ok(id)
-}
-
-fn function_type(module: &mut Module, result: Word, parameters: &[(Word, Word)]) -> Result<Word> {
-    let id = fresh(module)?;
-    let types = [result].into_iter().chain(parameters.iter().map(|(of_type, _)| *of_type));
     let types = types.map(Operand::IdRef).collect();
-    module.types_global_values.push(Instruction::new(Op::TypeFunction, None, Some(id), types));
+    module.types_global_values.push(Instruction::new(opcode, None, Some(id), types));
     Ok(id)
 }
 
@@ -104,23 +96,20 @@ fn read_parameters(module: &mut Module, inputs: &[Variable], parameters: &[(Word
     let function = &mut module.functions[0];
     let mut loaded = HashMap::new();
     for block in &mut function.blocks {
-        block.instructions.retain_mut(|instruction| {
-            let from = instruction.operands.first().and_then(Operand::id_ref_any);
-            let (Op::Load, Some(from)) = (instruction.class.opcode, from) else { return true };
-            let input = inputs.iter().position(|input| input.id == from);
-            match (input, components.get(&from), instruction.result_id) {
-                (Some(n), _, Some(result)) => {
-                    loaded.insert(result, parameters[n].1);
-                    false
-                }
-                (_, Some((n, component)), Some(_)) => {
-                    let operands = vec![Operand::IdRef(parameters[*n].1), Operand::LiteralBit32(*component)];
-                    let (of_type, result) = (instruction.result_type, instruction.result_id);
-                    *instruction = Instruction::new(Op::CompositeExtract, of_type, result, operands);
-                    true
-                }
-                _ => true,
+        block.instructions.retain_mut(|load| {
+            let (Op::Load, Some([from]), Some(of_type), Some(result)) =
+                (load.class.opcode, operands(load), load.result_type, load.result_id)
+            else {
+                return true;
+            };
+            if let Some(n) = inputs.iter().position(|input| input.id == from) {
+                loaded.insert(result, parameters[n].1);
+                return false;
             }
+            if let Some((n, component)) = components.get(&from) {
+                *load = extract(of_type, result, parameters[*n].1, *component);
+            }
+            true
         });
     }
     for instruction in function.all_inst_iter_mut() {
@@ -132,20 +121,19 @@ fn read_parameters(module: &mut Module, inputs: &[Variable], parameters: &[(Word
 
 /// Pointers to components of variables: which variable and which component. They are removed.
 fn take_components(module: &mut Module, variables: &[Variable]) -> HashMap<Word, (usize, u32)> {
-    let constants = constants(module);
+    let globals = Globals { known: module.types_global_values.clone(), bound: 0 };
     let mut components = HashMap::new();
     for block in &mut module.functions[0].blocks {
-        block.instructions.retain(|instruction| {
-            let [of, component] = instruction.operands.as_slice() else { return true };
-            let variable = variables.iter().position(|variable| of.id_ref_any() == Some(variable.id));
-            let component = component.id_ref_any().and_then(|id| constants.get(&id));
-            match (instruction.class.opcode, variable, component, instruction.result_id) {
-                (Op::AccessChain | Op::InBoundsAccessChain, Some(n), Some(component), Some(id)) => {
-                    components.insert(id, (n, *component));
-                    false
-                }
-                _ => true,
-            }
+        block.instructions.retain(|chain| {
+            let (Op::AccessChain | Op::InBoundsAccessChain, Some([of, component]), Some(id)) =
+                (chain.class.opcode, operands(chain), chain.result_id)
+            else {
+                return true;
+            };
+            let variable = variables.iter().position(|variable| of == variable.id);
+            let found = variable.zip(globals.value(component));
+            components.extend(found.map(|found| (id, found)));
+            found.is_none()
         });
     }
     components
@@ -158,35 +146,19 @@ fn written(module: &mut Module, outputs: &[Variable]) -> Result<Vec<Vec<Word>>> 
     let function = &mut module.functions[0];
     let mut values = vec![BTreeMap::new(); outputs.len()];
     last_block(function)?.instructions.retain(|instruction| {
-        let [to, value, ..] = instruction.operands.as_slice() else { return true };
-        let (Op::Store, Some(to), Some(value)) =
-            (instruction.class.opcode, to.id_ref_any(), value.id_ref_any())
-        else {
+        let (Op::Store, Some([to, value])) = (instruction.class.opcode, operands(instruction)) else {
             return true;
         };
         let whole = || outputs.iter().position(|output| output.id == to).map(|n| (n, 0));
-        match components.get(&to).copied().or_else(whole) {
-            Some((n, component)) => {
-                values[n].insert(component, value);
-                false
-            }
-            None => true,
+        let written = components.get(&to).copied().or_else(whole);
+        if let Some((n, component)) = written {
+            values[n].insert(component, value);
         }
+        written.is_none()
     });
     let is_written = values.iter().all(|parts| !parts.is_empty());
     ensure!(is_written, "an output is not written where the entry point ends");
     Ok(values.into_iter().map(|parts| parts.into_values().collect()).collect())
-}
-
-/// Integers that indices can be.
-fn constants(module: &Module) -> HashMap<Word, u32> {
-    let constants = module.types_global_values.iter().filter_map(|global| {
-        match (global.class.opcode, global.operands.as_slice()) {
-            (Op::Constant, [Operand::LiteralBit32(value)]) => Some((global.result_id?, *value)),
-            _ => None,
-        }
-    });
-    constants.collect()
 }
 
 /// The block that returns, if there is only one.
@@ -208,19 +180,9 @@ fn construct(module: &mut Module, of_type: Word, values: &[Word]) -> Result<Word
         return Ok(*value);
     }
     let id = fresh(module)?;
-    let values = values.iter().map(|value| Operand::IdRef(*value)).collect();
-    let last = last_block(&mut module.functions[0])?;
-    let before_end = last.instructions.len() - 1;
-    last.instructions
-        .insert(before_end, Instruction::new(Op::CompositeConstruct, Some(of_type), Some(id), values));
+    let instructions = &mut last_block(&mut module.functions[0])?.instructions;
+    instructions.insert(instructions.len() - 1, instruction(Op::CompositeConstruct, of_type, id, values));
     Ok(id)
-}
-
-fn give_back(function: &mut Function, value: Word) -> Result<()> {
-    let last = last_block(function)?;
-    last.instructions.pop();
-    last.instructions.push(Instruction::new(Op::ReturnValue, None, None, vec![Operand::IdRef(value)]));
-    Ok(())
 }
 
 /// Removes entry point, variables and their decorations. What else uses the variables is found by spirv-val.
@@ -278,18 +240,18 @@ fn forwarding(library: &mut Module, callee: usize) -> Result<Function> {
     let [function, label, result] = [fresh(library)?, fresh(library)?, fresh(library)?];
     let mut forwarding = library.functions[callee].clone();
     let definition = forwarding.def.as_mut().context("a function without a definition")?;
-    let mut operands = vec![Operand::IdRef(definition.result_id.context("a function without an id")?)];
+    let mut operands = vec![definition.result_id.context("a function without an id")?];
+    let of_type = definition.result_type.context("a function without a type")?;
     definition.result_id = Some(function);
-    let of_type = definition.result_type;
     for parameter in &mut forwarding.parameters {
         let id = fresh(library)?;
         parameter.result_id = Some(id);
-        operands.push(Operand::IdRef(id));
+        operands.push(id);
     }
     forwarding.blocks = vec![Block {
         label: Some(Instruction::new(Op::Label, None, Some(label), Vec::new())),
         instructions: vec![
-            Instruction::new(Op::FunctionCall, of_type, Some(result), operands),
+            instruction(Op::FunctionCall, of_type, result, &operands),
             Instruction::new(Op::ReturnValue, None, None, vec![Operand::IdRef(result)]),
         ],
     }];
@@ -300,58 +262,37 @@ fn forwarding(library: &mut Module, callee: usize) -> Result<Function> {
 fn export(library: &mut Module, n: usize, signature: &Signature) -> Result<()> {
     let function = &library.functions[n];
     let id = function.def_id().context("a function without an id")?;
-    let mut names = vec![(id, signature.name.as_str())];
-    ensure!(
-        function.parameters.len() == signature.parameters.len(),
-        "{} has other parameters",
-        signature.name
-    );
-    for (parameter, (name, _)) in function.parameters.iter().zip(&signature.parameters) {
-        names.push((parameter.result_id.context("a parameter without an id")?, name));
-    }
-    let names = names.into_iter().map(|(id, name)| {
-        let operands = vec![Operand::IdRef(id), Operand::LiteralString(name.to_owned())];
-        Instruction::new(Op::Name, None, None, operands)
-    });
-    library.debug_names.extend(names);
-    if signature.result == Type::Frame {
-        name_frame(library, n)?;
-    }
-    library.annotations.push(Instruction::new(
-        Op::Decorate,
-        None,
-        None,
-        vec![
-            Operand::IdRef(id),
-            Operand::Decoration(Decoration::LinkageAttributes),
-            Operand::LiteralString(signature.name.clone()),
-            Operand::LinkageType(LinkageType::Export),
-        ],
-    ));
-    Ok(())
-}
-
-/// Names the struct that a function returns, once.
-fn name_frame(library: &mut Module, n: usize) -> Result<()> {
-    let definition = library.functions[n].def.as_ref().context("a function without a definition")?;
-    let id = Operand::IdRef(definition.result_type.context("a function without a type")?);
-    if library.debug_names.iter().any(|name| name.operands[0] == id) {
-        return Ok(());
-    }
+    let Signature { name, parameters, result } = signature;
+    ensure!(function.parameters.len() == parameters.len(), "{name} has other parameters");
     let text = |text: &str| Operand::LiteralString(text.to_owned());
-    library.debug_names.push(Instruction::new(Op::Name, None, None, vec![id.clone(), text("UnitvecFrame")]));
-    for (n, member) in ["normal", "tangent"].into_iter().enumerate() {
-        let operands = vec![id.clone(), Operand::LiteralBit32(n as u32), text(member)];
-        library.debug_names.push(Instruction::new(Op::MemberName, None, None, operands));
+    let named =
+        |id: Word, name: &str| Instruction::new(Op::Name, None, None, vec![Operand::IdRef(id), text(name)]);
+    library.debug_names.push(named(id, name));
+    for (parameter, (name, _)) in function.parameters.iter().zip(parameters) {
+        library.debug_names.push(named(parameter.result_id.context("a parameter without an id")?, name));
     }
+    let of_type = function.def.as_ref().and_then(|definition| definition.result_type);
+    let frame = of_type.context("a function without a type")?;
+    // The struct of frames is named once.
+    let is_named = library.debug_names.iter().any(|name| name.operands[0] == Operand::IdRef(frame));
+    if *result == Type::Frame && !is_named {
+        library.debug_names.push(named(frame, "UnitvecFrame"));
+        for (n, member) in (0..).zip(["normal", "tangent"]) {
+            let operands = vec![Operand::IdRef(frame), Operand::LiteralBit32(n), text(member)];
+            library.debug_names.push(Instruction::new(Op::MemberName, None, None, operands));
+        }
+    }
+    let linkage = Operand::Decoration(Decoration::LinkageAttributes);
+    let operands = vec![Operand::IdRef(id), linkage, text(name), Operand::LinkageType(LinkageType::Export)];
+    library.annotations.push(Instruction::new(Op::Decorate, None, None, operands));
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::{LIBRARY_ENVIRONMENT, parse};
+    use super::super::LIBRARY_ENVIRONMENT;
+    use super::super::snippet::assembled;
     use super::*;
-    use spirv_tools::assembler::{self, Assembler, AssemblerOptions};
     use spirv_tools::val::{self, Validator};
     use unitvec_catalogue::{Operation, find};
 
@@ -390,9 +331,7 @@ mod tests {
             {end}
             OpFunctionEnd"#
         );
-        let options = AssemblerOptions { preserve_numeric_ids: true };
-        let binary = assembler::create(Some(LIBRARY_ENVIRONMENT)).assemble(&text, options).unwrap();
-        parse(binary.as_words()).unwrap()
+        assembled(&text)
     }
 
     /// One vector whole, the other by components.

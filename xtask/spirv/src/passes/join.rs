@@ -90,7 +90,7 @@ fn share_globals(joined: &mut Module, module: &mut Module) -> HashMap<Word, Word
 }
 
 /// The operands of each id's decorations, of members too, in order.
-fn decorations(module: &Module) -> HashMap<Option<Word>, Vec<Vec<Operand>>> {
+pub fn decorations(module: &Module) -> HashMap<Option<Word>, Vec<Vec<Operand>>> {
     let mut decorations: HashMap<_, Vec<_>> = HashMap::new();
     for annotation in &module.annotations {
         decorations.entry(target(annotation)).or_default().push(annotation.operands[1..].to_vec());

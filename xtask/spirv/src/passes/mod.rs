@@ -10,6 +10,7 @@ mod decorate;
 mod exit;
 mod export;
 mod features;
+mod globals;
 mod join;
 mod select;
 #[cfg(test)]

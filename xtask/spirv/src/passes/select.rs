@@ -5,27 +5,25 @@
 //! sooner than it branches. GLSL's `?:` is a select from the start.
 
 use super::blocks::{
-    incoming, index_of, is_continue_target, label, predecessors, rename_predecessor, take_phis,
+    incoming, index_of, is_continue_target, label, predecessors, remove, rename_predecessor, take_phis,
 };
-use anyhow::{Result, anyhow};
+use super::globals::{Globals, extract, instruction};
+use anyhow::Result;
 use rspirv::dr::{Function, Instruction, Module, Operand};
 use rspirv::spirv::{Op, Word};
-use std::collections::HashMap;
+use std::ops::RangeInclusive;
 
 /// Replaces each conditional branch around pure instructions by those and selects.
 pub fn for_branches(module: &mut Module) -> Result<()> {
-    let header = module.header.as_ref().ok_or_else(|| anyhow!("the module has no header"))?;
-    let mut types = Types::of(module, header.bound);
-    for function in &mut module.functions {
-        while let Some(diamond) = (0..function.blocks.len()).find_map(|head| diamond(function, head, &types))
-        {
-            flatten(function, &diamond, &mut types);
+    Globals::pass(module, |functions, globals| {
+        for function in functions {
+            while let Some(diamond) =
+                (0..function.blocks.len()).find_map(|head| diamond(function, head, globals))
+            {
+                flatten(function, &diamond, globals);
+            }
         }
-    }
-    if let Some(header) = &mut module.header {
-        header.bound = types.bound;
-    }
-    Ok(())
+    })
 }
 
 /// A head that branches to one or two arms, or past one, which meet again.
@@ -37,7 +35,7 @@ struct Diamond {
     meeting: usize,
 }
 
-fn diamond(function: &Function, head: usize, types: &Types) -> Option<Diamond> {
+fn diamond(function: &Function, head: usize, globals: &Globals) -> Option<Diamond> {
     let [.., merge, branch] = function.blocks[head].instructions.as_slice() else { return None };
     if merge.class.opcode != Op::SelectionMerge || branch.class.opcode != Op::BranchConditional {
         return None;
@@ -49,7 +47,7 @@ fn diamond(function: &Function, head: usize, types: &Types) -> Option<Diamond> {
         if block == meeting {
             return Some((None, label(&function.blocks[head])));
         }
-        is_arm(function, block, meeting, types).then(|| (Some(block), label(&function.blocks[block])))
+        is_arm(function, block, meeting, globals).then(|| (Some(block), label(&function.blocks[block])))
     };
     let arms = [arm(&branch.operands[1])?, arm(&branch.operands[2])?];
     let meets_alone = predecessors(function, label(&function.blocks[meeting])) == 2;
@@ -58,13 +56,13 @@ fn diamond(function: &Function, head: usize, types: &Types) -> Option<Diamond> {
 }
 
 /// True for a block of pure instructions between one predecessor and the meeting block.
-fn is_arm(function: &Function, block: usize, meeting: usize, types: &Types) -> bool {
+fn is_arm(function: &Function, block: usize, meeting: usize, globals: &Globals) -> bool {
     let block = &function.blocks[block];
     let [body @ .., last] = block.instructions.as_slice() else { return false };
     last.class.opcode == Op::Branch
         && last.operands[0].id_ref_any() == Some(label(&function.blocks[meeting]))
         && predecessors(function, label(block)) == 1
-        && body.iter().all(|instruction| is_pure(instruction, types))
+        && body.iter().all(|instruction| is_pure(instruction, globals))
 }
 
 /// True where this condition ends or repeats a loop too: its body is not to be done once more.
@@ -82,7 +80,7 @@ fn is_of_a_loop(function: &Function, condition: Word) -> bool {
 
 /// Moves the arms into the head, makes selects of the meeting block's phis, and joins that block to the head where
 /// nothing else refers to it.
-fn flatten(function: &mut Function, diamond: &Diamond, types: &mut Types) {
+fn flatten(function: &mut Function, diamond: &Diamond, globals: &mut Globals) {
     let Diamond { head, condition, arms, meeting } = *diamond;
     let mut moved: Vec<Instruction> = Vec::new();
     for block in arms.iter().filter_map(|(block, _)| *block) {
@@ -94,7 +92,7 @@ fn flatten(function: &mut Function, diamond: &Diamond, types: &mut Types) {
     for phi in &phis {
         let [yes, no] = arms.map(|(_, predecessor)| incoming(phi, predecessor));
         if let (Some(of_type), Some(result)) = (phi.result_type, phi.result_id) {
-            types.select(&mut moved, of_type, result, [condition, yes, no]);
+            select(globals, &mut moved, of_type, result, [condition, yes, no]);
         }
     }
     let meeting_label = label(&function.blocks[meeting]);
@@ -112,157 +110,64 @@ fn flatten(function: &mut Function, diamond: &Diamond, types: &mut Types) {
         rename_predecessor(function, meeting_label, head_label);
         gone.push(meeting);
     }
-    gone.sort_unstable();
-    for block in gone.into_iter().rev() {
-        function.blocks.remove(block);
-    }
+    remove(function, &gone);
 }
 
-/// True for what may be done though its result is not wanted: no memory, no undefined behaviour.
-fn is_pure(instruction: &Instruction, types: &Types) -> bool {
+/// Operations without memory and without undefined behaviour, in the order of SPIR-V's numbers.
+const PURE: [RangeInclusive<Op>; 11] = {
     use Op::*;
-    match instruction.class.opcode {
-        FNegate
-        | FAdd
-        | FSub
-        | FMul
-        | FDiv
-        | VectorTimesScalar
-        | Dot
-        | SNegate
-        | IAdd
-        | ISub
-        | IMul
-        | UMulExtended
-        | SMulExtended
-        | BitwiseAnd
-        | BitwiseOr
-        | BitwiseXor
-        | Not
-        | ShiftLeftLogical
-        | ShiftRightLogical
-        | ShiftRightArithmetic
-        | Bitcast
-        | ConvertFToS
-        | ConvertFToU
-        | ConvertSToF
-        | ConvertUToF
-        | FOrdEqual
-        | FOrdNotEqual
-        | FOrdLessThan
-        | FOrdGreaterThan
-        | FOrdLessThanEqual
-        | FOrdGreaterThanEqual
-        | FUnordEqual
-        | FUnordNotEqual
-        | FUnordLessThan
-        | FUnordGreaterThan
-        | FUnordLessThanEqual
-        | FUnordGreaterThanEqual
-        | IEqual
-        | INotEqual
-        | ULessThan
-        | ULessThanEqual
-        | UGreaterThan
-        | UGreaterThanEqual
-        | SLessThan
-        | SLessThanEqual
-        | SGreaterThan
-        | SGreaterThanEqual
-        | LogicalAnd
-        | LogicalOr
-        | LogicalNot
-        | LogicalEqual
-        | LogicalNotEqual
-        | Select
-        | CompositeExtract
-        | CompositeConstruct
-        | CompositeInsert
-        | VectorShuffle
-        | CopyObject
-        | Undef => true,
+    [
+        Undef..=Undef,
+        VectorShuffle..=CopyObject,
+        ConvertFToU..=ConvertUToF,
+        Bitcast..=Bitcast,
+        SNegate..=FMul,
+        FDiv..=FDiv,
+        VectorTimesScalar..=VectorTimesScalar,
+        Dot..=Dot,
+        UMulExtended..=SMulExtended,
+        LogicalEqual..=FUnordGreaterThanEqual,
+        ShiftRightLogical..=Not,
+    ]
+};
+
+/// True for what may be done though its result is not wanted.
+fn is_pure(instruction: &Instruction, globals: &Globals) -> bool {
+    match (instruction.class.opcode, instruction.operands.as_slice()) {
         // Of the extended instructions, all of GLSL.std.450, Modf and Frexp write memory.
-        ExtInst => !matches!(instruction.operands[1], Operand::LiteralExtInstInteger(35 | 51)),
-        UDiv | UMod => instruction.operands[1].id_ref_any().is_some_and(|divisor| types.is_positive(divisor)),
-        _ => false,
+        (Op::ExtInst, operands) => !matches!(operands[1], Operand::LiteralExtInstInteger(35 | 51)),
+        (Op::UDiv | Op::UMod, [_, Operand::IdRef(divisor)]) => {
+            globals.value(*divisor).is_some_and(|value| value > 0)
+        }
+        (opcode, _) => PURE.iter().any(|range| range.contains(&opcode)),
     }
 }
 
-/// The module's types and constants, and the next free id.
-struct Types {
-    /// Members of structs; vectors and arrays have the same one several times.
-    members: HashMap<Word, Vec<Word>>,
-    /// Integer constants.
-    constants: HashMap<Word, u32>,
-    bound: Word,
-}
-
-impl Types {
-    fn of(module: &Module, bound: Word) -> Self {
-        let (mut members, mut constants) = (HashMap::new(), HashMap::new());
-        for instruction in &module.types_global_values {
-            let Some(id) = instruction.result_id else { continue };
-            let operand = |n: usize| instruction.operands.get(n).and_then(Operand::id_ref_any);
-            match instruction.class.opcode {
-                Op::TypeStruct => {
-                    members.insert(id, instruction.operands.iter().filter_map(Operand::id_ref_any).collect());
-                }
-                Op::TypeVector | Op::TypeArray => {
-                    let length = match instruction.operands.get(1) {
-                        Some(Operand::LiteralBit32(length)) => *length,
-                        _ => operand(1).and_then(|length| constants.get(&length)).copied().unwrap_or(0),
-                    };
-                    members.insert(id, operand(0).into_iter().cycle().take(length as usize).collect());
-                }
-                Op::Constant => {
-                    if let Some(Operand::LiteralBit32(value)) = instruction.operands.first() {
-                        constants.insert(id, *value);
-                    }
-                }
-                _ => {}
-            }
-        }
-        Self { members, constants, bound }
+/// Appends what makes `result` the one or the other of two values of this type. Vectors, structs and arrays are
+/// selected by members: SPIR-V 1.3 selects no whole ones by a single condition.
+fn select(
+    globals: &mut Globals,
+    to: &mut Vec<Instruction>,
+    of_type: Word,
+    result: Word,
+    [condition, yes, no]: [Word; 3],
+) {
+    let Some(members) = globals.members(of_type) else {
+        to.push(instruction(Op::Select, of_type, result, &[condition, yes, no]));
+        return;
+    };
+    let mut parts = Vec::new();
+    for (n, member) in (0..).zip(members) {
+        let [yes, no] = [yes, no].map(|whole| {
+            let part = globals.fresh();
+            to.push(extract(member, part, whole, n));
+            part
+        });
+        let part = globals.fresh();
+        select(globals, to, member, part, [condition, yes, no]);
+        parts.push(part);
     }
-
-    fn is_positive(&self, constant: Word) -> bool {
-        self.constants.get(&constant).is_some_and(|value| *value > 0)
-    }
-
-    fn fresh(&mut self) -> Word {
-        self.bound += 1;
-        self.bound - 1
-    }
-
-    /// Appends what makes `result` the one or the other of two values of this type. Vectors, structs and arrays are
-    /// selected by members: SPIR-V 1.3 selects no whole ones by a single condition.
-    fn select(
-        &mut self,
-        to: &mut Vec<Instruction>,
-        of_type: Word,
-        result: Word,
-        [condition, yes, no]: [Word; 3],
-    ) {
-        let ids = |ids: &[Word]| ids.iter().map(|id| Operand::IdRef(*id)).collect::<Vec<_>>();
-        let Some(members) = self.members.get(&of_type).cloned() else {
-            let operands = ids(&[condition, yes, no]);
-            to.push(Instruction::new(Op::Select, Some(of_type), Some(result), operands));
-            return;
-        };
-        let mut parts = Vec::new();
-        for (n, member) in members.into_iter().enumerate() {
-            let [yes, no] = [yes, no].map(|whole| {
-                let part = self.fresh();
-                let operands = vec![Operand::IdRef(whole), Operand::LiteralBit32(n as u32)];
-                to.push(Instruction::new(Op::CompositeExtract, Some(member), Some(part), operands));
-                part
-            });
-            let part = self.fresh();
-            self.select(to, member, part, [condition, yes, no]);
-            parts.push(part);
-        }
-        to.push(Instruction::new(Op::CompositeConstruct, Some(of_type), Some(result), ids(&parts)));
-    }
+    to.push(instruction(Op::CompositeConstruct, of_type, result, &parts));
 }
 
 #[cfg(test)]

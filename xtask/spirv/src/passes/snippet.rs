@@ -51,11 +51,16 @@ pub fn module(lines: &str) -> Module {
         OpReturn
         OpFunctionEnd"
     );
-    let options = AssemblerOptions { preserve_numeric_ids: true };
-    let binary = assembler::create(Some(ENVIRONMENT)).assemble(&text, options).unwrap();
-    let module = parse(binary.as_words()).unwrap();
+    let module = assembled(&text);
     assert_valid(&module);
     module
+}
+
+/// The module of this text, with its numbers as ids.
+pub fn assembled(text: &str) -> Module {
+    let options = AssemblerOptions { preserve_numeric_ids: true };
+    let binary = assembler::create(Some(ENVIRONMENT)).assemble(text, options).unwrap();
+    parse(binary.as_words()).unwrap()
 }
 
 /// Fails where spirv-val objects.
