@@ -55,22 +55,12 @@ pub fn cases(formats: &[&'static AnyCodec]) -> Result<Vec<Case>> {
         let codes = codes.entry(format.bytes).or_insert_with(|| codes_of(format));
         let mut encoded = vec![0; COUNT * format.bytes];
         format.encode_cpu(bytemuck::cast_slice(elements), &mut encoded).map_err(told)?;
-        cases.push(Case {
-            format,
-            operation: Operation::Encode,
-            input: elements.clone(),
-            expected: whole_words(format, &encoded),
-            has_all_files: false,
-        });
         let mut decoded = vec![0; COUNT * format.element.floats()];
         format.decode_cpu(&stored(format, codes), bytemuck::cast_slice_mut(&mut decoded)).map_err(told)?;
-        cases.push(Case {
-            format,
-            operation: Operation::Decode,
-            input: codes.clone(),
-            expected: decoded,
-            has_all_files: false,
-        });
+        let case =
+            |(operation, input, expected)| Case { format, operation, input, expected, has_all_files: false };
+        let encode = (Operation::Encode, elements.clone(), whole_words(format, &encoded));
+        cases.extend([encode, (Operation::Decode, codes.clone(), decoded)].map(case));
     }
     Ok(cases)
 }

@@ -116,7 +116,7 @@ fn run(options: &Options) -> Result<()> {
     println!("\n{}", report::table(&rows));
     // Failures are recorded too: a test reports them.
     if let Some(path) = &options.record {
-        report::record(&rows, path)?;
+        report::write_csv(rows.iter().map(Row::record), path)?;
     }
     report::verdict(&rows)
 }
@@ -166,15 +166,11 @@ impl Rows<'_> {
 
     /// Programs that compile and run by themselves.
     fn of_clients(&self, options: &Options) {
-        if let Some(addon) = &options.dawn {
-            for icd in &options.icd {
-                let client = web::Client::Dawn {
-                    addon: addon.clone(),
-                    icd: icd.clone(),
-                    said: options.scratch.join("dawn.log"),
-                };
-                self.browse(&client, Language::Wgsl);
-            }
+        for (addon, icd) in
+            options.dawn.iter().flat_map(|addon| options.icd.iter().map(move |icd| (addon, icd)))
+        {
+            let (addon, icd, said) = (addon.clone(), icd.clone(), options.scratch.join("dawn.log"));
+            self.browse(&web::Client::Dawn { addon, icd, said }, Language::Wgsl);
         }
         if let Some(root) = &options.chromium {
             for (language, script) in [
@@ -190,46 +186,42 @@ impl Rows<'_> {
     }
 
     fn hlsl(&self, library: &Path) {
-        self.spirv(Subject::new(Language::Hlsl, Edition::Plain, "DXC"), &dxc_to_spirv(library));
+        self.library(Subject::new(Language::Hlsl, Edition::Plain, "DXC"), &dxc_to_spirv(library));
         // Not validated: the library that does is Windows'.
         let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").mode(Mode::Compiled);
-        self.compiled(subject, &dxc(library, &["-Vd"]));
+        self.library(subject, &dxc(library, &["-Vd"]));
         // Optimised, the stubs would be gone.
         let linked = Subject::new(Language::Hlsl, Edition::Plain, "DXC").mode(Mode::Linked);
-        self.spirv(linked, &dxc(library, &["-spirv", "-fcgl", "-fspv-target-env=vulkan1.1"]));
+        self.library(linked, &dxc(library, &["-spirv", "-fcgl", "-fspv-target-env=vulkan1.1"]));
     }
 
     fn slang(&self, library: &Path) {
         for edition in EDITIONS {
-            self.spirv(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library, edition));
+            self.library(Subject::new(Language::Slang, edition, "Slang"), &slang_to_spirv(library, edition));
         }
         let linked = Subject::new(Language::Slang, Edition::Plain, "Slang").mode(Mode::Linked);
-        self.spirv(linked, &slang_to_spirv(library, Edition::Plain));
+        self.library(linked, &slang_to_spirv(library, Edition::Plain));
     }
 
-    fn spirv(&self, subject: Subject, compiler: &Compiler<'_>) {
+    /// Compiles by a library, and runs the modules where there is something to run them on.
+    fn library(&self, subject: Subject, compiler: &Compiler<'_>) {
         self.add(subject, |subject, jobs, tally| {
-            let mut vulkan = Vulkan::new(&lavapipe())?;
             let is_linked = subject.mode == Mode::Linked;
             let finished =
                 |module: Vec<u8>| if is_linked { link::link(&module).map_err(told) } else { Ok(module) };
-            let version = compiler.compile(jobs, &mut |case, module| {
-                tally.add(case, module.and_then(finished).and_then(|module| vulkan.run(&module, case)))
+            let is_run = subject.mode != Mode::Compiled;
+            let mut vulkan = is_run.then(|| Vulkan::new(&lavapipe())).transpose()?;
+            let version = compiler.compile(jobs, &mut |case, module| match &mut vulkan {
+                Some(vulkan) => {
+                    tally.add(case, module.and_then(finished).and_then(|module| vulkan.run(&module, case)))
+                }
+                None => {
+                    tally.add_compiled(case, module);
+                    Ok(())
+                }
             })?;
             subject.compiler = format!("{} {version}", subject.compiler);
-            subject.driver = vulkan.driver();
-            Ok(())
-        });
-    }
-
-    /// Adds results that there is nothing to run on.
-    fn compiled(&self, subject: Subject, compiler: &Compiler<'_>) {
-        self.add(subject, |subject, jobs, tally| {
-            let version = compiler.compile(jobs, &mut |case, module| {
-                tally.add_compiled(case, module);
-                Ok(())
-            })?;
-            subject.compiler = format!("{} {version}", subject.compiler);
+            subject.driver = vulkan.map_or_else(String::new, |vulkan| vulkan.driver());
             Ok(())
         });
     }

@@ -69,19 +69,22 @@ impl Subject {
         }
     }
 
-    fn edition(&self) -> &'static str {
-        match self.edition {
+    /// Compiler, options and driver, by the language and its edition.
+    fn parts(&self) -> [&str; 5] {
+        let edition = match self.edition {
             Edition::Plain => "plain",
             Edition::Exact => "exact",
-        }
-    }
-
-    fn options(&self) -> &'static str {
-        match self.mode {
+        };
+        let options = match self.mode {
             Mode::FastMath => "fast math",
             Mode::Linked => "linked",
             Mode::Usual | Mode::Compiled => "",
-        }
+        };
+        [self.language.name(), edition, &self.compiler, options, &self.driver]
+    }
+
+    fn told(&self) -> String {
+        self.parts().into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
     }
 }
 
@@ -94,7 +97,7 @@ pub struct Row {
 
 /// A line of the record.
 #[derive(Serialize)]
-struct Record<'a> {
+pub struct Record<'a> {
     language: &'a str,
     edition: &'a str,
     compiler: &'a str,
@@ -131,17 +134,19 @@ impl Row {
         objections
     }
 
-    fn record(&self) -> Record<'_> {
+    /// The line of the record for the docs.
+    pub fn record(&self) -> Record<'_> {
         let Self { subject, tally, .. } = self;
         let Outcome { codes_differ, special_differ, error, elements_differ, component_ulp, .. } =
             tally.outcome;
         let is_run = subject.mode != Mode::Compiled;
+        let [language, edition, compiler, options, driver] = subject.parts();
         Record {
-            language: subject.language.name(),
-            edition: subject.edition(),
-            compiler: &subject.compiler,
-            options: subject.options(),
-            driver: &subject.driver,
+            language,
+            edition,
+            compiler,
+            options,
+            driver,
             kernels: tally.kernels,
             random: if is_run { RANDOM } else { 0 },
             special: if is_run { SPECIAL } else { 0 },
@@ -161,30 +166,27 @@ impl Row {
         (*language, compiler.clone(), *mode, driver.clone(), *edition)
     }
 
+    fn verdict(&self) -> &'static str {
+        if self.objections().is_empty() { "PASS" } else { "FAIL" }
+    }
+
     /// Formats the row for the screen.
     pub fn told(&self) -> String {
         const SHOWN: usize = 12;
-        let record = self.record();
-        let objections = self.objections();
-        let verdict = if objections.is_empty() { "PASS" } else { "FAIL" };
-        let subject = [record.language, record.edition, record.compiler, record.options, record.driver];
-        let subject = subject.iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join(", ");
+        let Record {
+            codes_differ, special_differ, error, elements_differ, component, angle, kernels, ..
+        } = self.record();
         let mut text = format!(
-            "{verdict} {subject}: {} kernels, {} + {} codes differ (error {} of the bound), {} vectors differ (components {} \
-             2^-24, angle {} of the bound); {:.0} s\n",
-            record.kernels,
-            record.codes_differ,
-            record.special_differ,
-            record.error,
-            record.elements_differ,
-            record.component,
-            record.angle,
+            "{} {}: {kernels} kernels, {codes_differ} + {special_differ} codes differ (error {error} of the bound), \
+             {elements_differ} vectors differ (components {component} 2^-24, angle {angle} of the bound); {:.0} s\n",
+            self.verdict(),
+            self.subject.told(),
             self.seconds
         );
+        let objections = self.objections();
         for objection in objections.iter().take(SHOWN) {
-            let lines: Vec<&str> =
-                objection.lines().map(str::trim).filter(|line| !line.is_empty()).take(4).collect();
-            text += &format!("     {}\n", lines.join(" "));
+            let lines = objection.lines().map(str::trim).filter(|line| !line.is_empty()).take(4);
+            text += &format!("     {}\n", lines.collect::<Vec<_>>().join(" "));
         }
         if objections.len() > SHOWN {
             text += &format!("     and {} more\n", objections.len() - SHOWN);
@@ -213,28 +215,20 @@ pub fn short_driver(told: &str) -> String {
 pub fn table(rows: &[Row]) -> String {
     let mut text = String::from("        codes + special  vectors  compiler\n");
     for row in rows {
-        let record = row.record();
-        let verdict = if row.objections().is_empty() { "PASS" } else { "FAIL" };
-        let parts = [record.language, record.edition, record.compiler, record.options, record.driver];
-        let subject = parts.iter().filter(|part| !part.is_empty()).copied().collect::<Vec<_>>().join(", ");
-        let (codes, special, vectors) = (record.codes_differ, record.special_differ, record.elements_differ);
-        text += &format!("{verdict}  {codes:>8} {special:>8} {vectors:>8}  {subject}\n");
+        let Outcome { codes_differ, special_differ, elements_differ, .. } = row.tally.outcome;
+        let counts = format!("{codes_differ:>8} {special_differ:>8} {elements_differ:>8}");
+        text += &format!("{}  {counts}  {}\n", row.verdict(), row.subject.told());
     }
     text
 }
 
 /// Fails where any promise was not kept.
 pub fn verdict(rows: &[Row]) -> Result<()> {
-    let failed = rows.iter().filter(|row| !row.objections().is_empty()).count();
+    let failed = rows.iter().filter(|row| row.verdict() == "FAIL").count();
     if rows.is_empty() {
         return Err("nothing ran".to_owned());
     }
     if failed == 0 { Ok(()) } else { Err(format!("{failed} of {} compilers and drivers fail", rows.len())) }
-}
-
-/// Writes all rows, for the docs.
-pub fn record(rows: &[Row], path: &Path) -> Result<()> {
-    write_csv(rows.iter().map(Row::record), path)
 }
 
 /// Writes a line for each: a whole file, or none.
