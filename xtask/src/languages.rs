@@ -158,7 +158,7 @@ impl Found {
         let node = setup::packages(&["nodejs"]);
         found.add("Dawn", "--dawn", node.and_then(|()| DAWN.fetch(languages)));
         // Dawn refuses the lavapipe of Debian 12.
-        for driver in PACKAGED.iter().filter(|driver| !driver.is_newer()) {
+        for driver in PACKAGED.iter().filter(|driver| !driver.is_newer) {
             found.add(&driver.title(), "--icd", driver.fetch(drivers).map(|()| driver.icd(drivers)));
         }
         found

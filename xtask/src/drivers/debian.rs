@@ -19,35 +19,35 @@ pub struct Packaged {
     suites: &'static [(&'static str, &'static str)],
     /// True if all dependencies are fetched too, down to the C library.
     has_dependencies: bool,
-    /// True if the driver is of a newer release than the others, and so takes the C library that was fetched.
-    is_newer: bool,
+    /// True if the driver is of a newer release than the others, and so takes the C library that was fetched. The machine may be
+    /// unable to run it.
+    pub is_newer: bool,
 }
+
+const LAVAPIPE: Packaged = Packaged {
+    name: "lavapipe",
+    package: "mesa-vulkan-drivers",
+    library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
+    suites: &[("debian", "bookworm-backports")],
+    has_dependencies: false,
+    is_newer: false,
+};
 
 /// The packages that `--fetch` fetches.
 pub const PACKAGED: [Packaged; 3] = [
-    Packaged {
-        name: "lavapipe",
-        package: "mesa-vulkan-drivers",
-        library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
-        suites: &[("debian", "bookworm-backports")],
-        has_dependencies: false,
-        is_newer: false,
-    },
+    LAVAPIPE,
     Packaged {
         name: "SwiftShader",
         package: "chromium-common",
         library: "usr/lib/chromium/libvk_swiftshader.so",
         suites: &[("debian-security", "bookworm-security")],
-        has_dependencies: false,
-        is_newer: false,
+        ..LAVAPIPE
     },
     Packaged {
-        name: "lavapipe",
-        package: "mesa-vulkan-drivers",
-        library: "usr/lib/x86_64-linux-gnu/libvulkan_lvp.so",
         suites: &[("debian", "trixie"), ("debian", "trixie-backports")],
         has_dependencies: true,
         is_newer: true,
+        ..LAVAPIPE
     },
 ];
 
@@ -58,7 +58,7 @@ pub const CHROMIUM: Packaged = Packaged {
     library: "usr/lib/chromium/chromium",
     suites: &[("debian", "bookworm"), ("debian-security", "bookworm-security")],
     has_dependencies: true,
-    is_newer: false,
+    ..LAVAPIPE
 };
 
 /// The release that the drivers that are not newer need the libraries of.
@@ -71,11 +71,6 @@ impl Packaged {
     /// The driver and its suite.
     pub fn title(&self) -> String {
         format!("{} of {}", self.name, self.suite().1)
-    }
-
-    /// True if the machine may be unable to run it.
-    pub fn is_newer(&self) -> bool {
-        self.is_newer
     }
 
     /// The driver's file for Vulkan's loader.

@@ -122,7 +122,7 @@ pub fn run(options: &Options, unitvec: &Path) -> Result<(), String> {
 }
 
 fn from_package(driver: &Packaged, cache: &Path, fetch: bool) -> Result<Driver, Row> {
-    let duty = if driver.is_newer() { Duty::Never } else { Duty::Always };
+    let duty = if driver.is_newer { Duty::Never } else { Duty::Always };
     let missing = |reason, is_failure| Row {
         origin: driver.title(),
         outcome: Outcome::NotRun { word: "not run", reason, is_failure },

@@ -41,11 +41,8 @@ fn chosen(names: &[&str]) -> Result<Vec<Chosen>, String> {
     let is_group = |name: &str| Kind::ALL.iter().any(|(group, _)| *group == name);
     let is_record = |name: &str| RECORDS.iter().any(|record| record.name == name);
     if let Some(unknown) = names.iter().find(|name| !is_group(name) && !is_record(name)) {
-        let known: Vec<&str> = RECORDS.iter().map(|record| record.name).collect();
-        return Err(format!(
-            "no record `{unknown}`; there are {}, and files, runs and timings",
-            known.join(", ")
-        ));
+        let known = RECORDS.iter().map(|record| record.name).collect::<Vec<_>>().join(", ");
+        return Err(format!("no record `{unknown}`; there are {known}, and files, runs and timings"));
     }
     let groups = if names.is_empty() { &["files", "runs"] } else { names };
     let in_group = |record: &Record| {
@@ -78,16 +75,12 @@ fn renew(root: &Path, chosen: Vec<Chosen>) -> Result<(), String> {
         match (record.renew)() {
             Ok(()) if Repository::open(root)?.hashes(record)?.inputs == before => note(root, record, "")?,
             Ok(()) => {
-                return Err(format!(
-                    "the inputs of {} changed while it was renewed: renew again",
-                    record.name
-                ));
+                let name = record.name;
+                return Err(format!("the inputs of {name} changed while it was renewed: renew again"));
             }
             Err(reason) if record.needs.is_empty() => {
-                return Err(format!(
-                    "{}: {reason}; what was renewed before stays: mend this, then renew again",
-                    record.name
-                ));
+                let remedy = "what was renewed before stays: mend this, then renew again";
+                return Err(format!("{}: {reason}; {remedy}", record.name));
             }
             Err(reason) => {
                 eprintln!("{place} is left stale: {reason}; it needs {}", record.needs);
@@ -205,12 +198,10 @@ fn contributing(root: &Path) -> Result<[String; 2], String> {
 }
 
 fn write_contributing() -> Result<(), String> {
+    let file = repository().join("CONTRIBUTING.md");
     let [before, after] = contributing(&repository())?;
-    if before == after {
-        return Ok(());
-    }
-    fs::write(repository().join("CONTRIBUTING.md"), after)
-        .map_err(|error| format!("CONTRIBUTING.md: {error}"))
+    let written = if before == after { Ok(()) } else { fs::write(file, after) };
+    written.map_err(|error| format!("CONTRIBUTING.md: {error}"))
 }
 
 #[cfg(test)]
@@ -274,10 +265,8 @@ mod tests {
         assert_eq!(due(&["runs"]), ["drivers"]);
         assert_eq!(due(&["c", "files"]), ["c"]);
         assert_eq!(due(&["imprecise", "files"]), ["imprecise", "tables"]);
-        assert!(
-            chosen(&["nothing"])
-                .is_err_and(|error| error.contains("`nothing`") && error.contains("imprecise"))
-        );
+        let unknown = chosen(&["nothing"]).err().unwrap();
+        assert!(unknown.contains("`nothing`") && unknown.contains("imprecise"), "{unknown}");
     }
 
     #[test]
