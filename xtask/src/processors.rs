@@ -20,7 +20,7 @@ const SOME: usize = 1 << 13;
 /// Few enough for Miri to finish in a minute: a block of slices and a rest.
 const FEW: usize = 85;
 
-/// This machine's target, with whose results others are compared.
+/// The target of this machine, with whose results others are compared.
 const NATIVE: &str = "x86_64-unknown-linux-gnu";
 
 /// An interpreter that finds undefined behaviour: all `unsafe` blocks, at every level. It takes so long that it runs only where
