@@ -1,7 +1,6 @@
 //! `tests/clients/kernels.py`, a client in another language, written from README, docs and the manifest: buffers of exact
 //! size, no feature, and the same bits as the CPU's.
 
-use std::fs::File;
 use std::io::Write;
 use std::process::{Command, Output};
 use unitvec_catalogue::{Domain, Operation, find};
@@ -14,16 +13,12 @@ fn run(kernel: &str, count: usize, input: &[u8]) -> Output {
     let mut file = tempfile::tempfile().unwrap();
     file.write_all(input).unwrap();
     std::io::Seek::rewind(&mut file).unwrap();
-    client(kernel, count, file)
-}
-
-fn client(kernel: &str, count: usize, input: File) -> Output {
     Command::new("python3")
         .arg(repository().join("tests/clients/kernels.py"))
         .arg(repository().join("spirv"))
         .args([kernel, &count.to_string(), "--device", "llvmpipe"])
         .env("UNITVEC_VALIDATE", "1")
-        .stdin(input)
+        .stdin(file)
         .output()
         .expect("python3 is missing: `cargo xtask setup` installs it")
 }

@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
-use unitvec_tests::program::{command, stderr};
+use unitvec_tests::program::{command, refusal, stderr};
 
 fn figures(folder: &Path, arguments: &[&str]) -> Output {
     command(["figures", "--small"]).args(arguments).arg("--out").arg(folder).output().unwrap()
@@ -89,9 +89,8 @@ fn figures_of_earlier_runs_stay() {
     assert_eq!(names(place.path()), kept);
 
     std::fs::write(&list, "{}").unwrap();
-    let output = run("3");
-    assert_eq!((output.status.code(), stderr(&output).lines().count()), (Some(2), 1), "{}", stderr(&output));
-    assert!(stderr(&output).contains("figures.json"), "{}", stderr(&output));
+    let said = refusal(&run("3"), 2);
+    assert!(said.contains("figures.json"), "{said}");
     assert_eq!(names(place.path()), kept);
 }
 
@@ -167,15 +166,12 @@ fn both_languages_draw_the_same() {
 fn faults_leave_nothing() {
     let place = tempfile::tempdir().unwrap();
     let none = place.path().join("none/figures");
-    let output = figures(&none, &["--only", "2"]);
-    assert_eq!((output.status.code(), stderr(&output).lines().count()), (Some(1), 1), "{}", stderr(&output));
+    refusal(&figures(&none, &["--only", "2"]), 1);
 
     let file = place.path().join("file");
     std::fs::write(&file, b"mine").unwrap();
     for folder in [file.clone(), file.join("figures")] {
-        let output = figures(&folder, &["--only", "2"]);
-        let text = stderr(&output);
-        assert_eq!((output.status.code(), text.lines().count()), (Some(1), 1), "{text}");
+        let text = refusal(&figures(&folder, &["--only", "2"]), 1);
         assert!(text.contains("a file stands where a folder has to be"), "{text}");
     }
     assert_eq!(std::fs::read(&file).unwrap(), b"mine");
@@ -198,7 +194,7 @@ fn faults_leave_nothing() {
         .env("UNITVEC_VULKAN_LOADER", "libno-such-loader.so")
         .output()
         .unwrap();
-    assert_eq!((output.status.code(), stderr(&output).lines().count()), (Some(1), 1), "{}", stderr(&output));
+    refusal(&output, 1);
     assert!(!folder.exists());
 }
 
@@ -213,9 +209,8 @@ fn no_room_for_pictures() {
         shell.args(["-c", "trap '' XFSZ; ulimit -f 8; exec \"$0\" \"$@\""]).arg(program.get_program());
         shell.args(["figures", "--small", "--only", "3,2", "--out"]).arg(&folder).output().unwrap()
     };
-    let output = run(&command(["figures"]));
-    assert_eq!((output.status.code(), stderr(&output).lines().count()), (Some(1), 1), "{}", stderr(&output));
-    assert!(stderr(&output).contains("cannot write"), "{}", stderr(&output));
+    let said = refusal(&run(&command(["figures"])), 1);
+    assert!(said.contains("cannot write"), "{said}");
     assert!(!folder.exists());
 
     std::fs::create_dir(&folder).unwrap();

@@ -8,7 +8,7 @@ use unitvec_catalogue::{Domain, Element, find};
 use unitvec_choose::RECOMMENDED;
 use unitvec_oracle::angle_deg;
 use unitvec_run::sampling;
-use unitvec_tests::program::{run, run_with_input, stderr, stdout};
+use unitvec_tests::program::{refusal, run, run_with_input, stderr, stdout};
 use unitvec_tests::repository;
 
 fn raw(floats: &[f32]) -> Vec<u8> {
@@ -197,9 +197,8 @@ fn the_table_has_the_recommended_codecs() {
 
 #[test]
 fn codecs_of_two_kinds_are_refused() {
-    let refused = run(["error", "--codec", "oct32", "--codec", "frame32", "in.bin"]);
-    assert_eq!(refused.status.code(), Some(2));
-    assert!(stderr(&refused).contains("one after the other"), "{}", stderr(&refused));
+    let said = refusal(&run(["error", "--codec", "oct32", "--codec", "frame32", "in.bin"]), 2);
+    assert!(said.contains("one after the other"), "{said}");
 }
 
 /// The table mentions computed normals, and that a hemisphere codec moves vectors below it; otherwise neither.

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
 use unitvec_lab::isa::glsl_file;
-use unitvec_tests::program::{command, run, stderr, stdout};
+use unitvec_tests::program::{command, refusal, run, stderr, stdout};
 use unitvec_tests::repository;
 
 /// Names the file of a newer RADV than the system's: `cargo xtask renew costs` fetches one and sets it.
@@ -65,24 +65,30 @@ fn is_unchanged(id: &str, before: &Report, after: &Report) -> bool {
 }
 
 /// Prints, even where tests pass, that figures could not be compared.
-pub fn cannot_compare(reason: &str) {
+fn cannot_compare(reason: &str) {
     let said = format!("the costs on {} are not compared: {reason}", rdna2().gpu);
     assert!(std::env::var_os("UNITVEC_REQUIRE_ISA").is_none(), "UNITVEC_REQUIRE_ISA is set, but {said}");
     let _ = writeln!(std::io::stderr(), "warning: {said}");
+}
+
+/// The report of the driver here, if it is of the device of the committed one.
+pub fn comparable(before: &Report, after: Result<Report, String>) -> Option<Report> {
+    let reason = match after {
+        Ok(after) if before.device == after.device => return Some(after),
+        Ok(after) => {
+            format!("the figures are of {}, and the driver here is {}", before.subject(), after.subject())
+        }
+        Err(reason) => reason,
+    };
+    cannot_compare(&reason);
+    None
 }
 
 /// No kernel has become dearer on RDNA 2: each is compiled again.
 #[test]
 fn no_kernel_is_dearer_than_committed() {
     let before = committed(rdna2());
-    let after = match compiled(rdna2(), None) {
-        Ok(after) => after,
-        Err(reason) => return cannot_compare(&reason),
-    };
-    if before.device != after.device {
-        let [before, after] = [&before, &after].map(Report::subject);
-        return cannot_compare(&format!("the figures are of {before}, and the driver here is {after}"));
-    }
+    let Some(after) = comparable(&before, compiled(rdna2(), None)) else { return };
     let found = dearer(&before, &after);
     let of_same_file: Vec<&str> = CODECS
         .iter()
@@ -119,11 +125,7 @@ fn two_per_cent_are_noticed() {
 #[test]
 fn failures_name_the_remedy() {
     let failed = |arguments: &[&str], status: i32| {
-        let output = run([&["bench", "compiler", "--codec", "oct32"], arguments].concat());
-        assert_eq!(output.status.code(), Some(status), "{}", stderr(&output));
-        let text = stderr(&output);
-        assert_eq!(text.lines().count(), 1, "{text}");
-        text
+        refusal(&run([&["bench", "compiler", "--codec", "oct32"], arguments].concat()), status)
     };
     let lacks = failed(&["--device", "lavapipe"], 1);
     assert!(
@@ -149,8 +151,8 @@ fn other_drivers_are_refused() {
     )
     .unwrap();
     let output = run(["bench", "compiler", "--gpu", "navi21", "--driver", file.to_str().unwrap()]);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(stderr(&output).contains("cannot be used"), "{}", stderr(&output));
+    let said = refusal(&output, 1);
+    assert!(said.contains("cannot be used"), "{said}");
 }
 
 /// A row for each kernel, in JSON, CSV, Markdown and the table, and a chart. The JSON is what `choose` takes.

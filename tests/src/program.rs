@@ -76,6 +76,16 @@ pub fn run_with_input<S: AsRef<OsStr>>(arguments: impl IntoIterator<Item = S>, i
     })
 }
 
+/// The one line with which a run has ended, with this status.
+///
+/// # Panics
+/// If it has ended otherwise.
+pub fn refusal(output: &Output, status: i32) -> String {
+    let said = stderr(output);
+    assert_eq!((output.status.code(), said.lines().count()), (Some(status), 1), "{said}");
+    said
+}
+
 /// Standard error as text.
 pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()

@@ -1,7 +1,7 @@
 //! The kernels compiled again, by the RADV that is installed here.
 
 use super::{CODECS, GIVEN, KEYED, KEYS, committed, path, row_id};
-use crate::isa::compiled::{cannot_compare, dearer};
+use crate::isa::compiled::{comparable, dearer};
 use crate::isa::{RENEW, rdna2};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -84,14 +84,7 @@ fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Opera
 #[test]
 fn dithered_functions_cost_what_is_recorded() {
     let before = committed();
-    let after = match compiled() {
-        Ok(after) => after,
-        Err(reason) => return cannot_compare(&reason),
-    };
-    if before.device != after.device {
-        let [before, after] = [&before, &after].map(Report::subject);
-        return cannot_compare(&format!("the figures are of {before}, and the driver here is {after}"));
-    }
+    let Some(after) = comparable(&before, compiled()) else { return };
     let (dearer, cheaper) = (dearer(&before, &after), dearer(&after, &before));
     assert!(
         dearer.is_empty() && cheaper.is_empty(),
