@@ -8,9 +8,10 @@ use unitvec_mesh as mesh;
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Mismatches, Options, Plan};
+use unitvec_run::shader::{Edition, Language, LanguageGpu};
 use unitvec_run::{glsl, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
-use unitvec_vulkan::{BufferPromise, Device, Error, Runner, SENTINEL};
+use unitvec_vulkan::{BufferPromise, Device, Error, GROUP, Runner, SENTINEL};
 
 fn embedded() -> KernelSource {
     KernelSource::Rust(Modules::open(None).unwrap())
@@ -24,6 +25,9 @@ fn backends(device: &Arc<Device>, rust: KernelSource) -> Backends {
     let gpu = |source| -> Box<dyn Backend> { Box::new(Gpu::new(device, source, true).unwrap()) };
     Backends::from([(BackendKind::Rust, gpu(rust)), (BackendKind::Glsl, gpu(from_glsl()))])
 }
+
+/// A codec of each size of codes.
+const SIZES: [&str; 8] = ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"];
 
 fn options(count: usize) -> Options {
     let bunny = mesh::read(&repository().join("host/mesh/data/bunny.obj")).unwrap();
@@ -90,7 +94,7 @@ fn any_number_of_elements_can_be_dispatched() {
     let device = lavapipe();
     for source in [embedded(), from_glsl()] {
         let mut gpu = Gpu::new(&device, source, true).unwrap();
-        for id in ["oct8", "oct16", "oct24p", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
+        for id in SIZES {
             let format = find(id).unwrap();
             let floats = format.element.floats();
             let random = sampling::random_elements(format.element, Domain::Sphere, 3);
@@ -120,7 +124,7 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
     let device = lavapipe();
     let mut runner = Runner::new(&device, 16, true).unwrap();
     let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
-    for id in ["oct8", "oct16", "oct24", "oct32", "oct48", "oct52p", "frame32", "frame64"] {
+    for id in SIZES {
         let format = find(id).unwrap();
         let random = sampling::random_elements(format.element, Domain::Sphere, 9);
         let mut elements: Vec<f32> = random.take(12 * format.element.floats()).collect();
@@ -151,6 +155,53 @@ fn kernels_keep_to_the_count_and_to_both_buffers() {
                     let untouched = SENTINEL.to_le_bytes().into_iter().cycle();
                     expected.extend(untouched.take(actual.len() - expected.len()));
                     assert_eq!(actual, expected, "{name}: {count}, {input}, {output}");
+                }
+            }
+        }
+    }
+    drop(runner);
+    assert_no_validation_messages(device);
+}
+
+/// Kernels for buffers of whole groups write the groups that the others write when they are asked for all of them, and
+/// nothing behind.
+#[test]
+fn kernels_of_whole_groups_write_the_same() {
+    const COUNTS: [usize; 3] = [4, 1000, 4099];
+    const MOST: usize = 4100;
+    let device = lavapipe();
+    let mut runner = Runner::new(&device, MOST + GROUP, true).unwrap();
+    let (modules, compiler) = (Modules::open(None).unwrap(), glsl::Compiler::new().unwrap());
+    for id in SIZES {
+        let format = find(id).unwrap();
+        let random = sampling::random_elements(format.element, Domain::Sphere, 11);
+        let floats = MOST * format.element.floats();
+        let elements: Vec<u8> = random.take(floats).flat_map(f32::to_le_bytes).collect();
+        let mut codes = vec![0; MOST * format.bytes];
+        for operation in Operation::ALL {
+            let name = format.function(operation);
+            let from_rust = modules.load(&name).unwrap();
+            let from_glsl = compiler.kernel(format, operation).unwrap();
+            for (spirv, entry_point) in [(&from_rust[..], name.as_str()), (&from_glsl[..], glsl::ENTRY_POINT)]
+            {
+                let [exact, whole] = [BufferPromise::ExactSize, BufferPromise::WholeGroups]
+                    .map(|buffers| runner.kernel_for(buffers, spirv, entry_point, None).unwrap());
+                let (read, written) = match operation {
+                    Operation::Encode => (&elements, format.bytes),
+                    Operation::Decode => (&codes, format.element.bytes()),
+                };
+                for count in COUNTS {
+                    let groups = count.next_multiple_of(GROUP);
+                    let input = &read[..groups * (read.len() / MOST)];
+                    let [mut expected, mut actual] = [(); 2].map(|()| vec![0; groups * written + 16]);
+                    runner.run(&exact, groups, input, &mut expected).unwrap();
+                    runner.run(&whole, count, input, &mut actual).unwrap();
+                    assert!(actual == expected, "{entry_point} of {name}: {count}");
+                    let behind = actual[groups * written..].chunks(4);
+                    assert!(behind.into_iter().all(|word| word == SENTINEL.to_le_bytes()), "{name}");
+                }
+                if operation == Operation::Encode {
+                    runner.run(&exact, MOST, &elements, &mut codes).unwrap();
                 }
             }
         }
@@ -190,12 +241,19 @@ fn kernels_write_nothing_by_a_short_table() {
     assert_no_validation_messages(device);
 }
 
-/// Slices of different numbers of elements, or that end within one, are an error on every backend.
+/// Slices of different numbers of elements, or that end within one, are an error on every backend; empty ones are not.
 #[test]
 fn backends_refuse_wrong_lengths() {
     let device = lavapipe();
     let gpu = |source| -> Box<dyn Backend> { Box::new(Gpu::new(&device, source, true).unwrap()) };
-    for mut backend in [Box::new(Cpu), gpu(embedded()), gpu(from_glsl())] {
+    let translated = |language| -> Box<dyn Backend> {
+        Box::new(LanguageGpu::new(&device, language, Edition::Plain).unwrap())
+    };
+    let [hlsl, wgsl] = [Language::Hlsl, Language::Wgsl].map(translated);
+    for mut backend in [Box::new(Cpu), gpu(embedded()), gpu(from_glsl()), hlsl, wgsl] {
+        let none = find("oct48p").unwrap();
+        backend.encode(none, &[], &mut []).unwrap();
+        backend.decode(none, &[], &mut []).unwrap();
         for (id, floats, bytes) in [("oct24", 6, 3), ("oct24", 5, 6), ("oct24", 6, 7), ("frame64", 6, 8)] {
             let format = find(id).unwrap();
             let (mut elements, mut codes) = (vec![0.0; floats], vec![0; bytes]);

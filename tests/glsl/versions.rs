@@ -1,7 +1,8 @@
 //! The flattened files, and so the includes that they are made of, in all versions of GLSL.
 
 use super::calls;
-use crate::modules::Spirv;
+use rspirv::dr::{Operand, load_bytes};
+use rspirv::spirv::Decoration;
 use std::process::Command;
 use unitvec_tests::{glsl_families, repository};
 
@@ -73,14 +74,10 @@ fn nothing_is_mediump_in_es() {
 
 /// The decorations RelaxedPrecision in the SPIR-V of a fragment shader.
 fn count_relaxed(shader: &str) -> usize {
-    const OP_DECORATE: u32 = 71;
-    const OP_MEMBER_DECORATE: u32 = 72;
-    const RELAXED_PRECISION: u32 = 0;
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("shader.spv");
     assert_valid("ES 3.10", shader, &["-V", "-o", path.to_str().unwrap()]);
-    let spirv = Spirv::parse(&std::fs::read(&path).unwrap());
-    let of_ids = spirv.all(OP_DECORATE).filter(|operands| operands[1] == RELAXED_PRECISION);
-    let of_members = spirv.all(OP_MEMBER_DECORATE).filter(|operands| operands[2] == RELAXED_PRECISION);
-    of_ids.count() + of_members.count()
+    let spirv = load_bytes(std::fs::read(&path).unwrap()).unwrap();
+    let relaxed = Operand::Decoration(Decoration::RelaxedPrecision);
+    spirv.annotations.iter().filter(|line| line.operands.contains(&relaxed)).count()
 }
