@@ -21,9 +21,9 @@ pub struct Case {
     pub decode: fn([u32; 2], Vec2) -> Vec3,
 }
 
-fn case<C: Dithered>(id: &'static str) -> Case {
+fn case<C: Dithered + Listed>() -> Case {
     Case {
-        id,
+        id: C::NAME,
         words: if C::BITS > 32 { 2 } else { 1 },
         encode: |v, offset| C::encode_dithered(v, offset).to_words(),
         decode: |code, offset| C::decode_dithered(C::Code::from_words(code), offset),
@@ -32,40 +32,15 @@ fn case<C: Dithered>(id: &'static str) -> Case {
 
 /// All cases.
 pub fn cases() -> Vec<Case> {
-    vec![
-        case::<Oct8>("oct8"),
-        case::<OctPrecise8>("oct8p"),
-        case::<Oct12>("oct12"),
-        case::<OctPrecise12>("oct12p"),
-        case::<Oct16>("oct16"),
-        case::<OctPrecise16>("oct16p"),
-        case::<Oct18>("oct18"),
-        case::<OctPrecise18>("oct18p"),
-        case::<Oct20>("oct20"),
-        case::<OctPrecise20>("oct20p"),
-        case::<Oct22>("oct22"),
-        case::<OctPrecise22>("oct22p"),
-        case::<Oct24>("oct24"),
-        case::<OctPrecise24>("oct24p"),
-        case::<Oct32>("oct32"),
-        case::<OctPrecise32>("oct32p"),
-        case::<HemiOct16>("hemioct16"),
-        case::<HemiOct24>("hemioct24"),
-        case::<HemiOct32>("hemioct32"),
-        case::<SOct17>("soct17"),
-        case::<SOct25>("soct25"),
-        case::<SOct33>("soct33"),
-        case::<EaOct16>("eaoct16"),
-        case::<EaOctPrecise16>("eaoct16p"),
-        case::<EaOct20>("eaoct20"),
-        case::<EaOctPrecise20>("eaoct20p"),
-        case::<EaOct22>("eaoct22"),
-        case::<EaOctPrecise22>("eaoct22p"),
-        case::<EaOct24>("eaoct24"),
-        case::<EaOctPrecise24>("eaoct24p"),
-        case::<EaOct32>("eaoct32"),
-        case::<EaOctPrecise32>("eaoct32p"),
-    ]
+    macro_rules! cases_of {
+        ($($codec:ident)*) => { vec![$(case::<$codec>()),*] };
+    }
+    cases_of!(
+        Oct8 OctPrecise8 Oct12 OctPrecise12 Oct16 OctPrecise16 Oct18 OctPrecise18 Oct20 OctPrecise20 Oct22
+        OctPrecise22 Oct24 OctPrecise24 Oct32 OctPrecise32 HemiOct16 HemiOct24 HemiOct32 SOct17 SOct25 SOct33
+        EaOct16 EaOctPrecise16 EaOct20 EaOctPrecise20 EaOct22 EaOctPrecise22 EaOct24 EaOctPrecise24 EaOct32
+        EaOctPrecise32
+    )
 }
 
 /// The names of the public functions of dither.glsl.

@@ -1,14 +1,14 @@
-//! The functions of floats take any floats: their results in an snorm format decode to the direction, or to +Z.
+//! The functions of floats take any floats: their results in an snorm format decode to the direction, or to +Z. The
+//! functions here are Rust's; `projections.rs` shows that GLSL gives the same bits.
 
-use super::evaluate;
-use super::names::OF_FLOATS;
-use glam::Vec3;
 use unitvec::arith::snorm_max;
-use unitvec_oracle::{join_halves, length};
+use unitvec::glam::{Vec2, Vec3};
+use unitvec::{eaoct, hemioct, oct};
+use unitvec_oracle::join_halves;
 use unitvec_run::sampling::special_vectors;
-use unitvec_tests::checks::{LENGTH_ROUNDING, assert_is_code_of};
+use unitvec_tests::checks::assert_is_code_of;
 use unitvec_tests::directions::{Rng, any_vector, near_planes, sphere};
-use unitvec_tests::tested::{Tested, widen};
+use unitvec_tests::tested::Tested;
 
 /// The integers that hardware may store for a float in an snorm format: clamped and scaled, as a float or exactly, it
 /// is rounded to nearest, and nothing specifies how ties are broken.
@@ -20,8 +20,8 @@ fn stored(x: f32, bits: u32) -> [i64; 4] {
 }
 
 /// The code of two components of half of `bits`, rounded in one of the ways of [`stored`].
-fn stored_codes([x, y, _]: [f32; 3], bits: u32) -> [u64; 4] {
-    let (x, y) = (stored(x, bits / 2), stored(y, bits / 2));
+fn stored_codes(pair: Vec2, bits: u32) -> [u64; 4] {
+    let (x, y) = (stored(pair.x, bits / 2), stored(pair.y, bits / 2));
     [0, 1, 2, 3].map(|way| join_halves([x[way], y[way]], bits))
 }
 
@@ -37,34 +37,35 @@ pub fn vectors() -> Vec<[f32; 3]> {
 /// or y = 0, `sqrt(4 + pi^2 / 16) / m`. The codec's bound has 1.5026.
 const EAOCT: f64 = 2.1488 / 1.5026;
 
+/// A function that encodes.
+pub type Project = fn(Vec3) -> Vec2;
+
 /// A function that encodes, the codec whose decoder takes the result, and its error as a part of the codec's bound.
-const ENCODERS: [(&str, &str, f64); 10] = [
-    ("float32x3_to_oct(v)", "oct16", 1.0),
-    ("float32x3_to_oct(v)", "oct32", 1.0),
-    ("float32x3_to_octn_precise(v, 16)", "oct16p", 1.0),
-    ("float32x3_to_octn_precise(v, 32)", "oct32p", 1.0),
-    ("float32x3_to_hemioct(v)", "hemioct16", 1.0),
-    ("float32x3_to_hemioct(v)", "hemioct32", 1.0),
-    ("float32x3_to_eaoct(v)", "eaoct16", EAOCT),
-    ("float32x3_to_eaoct(v)", "eaoct32", EAOCT),
-    ("float32x3_to_eaoctn_precise(v, 16)", "eaoct16p", 1.0),
-    ("float32x3_to_eaoctn_precise(v, 32)", "eaoct32p", 1.0),
+const ENCODERS: [(Project, &str, f64); 10] = [
+    (oct::project, "oct16", 1.0),
+    (oct::project, "oct32", 1.0),
+    (oct::project_precise::<16>, "oct16p", 1.0),
+    (oct::project_precise::<32>, "oct32p", 1.0),
+    (hemioct::project, "hemioct16", 1.0),
+    (hemioct::project, "hemioct32", 1.0),
+    (eaoct::project, "eaoct16", EAOCT),
+    (eaoct::project, "eaoct32", EAOCT),
+    (eaoct::project_precise::<16>, "eaoct16p", 1.0),
+    (eaoct::project_precise::<32>, "eaoct32p", 1.0),
 ];
 
 /// Functions do as the codecs do: +Z's code without a direction, an error within the bound with one.
 #[test]
 fn any_vector_is_stored_as_its_direction() {
-    let inputs = vectors();
     for (function, id, part) in ENCODERS {
         let codec = Tested::find(id);
         let bound = part * f64::from(codec.max_error_deg());
-        for (input, pair) in inputs.iter().zip(evaluate(&format!("vec3({function}, 0.0)"), &inputs)) {
-            assert!(
-                pair.iter().all(|c| c.abs() <= 1.0 + 2.0 * f32::EPSILON),
-                "{function} of {input:?}: {pair:?}"
-            );
+        for v in vectors().into_iter().map(Vec3::from_array) {
+            let pair = function(v);
+            let is_inside = pair.abs().max_element() <= 1.0 + 2.0 * f32::EPSILON;
+            assert!(is_inside, "the function for {id} of {v}: {pair}");
             for code in stored_codes(pair, codec.bits) {
-                assert_is_code_of(&codec, Vec3::from_array(*input), code, bound);
+                assert_is_code_of(&codec, v, code, bound);
             }
         }
     }
@@ -95,76 +96,19 @@ pub fn pairs() -> Vec<[f32; 3]> {
     pairs
 }
 
-/// Listing 2 in `f64`.
-fn listing_2(e: [f64; 2]) -> [f64; 3] {
-    let [u, v] = e;
-    let z = 1.0 - u.abs() - v.abs();
-    let fold = |a: f64, b: f64| if z < 0.0 { (1.0 - b.abs()).copysign(a) } else { a };
-    [fold(u, v), fold(v, u), z]
-}
-
-/// Listing 6 in `f64`.
-fn listing_6([u, v]: [f64; 2]) -> [f64; 3] {
-    [u + v, u - v, 2.0 - (u + v).abs() - (u - v).abs()]
-}
-
-/// Clarberg's map in `f64`: r and the angle are linear in the octant.
-fn clarberg([u, v]: [f64; 2]) -> [f64; 3] {
-    let (a, b) = (u.abs(), v.abs());
-    let below = a + b > 1.0;
-    let r = if below { 2.0 - a - b } else { a + b };
-    let along = if below { 1.0 - a } else { b };
-    let angle = if r > 0.0 { along / r * std::f64::consts::FRAC_PI_2 } else { 0.0 };
-    let (z, horizontal) = (1.0 - r * r, r * (2.0 - r * r).sqrt());
-    let (x, y) = (horizontal * angle.cos(), horizontal * angle.sin());
-    [x.copysign(u), y.copysign(v), if below { -z } else { z }]
-}
-
-/// A decoder in `f64`, before the normalisation.
-type Listing = fn([f64; 2]) -> [f64; 3];
-
-/// A function that decodes, and its listing.
-const DECODERS: [(&str, Listing); 3] = [
-    ("oct_to_float32x3(v.xy)", listing_2),
-    ("hemioct_to_float32x3(v.xy)", listing_6),
-    ("eaoct_to_float32x3(v.xy)", clarberg),
-];
-
-/// A unit vector, that of [`clamped`].
-#[test]
-fn any_pair_decodes_to_a_unit_vector() {
-    let inputs = pairs();
-    for (function, reference) in DECODERS {
-        for (input, decoded) in inputs.iter().zip(evaluate(function, &inputs)) {
-            let expected = unitvec_oracle::normalize(reference(clamped(*input)));
-            let decoded = widen(Vec3::from_array(decoded));
-            let is_unit = (length(decoded) - 1.0).abs() <= LENGTH_ROUNDING;
-            let is_near = expected.iter().zip(decoded).all(|(a, b)| (a - b).abs() <= 1e-6);
-            assert!(is_unit && is_near, "{function} of {input:?}: {decoded:?}, expected {expected:?}");
-            assert!(
-                !function.starts_with("hemioct") || decoded[2] >= 0.0,
-                "{function} of {input:?}: {decoded:?}"
-            );
-        }
-    }
-}
-
-const TO_BYTES: &str = "snorm12x2_to_unorm8x3(v.xy) * 255.0";
-const FROM_BYTES: &str = "vec3(unorm8x3_to_snorm12x2(v), 0.0)";
-
 /// Listing 5 of any floats: bytes of the clamped pair, and the pair of clamped bytes, +Z's for NaN.
 #[test]
 fn any_floats_are_packed_in_bytes() {
-    let inputs = pairs();
-    for (input, bytes) in inputs.iter().zip(evaluate(TO_BYTES, &inputs)) {
-        let [u, v] = clamped(*input).map(|x| x * 2047.0 + 2047.0);
+    for input in pairs() {
+        let bytes = oct::snorm12x2_to_unorm8x3(Vec2::new(input[0], input[1])).to_array().map(|x| x * 255.0);
+        let [u, v] = clamped(input).map(|x| x * 2047.0 + 2047.0);
         let packed = f64::from(bytes[0]) * 65536.0 + f64::from(bytes[1]) * 256.0 + f64::from(bytes[2]);
         let near = [(packed / 4096.0).floor() - u, packed.rem_euclid(4096.0) - v];
         let are_bytes =
             bytes.iter().all(|byte| (byte - byte.round()).abs() < 1e-3 && (0.0..255.5).contains(byte));
         assert!(are_bytes && near.iter().all(|off| off.abs() <= 0.501), "{input:?}: {bytes:?}");
-    }
-    for (input, pair) in inputs.iter().zip(evaluate(FROM_BYTES, &inputs)) {
+
+        let pair = oct::unorm8x3_to_snorm12x2(input.into());
         let byte = |x: f32| (f64::from(x).clamp(0.0, 1.0) * 255.0 + 0.5).floor();
         let packed = byte(input[0]) * 65536.0 + byte(input[1]) * 256.0 + byte(input[2]);
         let pair_of_bytes = [(packed / 4096.0).floor(), packed.rem_euclid(4096.0)];
@@ -178,13 +122,17 @@ fn any_floats_are_packed_in_bytes() {
 
 /// The number of codes in an attachment of `codec`'s format that differ from the codec's, however the hardware rounds,
 /// and whether all that do are a step off.
-fn differing(function: &str, codec: &Tested, inputs: &[[f32; 3]]) -> (usize, bool) {
+fn differing(
+    function: fn(Vec3) -> Vec2,
+    codec: &Tested,
+    inputs: impl Iterator<Item = Vec3>,
+) -> (usize, bool) {
     let (mut count, mut is_a_step) = (0, true);
-    for (input, pair) in inputs.iter().zip(evaluate(&format!("vec3({function}, 0.0)"), inputs)) {
-        let code = codec.encode(Vec3::from_array(*input));
-        let off: Vec<u64> = stored_codes(pair, codec.bits).into_iter().filter(|c| *c != code).collect();
-        count += usize::from(!off.is_empty());
-        is_a_step &= off.iter().all(|other| steps_between(code, *other, codec.bits) == 1);
+    for v in inputs {
+        let code = codec.encode(v);
+        let stored = stored_codes(function(v), codec.bits);
+        count += usize::from(stored != [code; 4]);
+        is_a_step &= stored.iter().all(|other| steps_between(code, *other, codec.bits) <= 1);
     }
     (count, is_a_step)
 }
@@ -196,20 +144,14 @@ fn steps_between(a: u64, b: u64, bits: u32) -> i64 {
 }
 
 /// The claim at the head of oct.glsl: the precise function stores the precise code, exactly. All codes of 16 bits, and
-/// 2^18 directions in 32.
+/// 2^18 directions.
 #[test]
 fn float32x3_to_octn_precise_is_exact_through_an_attachment() {
     let codec = Tested::find("oct16p");
-    let decoded: Vec<[f32; 3]> = (0..1 << 16).map(|code| codec.decode(code).to_array()).collect();
-    assert_eq!(differing("float32x3_to_octn_precise(v, 16)", &codec, &decoded).0, 0);
-    let directions: Vec<[f32; 3]> = sphere(9, 1 << 18).map(|v| v.to_array()).collect();
-    for (function, id) in [
-        ("float32x3_to_octn_precise(v, 16)", "oct16p"),
-        ("float32x3_to_octn_precise(v, 32)", "oct32p"),
-        ("float32x3_to_eaoctn_precise(v, 16)", "eaoct16p"),
-        ("float32x3_to_eaoctn_precise(v, 32)", "eaoct32p"),
-    ] {
-        assert_eq!(differing(function, &Tested::find(id), &directions).0, 0, "{function}");
+    let decoded = (0..1 << 16).map(|code| codec.decode(code));
+    assert_eq!(differing(oct::project_precise::<16>, &codec, decoded).0, 0);
+    for (function, id, _) in ENCODERS.into_iter().filter(|(_, id, _)| id.ends_with('p')) {
+        assert_eq!(differing(function, &Tested::find(id), sphere(9, 1 << 18)).0, 0, "{id}");
     }
 }
 
@@ -217,24 +159,7 @@ fn float32x3_to_octn_precise_is_exact_through_an_attachment() {
 /// rounded in the worst way.
 #[test]
 fn float32x3_to_oct_is_a_step_off_at_most() {
-    let directions: Vec<[f32; 3]> = sphere(10, 1 << 18).map(|v| v.to_array()).collect();
-    let (count, is_a_step) = differing("float32x3_to_oct(v)", &Tested::find("oct32"), &directions);
-    let in_1000 = 1000.0 * count as f64 / directions.len() as f64;
-    assert!(
-        is_a_step && (2.5..3.5).contains(&in_1000),
-        "{count} codes differ, by more than a step: {}",
-        !is_a_step
-    );
-}
-
-/// No public function of floats goes untested here.
-#[test]
-fn every_function_of_floats_is_tested() {
-    let encoders = ENCODERS.iter().map(|(call, _, _)| *call);
-    let tested: Vec<&str> =
-        encoders.chain(DECODERS.map(|(call, _)| call)).chain([TO_BYTES, FROM_BYTES]).collect();
-    // projections.rs has the bytes as integers.
-    for (file, name) in OF_FLOATS.iter().filter(|(_, name)| !name.contains("uint8")) {
-        assert!(tested.iter().any(|call| call.contains(&format!("{name}("))), "{name} of {file}");
-    }
+    let (count, is_a_step) = differing(oct::project, &Tested::find("oct32"), sphere(10, 1 << 18));
+    let in_1000 = 1000.0 * count as f64 / f64::from(1 << 18);
+    assert!(is_a_step && (2.5..3.5).contains(&in_1000), "{count} codes differ, by a step: {is_a_step}");
 }

@@ -3,35 +3,26 @@
 use super::dither;
 use super::formats::FORMATS;
 use super::projections::PROJECTIONS;
-use super::versions::assert_valid;
 use std::collections::BTreeSet;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
-/// The functions of floats, after the survey's listings, and of its bytes.
-pub const OF_FLOATS: [(&str, &str); 12] = [
-    ("oct.glsl", "float32x3_to_oct"),
+/// The functions of floats besides projections: precise encoders, and the survey's bytes.
+const OF_FLOATS: [(&str, &str); 6] = [
     ("oct.glsl", "float32x3_to_octn_precise"),
-    ("oct.glsl", "oct_to_float32x3"),
+    ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
     ("oct.glsl", "snorm12x2_to_unorm8x3"),
     ("oct.glsl", "unorm8x3_to_snorm12x2"),
     ("oct.glsl", "snorm12x2_to_uint8x3"),
     ("oct.glsl", "uint8x3_to_snorm12x2"),
-    ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
-    ("hemioct.glsl", "float32x3_to_hemioct"),
-    ("hemioct.glsl", "hemioct_to_float32x3"),
-    ("eaoct.glsl", "float32x3_to_eaoct"),
-    ("eaoct.glsl", "eaoct_to_float32x3"),
 ];
 
 /// All public functions besides those of the codecs, and their files.
 fn besides_codecs() -> Vec<(&'static str, String)> {
     let of_floats = OF_FLOATS.iter().map(|(file, name)| (*file, (*name).to_owned()));
     let of_formats = FORMATS.iter().flat_map(|format| format.functions().map(|name| ("formats.glsl", name)));
-    let of_projections = PROJECTIONS
-        .iter()
-        .flat_map(|projection| projection.functions().map(|name| (projection.file(), name)))
-        .filter(|(_, name)| OF_FLOATS.iter().all(|(_, other)| other != name));
+    let of_projections =
+        PROJECTIONS.iter().flat_map(|projection| projection.functions().map(|name| (projection.file, name)));
     let of_dither = dither::functions().into_iter().map(|name| ("dither.glsl", name));
     of_floats.chain(of_formats).chain(of_projections).chain(of_dither).collect()
 }
@@ -118,39 +109,5 @@ fn functions_of_floats_are_in_the_heads() {
             head.any(|line| identifiers(line).any(|word| word == name)),
             "the head of {file} lacks {name}"
         );
-    }
-}
-
-/// Names that users' shaders have.
-const OF_A_USER: &str = "
-#define snorm_max 1
-#define unorm_max 255.0
-#define PRECISE
-in vec3 frame_tangent;
-in vec3 ico_point;
-const float EAOCT_LEAST = 0.5;
-const uint FIB_SHIFT = 3u;
-struct ParallelPlane { vec3 normal; float offset; };
-uint snorm_encode(float r, uint bits) { return uint(r) + bits; }
-float snorm_decode(uint code, uint bits) { return float(code + bits); }
-float unorm_decode(uint code, uint bits) { return float(code + bits); }
-uint oct_pack(vec2 e, uint bits) { return uint(e.x) + bits; }
-vec2 oct_unpack(uint code, uint bits) { return vec2(code, bits); }
-uint oct_encode(vec3 v, uint bits) { return uint(v.x) + bits; }
-vec3 oct_decode(uint code, uint bits) { return vec3(code, bits, 1u); }
-void frame_basis(vec3 n, out vec3 first, out vec3 second) { first = n; second = n; }
-vec3 cube_decode(uint code, uint bits) { return vec3(code, bits, 1u); }
-float spherical_wide_length(vec2 v) { return v.x; }
-";
-
-/// Each family's file, before the user's own names and after them.
-#[test]
-fn a_users_names_do_not_collide() {
-    for family in glsl_families() {
-        let text = std::fs::read_to_string(repository().join("glsl/flat").join(&family)).unwrap();
-        let end = "out vec4 color;\nvoid main() { color = vec4(oct_pack(frame_tangent.xy, 1u)); }\n";
-        for [first, second] in [[OF_A_USER, &text], [&text, OF_A_USER]] {
-            assert_valid(&family, &format!("#version 450\n{first}\n{second}\n{end}"), &[]);
-        }
     }
 }

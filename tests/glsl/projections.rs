@@ -1,6 +1,6 @@
 //! The projections without rounding: GLSL has Rust's bits, and both are those of the oracle, written from the papers.
 
-use super::floats::{pairs, vectors};
+use super::floats::{Project, pairs, vectors};
 use super::{evaluate, evaluate_words};
 use unitvec::azimuthal::{self, Concentric, Ellipse, Eqarea, Eqdist, Plain, Stereo};
 use unitvec::glam::{UVec3, Vec2, Vec3};
@@ -17,6 +17,8 @@ use unitvec_tests::tested::{Tested, widen};
 /// A projection in Rust and in the oracle. A pair has 0 as its third; others have the hemisphere there.
 pub struct Projection {
     name: &'static str,
+    /// The file of its functions.
+    pub file: &'static str,
     is_pair: bool,
     project: fn([f32; 3]) -> [f32; 3],
     unproject: fn([f32; 3]) -> Vec3,
@@ -34,6 +36,7 @@ macro_rules! of_pairs {
     ($name:literal, $family:ident, $oracle:ty) => {
         Projection {
             name: $name,
+            file: concat!($name, ".glsl"),
             is_pair: true,
             project: |v| $family::project(v.into()).extend(0.0).to_array(),
             unproject: |e| $family::unproject(pair(e)),
@@ -49,6 +52,7 @@ macro_rules! of_disks {
     ($name:literal, $projection:ident, $map:ident, $of:ident, $by:ident) => {
         Projection {
             name: $name,
+            file: "azimuthal.glsl",
             is_pair: false,
             project: |v| azimuthal::project::<$projection, $map>(v.into()).to_array(),
             unproject: |e| azimuthal::unproject::<$projection, $map>(e.into()),
@@ -69,6 +73,7 @@ pub const PROJECTIONS: [Projection; 15] = [
     of_pairs!("cylindrical", cylindrical, Cylindrical),
     Projection {
         name: "soct",
+        file: "soct.glsl",
         is_pair: false,
         project: |v| soct::project(v.into()).to_array(),
         unproject: |e| soct::unproject(e.into()),
@@ -89,19 +94,6 @@ pub const PROJECTIONS: [Projection; 15] = [
 ];
 
 impl Projection {
-    /// The file of its functions.
-    pub fn file(&self) -> &'static str {
-        match self.name {
-            "oct" => "oct.glsl",
-            "eaoct" => "eaoct.glsl",
-            "hemioct" => "hemioct.glsl",
-            "soct" => "soct.glsl",
-            "spherical" => "spherical.glsl",
-            "cylindrical" => "cylindrical.glsl",
-            _ => "azimuthal.glsl",
-        }
-    }
-
     /// The names of its functions: to the square and back, on [-1, 1] and on [0, 1].
     pub fn functions(&self) -> [String; 4] {
         let name = self.name;
@@ -162,21 +154,24 @@ fn projections_in_glsl_have_the_bits_of_rust() {
     }
 }
 
-fn assert_precise_same_bits<const BITS: u32>(vectors: &[[f32; 3]]) {
-    let of = |family: &str| format!("vec3(float32x3_to_{family}n_precise(v, {BITS}), 0.0)");
-    let oct = |v: [f32; 3]| oct::project_precise::<BITS>(v.into()).extend(0.0).to_array();
-    let eaoct = |v: [f32; 3]| eaoct::project_precise::<BITS>(v.into()).extend(0.0).to_array();
-    assert_same_bits(&of("oct"), vectors, oct);
-    assert_same_bits(&of("eaoct"), vectors, eaoct);
-}
-
 /// The precise functions and listing 5 agree, too.
 #[test]
 fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
     let (vectors, pairs) = (vectors(), pairs());
-    assert_precise_same_bits::<16>(&vectors);
-    assert_precise_same_bits::<24>(&vectors);
-    assert_precise_same_bits::<32>(&vectors);
+    let precise: [(&str, u32, Project); 8] = [
+        ("oct", 4, oct::project_precise::<4>),
+        ("oct", 10, oct::project_precise::<10>),
+        ("oct", 16, oct::project_precise::<16>),
+        ("oct", 24, oct::project_precise::<24>),
+        ("oct", 32, oct::project_precise::<32>),
+        ("eaoct", 16, eaoct::project_precise::<16>),
+        ("eaoct", 24, eaoct::project_precise::<24>),
+        ("eaoct", 32, eaoct::project_precise::<32>),
+    ];
+    for (family, bits, in_rust) in precise {
+        let call = format!("vec3(float32x3_to_{family}n_precise(v, {bits}), 0.0)");
+        assert_same_bits(&call, &vectors, |v| in_rust(v.into()).extend(0.0).to_array());
+    }
     assert_same_bits("snorm12x2_to_unorm8x3(v.xy)", &pairs, |f| {
         oct::snorm12x2_to_unorm8x3(pair(f)).to_array()
     });
@@ -255,6 +250,7 @@ fn points_have_the_oracles_directions() {
             let expected = projection.direction([x, y, f64::from(e[2])]);
             let off = angle_deg(decoded, expected);
             assert!(off <= DEGREES, "{} of {e:?}: {decoded:?}, expected {expected:?}", projection.name);
+            assert!(projection.name != "hemioct" || decoded[2] >= 0.0, "{e:?}: {decoded:?}");
         }
     }
 }
