@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use unitvec_tests::repository;
+use unitvec_tests::{files, repository};
 
 /// Lines of the largest crate. A larger one has rooms that want walls: see ARCHITECTURE.md.
 const MOST_LINES: usize = 10_000;
@@ -17,19 +17,6 @@ fn crates() -> Vec<(String, PathBuf)> {
     let crates: Vec<_> = names.map(|name| (repository().join(&name).join("src"), name)).collect();
     let crates = crates.into_iter().filter(|(source, _)| source.is_dir());
     crates.map(|(source, name)| (name, source)).collect()
-}
-
-/// The Rust files below a folder.
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
-    entries
-        .flat_map(|path| match path.is_dir() {
-            true => rust_files(&path),
-            false => {
-                Vec::from_iter(Some(path).filter(|path| path.extension().is_some_and(|end| end == "rs")))
-            }
-        })
-        .collect()
 }
 
 /// Code without comments.
@@ -72,7 +59,7 @@ fn arrows(source: &Path) -> BTreeMap<String, BTreeSet<String>> {
         let first = path.strip_prefix(source).unwrap().components().next().unwrap();
         first.as_os_str().to_string_lossy().trim_end_matches(".rs").to_owned()
     };
-    let files = rust_files(source);
+    let files = files(source, &[".rs"]);
     let rooms: BTreeSet<String> = files.iter().map(|file| room(file)).collect();
     let mut arrows: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for file in &files {
@@ -129,8 +116,10 @@ fn a_circle_is_found() {
 #[test]
 fn no_crate_is_too_large() {
     for (name, source) in crates() {
-        let lines: usize =
-            rust_files(&source).iter().map(|file| fs::read_to_string(file).unwrap().lines().count()).sum();
+        let lines: usize = files(&source, &[".rs"])
+            .iter()
+            .map(|file| fs::read_to_string(file).unwrap().lines().count())
+            .sum();
         assert!(lines <= MOST_LINES, "{name} has {lines} lines");
     }
 }

@@ -4,7 +4,6 @@ use crate::docs::accuracy;
 use crate::docs::textbook::{FIGURES, INPUTS, SOURCES, cell, number};
 use glam::DVec3;
 use std::collections::BTreeSet;
-use std::path::PathBuf;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, Domain, Element, Operation, find};
 use unitvec_lab::accuracy::Table;
@@ -15,7 +14,7 @@ use unitvec_run::backend::{Backend, CHUNK, Cpu, round_trip};
 use unitvec_run::glsl::Compiler;
 use unitvec_run::measure::ElementErrors;
 use unitvec_run::sampling::{random_codes, random_elements};
-use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
+use unitvec_tests::{assert_no_validation_messages, files, lavapipe, repository};
 use unitvec_vulkan::Device;
 
 fn gpu(device: &Arc<Device>, textbook: &Textbook) -> TextbookGpu {
@@ -42,7 +41,7 @@ fn every_textbook_has_a_codec_and_kernels() {
             assert!(other.mean < own.mean && other.max < own.max, "{}", textbook.id);
         }
     }
-    for path in files() {
+    for path in files(&repository().join("glsl/textbook"), &[""]) {
         let text = std::fs::read_to_string(&path).unwrap();
         let words = text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
         for name in words.filter(|word| word.ends_with("_encode") || word.ends_with("_decode")) {
@@ -50,12 +49,6 @@ fn every_textbook_has_a_codec_and_kernels() {
         }
         assert!(text.contains("nly to measure"), "{}: the head says what it is for", path.display());
     }
-}
-
-/// The files of `glsl/textbook/`.
-fn files() -> Vec<PathBuf> {
-    let folder = std::fs::read_dir(repository().join("glsl/textbook")).unwrap();
-    folder.map(|entry| entry.unwrap().path()).collect()
 }
 
 /// Directions or frames that the committed errors are measured over, and those that a test takes.

@@ -1,20 +1,20 @@
 //! The texts that are generated from the list, or from other files.
 
+use crate::docs::compare;
 use std::fmt::Write;
 use std::process::Command;
 use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element};
-use unitvec_files::write_file;
 use unitvec_tests::repository;
 
 /// `c/src/codecs.rs` has the functions of every codec of the list, and `c/include/unitvec.h` is cbindgen's header for
 /// the sources. `cargo xtask renew c` writes both.
 #[test]
 fn sources_and_header_are_renewed() {
-    expect("c/src/codecs.rs", &codecs());
+    compare(&repository().join("c/src/codecs.rs"), &codecs());
     let arguments = ["run", "--quiet", "--package", "xtask-header"];
     let output = Command::new(env!("CARGO")).args(arguments).current_dir(repository()).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    expect("c/include/unitvec.h", &String::from_utf8(output.stdout).unwrap());
+    compare(&repository().join("c/include/unitvec.h"), &String::from_utf8(output.stdout).unwrap());
 }
 
 /// Only `memory.rs` in the C library has `unsafe`, except for the names that are exported.
@@ -27,16 +27,6 @@ fn unsafe_code_is_in_one_module() {
         let has_unsafe = code.any(|line| line.contains("unsafe"));
         assert_eq!(has_unsafe, path.ends_with("memory.rs"), "{}", path.display());
     }
-}
-
-/// Fails unless a file has this text, or writes it.
-fn expect(file: &str, text: &str) {
-    let path = repository().join(file);
-    if std::env::var_os("BLESS").is_some() {
-        write_file(&path, text.as_bytes()).unwrap();
-    }
-    let committed = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(committed == text, "{file} is stale: cargo xtask renew c");
 }
 
 /// The functions of every codec. They are written out, since cbindgen does not expand macros.

@@ -1,8 +1,8 @@
 //! Costs of codecs: on lavapipe, as `unitvec bench --json` wrote it to `host/choose/data/costs_lavapipe.json`, and on
 //! GPUs, by their compilers.
 
-use super::compare;
 use super::tables::is_shown;
+use super::{compare, markdown_table};
 use crate::isa::committed;
 use serde_json::Value;
 use std::sync::OnceLock;
@@ -20,15 +20,11 @@ fn report() -> &'static Value {
     })
 }
 
-/// A figure of a codec's row, of SPIR-V from Rust.
-fn figure(id: &str, operation: Operation, by_table: bool, key: &str) -> Option<f64> {
+/// A figure of a codec's row, of its own kernel in SPIR-V from Rust.
+fn figure(id: &str, operation: Operation, key: &str) -> Option<f64> {
     let operation = operation.to_string();
-    let is_it = |row: &&Value| {
-        row["id"] == id
-            && row["operation"] == operation
-            && row["backend"] == "rust"
-            && row["by_table"] == by_table
-    };
+    let is_own = |row: &Value| row["backend"] == "rust" && row["by_table"] == false;
+    let is_it = |row: &&Value| row["id"] == id && row["operation"] == operation && is_own(row);
     report()["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
 }
 
@@ -50,7 +46,7 @@ pub fn number(value: Option<f64>, digits: usize) -> String {
 
 /// True where the arithmetic of both operations was measured on lavapipe.
 pub fn is_measured(id: &str) -> bool {
-    Operation::ALL.iter().all(|operation| figure(id, *operation, false, "alu_ratio_to_oct32").is_some())
+    Operation::ALL.iter().all(|operation| figure(id, *operation, "alu_ratio_to_oct32").is_some())
 }
 
 /// The device, and the amount of its work.
@@ -68,21 +64,18 @@ pub fn device() -> String {
 
 /// The shipped kernel's speed in per cent of that of a copy.
 fn of_copy(id: &str, operation: Operation) -> Option<f64> {
-    let figure = |key| figure(id, operation, false, key);
-    Some(100.0 * figure("bytes_per_s")? / figure("copy_bytes_per_s")?)
+    Some(100.0 * figure(id, operation, "bytes_per_s")? / figure(id, operation, "copy_bytes_per_s")?)
 }
 
 /// Costs of both operations: inverse throughput on all generations of GPUs and arithmetic on lavapipe, as multiples of
 /// `oct32`'s; the other figures of RDNA 2 and of lavapipe.
 pub fn table(rows: &str) -> String {
     let titles: Vec<&str> = compiled().iter().map(|(generation, _)| generation.title).collect();
-    let mut text = format!(
-        "| codec: encode / decode | {} | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | lavapipe: % of copy |\n\
-         |---|{}---|---|---|---|---|---|\n",
-        titles.join(" | "),
-        "---|".repeat(titles.len())
+    let titles = format!(
+        "codec: encode / decode | {} | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | lavapipe: % of copy",
+        titles.join(" | ")
     );
-    for id in CODECS.iter().map(|format| format.id).filter(|id| is_shown(rows, id)) {
+    let shown = CODECS.iter().map(|format| format.id).filter(|id| is_shown(rows, id)).map(|id| {
         let mut cells: Vec<String> = compiled()
             .iter()
             .map(|(_, report)| {
@@ -93,27 +86,21 @@ pub fn table(rows: &str) -> String {
             pair(0, |operation| Some(figure(rdna2().row(id, operation, Source::Glsl)?)? as f64))
         };
         cells.extend([
-            pair(1, |operation| figure(id, operation, false, "alu_ratio_to_oct32")),
+            pair(1, |operation| figure(id, operation, "alu_ratio_to_oct32")),
             integer(|row| row.inverse_throughput),
             pair(1, |operation| vector_instructions(id, operation)),
             integer(|row| row.vector_registers),
             pair(2, |operation| rdna2().ratio_to_glsl(rdna2().row(id, operation, Source::Rust)?)),
             pair(0, |operation| of_copy(id, operation)),
         ]);
-        text += &format!("| `{id}` | {} |\n", cells.join(" | "));
-    }
-    text
+        format!("`{id}` | {}", cells.join(" | "))
+    });
+    markdown_table(&titles, shown)
 }
 
 /// A figure of both operations, with so many decimals.
 fn pair(digits: usize, figure: impl Fn(Operation) -> Option<f64>) -> String {
     Operation::ALL.map(|operation| number(figure(operation), digits)).join(" / ")
-}
-
-/// The speed of decoding by table as a multiple of that of the codec's own kernel, where a table is made for it.
-pub fn by_table(id: &str) -> Option<f64> {
-    let speed = |by_table| figure(id, Operation::Decode, by_table, "vectors_per_s");
-    Some(speed(true)? / speed(false)?)
 }
 
 /// The committed figures of each generation.
@@ -135,11 +122,10 @@ pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
 
 /// The compilers of the figures.
 pub fn compilers() -> String {
-    let mut text = String::from("| generation | GPU | compiler |\n|---|---|---|\n");
-    for (generation, report) in compiled() {
-        text += &format!("| {} | `{}` | {} |\n", generation.title, generation.gpu, report.device.driver);
-    }
-    text
+    let rows = compiled().iter().map(|(generation, report)| {
+        format!("{} | `{}` | {}", generation.title, generation.gpu, report.device.driver)
+    });
+    markdown_table("generation | GPU | compiler", rows)
 }
 
 /// The chart of error against cost shows the committed figures.

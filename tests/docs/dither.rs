@@ -1,7 +1,7 @@
 //! Effects of dither on errors, as docs/dither.md has them.
 
-use super::costs;
 use super::tables::degrees;
+use super::{costs, markdown_table};
 use crate::isa::dithered;
 use std::collections::BTreeMap;
 use unitvec::dither::*;
@@ -151,30 +151,20 @@ fn measure() {
 
 /// The committed measurements, by codec and source.
 fn recorded() -> BTreeMap<(String, String), Noise> {
-    let text = std::fs::read_to_string(repository().join("docs/data/dither.csv")).unwrap();
-    let row = |line: &str| {
-        let fields: Vec<&str> = line.split(',').collect();
-        let number = |index: usize| fields[index].parse().unwrap();
-        let noise = Noise { mean: number(2), max: number(3), autocorrelation: number(4) };
-        ((fields[0].to_owned(), fields[1].to_owned()), noise)
-    };
-    text.lines().skip(1).map(row).collect()
+    let rows = super::recorded::<(String, String, f64, f64, f64)>("dither.csv").into_iter();
+    rows.map(|(id, name, mean, max, autocorrelation)| ((id, name), Noise { mean, max, autocorrelation }))
+        .collect()
 }
 
 /// The table of docs/dither.md.
 pub fn table() -> String {
     let recorded = recorded();
-    let mut text = String::from(
-        "| codec | offsets | mean error | maximum | from pixel to pixel |\n|---|---|---|---|---|\n",
-    );
-    for (id, _) in CODECS {
-        for (_, name) in SOURCES {
-            let noise = recorded[&(id.to_owned(), name.to_owned())];
-            let (mean, max) = (degrees(noise.mean), degrees(noise.max));
-            text += &format!("| `{id}` | {name} | {mean} | {max} | {:.3} |\n", noise.autocorrelation);
-        }
-    }
-    text
+    let pairs = CODECS.iter().flat_map(|(id, _)| SOURCES.map(|(_, name)| (id, name)));
+    let rows = pairs.map(|(id, name)| {
+        let Noise { mean, max, autocorrelation } = recorded[&((*id).to_owned(), name.to_owned())];
+        format!("`{id}` | {name} | {} | {} | {autocorrelation:.3}", degrees(mean), degrees(max))
+    });
+    markdown_table("codec | offsets | mean error | maximum | from pixel to pixel", rows)
 }
 
 /// Vector instructions of a dithered function on RDNA 2, for one vector.
@@ -184,33 +174,29 @@ fn cost(id: &str, key: &str, operation: Operation) -> Option<f64> {
 
 /// The cost of dither: vector instructions without and with it, for a vector, and the difference between them.
 pub fn cost_table() -> String {
-    let mut text = String::from(
-        "| codec | encode: plain | dithered | more | decode: plain | dithered | more |\n|---|---|---|---|---|---|---|\n",
-    );
-    for id in dithered::CODECS {
+    let rows = dithered::CODECS.map(|id| {
         let cells = Operation::ALL.map(|operation| {
             let plain = costs::vector_instructions(id, operation);
             let dithered = cost(id, dithered::GIVEN, operation);
             let more = plain.zip(dithered).map(|(plain, dithered)| dithered - plain);
             [plain, dithered, more].map(|number| costs::number(number, 1)).join(" | ")
         });
-        text += &format!("| `{id}` | {} |\n", cells.join(" | "));
-    }
-    text
+        format!("`{id}` | {}", cells.join(" | "))
+    });
+    markdown_table("codec | encode: plain | dithered | more | decode: plain | dithered | more", rows)
 }
 
 /// The cost of the keys: vector instructions more than with an offset that is at hand.
 pub fn key_table() -> String {
-    let mut text = String::from("| offset | encode | decode |\n|---|---|---|\n");
-    for key in dithered::KEYS {
+    let rows = dithered::KEYS.map(|key| {
         let cells = Operation::ALL.map(|operation| {
             let of = |key| cost(dithered::KEYED, key, operation);
             let more = of(key).zip(of(dithered::GIVEN)).map(|(with, without)| with - without);
             costs::number(more, 1)
         });
-        text += &format!("| `dither_from_{key}` | {} |\n", cells.join(" | "));
-    }
-    text
+        format!("`dither_from_{key}` | {}", cells.join(" | "))
+    });
+    markdown_table("offset | encode | decode", rows)
 }
 
 /// The greatest error of `eaoct` over its plain maximum. Ring 1 has a point every quarter turn. Moved outwards by half a ring it stands for

@@ -2,26 +2,20 @@
 //! imprecise` writes.
 
 use super::tables::is_shown;
-use std::fmt::Write;
+use super::{markdown_table, recorded};
 use unitvec_catalogue::{CODECS, find};
 use unitvec_lab::imprecise::{Bounds, Summary};
-use unitvec_tests::repository;
 
 /// Random elements of a codec: eight seeds.
 const ELEMENTS: u64 = 8 << 16;
 
-fn recorded() -> Vec<Summary> {
-    let mut reader = csv::Reader::from_path(repository().join("docs/data/imprecise.csv")).unwrap();
-    reader.deserialize().collect::<Result<_, _>>().unwrap()
+fn summaries() -> Vec<Summary> {
+    recorded("imprecise.csv")
 }
 
 /// The table of all codecs, or of those that are recommended.
 pub fn table(rows: &str) -> String {
-    let mut text = String::from(
-        "| codec | codes that differ | at most | components, 2^-24 | at most | angle, degrees | at most | codes lost |\n\
-         |---|---|---|---|---|---|---|---|\n",
-    );
-    for row in recorded().into_iter().filter(|row| is_shown(rows, &row.id)) {
+    let rows = summaries().into_iter().filter(|row| is_shown(rows, &row.id)).map(|row| {
         let most = row.codes_differ_at_most.map_or_else(|| "none".to_owned(), |most| most.to_string());
         let [angle, angle_most] = [row.angle_deg, row.angle_deg_at_most].map(|angle| match angle {
             0.0 => "0".to_owned(),
@@ -30,20 +24,19 @@ pub fn table(rows: &str) -> String {
         let lost =
             if row.is_stable { String::from("0") } else { format!("{} of {}", row.codes_lost, row.codes) };
         let Summary { id, codes_differ, component_ulp, component_ulp_at_most, .. } = row;
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            text,
-            "| `{id}` | {codes_differ} | {most} | {component_ulp:.0} | {component_ulp_at_most:.0} | {angle} | {angle_most} | \
-             {lost} |"
-        );
-    }
-    text
+        format!(
+            "`{id}` | {codes_differ} | {most} | {component_ulp:.0} | {component_ulp_at_most:.0} | {angle} | {angle_most} | \
+             {lost}"
+        )
+    });
+    let titles = "codec | codes that differ | at most | components, 2^-24 | at most | angle, degrees | at most | codes lost";
+    markdown_table(titles, rows)
 }
 
 /// All codecs, of eight seeds; every count below the bound that is derived today; no code lost where none may be.
 #[test]
 fn the_record_is_of_all_codecs_and_within_the_bounds() {
-    let recorded = recorded();
+    let recorded = summaries();
     let ids: Vec<&str> = recorded.iter().map(|row| row.id.as_str()).collect();
     assert_eq!(ids, CODECS.iter().map(|format| format.id).collect::<Vec<_>>());
     for row in &recorded {

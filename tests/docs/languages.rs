@@ -1,10 +1,10 @@
 //! The compilers of shading languages that `cargo xtask renew languages` ran, as `docs/data/languages.csv` has them,
 //! and the costs of barriers, as `docs/data/barriers.csv` has them.
 
+use super::{markdown_table, recorded};
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use unitvec_catalogue::CODECS;
-use unitvec_tests::repository;
 
 /// A compiler and a driver.
 #[derive(Deserialize)]
@@ -26,36 +26,16 @@ struct Row {
     promise: String,
 }
 
-/// Instructions of the kernels of a codec.
-#[derive(Deserialize)]
-struct Barriers {
-    codec: String,
-    operation: String,
-    hlsl: u64,
-    wgsl_plain: u64,
-    wgsl_exact: u64,
-    slang_plain: u64,
-    slang_exact: u64,
-}
-
-fn rows<T: for<'a> Deserialize<'a>>(file: &str) -> Vec<T> {
-    let mut reader = csv::Reader::from_path(repository().join("docs/data").join(file)).unwrap();
-    reader.deserialize().map(Result::unwrap).collect()
-}
-
-fn recorded() -> Vec<Row> {
-    rows("languages.csv")
+fn rows() -> Vec<Row> {
+    recorded("languages.csv")
 }
 
 pub fn table() -> String {
-    let mut text = String::from(
-        "| language | edition | compiler | driver | codes that differ | of special input | error / bound | vectors that differ \
-         | components, 2^-24 | angle / bound |\n|---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    for row in recorded() {
-        let compiler = [row.compiler.as_str(), &row.options].map(str::to_owned);
-        let compiler =
-            compiler.iter().filter(|part| !part.is_empty()).cloned().collect::<Vec<_>>().join(", ");
+    let titles = "language | edition | compiler | driver | codes that differ | of special input | error / bound | vectors that differ \
+                  | components, 2^-24 | angle / bound";
+    let rows = rows().into_iter().map(|row| {
+        let compiler = [row.compiler.as_str(), &row.options].join(", ");
+        let compiler = compiler.trim_end_matches(", ");
         let cells = if row.promise == "compiled" {
             ["compiled", "", "", "", "", ""].map(str::to_owned)
         } else {
@@ -70,34 +50,22 @@ pub fn table() -> String {
             ]
         };
         let driver = if row.driver.is_empty() { "-" } else { &row.driver };
-        text += &format!(
-            "| {} | {} | {compiler} | {driver} | {} |\n",
-            row.language,
-            row.edition,
-            cells.join(" | ")
-        );
-    }
-    text
+        format!("{} | {} | {compiler} | {driver} | {}", row.language, row.edition, cells.join(" | "))
+    });
+    markdown_table(titles, rows)
 }
 
 /// The instructions that barriers add to a kernel.
 pub fn barriers() -> String {
-    let mut text = String::from(
-        "| codec | operation | HLSL | WGSL, plain | WGSL, exact | Slang, plain | Slang, exact |\n|---|---|---|---|---|---|---|\n",
-    );
-    for row in rows::<Barriers>("barriers.csv") {
-        let Barriers { codec, operation, hlsl, wgsl_plain, wgsl_exact, slang_plain, slang_exact } = row;
-        text += &format!(
-            "| `{codec}` | {operation} | {hlsl} | {wgsl_plain} | {wgsl_exact} | {slang_plain} | {slang_exact} |\n"
-        );
-    }
-    text
+    let titles = "codec | operation | HLSL | WGSL, plain | WGSL, exact | Slang, plain | Slang, exact";
+    let rows = recorded::<(String, Vec<String>)>("barriers.csv").into_iter();
+    markdown_table(titles, rows.map(|(codec, cells)| format!("`{codec}` | {}", cells.join(" | "))))
 }
 
 /// The claims of docs/agreement.md on the table: every compiler took both kernels of every codec, and kept promises.
 #[test]
 fn all_compilers_keep_their_promises() {
-    for row in recorded() {
+    for row in rows() {
         let name =
             format!("{} {}, {} {}, {}", row.language, row.edition, row.compiler, row.options, row.driver);
         assert_eq!(row.kernels, 2 * CODECS.len(), "{name}: cargo xtask renew languages");
@@ -116,7 +84,7 @@ fn all_compilers_keep_their_promises() {
 /// Every language runs somewhere, those with an exact edition in both; WGSL by two compilers and on three drivers.
 #[test]
 fn the_record_is_of_all_languages() {
-    let rows = recorded();
+    let rows = rows();
     let of = |language: &str| rows.iter().filter(|row| row.language == language).collect::<Vec<_>>();
     for (language, editions) in [
         ("HLSL", &["plain"][..]),

@@ -3,8 +3,6 @@
 //! `<!-- generated: NAME -->` begins a generated part, `<!-- end -->` ends it. `cargo xtask renew tables` writes them all again.
 
 pub mod accuracy;
-mod browsers;
-mod claims;
 pub mod costs;
 mod dither;
 mod drivers;
@@ -20,41 +18,35 @@ mod stubs;
 mod tables;
 pub mod textbook;
 
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
-use unitvec_tests::repository;
+use unitvec_tests::{files, repository};
 
 const BEGIN: &str = "<!-- generated: ";
 const END: &str = "<!-- end -->";
 
-/// True where files are to be written and not compared.
-fn is_blessing() -> bool {
-    std::env::var_os("BLESS").is_some()
-}
-
-/// Compares a committed file with the expected text, or writes it.
-fn compare(path: &Path, expected: &str) {
+/// Compares a committed file with the expected text, or writes it where `BLESS` is set.
+pub fn compare(path: &Path, expected: &str) {
     let committed = std::fs::read_to_string(path).unwrap_or_default();
-    if is_blessing() && committed != expected {
+    if std::env::var_os("BLESS").is_some() && committed != expected {
         unitvec_files::write_file(path, expected.as_bytes()).unwrap();
     } else {
         assert!(committed == expected, "{} is stale: `cargo xtask renew` writes it again", path.display());
     }
 }
 
-/// The files of these extensions in a folder and below, except build outputs.
-fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if path.is_dir() && name != "target" && !name.starts_with('.') {
-            found.extend(files(&path, extensions));
-        } else if extensions.iter().any(|extension| name.ends_with(extension)) {
-            found.push(path);
-        }
-    }
-    found.sort();
-    found
+/// The rows of a file of `docs/data/`. Tabs part the cells of a `.tsv`, commas others.
+fn recorded<T: for<'a> Deserialize<'a>>(file: &str) -> Vec<T> {
+    let delimiter = if file.ends_with(".tsv") { b'\t' } else { b',' };
+    let path = repository().join("docs/data").join(file);
+    let mut reader = csv::ReaderBuilder::new().delimiter(delimiter).from_path(path).unwrap();
+    reader.deserialize().collect::<Result<_, _>>().unwrap()
+}
+
+/// A table in Markdown, with these titles and rows; bars part their cells.
+fn markdown_table(titles: &str, rows: impl IntoIterator<Item = String>) -> String {
+    let head = format!("| {titles} |\n|{}\n", "---|".repeat(titles.split('|').count()));
+    rows.into_iter().fold(head, |text, row| text + &format!("| {row} |\n"))
 }
 
 /// All Markdown of the repository.

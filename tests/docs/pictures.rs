@@ -1,5 +1,6 @@
 //! The pictures in docs/figures/, and the docs' words about them.
 
+use super::markdown_table;
 use super::tables::degrees;
 use serde_json::Value;
 use std::collections::BTreeSet;
@@ -27,40 +28,30 @@ fn number(figures: &Value, name: &str) -> f64 {
 /// Effects of dither on a highlight, still and turning.
 pub fn dither() -> String {
     let figures = figures();
-    let mut text = String::from(
-        "| offsets | from pixel to pixel | left after a blur, over 30 frames | as a part of plain |\n|---|---|---|---|\n",
-    );
-    let crawl = |label: &str| {
-        number(
-            &figures,
-            &format!("turning panel, {label}, temporal variance of the highlight, means of 8 x 8 pixels"),
-        )
-    };
-    for key in ["plain", "by pixel", "by blue noise", "by position"] {
-        let label = format!("oct16 {key}");
-        let shared = number(
-            &figures,
-            &format!("highlight, {label}, autocorrelation of the difference in the part shown"),
-        );
-        let left = crawl(&label);
-        let part = left / crawl("oct16 plain");
-        text +=
-            &format!("| {} | {shared:.2} | {} | {part:.2} |\n", key.trim_start_matches("by "), degrees(left));
-    }
-    text
+    let rows = ["plain", "by pixel", "by blue noise", "by position"].map(|key| {
+        let name = format!("highlight, oct16 {key}, autocorrelation of the difference in the part shown");
+        let (shared, left) = (number(&figures, &name), crawl(&figures, key));
+        let part = left / crawl(&figures, "plain");
+        format!("{} | {shared:.2} | {} | {part:.2}", key.trim_start_matches("by "), degrees(left))
+    });
+    markdown_table(
+        "offsets | from pixel to pixel | left after a blur, over 30 frames | as a part of plain",
+        rows,
+    )
+}
+
+/// The rest of a highlight after a blur, over 30 frames, of `oct16` with these offsets.
+fn crawl(figures: &Value, key: &str) -> f64 {
+    let of = "temporal variance of the highlight, means of 8 x 8 pixels";
+    number(figures, &format!("turning panel, oct16 {key}, {of}"))
 }
 
 /// Dithered bands crawl less: the rest after a blur is under a fifth of the rest without dither.
 #[test]
 fn dither_keeps_bands_from_crawling() {
     let figures = figures();
-    let crawl = |label: &str| {
-        let name =
-            format!("turning panel, {label}, temporal variance of the highlight, means of 8 x 8 pixels");
-        number(&figures, &name)
-    };
-    for key in ["pixel", "blue noise", "position"] {
-        let (dithered, plain) = (crawl(&format!("oct16 by {key}")), crawl("oct16 plain"));
+    for key in ["by pixel", "by blue noise", "by position"] {
+        let (dithered, plain) = (crawl(&figures, key), crawl(&figures, "plain"));
         assert!(dithered < 0.2 * plain, "{key}: {dithered} of {plain}");
     }
 }

@@ -1,5 +1,6 @@
 //! Errors of directions in formats that the hardware rounds to, as docs/formats.md has them.
 
+use super::markdown_table;
 use super::tables::degrees;
 use unitvec::azimuthal::{self, Ellipse, Eqarea};
 use unitvec::glam::{Vec2, Vec3};
@@ -83,23 +84,21 @@ fn measure() {
 
 /// The committed measurements: mean, maximum and axes, in the order of [`ROWS`].
 fn recorded() -> Vec<[f64; 3]> {
-    let text = std::fs::read_to_string(repository().join("docs/data/projected.csv")).unwrap();
-    let rows = text.lines().skip(1).zip(ROWS).map(|(line, row)| {
-        let fields: Vec<&str> = line.split(',').collect();
-        assert_eq!([fields[0], fields[1]], [row.0, row.1]);
-        [2, 3, 4].map(|index| fields[index].parse().unwrap())
+    let rows = super::recorded::<(String, String, f64, f64, f64)>("projected.csv").into_iter();
+    let rows = rows.zip(ROWS).map(|((name, format, mean, max, axes), row)| {
+        assert_eq!((&*name, &*format), (row.0, row.1));
+        [mean, max, axes]
     });
     rows.collect()
 }
 
 /// The table of docs/formats.md.
 pub fn table() -> String {
-    let head = "| projection | format | mean error | maximum | worst of the axes |\n|---|---|---|---|---|\n";
     let rows = recorded().into_iter().zip(ROWS).map(|([mean, max, axes], (name, format, _))| {
         let axes = if axes < 1e-4 { "0".to_owned() } else { degrees(axes) };
-        format!("| `{name}` | `{format}` | {} | {} | {axes} |\n", degrees(mean), degrees(max))
+        format!("`{name}` | `{format}` | {} | {} | {axes}", degrees(mean), degrees(max))
     });
-    head.to_owned() + &rows.collect::<String>()
+    markdown_table("projection | format | mean error | maximum | worst of the axes", rows)
 }
 
 /// +Z as the pair of a UNORM of `most` steps next to the middle, by listing 2: `atan(sqrt(2) a / (1 - 2 a))` off with a = 1 / most.

@@ -1,11 +1,12 @@
 //! Checks of the words around the tables.
 
-use super::{BEGIN, END, files, markdown, tables};
+use super::{BEGIN, END, markdown, tables};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::{CODECS, frames, vectors};
 use unitvec_tests::program::run;
-use unitvec_tests::repository;
+use unitvec_tests::{files, repository};
+use unitvec_vulkan::{GROUP, WORKGROUP};
 
 fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
@@ -102,6 +103,25 @@ fn the_quoted_line_is_what_encode_says() {
     let output = run(["encode", "--codec", "oct24p", bunny.to_str().unwrap(), out.to_str().unwrap()]);
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(read(&repository().join("README.md")).contains(&format!("`{}`", said.trim_end())), "{said}");
+}
+
+/// docs/kernels.md: how many vectors fit the least limits of Vulkan, and how they are shared out.
+#[test]
+fn limits_of_a_dispatch() {
+    let text = read(&repository().join("docs/kernels.md")).split_whitespace().collect::<Vec<_>>().join(" ");
+    let grouped = |number: usize| match number {
+        ..1_000_000 => format!("{} {:03}", number / 1000, number % 1000),
+        _ => format!("{} {:03} {:03}", number / 1_000_000, number / 1000 % 1000, number % 1000),
+    };
+    let taken = GROUP * WORKGROUP;
+    for said in [
+        format!("{WORKGROUP} invocations, which take {taken} vectors"),
+        format!("{} vectors or {} frames", grouped((1 << 27) / 12), grouped((1 << 27) / 28)),
+        format!("{}, which take {}", grouped(65_535), grouped(65_535 * taken)),
+        format!("(count + {}) / {taken}", taken - 1),
+    ] {
+        assert!(text.contains(&said), "{said}");
+    }
 }
 
 /// Numbers of bits in texts are the catalogue's: for vectors, or for frames too.

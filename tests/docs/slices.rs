@@ -1,5 +1,6 @@
 //! Costs of slices on a CPU, as `docs/data/slices.json` has them.
 
+use super::markdown_table;
 use serde_json::Value;
 use std::sync::OnceLock;
 use unitvec_tests::repository;
@@ -29,21 +30,14 @@ pub fn machine() -> String {
 
 /// The table of an operation. The copy is of vectors as they lie in memory: meshopt's have four components.
 pub fn table(operation: &str) -> String {
-    let mut text = format!(
-        "| {operation} | 1k, ns | 64k, ns | 16M, ns | speed / meshopt16, 64k | speed / memcpy, 16M |\n\
-         |---|---|---|---|---|---|\n"
-    );
-    for (name, own) in rows(operation) {
+    let titles =
+        format!("{operation} | 1k, ns | 64k, ns | 16M, ns | speed / meshopt16, 64k | speed / memcpy, 16M");
+    let rows = rows(operation).map(|(name, own)| {
         let four_components = operation == "decode" && ["meshopt16", "oct32-i16x4"].contains(&name);
         let copy = ns(operation, if four_components { "memcpy8" } else { "memcpy12" });
-        text += &format!(
-            "| `{name}` | {:.2} | {:.2} | {:.2} | {:.2} | {:.2} |\n",
-            own[0],
-            own[1],
-            own[2],
-            ns(operation, "meshopt16")[1] / own[1],
-            copy[2] / own[2]
-        );
-    }
-    text
+        let [few, some, many] = own;
+        let [faster, of_copy] = [ns(operation, "meshopt16")[1] / some, copy[2] / many];
+        format!("`{name}` | {few:.2} | {some:.2} | {many:.2} | {faster:.2} | {of_copy:.2}")
+    });
+    markdown_table(&titles, rows)
 }

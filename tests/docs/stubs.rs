@@ -1,8 +1,8 @@
 //! `shaders/stubs/`: the includes of shaders that are to be linked, made from the catalogue.
 
-use super::{compare, files};
+use super::compare;
 use unitvec_link::stubs::{Language, text};
-use unitvec_tests::repository;
+use unitvec_tests::{files, repository};
 
 /// Every language has its file, as `unitvec link --stubs` prints it, and there is no other.
 #[test]

@@ -2,21 +2,21 @@
 
 use super::accuracy::{self, Errors};
 use super::{
-    costs, dither, drivers, files, imprecise, languages, pictures, processors, projected, slices, textbook,
+    costs, dither, drivers, imprecise, languages, markdown_table, pictures, processors, projected, slices,
+    textbook,
 };
-use std::collections::BTreeMap;
 use std::path::PathBuf;
-use unitvec_catalogue::{AnyCodec, Domain, find, frames, vectors};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, find, frames, vectors};
 use unitvec_choose::RECOMMENDED;
 use unitvec_lab::accuracy::{Table, covering_bound_deg};
-use unitvec_tests::repository;
+use unitvec_tests::{files, repository};
 
 /// The table of this name, if there is one.
 pub fn table(name: &str) -> Option<String> {
     let (kind, rest) = name.split_once(' ').unwrap_or((name, ""));
     Some(match kind {
-        "which" => which(false, |id| format!("`{id}`")),
-        "which-type" => which(true, |id| format!("[`{}`]", type_of(id))),
+        "which" => which(false, |codec| format!("`{}`", codec.id)),
+        "which-type" => which(true, |codec| format!("[`{}`]", codec.rust_type)),
         "families" => families(),
         "codecs" => codecs(rest),
         "frames" => codecs_of_frames(),
@@ -67,29 +67,17 @@ fn errors_of(id: &str) -> String {
     mean_and_max(accuracy::of(id, "direction"))
 }
 
-/// The error that the bound allows no direction to exceed.
-fn bound_of(codec: &AnyCodec) -> String {
-    degrees(f64::from(codec.max_error_deg()))
-}
-
-fn type_of(id: &str) -> &'static str {
-    find(id).unwrap().rust_type
-}
-
-fn which(is_whole: bool, name: impl Fn(&str) -> String) -> String {
-    let mut text = String::from(
-        "| for | codec | bits | mean / max error, degrees | cost: encode / decode |\n|---|---|---|---|---|\n",
-    );
-    for row in RECOMMENDED {
+/// The codecs that are recommended: all, or one of each row's.
+fn which(is_whole: bool, name: fn(&AnyCodec) -> String) -> String {
+    let rows = RECOMMENDED.iter().flat_map(|row| {
         let shown = if is_whole { row.codecs } else { row.short() };
-        for (index, id) in shown.iter().enumerate() {
-            let purpose = if index == 0 { row.purpose } else { "" };
-            let codec = find(id).unwrap();
-            let (bits, errors) = (codec.bits, all_errors_of(codec));
-            text += &format!("| {purpose} | {} | {bits} | {errors} | {} |\n", name(id), costs::both(id));
-        }
-    }
-    text
+        shown.iter().enumerate().map(move |(index, id)| {
+            let (purpose, codec) = (if index == 0 { row.purpose } else { "" }, find(id).unwrap());
+            let (errors, costs) = (all_errors_of(codec), costs::both(id));
+            format!("{purpose} | {} | {} | {errors} | {costs}", name(codec), codec.bits)
+        })
+    });
+    markdown_table("for | codec | bits | mean / max error, degrees | cost: encode / decode", rows)
 }
 
 /// Mean and maximum of a codec, with the part of each where there are several.
@@ -122,31 +110,21 @@ fn module(family: &str) -> (PathBuf, String) {
 
 /// Families with two parameters at 16, 24 and 32 bits, `soctN` with a bit more: one row each.
 fn families() -> String {
-    let mut rows: BTreeMap<usize, (String, &AnyCodec, [Option<String>; 3])> = BTreeMap::new();
-    let mut order = Vec::new();
-    for codec in
-        vectors().iter().filter(|codec| !["snorm", "unorm", "float", "best_fit"].contains(&codec.family))
-    {
-        let key = family(codec.id);
-        let index = order.iter().position(|other| *other == key).unwrap_or_else(|| {
-            order.push(key.clone());
-            order.len() - 1
-        });
-        let (.., cells) = rows.entry(index).or_insert((key, codec, [None, None, None]));
-        if let Some(column) = [16, 24, 32].iter().position(|bits| codec.bits / 2 * 2 == *bits) {
-            cells[column] = Some(errors_of(codec.id));
-        }
-    }
-    let mut text =
-        String::from("| identifier | family | 16 bits | 24 bits | 32 bits |\n|---|---|---|---|---|\n");
-    for (key, codec, cells) in rows.into_values() {
-        if let [Some(first), Some(second), Some(third)] = cells {
-            let (path, subject) = module(codec.family);
-            text +=
-                &format!("| `{key}` | [{subject}](../{}) | {first} | {second} | {third} |\n", path.display());
-        }
-    }
-    text
+    let has_two = |codec: &&AnyCodec| !["snorm", "unorm", "float", "best_fit"].contains(&codec.family);
+    let all: Vec<(String, &AnyCodec)> =
+        vectors().iter().filter(has_two).map(|codec| (family(codec.id), codec)).collect();
+    let of = |key: &str, bits: u32| {
+        let found = all.iter().find(|(other, codec)| other == key && codec.bits / 2 * 2 == bits)?;
+        Some(errors_of(found.1.id))
+    };
+    let firsts =
+        all.iter().enumerate().filter(|(at, (key, _))| all[..*at].iter().all(|(other, _)| other != key));
+    let rows = firsts.filter_map(|(_, (key, codec))| {
+        let cells = [of(key, 16)?, of(key, 24)?, of(key, 32)?].join(" | ");
+        let (path, subject) = module(codec.family);
+        Some(format!("`{key}` | [{subject}](../{}) | {cells}", path.display()))
+    });
+    markdown_table("identifier | family | 16 bits | 24 bits | 32 bits", rows)
 }
 
 /// The published errors of a codec: mean and maximum.
@@ -157,99 +135,72 @@ fn published(codec: &AnyCodec) -> Option<String> {
     Some(format!("{} / {}", row.mean_error_deg, row.max_error_deg))
 }
 
+/// The format's name, without the beginning that all have.
+fn vk_format(codec: &AnyCodec) -> &str {
+    codec.vk_format.unwrap_or_default().trim_start_matches("VK_FORMAT_")
+}
+
 /// Names, formats and errors of the codecs of vectors.
 fn codecs(rows: &str) -> String {
-    let mut text = String::from(
-        "| codec | Rust type | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max |\n\
-         |---|---|---|---|---|---|---|---|---|\n",
-    );
-    for codec in vectors().iter().filter(|codec| is_shown(rows, codec.id)) {
-        let format = codec.vk_format.map_or("", |format| format.trim_start_matches("VK_FORMAT_"));
+    let shown = vectors().iter().filter(|codec| is_shown(rows, codec.id)).map(|codec| {
+        let AnyCodec { id, rust_type, bits, bytes, .. } = codec;
         let published = published(codec);
         let name = if published.is_some() { codec.survey_name } else { "" };
-        text += &format!(
-            "| `{}` | `{}` | {name} | {} | {} | {format} | {} | {} | {} |\n",
-            codec.id,
-            codec.rust_type,
-            codec.bits,
-            codec.bytes,
-            errors_of(codec.id),
-            bound_of(codec),
-            published.unwrap_or_default(),
-        );
-    }
-    text
+        let (format, errors, published) = (vk_format(codec), errors_of(id), published.unwrap_or_default());
+        let bound = degrees(codec.max_error_deg().into());
+        format!(
+            "`{id}` | `{rust_type}` | {name} | {bits} | {bytes} | {format} | {errors} | {bound} | {published}"
+        )
+    });
+    let titles = "codec | Rust type | survey's name | bits | bytes | Vulkan format | mean / max | bound | survey: mean / max";
+    markdown_table(titles, shown)
 }
 
 /// Every codec of frames.
 fn codecs_of_frames() -> String {
-    let mut text = String::from(
-        "| codec | Rust type | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: \
-         encode / decode |\n|---|---|---|---|---|---|---|---|---|---|\n",
-    );
-    for codec in frames() {
-        text += &format!(
-            "| `{}` | `{}` | {} | {} | {} | {} | {} | {} | {} | {} |\n",
-            codec.id,
-            codec.rust_type,
-            codec.bits,
-            codec.bytes,
-            codec.vk_format.unwrap_or_default().trim_start_matches("VK_FORMAT_"),
-            mean_and_max(accuracy::of(codec.id, "normal")),
-            degrees(f64::from(codec.max_errors_deg[0])),
-            mean_and_max(accuracy::of(codec.id, "tangent")),
-            degrees(f64::from(codec.max_errors_deg[1])),
-            costs::both(codec.id)
-        );
-    }
-    text
+    let rows = frames().iter().map(|codec| {
+        let AnyCodec { id, rust_type, bits, bytes, .. } = codec;
+        let errors = parts(codec)
+            .map(|(part, bound)| format!("{} | {}", mean_and_max(accuracy::of(id, part)), degrees(bound)));
+        let errors = errors.collect::<Vec<_>>().join(" | ");
+        let (format, costs) = (vk_format(codec), costs::both(id));
+        format!("`{id}` | `{rust_type}` | {bits} | {bytes} | {format} | {errors} | {costs}")
+    });
+    let titles = "codec | Rust type | bits | bytes | Vulkan format | normal: mean / max | bound | tangent: mean / max | bound | cost: \
+                  encode / decode";
+    markdown_table(titles, rows)
+}
+
+/// The decoded parts of a codec, each with its bound.
+fn parts(codec: &AnyCodec) -> impl Iterator<Item = (&'static str, f64)> {
+    let bounds = codec.max_errors_deg.iter().map(|bound| f64::from(*bound));
+    codec.element.directions().iter().copied().zip(bounds)
 }
 
 /// The error that no code can beat, and how far above it some are.
 fn bound() -> String {
     let ids = ["icoN", "fibN", "eaoctNp", "latlongNd", "octNp", "octN"];
-    let mut text = String::from("| bits | the bound: mean / max, degrees |");
-    ids.iter().for_each(|id| text += &format!(" `{id}` |"));
-    text += &format!("\n|---|---|{}\n", "---|".repeat(ids.len()));
-    for bits in [16, 24, 32] {
+    let rows = [16, 24, 32].map(|bits: u32| {
         let (mean, max) = covering_bound_deg(bits, Domain::Sphere);
-        text += &format!("| {bits} | {} |", mean_and_max(Errors { mean, max }));
-        for id in ids {
-            let codec = find(&id.replace('N', &bits.to_string())).unwrap();
-            let [mean, max] = accuracy::over_bound(codec);
-            text += &format!(" {mean:.3} / {max:.3} |");
-        }
-        text.push('\n');
-    }
-    text
+        let cells = ids.map(|id| {
+            let [mean, max] = accuracy::over_bound(find(&id.replace('N', &bits.to_string())).unwrap());
+            format!("{mean:.3} / {max:.3}")
+        });
+        format!("{bits} | {} | {}", mean_and_max(Errors { mean, max }), cells.join(" | "))
+    });
+    let titles = ids.map(|id| format!("`{id}`")).join(" | ");
+    markdown_table(&format!("bits | the bound: mean / max, degrees | {titles}"), rows)
 }
 
 /// The errors of a module's codecs.
 fn errors(module: &str) -> String {
-    if module == "frame" {
-        return frame_rows();
-    }
-    let mut text = String::from("| degrees | mean | max | bound |\n|---|---|---|---|\n");
-    for codec in vectors().iter().filter(|codec| codec.family == module) {
-        let Errors { mean, max } = accuracy::of(codec.id, "direction");
-        text += &format!("| `{}` | {} | {} | {} |\n", codec.id, degrees(mean), degrees(max), bound_of(codec));
-    }
-    text
-}
-
-fn frame_rows() -> String {
-    let mut text = String::from("| degrees | mean | max | bound |\n|---|---|---|---|\n");
-    for codec in frames() {
-        for (part, bound) in codec.element.directions().iter().zip(codec.max_errors_deg) {
+    let codecs = CODECS.iter().filter(|codec| codec.family == module);
+    let rows = codecs.flat_map(|codec| {
+        parts(codec).map(|(part, bound)| {
             let Errors { mean, max } = accuracy::of(codec.id, part);
-            text += &format!(
-                "| `{}`, {part} | {} | {} | {} |\n",
-                codec.id,
-                degrees(mean),
-                degrees(max),
-                degrees(f64::from(*bound))
-            );
-        }
-    }
-    text
+            let of = if part == "direction" { String::new() } else { format!(", {part}") };
+            format!("`{}`{of} | {} | {} | {}", codec.id, degrees(mean), degrees(max), degrees(bound))
+        })
+    });
+    markdown_table("degrees | mean | max | bound", rows)
 }

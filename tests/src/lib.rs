@@ -27,6 +27,25 @@ pub fn repository() -> PathBuf {
     here.parent().unwrap_or(here).to_owned()
 }
 
+/// The files of these extensions in a folder and below, except build outputs.
+///
+/// # Panics
+/// If the folder cannot be read.
+pub fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        if path.is_dir() && name != "target" && !name.starts_with('.') {
+            found.extend(files(&path, extensions));
+        } else if extensions.iter().any(|extension| name.ends_with(extension)) {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
 /// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and those that serve several of them.
 pub fn glsl_families() -> BTreeSet<String> {
     CODECS.iter().map(AnyCodec::glsl_file).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
