@@ -24,39 +24,34 @@ fn number(row: &Value, key: &str) -> f64 {
     row[key].as_f64().unwrap_or_else(|| panic!("{key} of {row}"))
 }
 
-/// The rows of a table over 10^6 directions, measured once for all tests.
-fn measured(table: &'static str) -> &'static [Value] {
-    static TABLES: [(&str, OnceLock<Vec<Value>>); 3] =
-        [("1", OnceLock::new()), ("3", OnceLock::new()), ("beyond", OnceLock::new())];
-    let (_, cell) = TABLES.iter().find(|(name, _)| *name == table).unwrap();
-    cell.get_or_init(|| rows(&["--seed", "6", "--table", table]))
-}
-
 /// The rows of Meyer's table, with float64 intermediates asked for.
 fn meyers() -> &'static [Value] {
     static ROWS: OnceLock<Vec<Value>> = OnceLock::new();
     ROWS.get_or_init(|| rows(&["--table", "meyer", "--count", "1000", "--float64"]))
 }
 
-/// The factor by which a maximum may be above the survey's.
-///
-/// The worst directions of the equal-area maps lie in a few cells at the disk's rim, which 10^6 directions hit or miss:
-/// over twelve seeds the maximum of eqarea22 was 1.027 to 1.045 times the survey's, eqarea_concentric22's 1.020 to
-/// 1.044 times; the survey's own sample stayed 5 % below its format's supremum.
-fn max_ratio(id: &str) -> f64 {
-    if id == "eqarea22" || id == "eqarea_concentric22" { 1.05 } else { 1.04 }
-}
-
-/// Every row over 10^6 directions: mean at most 1.01 times the survey's, maximum at most 1.04 times.
+/// Rows come in the survey's order, and each carries its table and codec. Mean and maximum over 2 * 10^5 directions are
+/// at most 1.01 and 1.05 times the survey's, but for the noise of the sample: `expected::errors` has why.
 #[test]
-fn every_row_meets_the_survey() {
-    for row in ["1", "3"].into_iter().flat_map(measured) {
-        let mean_limit = 1.01 * (number(row, "survey_mean_deg") + PRINTED);
-        let max_limit = max_ratio(row["id"].as_str().unwrap()) * (number(row, "survey_max_deg") + PRINTED);
-        assert!(number(row, "mean_deg") <= mean_limit, "{row}");
-        assert!(number(row, "max_deg") <= max_limit, "{row}");
-        // Nothing beats the covering bound by more than the noise of 10^6 samples.
-        assert!(number(row, "mean_deg") >= 0.999 * number(row, "bound_mean_deg"), "{row}");
+fn rows_are_those_of_the_survey() {
+    for (name, table) in [("1", Table::One), ("3", Table::Three)] {
+        let rows = rows(&["--seed", "6", "--table", name, "--count", "200000"]);
+        let text = |row: &Value, key: &str| row[key].as_str().unwrap().to_owned();
+        let published = table.published();
+        let expected =
+            published.iter().filter_map(|row| Some((row.codec()?.id.to_owned(), row.name.clone())));
+        let actual = rows.iter().map(|row| (text(row, "id"), text(row, "survey_name")));
+        assert_eq!(actual.collect::<Vec<_>>(), expected.collect::<Vec<_>>());
+        for row in &rows {
+            assert_eq!(row["table"], name);
+            let noise = 3.0 * number(row, "mean_standard_error_deg");
+            let mean_limit = 1.01 * (number(row, "survey_mean_deg") + PRINTED) + noise;
+            let max_limit = 1.05 * (number(row, "survey_max_deg") + PRINTED);
+            assert!(number(row, "mean_deg") <= mean_limit, "{row}");
+            assert!(number(row, "max_deg") <= max_limit, "{row}");
+            // Nothing beats the covering bound by more than the noise of the sample.
+            assert!(number(row, "mean_deg") >= 0.997 * number(row, "bound_mean_deg"), "{row}");
+        }
     }
 }
 
@@ -103,23 +98,6 @@ fn float_rounding(method: &str) -> f64 {
         "PP" => 2f64.powi(-20).sqrt(),
         "SPP" => 1.1e-6,
         _ => 5.62e-8,
-    }
-}
-
-/// Rows come in the survey's order, and each carries its table, codec and bits.
-#[test]
-fn rows_are_those_of_the_survey() {
-    for (name, table) in [("1", Table::One), ("3", Table::Three)] {
-        let rows = rows(&["--table", name, "--count", "100"]);
-        let published = table.published();
-        let expected: Vec<(&str, &str)> =
-            published.iter().filter_map(|row| Some((row.codec()?.id, row.name.as_str()))).collect();
-        let actual: Vec<(&str, &str)> = rows
-            .iter()
-            .map(|row| (row["id"].as_str().unwrap(), row["survey_name"].as_str().unwrap()))
-            .collect();
-        assert_eq!(actual, expected);
-        assert!(rows.iter().all(|row| row["table"] == name));
     }
 }
 
@@ -188,52 +166,6 @@ fn float64_intermediates_change_little() {
         let (mean, max) = (number(row, "float64_mean_deg"), number(row, "float64_max_deg"));
         assert!((mean / number(row, "mean_deg") - 1.0).abs() < 0.01, "{row}");
         assert!(max / number(row, "max_deg") < 1.02, "{row}");
-    }
-}
-
-/// A codec of ours has, at 16, 24 and 32 bits, a lower maximum than every row of the survey's table 1, as published and
-/// as measured with the same seed, and a mean no higher, to three standard errors.
-#[test]
-fn the_survey_is_beaten_at_the_usual_widths() {
-    for bits in [16.0, 24.0, 32.0] {
-        let of_table = |table| measured(table).iter().filter(move |row| row["bits"] == bits);
-        let beats = |ours: &Value, theirs: &Value| {
-            let (mean, error) = (number(ours, "mean_deg"), number(ours, "mean_standard_error_deg"));
-            let slack = 3.0 * error.hypot(number(theirs, "mean_standard_error_deg"));
-            number(ours, "max_deg") < number(theirs, "max_deg")
-                && number(ours, "max_deg") < number(theirs, "survey_max_deg")
-                && mean <= number(theirs, "mean_deg") + slack
-                && mean <= number(theirs, "survey_mean_deg") + PRINTED + 3.0 * error
-        };
-        assert!(of_table("1").count() >= 14, "{bits}");
-        let winners = of_table("beyond").filter(|ours| of_table("1").all(|theirs| beats(ours, theirs)));
-        assert!(winners.count() > 0, "{bits}");
-    }
-}
-
-/// The icosahedral lattice against the covering bound, and the equal-area octahedron against the plain one.
-#[test]
-fn codecs_beyond_the_survey_are_as_near_the_bound_as_they_should_be() {
-    let beyond = measured("beyond");
-    let find = |id: &str| beyond.iter().find(|row| row["id"] == id).unwrap();
-    for id in ["ico24", "ico32"] {
-        let row = find(id);
-        assert!(number(row, "mean_deg") <= 1.005 * number(row, "bound_mean_deg"), "{row}");
-        assert!(number(row, "max_deg") <= 1.02 * number(row, "bound_max_deg"), "{row}");
-        // The search for the maximum has found places that come near it.
-        assert!(number(row, "max_deg") >= 1.01 * number(row, "bound_max_deg"), "{row}");
-    }
-    let survey = measured("1");
-    for bits in [16, 20, 22, 24, 32] {
-        let ours = find(&format!("eaoct{bits}p"));
-        let Some(plain) = survey.iter().find(|row| row["id"] == format!("oct{bits}p")) else { continue };
-        assert!(number(ours, "mean_deg") < number(plain, "mean_deg"), "{ours}");
-        assert!(number(ours, "max_deg") < number(plain, "max_deg"), "{ours}");
-    }
-    let frames: Vec<&Value> = beyond.iter().filter(|row| row["id"] == "frame32").collect();
-    assert_eq!(frames.len(), 2);
-    for row in frames {
-        assert!(number(row, "max_deg") < number(row, "survey_max_deg"), "{row}");
     }
 }
 

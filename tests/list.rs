@@ -5,7 +5,7 @@
 use crate::docs::costs::is_measured;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
-use unitvec_catalogue::{CODECS, Operation, frames};
+use unitvec_catalogue::{AnyCodec, CODECS, Operation, frames, vectors};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, beyond};
 use unitvec_manifest::modules::Modules;
@@ -45,6 +45,15 @@ fn nothing_is_lacking() {
     }
     lacking.extend(lacking_glsl());
     assert!(lacking.is_empty(), "lacking:\n{}", lacking.join("\n"));
+}
+
+/// Identifiers and the survey's names are unique.
+#[test]
+fn names_are_unique() {
+    let names =
+        |name: fn(&AnyCodec) -> &'static str| vectors().iter().map(name).collect::<BTreeSet<_>>().len();
+    let count = vectors().len();
+    assert_eq!([names(|codec| codec.id), names(|codec| codec.survey_name)], [count; 2]);
 }
 
 /// Released codecs stay: a codec with a digest is in the list.

@@ -4,7 +4,6 @@ mod accuracy;
 mod azimuthal;
 mod best_fit;
 mod c_abi;
-mod catalogue;
 mod cli;
 mod client;
 mod components;
@@ -52,7 +51,6 @@ mod suite;
 mod terminal;
 #[cfg(feature = "glsl")]
 mod textbook;
-mod totality;
 mod trig;
 mod unoptimised;
 mod vectors;

@@ -1,7 +1,6 @@
 //! The slice functions are the scalar ones, bit for bit: for every codec of the list, every instruction set of this
 //! machine, every length up to a block and more, and whatever lies in each lane; also snorm with a fourth component and
-//! tables. Properties that do not depend on the codec are tested with one codec of each size of codes: slices of
-//! `Vec3`, and all cores.
+//! tables. All cores are tested with one codec of each size of codes; `vectors.rs` has slices of other vectors.
 
 use glam::Vec3;
 use std::marker::PhantomData;
@@ -12,17 +11,10 @@ use unitvec::slice::{
     decode_slice, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, par_decode_slice, par_encode_slice,
 };
 use unitvec::table::{DecodeTable, TableSizeMismatch};
-use unitvec::{Codec, Listed, for_each_codec};
+use unitvec::{Codec, Listed, Oct16, Oct24, Oct48, OctPrecise32, OctPrecise52, for_each_codec};
 use unitvec_catalogue::{self as catalogue, AnyCodec, CODECS};
 use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{Rng, sphere};
-
-/// Calls `check::<codec>(arguments)` for each of these codecs.
-macro_rules! for_codecs {
-    ($check:ident $arguments:tt: $($codec:ident)*) => {
-        $($check::<unitvec::$codec> $arguments;)*
-    };
-}
 
 /// Up to a block of the slice functions and more than a group of the next.
 const LENGTHS: std::ops::RangeInclusive<usize> = 0..=85;
@@ -190,30 +182,6 @@ fn i16x4_at_every_length() {
     for_each_codec!(check_all);
 }
 
-/// Slices of `Vec3` are slices of `[f32; 3]`, and the level chosen by itself gives the same bits.
-fn check_vec3<C: Listed>(arrays: &[[f32; 3]]) {
-    let vectors: Vec<Vec3> = arrays.iter().copied().map(Vec3::from_array).collect();
-    let mut expected = vec![0; arrays.len() * C::BYTES];
-    let mut codes = expected.clone();
-    encode_slice::<C>(arrays, &mut expected).unwrap();
-    encode_slice::<C>(&vectors, &mut codes).unwrap();
-    assert_eq!(codes, expected, "{}", C::NAME);
-
-    let mut expected = arrays.to_vec();
-    let mut decoded = vectors;
-    decode_slice::<C>(&codes, &mut expected).unwrap();
-    decode_slice::<C>(&codes, &mut decoded).unwrap();
-    let decoded: Vec<[f32; 3]> = decoded.iter().map(Vec3::to_array).collect();
-    assert_eq!(bits(&decoded), bits(&expected), "{}", C::NAME);
-}
-
-/// `Vec3` as well as `[f32; 3]`, for each size of codes.
-#[test]
-fn slices_of_vec3() {
-    let vectors = vectors(1000);
-    for_codecs!(check_vec3(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
-}
-
 /// All cores, over several portions and a rest, and a slice so large that memory is asked for ahead.
 fn check_parallel<C: Listed>(vectors: &[[f32; 3]]) {
     let code = |v: &[f32; 3]| C::encode(*v).to_words();
@@ -238,7 +206,11 @@ fn check_parallel<C: Listed>(vectors: &[[f32; 3]]) {
 #[test]
 fn large_and_parallel_slices() {
     let vectors = vectors(100_003);
-    for_codecs!(check_parallel(&vectors): Oct16 Oct24 OctPrecise32 Oct48 OctPrecise52);
+    check_parallel::<Oct16>(&vectors);
+    check_parallel::<Oct24>(&vectors);
+    check_parallel::<OctPrecise32>(&vectors);
+    check_parallel::<Oct48>(&vectors);
+    check_parallel::<OctPrecise52>(&vectors);
 }
 
 /// A decode table gives the scalar function's results, for every code and for bits above the codec's.
