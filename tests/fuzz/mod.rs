@@ -60,111 +60,40 @@ const INSTRUCTIONS: usize = 1 << 21;
 /// The stream's buffers, which are of fixed size: elements, and codes twice.
 const CHUNKS: usize = 40 << 20;
 
-const fn target(
-    file: &'static str,
-    seeds: fn() -> Vec<Vec<u8>>,
-    read: Read,
-    share: f64,
-    slack: usize,
-) -> Target {
-    Target { file, seeds, read, share, slack }
+/// The targets, and a test of each. No target is forgotten where the shares are given.
+macro_rules! targets {
+    ($($test:ident: $target:ident = $file:expr, $seeds:expr, $read:ident, $share:literal, $slack:expr;)*) => {
+        $(
+            const $target: Target =
+                Target { file: $file, seeds: $seeds, read: $read, share: $share, slack: $slack };
+
+            #[test]
+            fn $test() {
+                fuzz(&$target);
+            }
+        )*
+
+        #[test]
+        fn the_shares_are_a_hundred() {
+            assert_eq!([$($target.share),*].iter().sum::<f64>(), 100.0);
+        }
+    };
 }
 
-const OBJ: Target = target("a.obj", seeds::obj, read_mesh, 14.0, FIXED);
-const PLY_ASCII: Target =
-    target("ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST);
-const PLY_LITTLE: Target =
-    target("little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST);
-const PLY_BIG: Target =
-    target("big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST);
-const GLTF: Target = target("a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS);
-const GLB: Target = target("a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS);
-const RAW: Target = target("a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS);
-const CODES: Target = target("a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS);
-const COSTS: Target = target("costs.json", seeds::costs, read_costs, 2.5, FIXED);
-const MANIFEST: Target = target("manifest.json", seeds::manifest, read_manifest, 2.5, FIXED);
-// The manifest lies beside the module.
-const MODULE: Target = target(seeds::MODULE_FILE, seeds::module, read_module, 5.0, 2 * FIXED);
-const SHADER: Target = target("shader.spv", seeds::shader, read_shader, 5.0, FIXED + INSTRUCTIONS);
-
-#[test]
-fn obj() {
-    fuzz(&OBJ);
-}
-
-#[test]
-fn ply_ascii() {
-    fuzz(&PLY_ASCII);
-}
-
-#[test]
-fn ply_little_endian() {
-    fuzz(&PLY_LITTLE);
-}
-
-#[test]
-fn ply_big_endian() {
-    fuzz(&PLY_BIG);
-}
-
-#[test]
-fn gltf() {
-    fuzz(&GLTF);
-}
-
-#[test]
-fn glb() {
-    fuzz(&GLB);
-}
-
-#[test]
-fn raw() {
-    fuzz(&RAW);
-}
-
-#[test]
-fn codes() {
-    fuzz(&CODES);
-}
-
-#[test]
-fn costs() {
-    fuzz(&COSTS);
-}
-
-#[test]
-fn manifest() {
-    fuzz(&MANIFEST);
-}
-
-#[test]
-fn module() {
-    fuzz(&MODULE);
-}
-
-#[test]
-fn shader() {
-    fuzz(&SHADER);
-}
-
-/// No target is forgotten where the shares are given.
-#[test]
-fn the_shares_are_a_hundred() {
-    let all = [
-        &OBJ,
-        &PLY_ASCII,
-        &PLY_LITTLE,
-        &PLY_BIG,
-        &GLTF,
-        &GLB,
-        &RAW,
-        &CODES,
-        &COSTS,
-        &MANIFEST,
-        &MODULE,
-        &SHADER,
-    ];
-    assert_eq!(all.map(|target| target.share).iter().sum::<f64>(), 100.0);
+targets! {
+    obj: OBJ = "a.obj", seeds::obj, read_mesh, 14.0, FIXED;
+    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST;
+    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST;
+    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST;
+    gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS;
+    glb: GLB = "a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS;
+    raw: RAW = "a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS;
+    codes: CODES = "a.codes", seeds::raw, decode_codes, 0.5, FIXED + CHUNKS;
+    costs: COSTS = "costs.json", seeds::costs, read_costs, 2.5, FIXED;
+    manifest: MANIFEST = "manifest.json", seeds::manifest, read_manifest, 2.5, FIXED;
+    // The manifest lies beside the module.
+    module: MODULE = seeds::MODULE_FILE, seeds::module, read_module, 5.0, 2 * FIXED;
+    shader: SHADER = "shader.spv", seeds::shader, read_shader, 5.0, FIXED + INSTRUCTIONS;
 }
 
 fn number(variable: &str, default: u64) -> u64 {
@@ -244,19 +173,14 @@ fn prepare(path: &Path) {
     }
 }
 
-/// The files of a folder and of those in it.
+/// The files below a folder, by their paths in it.
 fn names(folder: &Path) -> Vec<PathBuf> {
-    let mut names = Vec::new();
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let inside = if path.is_dir() { names_below(&path) } else { vec![path] };
-        names.extend(inside.into_iter().map(|path| path.strip_prefix(folder).unwrap().to_owned()));
-    }
-    names
-}
-
-fn names_below(folder: &Path) -> Vec<PathBuf> {
-    names(folder).into_iter().map(|name| folder.join(name)).collect()
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| PathBuf::from(entry.unwrap().file_name()));
+    let below = |name: PathBuf| match folder.join(&name) {
+        path if path.is_dir() => names(&path).into_iter().map(|inner| name.join(inner)).collect(),
+        _ => vec![name],
+    };
+    entries.flat_map(below).collect()
 }
 
 /// Keeps an input where the next `cargo clean` finds it.

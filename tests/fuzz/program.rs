@@ -6,15 +6,15 @@ use super::{
 };
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngSeed, TestRunner};
-use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 use unitvec_tests::program::{command, stderr};
 
 /// Inputs of each target.
 const INPUTS: usize = 32;
 
-/// Runs the program on inputs of a target; `arguments` get the input and where the output goes.
-fn run(target: &Target, arguments: fn(&Path, &Path) -> Command) {
+/// Runs the program on inputs of a target, by a line in which IN is the input, OUT the output, FOLDER the place of both
+/// and ZEROS a file that can be encoded.
+fn run(target: &Target, line: &str) {
     let config = Config { rng_seed: RngSeed::Fixed(15), failure_persistence: None, ..Config::default() };
     let mut runner = TestRunner::new(config);
     let inputs = mutate::inputs((target.seeds)());
@@ -26,7 +26,14 @@ fn run(target: &Target, arguments: fn(&Path, &Path) -> Command) {
         prepare(&path);
         std::fs::write(&path, &input).unwrap();
         let mut expected = names(folder.path());
-        let output = arguments(&path, &out).output().unwrap();
+        let mut program = command(line.split(' ').map(|word| match word {
+            "IN" => path.clone(),
+            "OUT" => out.clone(),
+            "FOLDER" => folder.path().to_owned(),
+            "ZEROS" => path.with_file_name("zeros.f32"),
+            word => word.into(),
+        }));
+        let output = program.output().unwrap();
         if output.status.success() && out.exists() {
             expected.push("out".into());
         }
@@ -55,60 +62,23 @@ fn fault(output: &Output) -> Option<String> {
 #[test]
 fn meshes() {
     for target in [OBJ, PLY_ASCII, PLY_LITTLE, PLY_BIG, GLTF, GLB] {
-        run(&target, |mesh, out| {
-            let mut encode = command(["encode", "--codec", "oct24p"]);
-            encode.args([mesh, out]);
-            encode
-        });
-        run(&target, |mesh, out| {
-            let mut normals = command(["normals", "--frames", "--json", "-"]);
-            normals.args([mesh, out]);
-            normals
-        });
+        run(&target, "encode --codec oct24p IN OUT");
+        run(&target, "normals --frames --json - IN OUT");
     }
 }
 
 #[test]
-fn raw_files() {
-    run(&RAW, |file, _| {
-        let mut error = command(["error", "--codec", "frame32"]);
-        error.arg(file);
-        error
-    });
-    run(&CODES, |file, out| {
-        let mut decode = command(["decode", "--codec", "oct48p", "--raw"]);
-        decode.args([file, out]);
-        decode
-    });
-}
-
-#[test]
-fn costs() {
-    run(&COSTS, |file, _| {
-        let mut choose = command(["choose", "--max-error", "0.001", "--costs"]);
-        choose.arg(file);
-        choose
-    });
+fn other_files() {
+    run(&RAW, "error --codec frame32 IN");
+    run(&CODES, "decode --codec oct48p --raw IN OUT");
+    run(&COSTS, "choose --max-error 0.001 --costs IN");
+    run(&SHADER, "link IN -o OUT");
 }
 
 /// The folder is not trusted: nothing of it reaches the driver but what is the program's own.
 #[test]
 fn spirv() {
     for target in [MANIFEST, MODULE] {
-        run(&target, |file, out| {
-            let folder = file.ancestors().find(|folder| folder.join(MANIFEST.file).exists()).unwrap();
-            let mut encode = command(["encode", "--codec", "oct16", "--backend", "rust", "--spirv"]);
-            encode.args([folder, &file.with_file_name("zeros.f32"), out]);
-            encode
-        });
+        run(&target, "encode --codec oct16 --backend rust --spirv FOLDER ZEROS OUT");
     }
-}
-
-#[test]
-fn shaders() {
-    run(&SHADER, |file, out| {
-        let mut link = command(["link"]);
-        link.arg(file).arg("-o").arg(out);
-        link
-    });
 }
