@@ -13,12 +13,11 @@ pub struct Problem {
     pub end: f64,
 }
 
-/// The solution of a [`Problem`].
-pub struct Fit {
-    /// The coefficients from the constant term up.
-    pub coefficients: Vec<f64>,
-    /// The greatest absolute difference from the target.
-    pub error: f64,
+/// The solution of a [`Problem`]: the coefficients from the constant term up, and the greatest absolute difference from
+/// the target.
+struct Fit {
+    coefficients: Vec<f64>,
+    error: f64,
 }
 
 /// The start of the interval, in place of 0, at which the targets are quotients of zeros.
@@ -30,14 +29,26 @@ const GRID: usize = 4000;
 /// More exchanges than any problem here takes; each squares the distance to the solution.
 const EXCHANGES: usize = 12;
 
+/// Asserts that these constants are the minimax coefficients of a problem, rounded to `f32`, with at most this error.
+///
+/// # Panics
+/// If they are not.
+pub fn assert_minimax(name: &str, problem: &Problem, constants: &[f32], bound: f64) {
+    let fit = problem.solve(constants.len());
+    let rounded: Vec<f32> = fit.coefficients.iter().map(|&c| c as f32).collect();
+    println!("{name}: error {:.3e}, {rounded:?}", fit.error);
+    assert_eq!(rounded, constants, "{name}");
+    assert!(fit.error <= bound, "{name}: {}", fit.error);
+}
+
 /// The polynomial with these coefficients at `u`.
-pub fn polynomial(coefficients: &[f64], u: f64) -> f64 {
+fn polynomial(coefficients: &[f64], u: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * u + c)
 }
 
 impl Problem {
     /// The minimax polynomial with `terms` coefficients.
-    pub fn solve(&self, terms: usize) -> Fit {
+    fn solve(&self, terms: usize) -> Fit {
         let inner = |i| (i as f64 + 0.5) / (terms + 1) as f64;
         let mut reference: Vec<f64> = (0..=terms).map(|i| self.crowded(inner(i))).collect();
         let mut fit = self.interpolate(&reference);
