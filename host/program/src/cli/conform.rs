@@ -231,7 +231,8 @@ fn outcome(report: &Report) -> Result<String, String> {
         return Err("this device rounds sums down, and encoders need them rounded to nearest: codes are up to a step off"
             .to_owned());
     }
-    let failed: Vec<&str> = report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
+    let failed: Vec<&str> =
+        report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
     let differences = match failed.as_slice() {
         [] => "no codec differs".to_owned(),
         failed => format!("differences in {}", failed.join(", ")),
