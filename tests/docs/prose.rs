@@ -4,7 +4,6 @@ use super::{BEGIN, END, markdown, tables};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::{CODECS, frames, vectors};
-use unitvec_tests::program::run;
 use unitvec_tests::{files, repository};
 use unitvec_vulkan::{GROUP, WORKGROUP};
 
@@ -92,17 +91,6 @@ fn rust_versions_are_those_of_the_manifests() {
         let version = manifest.lines().find_map(|line| line.strip_prefix("rust-version = \"")).unwrap();
         assert!(text.contains(&format!("needs Rust {}", version.trim_end_matches('"'))), "{version}");
     }
-}
-
-/// README quotes the output of `encode` for the bunny.
-#[test]
-fn the_quoted_line_is_what_encode_says() {
-    let folder = tempfile::tempdir().unwrap();
-    let bunny = repository().join("host/mesh/data/bunny.obj");
-    let out = folder.path().join("out");
-    let output = run(["encode", "--codec", "oct24p", bunny.to_str().unwrap(), out.to_str().unwrap()]);
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(read(&repository().join("README.md")).contains(&format!("`{}`", said.trim_end())), "{said}");
 }
 
 /// docs/kernels.md: how many vectors fit the least limits of Vulkan, and how they are shared out.
