@@ -76,12 +76,6 @@ pub fn bound_deg(bits: u32) -> f64 {
     super::angle_deg(hole(bits), point(1, bits))
 }
 
-/// The lower bounds of the mean and of the greatest angle in degrees for `2^bits` codes: those of a hexagonal lattice,
-/// as (mean, max).
-pub fn hexagonal_deg(bits: u32) -> [f64; 2] {
-    [0.29926, 0.49222].map(|t| t * 2f64.powi((16 - bits as i32) / 2))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
