@@ -42,8 +42,6 @@ pub struct Manifest {
     pub rust_gpu: String,
     /// rust-gpu's target: the SPIR-V environment.
     pub target: String,
-    /// A hash of the sources that they were compiled from.
-    pub sources_sha256: String,
     /// How to call a kernel, by the names that entry points refer to.
     pub interfaces: BTreeMap<String, Interface>,
     /// The module to link with.

@@ -1,11 +1,10 @@
 //! Kernels that encode and decode.
 //!
-//! In descriptor set 0, binding 0 is the input, binding 1 the output, both storage buffers; the push constant, a `u32`, is
-//! the number of vectors. Vectors are three packed
-//! f32, frames seven: normal, tangent, handedness. Codes are dense bytes. Both buffers are arrays of 32-bit words and
-//! hold at least the words that the vectors and codes fill. Where one is shorter, only the vectors that both hold are
-//! processed. An invocation takes four consecutive vectors, so that any code width ends on whole words; the last takes
-//! the rest. Workgroups have 64 invocations.
+//! In descriptor set 0, binding 0 is the input, binding 1 the output, both storage buffers; the push constant, a `u32`,
+//! is the number of vectors. Vectors are three packed f32, frames seven: normal, tangent, handedness. Codes are dense
+//! bytes. Both buffers are arrays of 32-bit words and hold at least the words that the vectors and codes fill. Where
+//! one is shorter, only the vectors that both hold are processed. An invocation takes four consecutive vectors, so that
+//! any code width ends on whole words; the last takes the rest. Workgroups have 64 invocations.
 //!
 //! Specialization constant 0, a `u32`: any value but 0 leaves out the tests of lengths, a third of a cheap codec's
 //! instructions. Both buffers must then hold the number of vectors rounded up to a multiple of four; shorter ones are
@@ -120,9 +119,8 @@ macro_rules! kernel {
             #[spirv(storage_buffer, descriptor_set = 0, binding = 1)] $output: &mut [u32],
             $(#[spirv(storage_buffer, descriptor_set = 0, binding = 2)] $table: $Table,)?
         ) {
-            let count = count.vectors as usize;
-            $(let count = if $table.len() < $least { 0 } else { count };)?
-            let $group = Group { index: id.x as usize, count, whole_groups };
+            $(let count = Count { vectors: if $table.len() < $least { 0 } else { count.vectors } };)?
+            let $group = Group { index: id.x as usize, count: count.vectors as usize, whole_groups };
             $body
         }
     };

@@ -8,7 +8,6 @@ mod example;
 mod kernel;
 mod passes;
 mod render;
-mod sources;
 
 use anyhow::{Context, Result, bail, ensure};
 use kernel::Kernel;
@@ -95,7 +94,6 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         features: Vec::new(),
         rust_gpu: compile::RUST_GPU.to_owned(),
         target: compile::TARGET.to_owned(),
-        sources_sha256: sources::of_modules(repository)?,
         interfaces: BTreeMap::new(),
         library: describe::library(&library),
         modules: Vec::new(),

@@ -3,7 +3,6 @@
 use crate::bytes;
 use crate::compile::Compiler;
 use crate::passes;
-use crate::sources::{RENDER_SOURCES, of_render};
 use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -35,7 +34,5 @@ pub fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
         let words = passes::run(shaders).with_context(|| id.clone())?;
         Ok((format!("{id}.spv"), bytes(&words)))
     });
-    let mut files = finished.collect::<Result<BTreeMap<_, Vec<u8>>>>()?;
-    files.insert(RENDER_SOURCES.to_owned(), (of_render(repository)? + "\n").into_bytes());
-    Ok(files)
+    finished.collect()
 }

@@ -51,8 +51,8 @@ pub(crate) fn from_lattice(e: Vec2, sign_bit: u32, m: f32) -> Vec3 {
 /// +Z where `v` has no direction.
 #[inline(always)]
 pub(crate) fn code<C: Code>(v: Vec3, norm: f32, uv: u32, bits: u32) -> C {
-    let sign = if is_negative(v.z) { 1 } else { 0 };
-    let (low, high) = if bits <= 32 { (uv | (sign << (bits - 1)), 0) } else { (uv, sign) };
+    let sign = |bit: u32| if is_negative(v.z) { 1 << bit } else { 0 };
+    let (low, high) = if bits <= 32 { (uv | sign(bits - 1), 0) } else { (uv, sign(0)) };
     let usable = is_usable(norm);
     C::from_low_high(if usable { low } else { 0 }, if usable { high } else { 0 })
 }
