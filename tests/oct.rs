@@ -53,13 +53,13 @@ fn symmetric_in_z_up_to_ties() {
     }
 }
 
-/// The precise encoders give 2 * 10^5 directions and those near the coordinate planes the code of the oracle's search.
+/// The precise encoders give 10^5 directions and those near the coordinate planes the code of the oracle's search.
 #[test]
 fn encodes_to_the_nearest() {
     for codec in codecs(true) {
         let nearest = |v| oct::nearest_in_neighbourhood(v, codec.bits);
-        assert_nearest_choice(&codec, sphere(10, 200_000), nearest);
-        assert_nearest_choice(&codec, near_planes(11, 100_000), nearest);
+        assert_nearest_choice(&codec, sphere(10, 100_000), nearest);
+        assert_nearest_choice(&codec, near_planes(11, 50_000), nearest);
     }
 }
 
@@ -90,21 +90,27 @@ fn error_deg(v: [f64; 3], code: u64, bits: u32) -> f64 {
     angle_deg(v, Oct::decode(code, bits))
 }
 
-/// 16 bits, precise: the nearest of all 65536 codes, for 30 000 directions, 10 000 of them near coordinate planes.
+/// 16 bits, precise: the nearest of all 65536 codes, for 8000 directions, half of them near coordinate planes. The oracle's
+/// shorter search, which `encodes_to_the_nearest` relies on for more of them, finds as near a one.
 #[test]
 fn oct16p_encodes_to_the_nearest_of_all() {
     let (codec, all) = (Tested::find("oct16p"), oct::all_directions(16));
-    assert_nearest_choice(&codec, sphere(14, 20_000), |v| oct::nearest_of_all(v, &all));
-    assert_nearest_choice(&codec, near_planes(15, 10_000), |v| oct::nearest_of_all(v, &all));
+    let nearest = |v| {
+        let codes @ [best, _] = [oct::nearest_of_all(v, &all), oct::nearest_in_neighbourhood(v, 16)];
+        let [a, b] = codes.map(|code| error_deg(v, code, 16));
+        assert!((a - b).abs() < 1e-9, "{v:?}: {codes:x?} at {a} and {b}");
+        best
+    };
+    assert_nearest_choice(&codec, sphere(14, 4000).chain(near_planes(15, 4000)), nearest);
 }
 
-/// Precise is the nearest of all codes at the widths below 16 bits, listed or not, for 20 000 directions, half of them
+/// Precise is the nearest of all codes at the widths below 16 bits, listed or not, for 8000 directions, half of them
 /// near coordinate planes.
 #[test]
 fn precise_is_the_nearest_of_all_at_small_widths() {
     fn check<const BITS: u32>() {
         let all = oct::all_directions(BITS);
-        for v in sphere(19, 10_000).chain(near_planes(20, 10_000)) {
+        for v in sphere(19, 4000).chain(near_planes(20, 4000)) {
             let codes = [u64::from(OctPrecise::<BITS>::encode(v)), oct::nearest_of_all(widen(v), &all)];
             let [ours, best] = codes.map(|code| error_deg(widen(v), code, BITS));
             assert!(
@@ -119,18 +125,6 @@ fn precise_is_the_nearest_of_all_at_small_widths() {
     check::<10>();
     check::<12>();
     check::<14>();
-}
-
-/// The oracle's two searches agree at 16 bits: the neighbourhood holds the nearest of all codes.
-#[test]
-fn the_oracles_searches_agree() {
-    let all = oct::all_directions(16);
-    for v in sphere(16, 15_000).chain(near_planes(17, 15_000)) {
-        let exact = widen(v);
-        let [a, b] = [oct::nearest_of_all(exact, &all), oct::nearest_in_neighbourhood(exact, 16)];
-        let [a_deg, b_deg] = [a, b].map(|code| error_deg(exact, code, 16));
-        assert!((a_deg - b_deg).abs() < 1e-9, "{v:?}: {a:#x} at {a_deg}, {b:#x} at {b_deg}");
-    }
 }
 
 /// A pair of snorm12 integers is packed in three bytes as listings 4 and 5 both do, and unpacked as they do: all 4095^2

@@ -12,9 +12,9 @@ use unitvec_run::sampling;
 use unitvec_tests::repository;
 
 /// Random vectors or frames for each codec, and as many codes.
-const RANDOM: usize = 1 << 16;
+const RANDOM: usize = 20_000;
 
-/// All functions of each codec, called from C, give the bits of the catalogue's, of 2^16 random inputs and the special ones:
+/// All functions of each codec, called from C, give the bits of the catalogue's, of random inputs and the special ones:
 /// those of single elements, of arrays, and of arrays on all cores, which are long enough to be cut.
 #[test]
 fn every_codec_gives_the_cpus_bits() {

@@ -76,12 +76,12 @@ fn offset(w: [u32; 3]) -> Vec2 {
 }
 
 /// The digest of a group of results, so that one shader tests several codecs: 31 times the digest before, and the next.
-fn folded(results: impl Iterator<Item = [u32; 3]>) -> [u32; 3] {
+pub fn folded(results: impl Iterator<Item = [u32; 3]>) -> [u32; 3] {
     results.fold([0; 3], |all, next| [0, 1, 2].map(|i| all[i].wrapping_mul(31).wrapping_add(next[i])))
 }
 
 /// The digest in GLSL, for calls that give a uvec3.
-fn folded_in_glsl(calls: impl Iterator<Item = String>) -> String {
+pub fn folded_in_glsl(calls: impl Iterator<Item = String>) -> String {
     calls.fold("uvec3(0u)".to_owned(), |all, call| format!("({all} * 31u + {call})"))
 }
 

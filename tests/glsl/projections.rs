@@ -1,7 +1,8 @@
 //! The projections without rounding: GLSL has Rust's bits, and both are those of the oracle, written from the papers.
 
+use super::dither::{folded, folded_in_glsl};
+use super::evaluate_words;
 use super::floats::{Project, pairs, vectors};
-use super::{evaluate, evaluate_words};
 use unitvec::azimuthal::{self, Concentric, Ellipse, Eqarea, Eqdist, Plain, Stereo};
 use unitvec::glam::{UVec3, Vec2, Vec3};
 use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
@@ -132,12 +133,15 @@ fn points() -> Vec<[f32; 3]> {
     pairs().into_iter().enumerate().map(|(n, [x, y, _])| [x, y, thirds[n % 6]]).collect()
 }
 
-/// Fails where a function gives other bits in GLSL than in Rust.
-fn assert_same_bits(call: &str, inputs: &[[f32; 3]], in_rust: impl Fn([f32; 3]) -> [f32; 3]) {
-    for (input, result) in inputs.iter().zip(evaluate(call, inputs)) {
-        let expected = in_rust(*input);
-        let (bits, expected_bits) = (result.map(f32::to_bits), expected.map(f32::to_bits));
-        assert_eq!(bits, expected_bits, "{call} of {input:?}: {result:?}, in Rust {expected:?}");
+/// Fails where one of these functions, each a call of GLSL and the same in Rust, gives other bits in GLSL. A shader has them
+/// all, and a digest of their results.
+fn assert_same_bits<R: Into<[f32; 3]>>(functions: &[(String, impl Fn([f32; 3]) -> R)], inputs: &[[f32; 3]]) {
+    let calls: Vec<&str> = functions.iter().map(|(call, _)| call.as_str()).collect();
+    let in_glsl = folded_in_glsl(calls.iter().map(|call| format!("floatBitsToUint({call})")));
+    let words: Vec<[u32; 3]> = inputs.iter().map(|input| input.map(f32::to_bits)).collect();
+    for (input, result) in inputs.iter().zip(evaluate_words(&in_glsl, &words)) {
+        let in_rust = functions.iter().map(|(_, function)| function(*input).into().map(f32::to_bits));
+        assert_eq!(result, folded(in_rust), "one of {calls:?} of {input:?}");
     }
 }
 
@@ -145,12 +149,15 @@ fn assert_same_bits(call: &str, inputs: &[[f32; 3]], in_rust: impl Fn([f32; 3]) 
 #[test]
 fn projections_in_glsl_have_the_bits_of_rust() {
     let (vectors, points) = (vectors(), points());
-    for projection in PROJECTIONS {
-        let [to, from, to_unorm, from_unorm] = projection.calls();
-        assert_same_bits(&to, &vectors, projection.project);
-        assert_same_bits(&to_unorm, &vectors, projection.project_unorm);
-        assert_same_bits(&from, &points, |e| (projection.unproject)(e).to_array());
-        assert_same_bits(&from_unorm, &points, |e| (projection.unproject_unorm)(e).to_array());
+    for group in PROJECTIONS.chunks(5) {
+        let (mut projected, mut unprojected) = (Vec::new(), Vec::new());
+        for projection in group {
+            let [to, from, to_unorm, from_unorm] = projection.calls();
+            projected.extend([(to, projection.project), (to_unorm, projection.project_unorm)]);
+            unprojected.extend([(from, projection.unproject), (from_unorm, projection.unproject_unorm)]);
+        }
+        assert_same_bits(&projected, &vectors);
+        assert_same_bits(&unprojected, &points);
     }
 }
 
@@ -168,16 +175,16 @@ fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
         ("eaoct", 24, eaoct::project_precise::<24>),
         ("eaoct", 32, eaoct::project_precise::<32>),
     ];
-    for (family, bits, in_rust) in precise {
+    let precise = precise.map(|(family, bits, in_rust)| {
         let call = format!("vec3(float32x3_to_{family}n_precise(v, {bits}), 0.0)");
-        assert_same_bits(&call, &vectors, |v| in_rust(v.into()).extend(0.0).to_array());
-    }
-    assert_same_bits("snorm12x2_to_unorm8x3(v.xy)", &pairs, |f| {
-        oct::snorm12x2_to_unorm8x3(pair(f)).to_array()
+        (call, move |v: [f32; 3]| in_rust(v.into()).extend(0.0))
     });
-    assert_same_bits("vec3(unorm8x3_to_snorm12x2(v), 0.0)", &pairs, |u| {
-        oct::unorm8x3_to_snorm12x2(u.into()).extend(0.0).to_array()
-    });
+    assert_same_bits(&precise, &vectors);
+    let listings: [(String, fn([f32; 3]) -> Vec3); 2] = [
+        ("snorm12x2_to_unorm8x3(v.xy)".into(), |f| oct::snorm12x2_to_unorm8x3(pair(f))),
+        ("vec3(unorm8x3_to_snorm12x2(v), 0.0)".into(), |u| oct::unorm8x3_to_snorm12x2(u.into()).extend(0.0)),
+    ];
+    assert_same_bits(&listings, &pairs);
     let bits: Vec<[u32; 3]> = pairs.iter().map(|f| f.map(f32::to_bits)).collect();
     let bytes = evaluate_words("snorm12x2_to_uint8x3(v.xy)", &bits);
     for (input, bytes) in pairs.iter().zip(&bytes) {

@@ -87,13 +87,14 @@ fn codecs_go_through_the_pipeline() {
     assert_no_validation_messages(device);
 }
 
-/// Projections are stored as the CPU's numbers, rounded, and come back as the CPU's normals, in all formats.
+/// Projections are stored as the CPU's numbers, rounded, and come back as the CPU's normals, in a third of all
+/// pairs of projection and format: `cargo xtask conform pipeline` takes all.
 #[test]
 fn projections_go_through_the_pipeline() {
     let device = device();
     let options = Options { count: 1000, seed: 4 };
     let traits = conform::traits(&device, &options).unwrap();
-    let pairs = conform::pairs();
+    let pairs: Vec<_> = conform::pairs().into_iter().step_by(3).collect();
     let (count, mut rows) = (pairs.len(), Vec::new());
     conform::run_pairs(pairs, &options, &device, &traits, &mut |row: Row| {
         rows.push(row);
