@@ -23,13 +23,13 @@ mod framing;
 mod fuzz;
 #[cfg(feature = "glsl")]
 mod glsl;
-mod hemioct;
 mod house;
 mod ico;
 #[cfg(feature = "glsl")]
 mod imprecise;
 mod isa;
 mod latlong;
+mod lattices;
 mod link;
 mod list;
 mod loss;

@@ -1,46 +1,17 @@
-//! The octahedral codecs of up to 32 bits: bounds, ties, nearest codes, layout.
+//! The octahedral codecs of up to 32 bits: ties, nearest codes of the precise encoders, layout.
 
 use glam::Vec3;
 use unitvec::oct::OctPrecise;
 use unitvec::{Codec, Oct16, Oct20, Oct22, Oct24, Oct32};
 use unitvec_oracle::{Oct, Oracle, angle_deg, largest, oct, turn_deg};
-use unitvec_tests::checks::{
-    POSITION_ROUNDING, assert_attains, assert_commutes, assert_nearest, assert_rounds,
-};
-use unitvec_tests::directions::{near_octant_middles, near_planes, sphere};
+use unitvec_tests::checks::{POSITION_ROUNDING, assert_commutes, assert_nearest};
+use unitvec_tests::directions::{near_planes, sphere};
 use unitvec_tests::expected::MIRROR_Z;
 use unitvec_tests::tested::{Tested, narrow, widen};
 
 /// The codecs of the fast or the precise encoder.
 fn codecs(precise: bool) -> impl Iterator<Item = Tested> {
     Tested::family("oct").into_iter().filter(move |codec| codec.is_precise() == precise)
-}
-
-/// Around the middles of the octants, where Meyer's bound is attained, the error comes to 95 % of it at least; nowhere
-/// does it exceed it by more than `f32`'s rounding.
-#[test]
-fn bound_is_attained_in_the_middle_of_octants() {
-    for codec in Tested::family("oct") {
-        let bound = if codec.is_precise() { oct::range_bound_deg } else { oct::domain_bound_deg };
-        let directions = near_octant_middles(4, 300_000, (4.0 / largest(codec.bits)).max(0.01));
-        let slack = turn_deg(POSITION_ROUNDING) + f64::from(f32::EPSILON).to_degrees();
-        assert_attains(&codec, directions.chain(sphere(3, 300_000)), bound(codec.bits), 0.95, slack);
-    }
-}
-
-/// The fast encoders give 10^6 directions and those near the coordinate planes the lattice point nearest to the
-/// oracle's position, except within 2^-21 of the square's half side of a tie.
-#[test]
-fn encodes_as_the_oracle() {
-    for codec in codecs(false) {
-        let m = largest(codec.bits);
-        let steps_off = |v, code| {
-            let (position, point) = (Oct::position(v), Oct::unpack(code, codec.bits));
-            [0, 1].map(|i| (position[i] * m - point[i] as f64).abs())
-        };
-        let directions = sphere(8, 1_000_000).chain(near_planes(9, 100_000));
-        assert_rounds(&codec, directions, steps_off, m * POSITION_ROUNDING);
-    }
 }
 
 /// A direction mirrored at z = 0 comes back from the fast encoders as the image, except within 2^-21 of a tie: ties
@@ -58,19 +29,11 @@ fn symmetric_in_z_up_to_ties() {
 fn encodes_to_the_nearest() {
     for codec in codecs(true) {
         let nearest = |v| oct::nearest_in_neighbourhood(v, codec.bits);
-        assert_nearest_choice(&codec, sphere(10, 100_000), nearest);
-        assert_nearest_choice(&codec, near_planes(11, 50_000), nearest);
+        let error = |v, code| error_deg(v, code, codec.bits);
+        for directions in [sphere(10, 100_000).collect::<Vec<_>>(), near_planes(11, 50_000).collect()] {
+            assert_nearest(&codec, directions.into_iter(), nearest, error, encoder_rounding_deg());
+        }
     }
-}
-
-/// Asserts that a precise encoder's choices are those of `nearest` but for its rounding.
-fn assert_nearest_choice(
-    codec: &Tested,
-    directions: impl Iterator<Item = Vec3>,
-    nearest: impl Fn([f64; 3]) -> u64,
-) {
-    let error = |v, code| error_deg(v, code, codec.bits);
-    assert_nearest(codec, directions, nearest, error, encoder_rounding_deg());
 }
 
 /// True where a coordinate of `v` on the lattice is within `f32` rounding of a half.
@@ -90,33 +53,18 @@ fn error_deg(v: [f64; 3], code: u64, bits: u32) -> f64 {
     angle_deg(v, Oct::decode(code, bits))
 }
 
-/// 16 bits, precise: the nearest of all 65536 codes, for 8000 directions, half of them near coordinate planes. The oracle's
-/// shorter search, which `encodes_to_the_nearest` relies on for more of them, finds as near a one.
+/// Precise is the nearest of all codes at 16 bits and below, listed or not, for 8000 directions, half of them near coordinate
+/// planes. The oracle's shorter search, on which `encodes_to_the_nearest` relies for more directions, finds as near a one.
 #[test]
-fn oct16p_encodes_to_the_nearest_of_all() {
-    let (codec, all) = (Tested::find("oct16p"), oct::all_directions(16));
-    let nearest = |v| {
-        let codes @ [best, _] = [oct::nearest_of_all(v, &all), oct::nearest_in_neighbourhood(v, 16)];
-        let [a, b] = codes.map(|code| error_deg(v, code, 16));
-        assert!((a - b).abs() < 1e-9, "{v:?}: {codes:x?} at {a} and {b}");
-        best
-    };
-    assert_nearest_choice(&codec, sphere(14, 4000).chain(near_planes(15, 4000)), nearest);
-}
-
-/// Precise is the nearest of all codes at the widths below 16 bits, listed or not, for 8000 directions, half of them
-/// near coordinate planes.
-#[test]
-fn precise_is_the_nearest_of_all_at_small_widths() {
+fn precise_is_the_nearest_of_all() {
     fn check<const BITS: u32>() {
         let all = oct::all_directions(BITS);
-        for v in sphere(19, 4000).chain(near_planes(20, 4000)) {
-            let codes = [u64::from(OctPrecise::<BITS>::encode(v)), oct::nearest_of_all(widen(v), &all)];
-            let [ours, best] = codes.map(|code| error_deg(widen(v), code, BITS));
-            assert!(
-                ours - best <= encoder_rounding_deg(),
-                "{BITS} bits: {v:?}: {codes:x?}, {ours} and {best}"
-            );
+        for v in sphere(19, 4000).chain(near_planes(20, 4000)).map(widen) {
+            let ours = u64::from(OctPrecise::<BITS>::encode(narrow(v)));
+            let codes = [ours, oct::nearest_of_all(v, &all), oct::nearest_in_neighbourhood(v, BITS)];
+            let [ours, best, near] = codes.map(|code| error_deg(v, code, BITS));
+            let is_nearest = ours - best <= encoder_rounding_deg() && (near - best).abs() < 1e-9;
+            assert!(is_nearest, "{BITS} bits: {v:?}: {codes:x?}, {ours}, {best} and {near}");
         }
     }
     check::<4>();
@@ -125,6 +73,7 @@ fn precise_is_the_nearest_of_all_at_small_widths() {
     check::<10>();
     check::<12>();
     check::<14>();
+    check::<16>();
 }
 
 /// A pair of snorm12 integers is packed in three bytes as listings 4 and 5 both do, and unpacked as they do: all 4095^2

@@ -5,7 +5,7 @@ use unitvec::{Codec, Pp16, Pp48, Spp16, Spp48, XyOnly16, XyOnly32F};
 use unitvec_oracle::Summary;
 use unitvec_oracle::parallel::{self, Kind};
 use unitvec_tests::checks::{assert_attains, assert_bounded, assert_commutes, assert_stable, assert_total};
-use unitvec_tests::directions::{Rng, near_octant_middles, near_planes, sphere};
+use unitvec_tests::directions::{Rng, near_diagonals, near_octant_middles, near_planes, sphere};
 use unitvec_tests::expected::{MIRROR_X, MIRROR_Y};
 use unitvec_tests::tested::Tested;
 
@@ -17,16 +17,6 @@ fn near_equator(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
         let z = if rng.bits() & 3 == 0 { 0.0 } else { 0.5f64.powf(rng.range(0.0, 26.0)) };
         let r = (1.0 - z * z).sqrt();
         Vec3::new((r * angle.cos()) as f32, (r * angle.sin()) as f32, z as f32)
-    })
-}
-
-/// Vectors with two magnitudes that are equal or nearly so.
-fn near_diagonals(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
-    let mut rng = Rng::new(seed);
-    sphere(seed + 1, count).map(move |v| {
-        let t = v.y * (1.0 + rng.range(-1.0, 1.0) as f32 * 2f32.powi(-((rng.bits() % 26) as i32)));
-        [Vec3::new(t, v.y, v.z), Vec3::new(t, v.x, v.y), Vec3::new(v.y, t, v.y)][(rng.bits() % 3) as usize]
-            .normalize()
     })
 }
 

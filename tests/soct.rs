@@ -1,43 +1,10 @@
-//! The signed octahedral codecs: bound, lattice points, the hemisphere's code inside, layout.
+//! The signed octahedral codecs: the hemisphere's code inside, layout.
 
 use glam::Vec3;
 use unitvec::{Codec, SOct17, SOct25, SOct33};
-use unitvec_oracle::{hemioct, largest, soct, turn_deg};
-use unitvec_tests::checks::{POSITION_ROUNDING, assert_attains, assert_rounds};
-use unitvec_tests::directions::{near_octant_middles, near_planes, sphere};
+use unitvec_oracle::soct;
+use unitvec_tests::directions::{near_planes, sphere};
 use unitvec_tests::tested::{Tested, widen};
-
-/// 10^6 directions and those near the coordinate planes get the lattice point nearest to the oracle's position, except
-/// within 2^-21 of the square's half side of a tie, and the sign of z.
-#[test]
-fn encodes_as_the_oracle() {
-    for codec in Tested::family("soct") {
-        let m = largest(codec.bits);
-        let steps_off = |v, code| {
-            let ((point, negative), (position, below)) = (soct::unpack(code, codec.bits), soct::position(v));
-            assert_eq!(negative, below, "{}: {v:?}", codec.id);
-            [0, 1].map(|i| (position[i] * m - point[i] as f64).abs())
-        };
-        let directions = sphere(3, 1_000_000).chain(near_planes(4, 100_000));
-        assert_rounds(&codec, directions, steps_off, m * POSITION_ROUNDING);
-    }
-}
-
-/// Around the middles of the octants the error comes to 95 % of the hemisphere's bound at least; nowhere does it exceed it.
-#[test]
-fn bound_is_attained_in_the_middle_of_octants() {
-    for codec in Tested::family("soct") {
-        let slack = turn_deg(POSITION_ROUNDING) + f64::from(f32::EPSILON).to_degrees();
-        let directions = near_octant_middles(6, 300_000, (4.0 / largest(codec.bits)).max(0.01));
-        assert_attains(
-            &codec,
-            directions.chain(sphere(5, 300_000)),
-            hemioct::bound_deg(codec.bits),
-            0.95,
-            slack,
-        );
-    }
-}
 
 /// The low bits are the code of the hemisphere's codec, for both signs of z.
 #[test]

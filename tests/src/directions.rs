@@ -48,6 +48,17 @@ pub fn near_octant_middles(seed: u64, count: usize, radius: f64) -> impl Iterato
     })
 }
 
+/// Unit vectors with two magnitudes that are equal or nearly so: at the edges and corners of a cube.
+pub fn near_diagonals(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
+    let mut rng = Rng::new(seed);
+    sphere(seed + 1, count).map(move |v| {
+        let t = v.y * (1.0 + rng.range(-1.0, 1.0) as f32 * 2f32.powi(-((rng.bits() % 26) as i32)));
+        let near =
+            [Vec3::new(t, v.y, v.z), Vec3::new(t, v.x, v.y), Vec3::new(v.x, v.y, t), Vec3::new(v.y, t, v.y)];
+        near[(rng.bits() % 4) as usize].normalize()
+    })
+}
+
 /// The six unit vectors of the axes: +X, +Y, +Z, -X, -Y, -Z.
 pub const AXES: [Vec3; 6] = [Vec3::X, Vec3::Y, Vec3::Z, Vec3::NEG_X, Vec3::NEG_Y, Vec3::NEG_Z];
 
