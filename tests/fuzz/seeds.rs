@@ -42,29 +42,20 @@ pub fn obj() -> Vec<Vec<u8>> {
 /// Number formats of PLY's three encodings.
 pub const PLY_FORMATS: [&str; 3] = ["ascii", "binary_little_endian", "binary_big_endian"];
 
-/// A number of a PLY payload.
-#[derive(Clone, Copy)]
-enum Number {
-    U8(u8),
-    I32(i32),
-    F32(f32),
-    F64(f64),
+/// A number of a PLY payload: its text, and its bytes, the lowest first.
+type Number = (String, Vec<u8>);
+
+macro_rules! number {
+    ($number:expr) => {
+        ($number.to_string(), $number.to_le_bytes().to_vec())
+    };
 }
 
-impl Number {
-    fn write(self, format: &str, to: &mut Vec<u8>) {
-        let big = format == PLY_FORMATS[2];
-        let mut either = |little: &[u8], large: &[u8]| to.extend(if big { large } else { little });
-        match (self, format) {
-            (Self::U8(n), "ascii") => to.extend(format!("{n} ").bytes()),
-            (Self::I32(n), "ascii") => to.extend(format!("{n} ").bytes()),
-            (Self::F32(n), "ascii") => to.extend(format!("{n} ").bytes()),
-            (Self::F64(n), "ascii") => to.extend(format!("{n} ").bytes()),
-            (Self::U8(n), _) => to.push(n),
-            (Self::I32(n), _) => either(&n.to_le_bytes(), &n.to_be_bytes()),
-            (Self::F32(n), _) => either(&n.to_le_bytes(), &n.to_be_bytes()),
-            (Self::F64(n), _) => either(&n.to_le_bytes(), &n.to_be_bytes()),
-        }
+fn write_number((text, bytes): &Number, format: &str, to: &mut Vec<u8>) {
+    match format {
+        "ascii" => to.extend(format!("{text} ").bytes()),
+        "binary_big_endian" => to.extend(bytes.iter().rev()),
+        _ => to.extend(bytes),
     }
 }
 
@@ -75,7 +66,7 @@ fn ply_of(format: &str, elements: &[(&str, Vec<Vec<Number>>)]) -> Vec<u8> {
         let (name, properties) = lines.split_once('\n').unwrap_or((lines, ""));
         write!(header, "element {name} {}\n{properties}", rows.len()).unwrap();
         for row in rows {
-            row.iter().for_each(|number| number.write(format, &mut payload));
+            row.iter().for_each(|number| write_number(number, format, &mut payload));
             if format == "ascii" {
                 payload.push(b'\n');
             }
@@ -88,25 +79,21 @@ const POSITION: &str = "property float x\nproperty float y\nproperty float z\n";
 
 /// Computed normals, with the faces after the vertices and before them; normals of the file.
 pub fn ply(format: &str) -> Vec<Vec<u8>> {
-    let positions =
-        vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(Number::F32).to_vec()).collect::<Vec<_>>();
+    let positions: Vec<Vec<Number>> =
+        vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(|c| number!(c)).to_vec()).collect();
     let doubles =
-        vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(|c| Number::F64(c.into())).to_vec()).collect();
-    let normals = vertices(SIDE).map(|vertex| vertex.map(Number::F32).to_vec()).collect();
-    let indices = |corner: usize| Number::I32(corner as i32);
-    let faces: Vec<Vec<Number>> =
-        triangles(SIDE).map(|corners| [&[Number::U8(3)], &corners.map(indices)[..]].concat()).collect();
-    let small: Vec<Vec<Number>> = triangles(SIDE)
-        .map(|corners| {
-            [&[Number::U8(1), Number::U8(3)], &corners.map(|corner| Number::U8(corner as u8))[..]].concat()
-        })
-        .collect();
+        vertices(SIDE).map(|[x, y, z, ..]| [x, y, z].map(|c| number!(f64::from(c))).to_vec()).collect();
+    let normals = vertices(SIDE).map(|vertex| vertex.map(|c| number!(c)).to_vec()).collect();
+    let face = |counts: &[u8], corners: [Number; 3]| -> Vec<Number> {
+        counts.iter().map(|count| number!(count)).chain(corners).collect()
+    };
+    let faces = triangles(SIDE).map(|corners| face(&[3], corners.map(|corner| number!((corner as i32)))));
+    let small = triangles(SIDE).map(|corners| face(&[1, 3], corners.map(|corner| number!((corner as u8)))));
+    let (faces, small): (Vec<_>, Vec<_>) = (faces.collect(), small.collect());
     let vertex = format!("vertex\n{POSITION}");
     let face = "face\nproperty list uchar int vertex_indices\n";
-    let other = (
-        "edge\nproperty list uchar float w\n",
-        vec![vec![Number::U8(2), Number::F32(0.5), Number::F32(1.5)]],
-    );
+    let other =
+        ("edge\nproperty list uchar float w\n", vec![vec![number!(2u8), number!(0.5f32), number!(1.5f32)]]);
     vec![
         ply_of(format, &[(&vertex, positions.clone()), (face, faces), other.clone()]),
         ply_of(
