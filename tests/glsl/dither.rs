@@ -1,7 +1,7 @@
 //! The dithered functions: GLSL has Rust's bits, offset 0 is the plain codec, and the precise encoders take the nearest corner.
 
 use super::floats::vectors;
-use super::{evaluate, evaluate_words};
+use super::{assert_same_bits, assert_same_words};
 use std::collections::BTreeSet;
 use unitvec::codec::Code;
 use unitvec::dither::*;
@@ -75,16 +75,6 @@ fn offset(w: [u32; 3]) -> Vec2 {
     }
 }
 
-/// The digest of a group of results, so that one shader tests several codecs: 31 times the digest before, and the next.
-pub fn folded(results: impl Iterator<Item = [u32; 3]>) -> [u32; 3] {
-    results.fold([0; 3], |all, next| [0, 1, 2].map(|i| all[i].wrapping_mul(31).wrapping_add(next[i])))
-}
-
-/// The digest in GLSL, for calls that give a uvec3.
-pub fn folded_in_glsl(calls: impl Iterator<Item = String>) -> String {
-    calls.fold("uvec3(0u)".to_owned(), |all, call| format!("({all} * 31u + {call})"))
-}
-
 /// Dithered codes agree for any vectors and codes, with offsets of all kinds.
 #[test]
 fn dithered_codes_in_glsl_have_the_bits_of_rust() {
@@ -92,61 +82,49 @@ fn dithered_codes_in_glsl_have_the_bits_of_rust() {
     let mut rng = Rng::new(51);
     let codes: Vec<[u32; 3]> = (0..30_000).map(|_| [(); 3].map(|()| rng.bits() as u32)).collect();
     for group in cases().chunks(8) {
-        let ids: Vec<&str> = group.iter().map(|case| case.id).collect();
-        let encode = |case: &Case| {
+        let encode = group.iter().map(|case| {
             let rest = if case.words == 1 { ", 0u, 0u" } else { ", 0u" };
-            format!("uvec3({}_encode_dithered(v, {OFFSET}){rest})", case.id)
-        };
-        let encoded = evaluate_words(&folded_in_glsl(group.iter().map(encode)), &inputs);
-        for (input, result) in inputs.iter().zip(encoded) {
-            let v = Vec3::from_array(input.map(f32::from_bits));
-            let in_rust = group.iter().map(|case| (case.encode)(v, offset(*input)));
-            let expected = folded(in_rust.map(|[low, high]| [low, high, 0]));
-            assert_eq!(result, expected, "one of {ids:?} of {v}, {}", offset(*input));
-        }
-        let decode = |case: &Case| {
+            let in_rust = |w: [u32; 3]| {
+                let [low, high] = (case.encode)(Vec3::from_array(w.map(f32::from_bits)), offset(w));
+                [low, high, 0]
+            };
+            (format!("uvec3({}_encode_dithered(v, {OFFSET}){rest})", case.id), in_rust)
+        });
+        assert_same_words(&encode.collect::<Vec<_>>(), &inputs);
+        let decode = group.iter().map(|case| {
             let code = if case.words == 1 { "w.x" } else { "w.xy" };
-            format!("floatBitsToUint({}_decode_dithered({code}, {OFFSET}))", case.id)
-        };
-        let decoded = evaluate_words(&folded_in_glsl(group.iter().map(decode)), &codes);
-        for (input, result) in codes.iter().zip(decoded) {
-            let in_rust = group.iter().map(|case| (case.decode)([input[0], input[1]], offset(*input)));
-            let expected = folded(in_rust.map(|v| v.to_array().map(f32::to_bits)));
-            assert_eq!(result, expected, "one of {ids:?} of {input:x?}, {}", offset(*input));
-        }
+            let in_rust = |w: [u32; 3]| (case.decode)([w[0], w[1]], offset(w)).to_array().map(f32::to_bits);
+            (format!("floatBitsToUint({}_decode_dithered({code}, {OFFSET}))", case.id), in_rust)
+        });
+        assert_same_words(&decode.collect::<Vec<_>>(), &codes);
     }
 }
 
-/// An offset of three words.
-type OfWords = fn([u32; 3]) -> Vec2;
+/// An offset of the bits of three floats.
+type OfBits = fn([f32; 3]) -> Vec2;
 
 /// The keys agree for any keys, texels and positions.
 #[test]
 fn offsets_in_glsl_have_the_bits_of_rust() {
-    let (any, vectors) = (vectors().iter().map(|v| v.map(f32::to_bits)).collect::<Vec<_>>(), vectors());
-    let of_words: [(&str, OfWords); 2] = [
-        ("dither_from_key(w.x)", |w| dither_from_key(w[0])),
-        ("dither_from_pixel(w.xy)", |w| dither_from_pixel(UVec2::new(w[0], w[1]))),
-    ];
-    for (call, in_rust) in of_words {
-        for (w, result) in
-            any.iter().zip(evaluate_words(&format!("uvec3(floatBitsToUint({call}), 0u)"), &any))
-        {
-            assert_eq!([result[0], result[1]], in_rust(*w).to_array().map(f32::to_bits), "{call} of {w:?}");
-            let offset = in_rust(*w);
-            assert!(offset.x.abs() <= 0.5 && offset.y.abs() <= 0.5, "{call} of {w:?}: {offset}");
-        }
-    }
-    for (v, result) in vectors.iter().zip(evaluate("vec3(dither_from_position(v), 0.0)", &vectors)) {
-        assert_eq!([result[0], result[1]], dither_from_position((*v).into()).to_array(), "{v:?}");
-    }
+    let any = vectors();
     let texels: Vec<[f32; 3]> = (0..256).map(|n| [n as f32 / 255.0, (255 - n) as f32 / 255.0, 0.0]).collect();
-    for (n, (texel, result)) in
-        texels.iter().zip(evaluate("vec3(dither_from_texel(v.xy), 0.0)", &texels)).enumerate()
-    {
-        let offset = dither_from_texel(Vec2::new(texel[0], texel[1]));
-        assert_eq!([result[0], result[1]], offset.to_array());
+    let of_texel: OfBits = |v| dither_from_texel(Vec2::new(v[0], v[1]));
+    let of_any: [(&str, OfBits); 3] = [
+        ("key(w.x)", |v| dither_from_key(v[0].to_bits())),
+        ("pixel(w.xy)", |v| dither_from_pixel(UVec2::new(v[0].to_bits(), v[1].to_bits()))),
+        ("position(v)", |v| dither_from_position(v.into())),
+    ];
+    let beside = |(call, in_rust): (&str, OfBits)| {
+        (format!("vec3(dither_from_{call}, 0.0)"), move |v: [f32; 3]| in_rust(v).extend(0.0))
+    };
+    assert_same_bits(&of_any.map(beside), &any);
+    assert_same_bits(&[beside(("texel(v.xy)", of_texel))], &texels);
+    for (v, (call, in_rust)) in any.iter().flat_map(|v| of_any.iter().map(move |function| (v, function))) {
+        assert!(in_rust(*v).abs().max_element() <= 0.5, "{call} of {v:?}: {}", in_rust(*v));
+    }
+    for (n, texel) in texels.iter().enumerate() {
         // The middles of 256 intervals.
+        let offset = of_texel(*texel);
         assert!((f64::from(offset.x) - ((n as f64 + 0.5) / 256.0 - 0.5)).abs() < 1e-7, "{n}: {offset}");
     }
 }

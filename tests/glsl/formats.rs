@@ -1,6 +1,6 @@
 //! The functions of Vulkan's formats: values follow the specification, codes come back, and GLSL has Rust's bits.
 
-use super::evaluate_words;
+use super::assert_same_words;
 use unitvec::formats::*;
 use unitvec::glam::{IVec2, Vec2, Vec3};
 use unitvec_tests::directions::Rng;
@@ -36,26 +36,19 @@ macro_rules! of_format {
     (@from Vec2, $w:ident) => { Vec2::new(f32::from_bits($w[0]), f32::from_bits($w[1])) };
     (@from Vec3, $w:ident) => { Vec3::from_array($w.map(f32::from_bits)) };
     (@from IVec2, $w:ident) => { IVec2::new($w[0] as i32, $w[1] as i32) };
-    ($name:literal, $kind:ident, $bits:literal, $type:ident, 1, $to_values:ident, $to_code:ident) => {
+    (@read 1, $code:ident) => { $code[0] };
+    (@read 2, $code:ident) => { $code };
+    (@written 1, $code:expr) => { [$code, 0] };
+    (@written 2, $code:expr) => { $code };
+    ($name:literal, $kind:ident, $bits:literal, $type:ident, $words:tt, $to_values:ident, $to_code:ident) => {
         Format {
             name: $name,
             kind: Kind::$kind,
             bits: $bits,
             components: size_of::<$type>() / 4,
-            code_words: 1,
-            to_values: |code| of_format!(@values $type, $to_values(code[0])),
-            to_code: |w| [$to_code(of_format!(@from $type, w)), 0],
-        }
-    };
-    ($name:literal, $kind:ident, $bits:literal, $type:ident, 2, $to_values:ident, $to_code:ident) => {
-        Format {
-            name: $name,
-            kind: Kind::$kind,
-            bits: $bits,
-            components: size_of::<$type>() / 4,
-            code_words: 2,
-            to_values: |code| of_format!(@values $type, $to_values(code)),
-            to_code: |w| $to_code(of_format!(@from $type, w)),
+            code_words: $words,
+            to_values: |code| of_format!(@values $type, $to_values(of_format!(@read $words, code))),
+            to_code: |w| of_format!(@written $words, $to_code(of_format!(@from $type, w))),
         }
     };
 }
@@ -207,23 +200,21 @@ fn values() -> Vec<[u32; 3]> {
 /// GLSL has Rust's bits, of every code and of any values; of NaN it is the code of 0.
 #[test]
 fn formats_in_glsl_have_the_bits_of_rust() {
-    let inputs = values();
-    for format in FORMATS {
+    for format in &FORMATS {
         let codes: Vec<[u32; 3]> = format.codes().into_iter().map(|[low, high]| [low, high, 0]).collect();
-        for (code, values) in codes.iter().zip(evaluate_words(&format.values_in_glsl(), &codes)) {
-            assert_eq!((format.to_values)([code[0], code[1]]), values, "{} of {code:x?}", format.name);
-        }
-        for (input, code) in inputs.iter().zip(evaluate_words(&format.code_in_glsl(), &inputs)) {
-            let expected = (format.to_code)(*input);
-            assert_eq!(expected, [code[0], code[1]], "{} of {input:x?}", format.name);
-        }
+        let in_rust = |[low, high, _]: [u32; 3]| (format.to_values)([low, high]);
+        assert_same_words(&[(format.values_in_glsl(), in_rust)], &codes);
         if format.kind != Kind::Sint {
-            assert_eq!(
-                (format.to_code)([f32::NAN.to_bits(); 3]),
-                (format.to_code)([0; 3]),
-                "{}",
-                format.name
-            );
+            let of_nan = (format.to_code)([f32::NAN.to_bits(); 3]);
+            assert_eq!(of_nan, (format.to_code)([0; 3]), "{}", format.name);
         }
     }
+    let to_codes = FORMATS.iter().map(|format| {
+        let in_rust = |w| {
+            let [low, high] = (format.to_code)(w);
+            [low, high, 0]
+        };
+        (format.code_in_glsl(), in_rust)
+    });
+    assert_same_words(&to_codes.collect::<Vec<_>>(), &values());
 }

@@ -8,6 +8,7 @@ mod names;
 mod projections;
 mod versions;
 
+use unitvec::arith;
 use unitvec_catalogue::{Domain, frames, vectors};
 use unitvec_run::glsl;
 use unitvec_run::glsl::Compiler;
@@ -42,11 +43,29 @@ fn every_family_compiles_by_include() {
     }
 }
 
-/// Runs `expression`, a vec3 of the vec3 `v`, on lavapipe.
-fn evaluate(expression: &str, vectors: &[[f32; 3]]) -> Vec<[f32; 3]> {
-    let words: Vec<[u32; 3]> = vectors.iter().map(|v| v.map(f32::to_bits)).collect();
-    let results = evaluate_words(&format!("floatBitsToUint({expression})"), &words);
-    results.into_iter().map(|words| words.map(f32::from_bits)).collect()
+/// Fails where one of these functions, each a call of GLSL and the same in Rust, gives other bits in GLSL. The call is a vec3
+/// of the vec3 `v`.
+fn assert_same_bits<R: Into<[f32; 3]>>(functions: &[(String, impl Fn([f32; 3]) -> R)], inputs: &[[f32; 3]]) {
+    let of_words = functions.iter().map(|(call, function)| {
+        let in_rust = move |w: [u32; 3]| function(w.map(f32::from_bits)).into().map(f32::to_bits);
+        (format!("floatBitsToUint({call})"), in_rust)
+    });
+    let inputs: Vec<[u32; 3]> = inputs.iter().map(|v| v.map(f32::to_bits)).collect();
+    assert_same_words(&of_words.collect::<Vec<_>>(), &inputs);
+}
+
+/// Fails where one of these functions gives other words in GLSL. The call is a uvec3 of the uvec3 `w` and of the vec3 `v` of the
+/// same bits. A shader has all calls, and gives a digest of their results: 31 times the digest before, and the next.
+fn assert_same_words(functions: &[(String, impl Fn([u32; 3]) -> [u32; 3])], inputs: &[[u32; 3]]) {
+    let calls: Vec<&str> = functions.iter().map(|(call, _)| call.as_str()).collect();
+    let digest = calls.iter().fold("uvec3(0u)".to_owned(), |all, call| format!("({all} * 31u + {call})"));
+    for (input, result) in inputs.iter().zip(evaluate_words(&digest, inputs)) {
+        let in_rust = functions.iter().fold([0; 3], |all: [u32; 3], (_, function)| {
+            let next = function(*input);
+            [0, 1, 2].map(|i| all[i].wrapping_mul(31).wrapping_add(next[i]))
+        });
+        assert_eq!(result, in_rust, "one of {calls:?} of {input:x?}, {:?}", input.map(f32::from_bits));
+    }
 }
 
 /// Runs `expression`, a uvec3 of the uvec3 `w` and of the vec3 `v` of the same bits, on lavapipe.
@@ -83,58 +102,41 @@ fn evaluate_words(expression: &str, inputs: &[[u32; 3]]) -> Vec<[u32; 3]> {
 #[test]
 fn scalar_functions_are_the_crates() {
     let inputs: Vec<[f32; 3]> = (-3000..3000).map(|n| [n as f32 / 2500.0, 0.0, 0.0]).collect();
-    for bits in [2, 5, 8, 10, 16, 22] {
-        let expression = format!(
-            "vec3(float(unitvec_unorm_encode(v.x, {bits}u)), float(unitvec_snorm_encode(v.x, {bits}u)), 0.0)"
-        );
-        for (input, result) in inputs.iter().zip(evaluate(&expression, &inputs)) {
-            let expected =
-                [unitvec::arith::unorm_encode(input[0], bits), unitvec::arith::snorm_encode(input[0], bits)];
-            assert_eq!(
-                [result[0], result[1]],
-                expected.map(|code| code as f32),
-                "{bits} bits of {}",
-                input[0]
-            );
-        }
-    }
+    let functions = [2, 5, 8, 10, 16, 22].map(|bits| {
+        let call = ["unorm", "snorm"].map(|kind| format!("float(unitvec_{kind}_encode(v.x, {bits}u))"));
+        let in_rust = move |[x, ..]: [f32; 3]| {
+            [arith::unorm_encode(x, bits) as f32, arith::snorm_encode(x, bits) as f32, 0.0]
+        };
+        (format!("vec3({}, 0.0)", call.join(", ")), in_rust)
+    });
+    assert_same_bits(&functions, &inputs);
 }
 
 /// The trigonometry gives the crate's bits, over directions and angles of all sizes.
 #[test]
 fn trigonometry_is_the_crates_to_the_bit() {
-    use unitvec::arith;
     let mut inputs: Vec<[f32; 3]> = random_directions(Domain::Sphere, 6).take(20_000).collect();
     let scaled = random_directions(Domain::Sphere, 7).zip(-60..60);
     inputs.extend(scaled.map(|(v, exponent)| v.map(|c| c * 2f32.powi(exponent))));
     inputs.extend(special_vectors().into_iter().filter(|v| v.iter().all(|c| c.is_finite())));
-    type Reference = fn(f32, f32) -> [f32; 3];
+    type Reference = fn([f32; 3]) -> [f32; 3];
     let functions: [(&str, Reference); 4] = [
-        ("vec3(unitvec_sin_cos_half_turns(v.x), unitvec_atan2_half_turns(v.y, v.x))", |x, y| {
+        ("vec3(unitvec_sin_cos_half_turns(v.x), unitvec_atan2_half_turns(v.y, v.x))", |[x, y, _]| {
             [arith::sin_cos_half_turns(x).x, arith::sin_cos_half_turns(x).y, arith::atan2_half_turns(y, x)]
         }),
-        ("vec3(unitvec_from_diagonal(0.5 - min(abs(v.x), 1.0)), 0.0)", |x, _| {
+        ("vec3(unitvec_from_diagonal(0.5 - min(abs(v.x), 1.0)), 0.0)", |[x, ..]| {
             let of_x = arith::from_diagonal(0.5 - x.abs().min(1.0));
             [of_x.x, of_x.y, 0.0]
         }),
-        ("vec3(unitvec_sin_cos(v.x), unitvec_asin_half_turns(v.y))", |x, y| {
+        ("vec3(unitvec_sin_cos(v.x), unitvec_asin_half_turns(v.y))", |[x, y, _]| {
             [arith::sin_cos(x).x, arith::sin_cos(x).y, arith::asin_half_turns(y)]
         }),
         (
             "vec3(unitvec_acos_half_turns(v.x), unitvec_atan_octant(abs(v.y)), unitvec_tan_octant(min(abs(v.x), 1.0)))",
-            |x, y| {
+            |[x, y, _]| {
                 [arith::acos_half_turns(x), arith::atan_octant(y.abs()), arith::tan_octant(x.abs().min(1.0))]
             },
         ),
     ];
-    for (expression, reference) in functions {
-        for (input, result) in inputs.iter().zip(evaluate(expression, &inputs)) {
-            let expected = reference(input[0], input[1]);
-            let same = expected
-                .iter()
-                .zip(&result)
-                .all(|(a, b)| a.to_bits() == b.to_bits() || (a.is_nan() && b.is_nan()));
-            assert!(same, "{expression} of {input:?}: {result:?}, the crate's {expected:?}");
-        }
-    }
+    assert_same_bits(&functions.map(|(call, reference)| (call.to_owned(), reference)), &inputs);
 }

@@ -1,8 +1,7 @@
 //! The projections without rounding: GLSL has Rust's bits, and both are those of the oracle, written from the papers.
 
-use super::dither::{folded, folded_in_glsl};
-use super::evaluate_words;
 use super::floats::{Project, pairs, vectors};
+use super::{assert_same_bits, assert_same_words};
 use unitvec::azimuthal::{self, Concentric, Ellipse, Eqarea, Eqdist, Plain, Stereo};
 use unitvec::glam::{UVec3, Vec2, Vec3};
 use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
@@ -106,7 +105,7 @@ impl Projection {
         ]
     }
 
-    /// The expressions for [`evaluate`], one for each function.
+    /// The calls for [`assert_same_bits`], one for each function.
     fn calls(&self) -> [String; 4] {
         let [to, from, to_unorm, from_unorm] = self.functions();
         if self.is_pair {
@@ -131,18 +130,6 @@ impl Projection {
 fn points() -> Vec<[f32; 3]> {
     let thirds = [0.0, 1.0, 1.0 / 3.0, 2.0 / 3.0, f32::NAN, -1.0];
     pairs().into_iter().enumerate().map(|(n, [x, y, _])| [x, y, thirds[n % 6]]).collect()
-}
-
-/// Fails where one of these functions, each a call of GLSL and the same in Rust, gives other bits in GLSL. A shader has them
-/// all, and a digest of their results.
-fn assert_same_bits<R: Into<[f32; 3]>>(functions: &[(String, impl Fn([f32; 3]) -> R)], inputs: &[[f32; 3]]) {
-    let calls: Vec<&str> = functions.iter().map(|(call, _)| call.as_str()).collect();
-    let in_glsl = folded_in_glsl(calls.iter().map(|call| format!("floatBitsToUint({call})")));
-    let words: Vec<[u32; 3]> = inputs.iter().map(|input| input.map(f32::to_bits)).collect();
-    for (input, result) in inputs.iter().zip(evaluate_words(&in_glsl, &words)) {
-        let in_rust = functions.iter().map(|(_, function)| function(*input).into().map(f32::to_bits));
-        assert_eq!(result, folded(in_rust), "one of {calls:?} of {input:?}");
-    }
 }
 
 /// Projections agree for any vectors, and for any points.
@@ -186,19 +173,19 @@ fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
     ];
     assert_same_bits(&listings, &pairs);
     let bits: Vec<[u32; 3]> = pairs.iter().map(|f| f.map(f32::to_bits)).collect();
-    let bytes = evaluate_words("snorm12x2_to_uint8x3(v.xy)", &bits);
+    let to_bytes = |w: [u32; 3]| oct::snorm12x2_to_uint8x3(pair(w.map(f32::from_bits))).to_array();
+    assert_same_words(&[("snorm12x2_to_uint8x3(v.xy)".to_owned(), to_bytes)], &bits);
+    let bytes: Vec<[u32; 3]> = bits.iter().map(|w| to_bytes(*w)).collect();
     for (input, bytes) in pairs.iter().zip(&bytes) {
-        assert_eq!(oct::snorm12x2_to_uint8x3(pair(*input)).to_array(), *bytes, "{input:?}");
         let parts = oct::snorm12x2_to_unorm8x3(pair(*input));
         assert_eq!(parts.to_array(), bytes.map(|byte| byte as f32 / 255.0), "{input:?}");
     }
-    let call = "uvec3(floatBitsToUint(uint8x3_to_snorm12x2(w)), 0u)";
-    for input in [bytes, bits] {
-        for (words, result) in input.iter().zip(evaluate_words(call, &input)) {
-            let expected = oct::uint8x3_to_snorm12x2(UVec3::from_array(*words));
-            assert_eq!([expected.x.to_bits(), expected.y.to_bits(), 0], result, "{words:?}");
-        }
-    }
+    let call = "uvec3(floatBitsToUint(uint8x3_to_snorm12x2(w)), 0u)".to_owned();
+    let from_bytes = |w| {
+        let e = oct::uint8x3_to_snorm12x2(UVec3::from_array(w));
+        [e.x.to_bits(), e.y.to_bits(), 0]
+    };
+    assert_same_words(&[(call, from_bytes)], &[bytes, bits].concat());
 }
 
 /// Listing 4 in the plain form: shifts and masks of integers, as in docs/formats.md, for every pair of snorm12.
