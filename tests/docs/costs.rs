@@ -110,7 +110,8 @@ fn compiled() -> &'static [(&'static Generation, Report)] {
         .get_or_init(|| GENERATIONS.iter().map(|generation| (generation, committed(generation))).collect())
 }
 
-fn rdna2() -> &'static Report {
+/// The committed figures of RDNA 2.
+pub fn rdna2() -> &'static Report {
     let rdna2 = find_generation("rdna2").unwrap();
     &compiled().iter().find(|(generation, _)| generation.name == rdna2.name).unwrap().1
 }

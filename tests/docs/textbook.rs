@@ -1,14 +1,14 @@
 //! Functions in common use beside the codecs, as `docs/data/textbook.csv` has them.
 
 use super::accuracy::{self, Errors};
+use super::costs::rdna2;
 use super::markdown_table;
 use super::tables::mean_and_max;
-use serde_json::Value;
 use std::collections::BTreeMap;
 use std::sync::OnceLock;
 use unitvec_catalogue::{Element, Operation, find};
+use unitvec_choose::costs::{Row, Source};
 use unitvec_lab::textbook::{TEXTBOOK, Textbook};
-use unitvec_tests::repository;
 
 /// The sources of a row's functions: the textbook, or the codec in its place.
 pub const SOURCES: [&str; 2] = ["textbook", "unitvec"];
@@ -79,25 +79,15 @@ fn joined(errors: [Option<Errors>; 2]) -> String {
     }
 }
 
-/// The rows of a compiler's report for RDNA 2, where there is one.
-fn rows() -> &'static [Value] {
-    static REPORT: OnceLock<Value> = OnceLock::new();
-    let report = REPORT.get_or_init(|| {
-        let text = std::fs::read(repository().join("host/choose/data/costs_navi21.json")).unwrap_or_default();
-        serde_json::from_slice(&text).unwrap_or_default()
-    });
-    report["rows"].as_array().map_or(&[], Vec::as_slice)
-}
-
-/// Inverse throughput of the textbook's kernel and of the codec's, from GLSL.
+/// Inverse throughput on RDNA 2 of the textbook's kernel and of the codec's, from GLSL.
 fn costs(textbook: &Textbook, operation: Operation) -> String {
-    let of = |source: &str, key: &str, id: &str| {
-        let row = rows().iter().find(|row| {
-            row["source"] == source && row[key] == id && row["operation"] == operation.to_string().as_str()
-        });
-        row.and_then(|row| row["inverse_throughput"].as_u64()).map_or("-".to_owned(), |t| t.to_string())
+    let of = |is_it: &dyn Fn(&Row) -> bool| {
+        let row = rdna2().rows.iter().find(|row| row.operation == operation && is_it(row));
+        row.and_then(|row| row.inverse_throughput).map_or("-".to_owned(), |t| t.to_string())
     };
-    format!("{} → {}", of("textbook", "textbook", textbook.id), of("glsl", "id", textbook.codec))
+    let before = of(&|row| row.textbook.as_deref() == Some(textbook.id));
+    let after = of(&|row| row.source == Source::Glsl && row.id == textbook.codec);
+    format!("{before} → {after}")
 }
 
 /// The inputs that come back wrong, by their results. A vector that is too short or too long to count as a direction
