@@ -148,6 +148,9 @@ fn projections_in_glsl_have_the_bits_of_rust() {
     }
 }
 
+/// A function of three floats.
+type OfFloats = fn([f32; 3]) -> Vec3;
+
 /// The precise functions and listing 5 agree, too.
 #[test]
 fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
@@ -167,7 +170,7 @@ fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
         (call, move |v: [f32; 3]| in_rust(v.into()).extend(0.0))
     });
     assert_same_bits(&precise, &vectors);
-    let listings: [(String, fn([f32; 3]) -> Vec3); 2] = [
+    let listings: [(String, OfFloats); 2] = [
         ("snorm12x2_to_unorm8x3(v.xy)".into(), |f| oct::snorm12x2_to_unorm8x3(pair(f))),
         ("vec3(unorm8x3_to_snorm12x2(v), 0.0)".into(), |u| oct::unorm8x3_to_snorm12x2(u.into()).extend(0.0)),
     ];
