@@ -161,7 +161,7 @@ fn beyond() -> &'static (String, Vec<Value>) {
 fn rows_of_frames_are_told_apart() {
     let (text, _) = beyond();
     for part in ["normal", "tangent"] {
-        assert!(text.contains(&format!("frames frame32 {part} ")), "{text}");
+        assert!(text.contains(&format!("\nframe32 {part} ")), "{text}");
     }
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
 }
