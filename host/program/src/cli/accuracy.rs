@@ -131,7 +131,8 @@ pub struct Report {
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let is_quiet = arguments.outputs.take_stdout(&arguments.json)?;
     let (jobs, missing) = arguments.table.jobs();
-    let live = Live::new(jobs.len() as u64, "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
+    let live =
+        Live::new(Some(jobs.len() as u64), "{msg:<18} {wide_bar} {pos} of {len} rows, {eta} left", is_quiet);
     let screen = Screen::new(columns(arguments.float64), &arguments.wide, live)?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
     screen.head(LEGEND)?;

@@ -93,7 +93,7 @@ fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
         throughput_samples: 2 * arguments.samples as usize,
         cost_kernels: arguments.cost_kernels.clone(),
     };
-    let live = Live::new(chosen.len() as u64, CODECS_LEFT, is_quiet);
+    let live = Live::new(Some(chosen.len() as u64), CODECS_LEFT, is_quiet);
     let mut screen = Screen::new(columns(), &run.wide, live)?;
     screen.head(&legend(device.info(), &options))?;
     let mut bench = Bench::new(&device, run.vulkan.modules()?, options)?;

@@ -57,7 +57,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     let is_quiet = measured.outputs.take_stdout(&run.json)?;
     let chosen = run.formats()?;
-    let live = Live::new(chosen.len() as u64, CODECS_LEFT, is_quiet);
+    let live = Live::new(Some(chosen.len() as u64), CODECS_LEFT, is_quiet);
     let mut screen = Screen::new(columns(), &run.wide, live)?;
     let instance = run.vulkan.instance()?;
     let inspector = Inspector::open(&instance, &run.vulkan.choice())?;

@@ -1,6 +1,6 @@
 use super::run::{Live, PERCENT, Run, Screen};
 use super::table::{Column, left, right};
-use super::{counted, counts, examples, to_separated};
+use super::{counted, counts, examples, write_separated};
 use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -113,7 +113,7 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
     };
     let formats = arguments.inputs.formats()?;
     let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
-    let live = Live::new(plans.iter().map(Plan::work).sum(), PERCENT, run.json.is_to_stdout());
+    let live = Live::new(Some(plans.iter().map(Plan::work).sum()), PERCENT, run.json.is_to_stdout());
     let mut screen = Screen::new(columns(), &run.wide, live)?;
     let device = run.vulkan.device()?;
     let open = || run.vulkan.backends(&device);
@@ -134,7 +134,7 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
     let report = Report::new(device, &options, rounding, rows);
     run.json.write(&report)?;
     if let Some(path) = &arguments.summary {
-        unitvec_files::write_file(path, &to_separated(path, &[report.summary()], b'\t')?)?;
+        write_separated(path, &[report.summary()], b'\t')?;
     }
     screen.verdict("conform", outcome(&report))
 }

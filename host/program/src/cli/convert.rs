@@ -1,8 +1,8 @@
+use super::run::Live;
 use super::summary::{Options, Summary};
-use super::{OpenBackend, Vulkan, progress};
+use super::{OpenBackend, Vulkan, write_output};
 use clap::Args;
-use indicatif::ProgressBar;
-use std::io::{Read, Write};
+use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, find};
@@ -79,7 +79,7 @@ pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
-    let mut output = create_output(&arguments.mesh, &arguments.out)?;
+    let output = create_output(&arguments.mesh, &arguments.out)?;
     let to_stdout = output.is_stdout();
     let input = Input::open(&arguments.mesh)?;
     let (element, floats, parts, filled) = if arguments.frames {
@@ -90,10 +90,7 @@ pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
         let filled = mesh.fill_with_z();
         (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled as u64)
     };
-    output
-        .write_all(&to_bytes(&floats))
-        .map_err(|source| unitvec_files::Error::writing(&arguments.out, source))?;
-    output.finish()?;
+    write_output(output, &to_bytes(&floats))?;
     let mut counts = Counts { no_direction: filled, ..Counts::default() };
     counts.add(element, &floats);
     let summary = Summary::of_export(element, counts, parts, filled);
@@ -133,14 +130,17 @@ impl<'a> Conversion<'a> {
 
     /// Converts all of the input, of so many elements if that is known.
     fn run<T>(&mut self, input: &mut dyn Read, count: Option<u64>, convert: Convert<T>) -> Result<T> {
-        let bar = progress_bar(count, self.format.element.plural());
+        let unit = self.format.element.plural();
+        let template = match count {
+            Some(_) => format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{eta}} left"),
+            None => format!("{{spinner}} {{human_pos}} {unit}, {{elapsed}}"),
+        };
+        let live = Live::new(count, &template, true);
         let from: stream::Input<'_> = Named::new(&self.arguments.r#in, input);
         let to: Sink<'_> = Named::new(&self.arguments.out, &mut self.output);
-        let converted = convert(self.open.backend.as_mut(), self.format, from, to, &mut |done| {
-            bar.set_position(done);
-            progress::show_if_due(&bar);
-        })?;
-        bar.finish_and_clear();
+        let backend = self.open.backend.as_mut();
+        let converted = convert(backend, self.format, from, to, &mut |done| live.reach(done))?;
+        live.finish();
         Ok(converted)
     }
 
@@ -151,13 +151,4 @@ impl<'a> Conversion<'a> {
         options.print(summary, [r#in, out], to_stdout)?;
         Ok(self.open.close())
     }
-}
-
-/// A bar, or a count where the number of elements is unknown.
-fn progress_bar(count: Option<u64>, unit: &str) -> ProgressBar {
-    let template = match count {
-        Some(_) => format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{eta}} left"),
-        None => format!("{{spinner}} {{human_pos}} {unit}, {{elapsed}}"),
-    };
-    progress::bar(count, &template)
 }

@@ -1,6 +1,6 @@
-use super::run::Json;
+use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, chosen_formats, degrees, progress};
+use super::{OpenBackend, Vulkan, chosen_formats, degrees};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -45,21 +45,21 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     // What is missing is told before minutes of measuring.
     arguments.file.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
-    let bar = progress::bar(Some(arguments.file.len() as u64), "{wide_msg} file {pos} of {len}, {elapsed}");
+    let work = Some(arguments.file.len() as u64);
+    let live = Live::new(work, "{wide_msg} file {pos} of {len}, {elapsed}", true);
     let mut computed = Vec::new();
     for path in &arguments.file {
-        bar.inc(1);
+        live.advance(1);
         let Elements { floats: mut input, parts, .. } = Elements::open(path, meter.element(), arguments.raw)?;
         if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
             computed.push(path.display().to_string());
         }
         let unit = meter.element().plural();
         meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
-            progress::show_if_due(&bar);
-            bar.set_message(format!("{}: {done} {unit}", path.display()));
+            live.name(format!("{}: {done} {unit}", path.display()));
         })?;
     }
-    bar.finish_and_clear();
+    live.finish();
     let report = Report { computed, ..meter.report() };
     arguments.json.write_or_print(&report, || text(&report, columns))?;
     Ok(open.close())

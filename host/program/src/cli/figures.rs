@@ -1,4 +1,5 @@
-use super::{Vulkan, print, progress, status_after_validation, to_json};
+use super::run::{Live, close};
+use super::{Vulkan, print, status_after_validation, to_json};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -99,9 +100,9 @@ impl<'a> Studio<'a> {
 
     /// Closes the device; what the validation layer said, of closing too.
     pub fn close(self) -> Vec<String> {
-        let instance = self.opened.as_ref().map(|(_, device)| device.instance().clone());
-        drop(self);
-        instance.map_or_else(Vec::new, |instance| instance.validation_messages())
+        let Some((renderer, device)) = self.opened else { return Vec::new() };
+        drop(renderer);
+        close(device).1
     }
 }
 
@@ -122,21 +123,18 @@ pub fn draw_all(
     studio: &mut Studio<'_>,
     mut each: impl FnMut(&str, Vec<u8>) -> Result<()>,
 ) -> Result<Figures> {
-    let bar = progress::bar(Some(parts.len() as u64), "figure {msg:<8} {wide_bar} {pos} of {len}");
+    let live = Live::new(Some(parts.len() as u64), "figure {msg:<8} {wide_bar} {pos} of {len}", true);
     let mut figures = Vec::new();
     for part in parts {
-        bar.set_message(
-            part.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned()),
-        );
-        progress::show_if_due(&bar);
+        live.name(part.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned()));
         let figure = draw(*part, options, studio)?;
         for shown in &figure.pictures {
             each(&shown.file, shown.bytes()?)?;
         }
         figures.push(figure);
-        bar.inc(1);
+        live.advance(1);
     }
-    bar.finish_and_clear();
+    live.finish();
     let origin = Origin { device: studio.device(), version: env!("CARGO_PKG_VERSION").to_owned() };
     Ok(Figures { origin, figures })
 }
@@ -181,5 +179,5 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         kept => format!("; {kept} earlier figures stay"),
     };
     print(&format!("figures: {count} {pictures}, figures.md and figures.json in {}{kept}\n", out.display()))?;
-    Ok(status_after_validation(&studio.close(), true))
+    Ok(status_after_validation(&studio.close()))
 }

@@ -46,7 +46,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let is_quiet = arguments.outputs.take_stdout(&run.json)?;
     let formats = arguments.inputs.formats()?;
     let work = formats.iter().map(|format| options.work(format)).sum();
-    let mut screen = Screen::new(columns(), &run.wide, Live::new(work, PERCENT, is_quiet))?;
+    let mut screen = Screen::new(columns(), &run.wide, Live::new(Some(work), PERCENT, is_quiet))?;
     let device = run.vulkan.device()?;
     let open = || run.vulkan.gpus(&device);
     let truncation_is_seen = truncation_is_seen(&options, open()?)?;

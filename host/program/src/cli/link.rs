@@ -1,6 +1,5 @@
-use super::print;
+use super::{print, write_output};
 use clap::Args;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_files::Output;
@@ -32,10 +31,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 fn link(path: &Path, out: &Path) -> Result<ExitCode> {
-    let mut output = Output::create_binary(out)?;
+    let output = Output::create_binary(out)?;
     let module = read_small(path)?;
     let linked = link::link(&module).map_err(|error| Error::Link { path: path.to_owned(), error })?;
-    output.write_all(&linked).map_err(|source| unitvec_files::Error::writing(out, source))?;
-    output.finish()?;
+    write_output(output, &linked)?;
     Ok(ExitCode::SUCCESS)
 }

@@ -20,7 +20,6 @@ mod imprecise;
 mod link;
 #[cfg(feature = "render")]
 mod pipeline;
-mod progress;
 #[cfg(feature = "render")]
 mod report;
 mod run;
@@ -37,6 +36,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, CODECS, find};
+use unitvec_files::Output;
 use unitvec_host::{Error, Result};
 #[cfg(feature = "lab")]
 use unitvec_lab::imprecise::Gpus;
@@ -190,6 +190,7 @@ impl Vulkan {
     }
 
     /// Fails where the command line names modules that a command does not take; its help [hides](hide_modules) them.
+    #[cfg(feature = "render")]
     fn refuse_modules(&self) -> Result<()> {
         if self.spirv.is_some() || self.trust {
             let options = "--spirv and --trust apply to the kernels; the renderer's shaders are built in";
@@ -199,6 +200,7 @@ impl Vulkan {
     }
 
     /// A device that draws.
+    #[cfg(feature = "render")]
     fn device_for_graphics(&self) -> Result<Arc<Device>, unitvec_vulkan::Error> {
         Device::open_for_graphics(&self.instance()?, &self.choice())
     }
@@ -308,13 +310,16 @@ impl OpenBackend {
 
     /// Closes both; the exit status tells of validation messages, those of closing too.
     fn close(self) -> ExitCode {
-        let instance = self.device.as_ref().map(|device| device.instance().clone());
-        drop(self);
-        status_after_validation(
-            &instance.map_or_else(Vec::new, |instance| instance.validation_messages()),
-            true,
-        )
+        drop(self.backend);
+        status_after_validation(&self.device.map_or_else(Vec::new, |device| run::close(device).1))
     }
+}
+
+/// Writes the whole of an output.
+fn write_output(mut output: Output, bytes: &[u8]) -> Result<()> {
+    let path = output.path().to_owned();
+    output.write_all(bytes).map_err(|source| unitvec_files::Error::writing(&path, source))?;
+    Ok(output.finish()?)
 }
 
 /// Prints to the standard output.
@@ -325,12 +330,12 @@ fn print(text: &str) -> Result<ExitCode> {
 }
 
 /// The exit status after a run with these validation messages, which go to the standard error.
-fn status_after_validation(messages: &[String], success: bool) -> ExitCode {
+fn status_after_validation(messages: &[String]) -> ExitCode {
     for message in messages {
         // Where the standard error is closed, the exit status has to do.
         let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
     }
-    if success && messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
 /// The codecs, of vectors and of frames, with these identifiers; all if there are none.
@@ -353,19 +358,15 @@ fn counts() -> clap::builder::RangedU64ValueParser<u64> {
     clap::value_parser!(u64).range(1..=1 << 40)
 }
 
-/// Rows as CSV, for `path`.
-fn to_csv<T: serde::Serialize>(path: &Path, rows: &[T]) -> Result<Vec<u8>> {
-    to_separated(path, rows, b',')
-}
-
-/// Rows below the names of their fields, for `path`.
-fn to_separated<T: serde::Serialize>(path: &Path, rows: &[T], separator: u8) -> Result<Vec<u8>> {
+/// Writes rows below the names of their fields.
+fn write_separated<T: serde::Serialize>(path: &Path, rows: &[T], separator: u8) -> Result<()> {
     let failed = |error: String| unitvec_files::Error::writing(path, io::Error::other(error));
     let mut writer = csv::WriterBuilder::new().delimiter(separator).from_writer(Vec::new());
     for row in rows {
         writer.serialize(row).map_err(|error| failed(error.to_string()))?;
     }
-    Ok(writer.into_inner().map_err(|error| failed(error.to_string()))?)
+    let bytes = writer.into_inner().map_err(|error| failed(error.to_string()))?;
+    Ok(unitvec_files::write_file(path, &bytes)?)
 }
 
 /// Degrees with six decimals, or four digits of what they would not show.

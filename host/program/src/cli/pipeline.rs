@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let formats = arguments.inputs.formats()?;
     // A choice of codecs leaves projections out.
     let pairs = if run.codec.is_empty() { conform::pairs() } else { Vec::new() };
-    let live = Live::new((formats.len() + pairs.len()) as u64, PERCENT, run.json.is_to_stdout());
+    let live = Live::new(Some((formats.len() + pairs.len()) as u64), PERCENT, run.json.is_to_stdout());
     let mut screen = Screen::new(columns(), &run.wide, live)?;
     let device = run.vulkan.device_for_graphics()?;
     let traits = conform::traits(&device, &options)?;

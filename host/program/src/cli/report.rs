@@ -1,6 +1,6 @@
 use super::figures::{Rendering, Studio, draw_all};
 use super::run::{Live, close};
-use super::{print, progress};
+use super::{print, write_output};
 use clap::{Args, ValueEnum};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     // So is what cannot be read.
     let mut costs = report::shipped_costs()?;
     if let Some(path) = &arguments.costs {
-        costs.insert(0, Costs::parse(path, &read(path)?)?);
+        costs.insert(0, Costs::parse(path, &read_small(path)?)?);
     }
     let agreement = given(arguments.conform.as_deref(), "unitvec conform --json")?;
     let pipeline = given(arguments.pipeline.as_deref(), "unitvec conform pipeline --json")?;
@@ -88,36 +88,22 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let count = arguments.count as usize;
     let machine = Machine::this();
     let contents = Contents { figures, files, not_rendered, agreement, pipeline, machine, costs, count };
-    let bar = progress::bar(Some(report::work() as u64), "tables {wide_bar} {pos} of {len}, {eta} left");
-    let html = report::html(&contents, &mut || {
-        progress::show_if_due(&bar);
-        bar.inc(1);
-    })?;
-    bar.finish_and_clear();
-    write(output, &html)?;
+    let live = Live::new(Some(report::work() as u64), "tables {wide_bar} {pos} of {len}, {eta} left", true);
+    let html = report::html(&contents, &mut || live.advance(1))?;
+    live.finish();
+    write_output(output, html.as_bytes())?;
     let size = html.len() as f64 / f64::from(1 << 20);
     if !is_page {
         print(&format!("report: {} ({size:.1} MiB)\n", arguments.out.display()))?;
     }
-    Ok(super::status_after_validation(&messages, true))
-}
-
-fn write(mut output: unitvec_files::Output, html: &str) -> Result<()> {
-    let path = output.path().to_owned();
-    std::io::Write::write_all(&mut output, html.as_bytes())
-        .map_err(|source| unitvec_files::Error::writing(&path, source))?;
-    Ok(output.finish()?)
-}
-
-fn read(path: &Path) -> Result<Vec<u8>> {
-    Ok(read_small(path)?)
+    Ok(super::status_after_validation(&messages))
 }
 
 /// The report in a file that this command writes, where one is named.
 fn given<T: DeserializeOwned>(path: Option<&Path>, command: &str) -> Result<Option<T>> {
     let Some(path) = path else { return Ok(None) };
     let not_of = |error| Error::Usage(format!("{} is not a report of `{command}`: {error}", path.display()));
-    serde_json::from_slice(&read(path)?).map(Some).map_err(not_of)
+    serde_json::from_slice(&read_small(path)?).map(Some).map_err(not_of)
 }
 
 /// A device that draws; else why there is none, in a sentence. One that fails for another reason is an error.
@@ -140,7 +126,7 @@ fn drawing(arguments: &Arguments) -> Result<Drawing> {
 fn figures_of(folder: &Path) -> Result<(Figures, Files)> {
     let figures = Figures::read(folder)?;
     let shown = figures.figures.iter().flat_map(|figure| &figure.pictures);
-    let files = shown.map(|shown| Ok((shown.file.clone(), read(&folder.join(&shown.file))?)));
+    let files = shown.map(|shown| Ok((shown.file.clone(), read_small(&folder.join(&shown.file))?)));
     let files = files.collect::<Result<Files>>()?;
     Ok((figures, files))
 }
@@ -166,7 +152,7 @@ fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<ren
     let traits = render::conform::traits(&device, &options)?;
     let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
     let formats = ids.map(|id| Ok(find(id)?)).collect::<Result<Vec<&'static AnyCodec>>>()?;
-    let live = Live::new(formats.len() as u64, "graphics pipeline {wide_bar} {pos} of {len}", true);
+    let live = Live::new(Some(formats.len() as u64), "graphics pipeline {wide_bar} {pos} of {len}", true);
     let mut rows = Vec::new();
     render::conform::run(formats, &options, &device, &traits, &mut |row| {
         live.advance(1);
@@ -183,10 +169,11 @@ fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<ren
 fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<conform::Report> {
     let options = conform::Options { count: SHORT.0, seed: 1, normals: Vec::new(), all_codes_up_to: SHORT.1 };
     let device = rendering.vulkan.device()?;
-    let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend(rendering, &device)?)].into()) };
-    let rounding = [(BackendKind::Rust, Rounding::of(backend(rendering, &device)?.as_mut())?)].into();
+    let backend = || rendering.vulkan.backend(BackendKind::Rust, &device, true);
+    let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend()?)].into()) };
+    let rounding = [(BackendKind::Rust, Rounding::of(backend()?.as_mut())?)].into();
     let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
-    let live = Live::new(plans.len() as u64, "agreement {wide_bar} {pos} of {len}", true);
+    let live = Live::new(Some(plans.len() as u64), "agreement {wide_bar} {pos} of {len}", true);
     let mut rows = Vec::new();
     conform::run(plans, open, &mut |_| live.advance(0), &mut |row| {
         live.advance(1);
@@ -197,8 +184,4 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<co
     let (device, closing) = close(device);
     messages.extend(closing);
     Ok(conform::Report::new(device, &options, rounding, rows))
-}
-
-fn backend(rendering: &Rendering, device: &Arc<Device>) -> Result<Box<dyn unitvec_run::backend::Backend>> {
-    rendering.vulkan.backend(BackendKind::Rust, device, true)
 }

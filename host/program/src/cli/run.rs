@@ -1,15 +1,16 @@
 //! Options and output that the runs over codecs share.
 
 use super::table::{Column, Layout, Wide, left_out, wrapped};
-use super::{Vulkan, chosen_formats, print, progress, status_after_validation, to_csv, to_json};
+use super::{Vulkan, chosen_formats, print, status_after_validation, to_json};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
 use unitvec_host::input::RAW_ENDINGS;
 use unitvec_host::{Error, Result};
@@ -61,7 +62,8 @@ impl Json {
     }
 }
 
-/// The files of a run with rows: all of them as JSON, the rows as CSV.
+/// The file of the rows of a run.
+#[cfg(feature = "lab")]
 #[derive(Args)]
 pub struct Outputs {
     /// Write the rows as CSV as well; - for the standard output, instead of the table.
@@ -69,6 +71,7 @@ pub struct Outputs {
     csv: Option<PathBuf>,
 }
 
+#[cfg(feature = "lab")]
 impl Outputs {
     /// True where the JSON or the CSV goes to the standard output. Both fail.
     pub fn take_stdout(&self, json: &Json) -> Result<bool> {
@@ -83,7 +86,7 @@ impl Outputs {
 
     /// Writes the rows, where they are asked for.
     pub fn write<T: Serialize>(&self, rows: &[T]) -> Result<()> {
-        self.csv.as_ref().map_or(Ok(()), |path| Ok(unitvec_files::write_file(path, &to_csv(path, rows)?)?))
+        self.csv.as_ref().map_or(Ok(()), |path| super::write_separated(path, rows, b','))
     }
 }
 
@@ -108,28 +111,44 @@ impl Run {
     }
 }
 
-/// A bar of progress, and the lines above it.
+/// A bar of progress on the standard error, where that is a terminal, and the lines above it.
 pub struct Live {
     bar: ProgressBar,
     is_quiet: bool,
 }
 
 impl Live {
-    /// A bar with this template, over so much work. `is_quiet` where a report takes the standard output.
-    pub fn new(work: u64, template: &str, is_quiet: bool) -> Self {
-        Self { bar: progress::bar(Some(work), template), is_quiet }
+    /// Runs that are done sooner show no bar.
+    const DELAY: Duration = Duration::from_secs(1);
+
+    /// A bar with this template, over so much work if that is known. `is_quiet` where a report takes the standard output.
+    pub fn new(work: Option<u64>, template: &str, is_quiet: bool) -> Self {
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        let bar = ProgressBar::with_draw_target(work, ProgressDrawTarget::hidden()).with_style(style);
+        Self { bar, is_quiet }
+    }
+
+    /// The bar, which is shown once its run has taken a while.
+    fn bar(&self) -> &ProgressBar {
+        if self.bar.is_hidden() && self.bar.elapsed() >= Self::DELAY {
+            self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        &self.bar
     }
 
     /// Shows that so much more work is done.
     pub fn advance(&self, done: u64) {
-        progress::show_if_due(&self.bar);
-        self.bar.inc(done);
+        self.bar().inc(done);
     }
 
-    /// Names the codec beside the bar.
-    pub fn name(&self, id: &str) {
-        progress::show_if_due(&self.bar);
-        self.bar.set_message(id.to_owned());
+    /// Shows that so much work is done in all.
+    pub fn reach(&self, done: u64) {
+        self.bar().set_position(done);
+    }
+
+    /// Shows a name or some words beside the bar.
+    pub fn name(&self, words: impl Into<String>) {
+        self.bar().set_message(words.into());
     }
 
     /// Prints above the bar, unless a report takes the standard output.
@@ -181,6 +200,7 @@ impl Screen {
     }
 
     /// Whether there is room for a column.
+    #[cfg(feature = "lab")]
     pub fn shows(&self, column: usize) -> bool {
         self.table.shows(column)
     }
@@ -191,6 +211,7 @@ impl Screen {
     }
 
     /// Prints a paragraph within or below the table.
+    #[cfg(feature = "lab")]
     pub fn say(&self, words: &str, indent: &str) -> Result<()> {
         self.live.print(|| wrapped(words, indent, self.columns))
     }
@@ -212,7 +233,7 @@ impl Screen {
     pub fn end(self, words: &str) -> Result<ExitCode> {
         self.live.finish();
         self.live.print(|| wrapped(words, "", self.columns) + &left_out(&[&self.table]))?;
-        Ok(status_after_validation(&self.messages, true))
+        Ok(status_after_validation(&self.messages))
     }
 
     /// Ends a comparison with its verdict: what agreed, or why it fails.

@@ -104,6 +104,7 @@ impl Layout {
     }
 
     /// Whether there was room for a column.
+    #[cfg(feature = "lab")]
     pub fn shows(&self, column: usize) -> bool {
         self.columns.get(column).is_some_and(|(_, is_shown)| *is_shown)
     }
