@@ -675,9 +675,9 @@ fn cost_kernels(folder: &Path, ids: &[&str]) {
         std::fs::write(folder.join(format!("{name}.spv")), with_entry_point(&module, &name)).unwrap();
     };
     for operation in Operation::ALL {
-        write(format!("baseline_{operation}"), compiler.baseline_kernel(operation).unwrap());
+        write(format!("baseline_{operation}"), compiler.cost_kernel(None, operation).unwrap());
         for format in ids.iter().map(|id| find(id).unwrap()) {
-            write(format.function(operation), compiler.cost_kernel(format, operation).unwrap());
+            write(format.function(operation), compiler.cost_kernel(Some(format), operation).unwrap());
         }
     }
 }

@@ -200,10 +200,7 @@ impl Bench {
             let name = format!("{function}_cost");
             return Ok(self.runner.kernel(&modules::cost_kernel(folder, &name)?, &name, table)?);
         }
-        let module = match format {
-            Some(format) => self.compiler.cost_kernel(format, operation)?,
-            None => self.compiler.baseline_kernel(operation)?,
-        };
+        let module = self.compiler.cost_kernel(format, operation)?;
         Ok(self.runner.kernel(&module, glsl::ENTRY_POINT, table)?)
     }
 

@@ -395,16 +395,6 @@ mod tests {
         .into_bytes()
     }
 
-    /// A vertex that no face uses keeps its place.
-    #[test]
-    fn unused_vertices_keep_their_place() {
-        let text = String::from_utf8(triangle("int", "2")).unwrap();
-        let text = text.replace("vertex 3", "vertex 4").replace("0 0 0\n1 0", "9 9 9\n0 0 0\n1 0");
-        let mesh = read(text.replace("3 0 1 2", "3 1 2 3").as_bytes()).unwrap();
-        let z = [0.0, 0.0, 1.0];
-        assert_eq!(mesh.normals, [[0.0; 3], z, z, z]);
-    }
-
     /// Every integer type serves as an index; a float does not.
     #[test]
     fn index_types() {

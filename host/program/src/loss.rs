@@ -7,7 +7,7 @@ use serde::Serialize;
 use unitvec::angle_deg;
 use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_mesh::has_direction;
-use unitvec_run::backend::{Backend, CHUNK, round_trip_slice};
+use unitvec_run::backend::{Backend, CHUNK};
 
 /// The errors of one codec over one file, or over all of them.
 #[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
@@ -123,7 +123,8 @@ impl Meter {
             let decoded = &mut decoded[..elements.len()];
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
                 let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
-                round_trip_slice(backend, format, elements, codes, decoded)?;
+                backend.encode(format, elements, codes)?;
+                backend.decode(format, codes, decoded)?;
                 for (part, tally) in tallies.iter_mut().enumerate() {
                     tally.add_all(&Chunk {
                         file: &file,

@@ -93,26 +93,12 @@ pub fn round_trip(
     sampling::in_chunks(elements, count * floats, CHUNK * floats, |elements| {
         let codes = &mut codes[..elements.len() / floats * codec.bytes];
         let decoded = &mut decoded[..elements.len()];
-        round_trip_slice(backend, codec, elements, codes, decoded)?;
+        backend.encode(codec, elements, codes)?;
+        backend.decode(codec, codes, decoded)?;
         let pairs = elements.chunks_exact(floats).zip(decoded.chunks_exact(floats));
         pairs.for_each(|(element, decoded)| each(element, decoded));
         Ok(())
     })
-}
-
-/// Encodes elements whose floats follow each other, and decodes the codes.
-///
-/// # Errors
-/// Any error of the backend.
-pub fn round_trip_slice(
-    backend: &mut dyn Backend,
-    format: &AnyCodec,
-    elements: &[f32],
-    codes: &mut [u8],
-    decoded: &mut [f32],
-) -> Result<()> {
-    backend.encode(format, elements, codes)?;
-    backend.decode(format, codes, decoded)
 }
 
 /// The crate's functions on this machine's CPU.
@@ -148,7 +134,9 @@ impl KernelSource {
         operation: Operation,
         table: Option<&Table>,
     ) -> Result<Kernel> {
-        self.load(runner, &format.function(operation), table, |compiler| compiler.kernel(format, operation))
+        let name = format.function(operation);
+        let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
+        Ok(runner.kernel(&module, entry_point, table)?)
     }
 
     /// The kernel that decodes two-byte codes by `table`, which holds the vectors of all codes.
@@ -156,22 +144,12 @@ impl KernelSource {
     /// # Errors
     /// Any error of loading, compiling or Vulkan.
     pub fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
-        self.load(runner, manifest::DECODE_BY_TABLE, Some(table), glsl::Compiler::decode_by_table)
+        let compile = glsl::Compiler::decode_by_table;
+        let (module, entry_point) = self.module(manifest::DECODE_BY_TABLE, compile)?;
+        Ok(runner.kernel(&module, entry_point, Some(table))?)
     }
 
-    /// The kernel with this name among the modules, or as it is compiled now.
-    fn load(
-        &self,
-        runner: &Runner,
-        name: &str,
-        table: Option<&Table>,
-        compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
-    ) -> Result<Kernel> {
-        let (module, entry_point) = self.module(name, compile)?;
-        Ok(runner.kernel(&module, entry_point, table)?)
-    }
-
-    /// The module of the kernel with this name, and its entry point.
+    /// The module of the kernel with this name, among those shipped or as it is compiled now, and its entry point.
     fn module<'a>(
         &self,
         name: &'a str,
@@ -180,14 +158,6 @@ impl KernelSource {
         Ok(match self {
             Self::Rust(modules) => (modules.load(name)?, name),
             Self::Glsl(compiler) => (Cow::Owned(compile(compiler)?), glsl::ENTRY_POINT),
-        })
-    }
-
-    /// The bytes of the table of [`unitvec::best_fit`]: those shipped beside the modules, or computed.
-    fn best_fit_table(&self) -> Result<Cow<'static, [u8]>> {
-        Ok(match self {
-            Self::Rust(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
-            Self::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
         })
     }
 }
@@ -266,11 +236,16 @@ impl Gpu {
         Ok(())
     }
 
+    /// The table of [`unitvec::best_fit`]: the one shipped beside the modules, or computed.
     fn best_fit_table(&mut self) -> Result<Table> {
         if let Some(table) = &self.best_fit_table {
             return Ok(table.clone());
         }
-        let table = self.runner.table(&self.source.best_fit_table()?)?;
+        let bytes = match &self.source {
+            KernelSource::Rust(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
+            KernelSource::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
+        };
+        let table = self.runner.table(&bytes)?;
         Ok(self.best_fit_table.insert(table).clone())
     }
 }

@@ -70,13 +70,6 @@ pub struct Shader<'a> {
     pub beside: fn(&str) -> Option<&'static str>,
 }
 
-/// The text that glslang compiles.
-#[cfg_attr(not(feature = "glsl"), expect(dead_code, reason = "only glslang reads them"))]
-struct Source<'a> {
-    language: SourceLanguage,
-    shader: Shader<'a>,
-}
-
 /// Name of the entry point of all GLSL kernels.
 pub const ENTRY_POINT: &str = "main";
 
@@ -132,21 +125,14 @@ impl Compiler {
         self.kernel_file(&format!("{operation}.comp"), function, &macros)
     }
 
-    /// The SPIR-V of the kernel that measures a codec's arithmetic.
+    /// The SPIR-V of the kernel that measures a codec's arithmetic; without a codec, the work of these kernels besides it.
     ///
     /// # Errors
     /// The errors of [`kernel`](Self::kernel).
-    pub fn cost_kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
-        let function = format.function(operation);
-        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros(format, operation, &function))
-    }
-
-    /// The SPIR-V of the kernel that measures the work of the others besides encoding or decoding.
-    ///
-    /// # Errors
-    /// The errors of [`kernel`](Self::kernel).
-    pub fn baseline_kernel(&self, operation: Operation) -> Result<Vec<u8>, Error> {
-        self.kernel_file(&format!("{operation}_cost.comp"), "baseline", &[])
+    pub fn cost_kernel(&self, format: Option<&AnyCodec>, operation: Operation) -> Result<Vec<u8>, Error> {
+        let function = format.map_or_else(|| "baseline".to_owned(), |format| format.function(operation));
+        let macros = format.map_or_else(Vec::new, |format| macros(format, operation, &function));
+        self.kernel_file(&format!("{operation}_cost.comp"), &function, &macros)
     }
 
     /// The SPIR-V of a kernel that reads and writes as many bytes as a codec's, and does nothing else.
@@ -188,7 +174,7 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile_shader(&self, shader: Shader<'_>, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
-        self.0.compile(&Source { language: SourceLanguage::Glsl, shader }, macros)
+        self.0.compile(SourceLanguage::Glsl, &shader, macros)
     }
 
     /// Compiles a compute shader in HLSL, whose entry point is [`ENTRY_POINT`].
@@ -197,7 +183,7 @@ impl Compiler {
     /// glslang's.
     pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
         let shader = Shader { stage: Stage::Compute, file, text, beside: |_| None };
-        self.0.compile(&Source { language: SourceLanguage::Hlsl, shader }, &[])
+        self.0.compile(SourceLanguage::Hlsl, &shader, &[])
     }
 }
 

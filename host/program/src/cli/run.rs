@@ -12,8 +12,8 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
+use unitvec_host::Result;
 use unitvec_host::input::RAW_ENDINGS;
-use unitvec_host::{Error, Result};
 use unitvec_mesh::FileFormat;
 use unitvec_vulkan::{Device, DeviceInfo};
 
@@ -77,7 +77,7 @@ impl Outputs {
     pub fn take_stdout(&self, json: &Json) -> Result<bool> {
         let is_csv = self.csv.as_deref() == Some(Path::new("-"));
         if json.is_to_stdout() && is_csv {
-            return Err(Error::Usage(
+            return Err(unitvec_host::Error::Usage(
                 "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
             ));
         }

@@ -1,6 +1,6 @@
 //! glslang through shaderc.
 
-use super::{ENTRY_POINT, Error, Shader, Source, SourceLanguage, Stage, source as glsl_source};
+use super::{ENTRY_POINT, Error, Shader, SourceLanguage, Stage, source};
 use shaderc::{
     CompileOptions, EnvVersion, IncludeType, OptimizationLevel, ResolvedInclude, ShaderKind, TargetEnv,
 };
@@ -12,8 +12,12 @@ impl Glslang {
         shaderc::Compiler::new().map(Self).map_err(|error| Error::NoCompiler(error.to_string()))
     }
 
-    pub fn compile(&self, source: &Source<'_>, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
-        let &Source { language, shader: Shader { stage, file, text, beside } } = source;
+    pub fn compile(
+        &self,
+        language: SourceLanguage,
+        &Shader { stage, file, text, beside }: &Shader<'_>,
+        macros: &[(String, String)],
+    ) -> Result<Vec<u8>, String> {
         let kind = match stage {
             Stage::Compute => ShaderKind::Compute,
             Stage::Vertex => ShaderKind::Vertex,
@@ -49,7 +53,7 @@ fn include(
         IncludeType::Relative => relative(from, wanted),
         IncludeType::Standard => wanted.to_owned(),
     };
-    match beside(&path).map_or_else(|| glsl_source(&path), Ok) {
+    match beside(&path).map_or_else(|| source(&path), Ok) {
         Ok(text) => Ok(ResolvedInclude { resolved_name: path, content: text.to_owned() }),
         Err(error) => Err(error.to_string()),
     }

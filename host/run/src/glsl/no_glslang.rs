@@ -1,6 +1,6 @@
 //! Stub for builds without the feature `glsl`: `new` always fails.
 
-use super::{Error, Source};
+use super::{Error, Shader, SourceLanguage};
 use std::convert::Infallible;
 
 pub struct Glslang(Infallible);
@@ -10,7 +10,12 @@ impl Glslang {
         Err(Error::NotBuiltIn)
     }
 
-    pub fn compile(&self, _: &Source<'_>, _: &[(String, String)]) -> Result<Vec<u8>, String> {
+    pub fn compile(
+        &self,
+        _: SourceLanguage,
+        _: &Shader<'_>,
+        _: &[(String, String)],
+    ) -> Result<Vec<u8>, String> {
         match self.0 {}
     }
 }
