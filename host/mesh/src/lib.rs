@@ -18,6 +18,7 @@ use unitvec::direction::{is_usable, l1_norm};
 use unitvec_files::one_line;
 
 pub use format::FileFormat;
+pub use obj::{parse as read_obj, parse_surface as read_obj_surface};
 
 /// The Stanford bunny as OBJ: the mesh that conformance runs and pictures take.
 pub const BUNNY: &[u8] = include_bytes!("../data/bunny.obj");
@@ -226,30 +227,12 @@ pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Fra
     }
 }
 
-/// Reads the vertex normals of OBJ text in memory; `name` stands in errors.
-///
-/// # Errors
-///
-/// The errors of [`read`], less those of opening a file.
-pub fn read_obj(name: &Path, text: &[u8]) -> Result<Mesh, MeshError> {
-    obj::parse(name, text)
-}
-
 /// The surface that the faces of a mesh span.
 pub struct Surface {
     /// The positions of the vertices.
     pub positions: Vec<[f32; 3]>,
     /// Three positions each, all of them there.
     pub triangles: Vec<[u32; 3]>,
-}
-
-/// Reads positions and triangles of OBJ text in memory, in the order of [`read_obj`]'s computed normals.
-///
-/// # Errors
-///
-/// The errors of [`read_obj`].
-pub fn read_obj_surface(name: &Path, text: &[u8]) -> Result<Surface, MeshError> {
-    obj::parse_surface(name, text)
 }
 
 /// The [`Mesh`] of a file with one list of normals.

@@ -3,15 +3,19 @@
 //! The parser is our own, over the file's bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
 use super::format::without_mark;
-use super::{Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, one_part, parse_error};
+use super::{Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, one_part, parse_error, resolve};
 use glam::Vec3;
 use std::path::Path;
 use std::str::FromStr;
 
 const FORMAT: &str = "OBJ";
 
-/// Reads the normals of OBJ text.
-pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
+/// Reads the vertex normals of OBJ text in memory; `path` stands in errors.
+///
+/// # Errors
+///
+/// The errors of [`read`](crate::read), less those of opening a file.
+pub fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     /// `v 0 0 0`, without the end of the line.
     const SHORTEST: usize = 7;
     // Counted first, so that no list grows beyond its size. Lines that are too short fail later.
@@ -40,19 +44,18 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
     sums.into_mesh()
 }
 
-/// Reads the positions and the triangles of OBJ text.
-pub(super) fn parse_surface(path: &Path, bytes: &[u8]) -> Result<Surface, MeshError> {
+/// Reads positions and triangles of OBJ text in memory, in the order of [`read_obj`](crate::read_obj)'s computed normals.
+///
+/// # Errors
+///
+/// The errors of [`read_obj`](crate::read_obj).
+pub fn parse_surface(path: &Path, bytes: &[u8]) -> Result<Surface, MeshError> {
     let vertices = lines(bytes).filter(|line| line.keyword == b"v");
     let positions = vertices.map(|line| line.vector(path)).collect::<Result<Vec<_>, _>>()?;
     let mut triangles = Vec::new();
     each_triangle(path, bytes, |triangle| {
-        let corner = |index: i64| {
-            let found = u32::try_from(index).ok().filter(|index| (*index as usize) < positions.len());
-            let (path, vertices) = (path.to_owned(), positions.len());
-            found.ok_or(MeshError::IndexOutOfRange { path, index, vertices })
-        };
-        let [a, b, c] = triangle.map(corner);
-        triangles.push([a?, b?, c?]);
+        let vertices = positions.len().min(u32::MAX as usize);
+        triangles.push(resolve(path, triangle, vertices)?.map(|corner| corner as u32));
         Ok(())
     })?;
     Ok(Surface { positions, triangles })

@@ -243,6 +243,7 @@ fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::input::to_bytes;
     use unitvec_catalogue::find;
     use unitvec_run::backend::Cpu;
 
@@ -270,26 +271,21 @@ mod tests {
         }
     }
 
-    fn run_encode(input: &[u8], output: &mut dyn Write) -> Result<Counts> {
-        let codec = find("oct24").unwrap();
+    fn run_encode(codec: &str, elements: &[f32], output: &mut dyn Write) -> Result<Counts> {
+        let (codec, input) = (find(codec).unwrap(), to_bytes(elements));
         let (from, to) = (Path::new("in"), Path::new("out"));
-        encode(&mut Cpu, codec, Named::new(from, &mut Trickle(input)), Named::new(to, output), &mut |_| ())
+        encode(&mut Cpu, codec, Named::new(from, &mut Trickle(&input)), Named::new(to, output), &mut |_| ())
     }
 
     #[test]
     fn short_reads_do_not_cut_the_input() {
         let mut codes = Vec::new();
-        let one: Vec<u8> = [0.0f32, 0.0, 1.0].iter().flat_map(|c| c.to_le_bytes()).collect();
-        assert_eq!(run_encode(&one.repeat(100), &mut codes).unwrap().elements, 100);
+        assert_eq!(run_encode("oct24", &[0.0, 0.0, 1.0].repeat(100), &mut codes).unwrap().elements, 100);
         assert_eq!(codes.len(), 300);
     }
 
     fn count(codec: &str, elements: &[f32]) -> Counts {
-        let input: Vec<u8> = elements.iter().flat_map(|c| c.to_le_bytes()).collect();
-        let (path, codec) = (Path::new("a"), find(codec).unwrap());
-        let (mut input, mut output) = (&input[..], io::sink());
-        encode(&mut Cpu, codec, Named::new(path, &mut input), Named::new(path, &mut output), &mut |_| ())
-            .unwrap()
+        run_encode(codec, elements, &mut io::sink()).unwrap()
     }
 
     /// Vectors without a direction are counted, normals and tangents of frames apart.
@@ -353,7 +349,7 @@ mod tests {
 
     #[test]
     fn a_full_disk_is_an_error_that_names_the_file() {
-        let error = run_encode(&[0; 24], &mut FullDisk).unwrap_err();
+        let error = run_encode("oct24", &[0.0; 6], &mut FullDisk).unwrap_err();
         assert!(
             matches!(&error, Error::Files(unitvec_files::Error::Write { path, .. }) if path == Path::new("out")),
             "{error}"

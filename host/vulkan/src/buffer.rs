@@ -10,7 +10,7 @@ pub(super) struct Buffer {
     /// Bytes, whole words.
     pub(super) size: usize,
     // Freed after the buffer is destroyed.
-    memory: Memory,
+    pub(super) memory: Memory,
 }
 
 impl Buffer {
@@ -34,11 +34,6 @@ impl Buffer {
         // SAFETY: the memory meets the buffer's requirements, and the buffer is bound once, before any use.
         unsafe { device.raw.bind_buffer_memory(*raw, bound, offset) }.named("vkBindBufferMemory")?;
         Ok(Self { raw, size, memory })
-    }
-
-    /// True where the device and the host both use it at full speed; a buffer of [`Place::Device`] needs staging elsewhere.
-    pub(super) fn is_unified(&self) -> bool {
-        self.memory.is_unified()
     }
 
     /// Copies as much of `bytes` as fits to the start of the buffer, if the host sees it.

@@ -316,7 +316,8 @@ struct Staged {
 impl Staged {
     fn new(device: &Arc<Device>, size: usize) -> Result<Self, Error> {
         let buffer = Buffer::new(device, size, Place::Device)?;
-        let staging = if buffer.is_unified() { None } else { Some(Buffer::new(device, size, Place::Host)?) };
+        let staging =
+            if buffer.memory.is_unified() { None } else { Some(Buffer::new(device, size, Place::Host)?) };
         Ok(Self { device: buffer, staging })
     }
 

@@ -22,28 +22,22 @@ pub enum Table {
 }
 
 impl Table {
-    /// The table's name in reports.
-    pub fn name(self) -> &'static str {
+    /// The table's name in reports, the directions its errors are measured over, and its rows as CSV.
+    fn parts(self) -> (&'static str, Domain, &'static str) {
         match self {
-            Self::One => "1",
-            Self::Three => "3",
+            Self::One => ("1", Domain::Sphere, survey::TABLE_1),
+            Self::Three => ("3", Domain::Hemisphere, survey::TABLE_3),
         }
     }
 
     /// The directions its errors are measured over.
     pub fn domain(self) -> Domain {
-        match self {
-            Self::One => Domain::Sphere,
-            Self::Three => Domain::Hemisphere,
-        }
+        self.parts().1
     }
 
     /// The table's rows as published, in the survey's order: by decreasing maximum error.
     pub fn published(self) -> Vec<Published> {
-        let text = match self {
-            Self::One => survey::TABLE_1,
-            Self::Three => survey::TABLE_3,
-        };
+        let (.., text) = self.parts();
         // The files are part of the program, and a test reads them whole.
         csv::Reader::from_reader(text.as_bytes()).deserialize().filter_map(|row| row.ok()).collect()
     }
@@ -144,9 +138,10 @@ pub fn measure_row(
     count: usize,
     seed: u64,
 ) -> Result<Row> {
-    let errors = measure(backend, codec, table.domain(), count, seed)?.normal;
+    let (name, domain, _) = table.parts();
+    let errors = measure(backend, codec, domain, count, seed)?.normal;
     let published_errors = (Some(published.mean_error_deg), Some(published.max_error_deg));
-    Ok(Row::new(table.name(), &published.name, codec, &errors, errors.max_deg(), published_errors))
+    Ok(Row::new(name, &published.name, codec, &errors, errors.max_deg(), published_errors))
 }
 
 /// Measures a row of Meyer's table: mean over `count` random directions, maximum by search.

@@ -54,7 +54,7 @@ impl Target {
         };
         let target = Self { colours, _depth: depth, pass, framebuffer, width, height };
         // Each colour is from here on in the layout for reading.
-        target.clear()?;
+        target.pass.graphics.draw(&target, &[], &[])?;
         Ok(target)
     }
 
@@ -68,12 +68,7 @@ impl Target {
     /// # Errors
     /// A failed call.
     pub fn read(&self, index: usize) -> Result<Vec<u8>, Error> {
-        let Some(image) = self.colours.get(index) else { return Ok(Vec::new()) };
-        image.read()
-    }
-
-    fn clear(&self) -> Result<(), Error> {
-        self.pass.graphics.draw(self, &[], &[])
+        self.colours.get(index).map_or_else(|| Ok(Vec::new()), Image::read)
     }
 }
 
