@@ -121,11 +121,6 @@ impl Storage {
             Self::Float16x2 => (F::R16G16_SFLOAT, None),
         }
     }
-
-    /// The macro that chooses it in GLSL: `STORAGE_SNORM8X2`.
-    pub fn macro_name(self) -> String {
-        format!("STORAGE_{self:?}").to_uppercase()
-    }
 }
 
 /// The codes of texels or attributes of this format: their first bytes.

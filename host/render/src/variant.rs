@@ -63,7 +63,8 @@ impl Variant {
 
     /// The macros of its GLSL.
     pub(super) fn macros(&self) -> Vec<(String, String)> {
-        let mut macros = vec![(self.storage.macro_name(), "1".to_owned())];
+        // `STORAGE_SNORM8X2`.
+        let mut macros = vec![(format!("STORAGE_{:?}", self.storage).to_uppercase(), "1".to_owned())];
         let mut define = |name: &str, value: String| macros.push((name.to_owned(), value));
         match self.normals {
             Stored::Float => {}

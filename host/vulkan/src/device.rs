@@ -50,11 +50,6 @@ pub enum DeviceChoice {
 }
 
 impl DeviceChoice {
-    /// The choice that `--device` or `UNITVEC_DEVICE` makes; [`Best`](Self::Best) without one or if it is empty.
-    pub fn from_option(name: Option<String>) -> Self {
-        name.filter(|name| !name.is_empty()).map_or(Self::Best, Self::Named)
-    }
-
     /// The device of `devices` that this chooses.
     ///
     /// # Errors
@@ -126,7 +121,7 @@ impl Drop for RawDevice {
 
 /// Purposes that a device is opened for.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Purpose {
+pub(super) enum Purpose {
     Kernels,
     /// Kernels that are compiled to inspect the compiler's result.
     Statistics,
@@ -168,15 +163,7 @@ impl Device {
         Self::open_with(instance, choice, Purpose::Graphics)
     }
 
-    /// Opens a device that can report its compiler's statistics of kernels.
-    pub(super) fn open_for_statistics(
-        instance: &Arc<Instance>,
-        choice: &DeviceChoice,
-    ) -> Result<Arc<Self>, Error> {
-        Self::open_with(instance, choice, Purpose::Statistics)
-    }
-
-    fn open_with(
+    pub(super) fn open_with(
         instance: &Arc<Instance>,
         choice: &DeviceChoice,
         purpose: Purpose,

@@ -1,5 +1,6 @@
 //! Statistics of a device's compiler about kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
 
+use super::device::Purpose;
 use super::layout::Layout;
 use super::{BufferPromise, Device, DeviceChoice, Error, Instance, Named};
 use ash::{khr, vk};
@@ -21,7 +22,7 @@ impl Inspector {
     /// # Errors
     /// The errors of [`Device::open`]; [`Error::NoStatistics`] for a device that reports none.
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Self, Error> {
-        let device = Device::open_for_statistics(instance, choice)?;
+        let device = Device::open_with(instance, choice, Purpose::Statistics)?;
         let functions = khr::pipeline_executable_properties::Device::new(&instance.raw, &device.raw);
         Ok(Self { functions, layout: Layout::of_kernels(&device)? })
     }

@@ -115,11 +115,9 @@ fn vector_instructions(statistics: &Statistics, device: &str) -> Option<f64> {
     let waves = of("Subgroups per SIMD")? / 2.0;
     let device = device.to_lowercase();
     let is_known = RDNA.iter().any(|gpu| device.contains(&format!("radv {gpu}")));
-    (is_known && throughput > (latency / waves).ceil()).then(|| to_hundredths((throughput - 9.0) / 6.0))
-}
-
-fn to_hundredths(number: f64) -> f64 {
-    (100.0 * number).round() / 100.0
+    // To hundredths.
+    let rounded = || (100.0 * ((throughput - 9.0) / 6.0)).round() / 100.0;
+    (is_known && throughput > (latency / waves).ceil()).then(rounded)
 }
 
 /// The files that the kernels of these codecs come from, GLSL and modules, as in [`Report::sources`].

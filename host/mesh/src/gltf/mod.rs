@@ -163,7 +163,7 @@ fn load<'p>(path: &'p Path, bytes: &'p [u8]) -> Result<(Document, File<'p>), Mes
     let bytes = without_mark(bytes);
     let (json, blob) = if bytes.starts_with(b"glTF") {
         // The parser subtracts the header's size from this length unchecked.
-        let length = bytes.get(8..12).map(u32_from_le);
+        let length = bytes.get(8..12).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
         if length.is_some_and(|length| length < 12) {
             return Err(parse_error(path, FORMAT, "the GLB header gives a length below its own"));
         }
@@ -199,10 +199,6 @@ struct Geometry {
     meshes: Vec<json::Mesh>,
     #[serde(default)]
     extensions_required: Vec<String>,
-}
-
-fn u32_from_le(bytes: &[u8]) -> u32 {
-    bytes.iter().rev().fold(0, |value, &byte| value << 8 | u32::from(byte))
 }
 
 impl Geometry {

@@ -181,8 +181,10 @@ impl Vulkan {
         Ok(Arc::new(Instance::new(variable("UNITVEC_VULKAN_LOADER").as_deref(), self.validate)?))
     }
 
+    /// The device that `--device` or `UNITVEC_DEVICE` names; an empty name is none.
     fn choice(&self) -> DeviceChoice {
-        DeviceChoice::from_option(self.device.clone())
+        let name = self.device.clone().filter(|name| !name.is_empty());
+        name.map_or(DeviceChoice::Best, DeviceChoice::Named)
     }
 
     fn device(&self) -> Result<Arc<Device>, unitvec_vulkan::Error> {

@@ -8,7 +8,8 @@ pub(super) struct Fields {
     pub(super) format: ImageFormat,
     /// Bits of red, green, blue and alpha, from the lowest bit of a texel's little-endian integer.
     bits: [u32; 4],
-    is_signed: bool,
+    /// True for SNORM.
+    pub(super) is_signed: bool,
 }
 
 const fn fields(format: ImageFormat, bits: [u32; 4], is_signed: bool) -> Fields {
@@ -38,11 +39,6 @@ impl Fields {
     /// The layout of a format; `None` for others.
     pub(super) fn of(format: ImageFormat) -> Option<Self> {
         Self::all().find(|fields| fields.format == format)
-    }
-
-    /// True for SNORM.
-    pub(super) fn is_signed(self) -> bool {
-        self.is_signed
     }
 
     /// True where alpha has bits.
@@ -103,7 +99,7 @@ mod tests {
         for fields in Fields::all() {
             let most = [0, 1].map(|at| i64::from(fields.most(at)));
             let alpha = if fields.has_alpha() { i64::from(fields.most(3)) } else { 0 };
-            let red = if fields.is_signed() { -most[0] - 1 } else { 1 };
+            let red = if fields.is_signed { -most[0] - 1 } else { 1 };
             let mut texel = Vec::new();
             fields.push(&mut texel, [red, most[1], alpha]);
             assert_eq!(texel.len(), fields.size());
@@ -112,7 +108,7 @@ mod tests {
             if fields.has_alpha() {
                 assert_eq!([fields.get(&texel, 2), fields.get(&texel, 3)], [0, alpha]);
             }
-            if fields.is_signed() {
+            if fields.is_signed {
                 // Two integers stand for -1.
                 assert_eq!(fields.value(&texel, 0), -1.0);
             }

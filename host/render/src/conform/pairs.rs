@@ -30,7 +30,7 @@ pub fn pairs() -> Vec<Pair> {
                 !fields.has_alpha() || fields.bits() == 10
             };
             let is_made_for = projection.precise_bits().is_none_or(|bits| bits == 2 * fields.bits());
-            fields.is_signed() != projection.is_unorm() && has_room && is_made_for
+            fields.is_signed != projection.is_unorm() && has_room && is_made_for
         };
         Fields::all().filter(holds).map(move |fields| Pair { projection, fields })
     };

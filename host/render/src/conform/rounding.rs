@@ -141,8 +141,8 @@ pub(super) fn conversion(renderer: &Renderer, fields: Fields) -> Result<Conversi
 fn every_integer(fields: Fields) -> Vec<u8> {
     let mut texels = Vec::new();
     let end = i64::from(fields.most(0)) + 1;
-    for red in if fields.is_signed() { -end..end } else { 0..end } {
-        let green = if fields.is_signed() { -1 - red } else { end - 1 - red };
+    for red in if fields.is_signed { -end..end } else { 0..end } {
+        let green = if fields.is_signed { -1 - red } else { end - 1 - red };
         fields.push(&mut texels, [red, green, 0]);
     }
     texels
@@ -155,7 +155,7 @@ fn ramp(renderer: &Renderer, fields: Fields) -> Result<Vec<(f32, i64)>> {
     const STEPS: i32 = 2000;
     let m = fields.most(0);
     let whole = |step: i32| (i64::from(m) * i64::from(step) / i64::from(STEPS)) as f32;
-    let least = if fields.is_signed() { -1.0 } else { 0.0 };
+    let least = if fields.is_signed { -1.0 } else { 0.0 };
     let values: Vec<[f32; 3]> = (1 - STEPS..STEPS)
         .flat_map(|step| FRACTIONS.map(|fraction| (whole(step) + fraction) / m as f32))
         .flat_map(|x| [x.next_down(), x, x.next_up()])
