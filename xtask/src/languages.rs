@@ -214,10 +214,7 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn strings(words: &[&str]) -> Vec<String> {
-        words.iter().map(|word| (*word).to_owned()).collect()
-    }
+    use crate::tests::strings;
 
     #[test]
     fn only_whole_runs_are_recorded() {

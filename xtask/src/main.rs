@@ -9,6 +9,8 @@ mod packages;
 mod processors;
 mod renew;
 mod setup;
+#[cfg(test)]
+mod tests;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -208,6 +210,11 @@ fn cargo(arguments: &[&str]) -> Command {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(arguments).current_dir(repository());
     command
+}
+
+/// Writes a file of the repository.
+fn write(file: &str, text: impl AsRef<[u8]>) -> Result<(), String> {
+    fs::write(repository().join(file), text).map_err(|error| format!("{file}: {error}"))
 }
 
 fn repository() -> PathBuf {

@@ -99,19 +99,9 @@ impl Unpacked {
         run_command(install.args(["--path", "."]).arg("--root").arg(&root))?;
         let program = root.join("bin/unitvec");
         run_command(Command::new(&program).args(["conform", "--device", "lavapipe", "--codec", "oct16"]))?;
-        let mut glsl = Command::new(&program);
-        glsl.args([
-            "encode",
-            "--backend",
-            "glsl",
-            "--device",
-            "lavapipe",
-            "--codec",
-            "oct16",
-            "/dev/null",
-            "-",
-        ]);
-        let output = glsl.output().map_err(|error| error.to_string())?;
+        let glsl = "encode --backend glsl --device lavapipe --codec oct16 /dev/null -";
+        let output = Command::new(&program).args(glsl.split(' ')).output();
+        let output = output.map_err(|error| error.to_string())?;
         let message = String::from_utf8_lossy(&output.stderr);
         if !output.status.success() && message.lines().count() == 1 && message.contains("--features glsl") {
             return Ok(());

@@ -1,7 +1,7 @@
 //! The same bits on other processors: cargo builds a small program that digests every codec's results for fixed input, and
 //! runs it by qemu, Node.js or Miri. Its output must be that of this machine.
 
-use crate::{output, repository, setup, take};
+use crate::{output, repository, setup, take, write};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::process::Command;
@@ -161,8 +161,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     }
     if record {
         let lines: String = rows.iter().map(|(record, _)| format!("{record}\n")).collect();
-        let text = format!("{COLUMNS}\n{lines}");
-        fs::write(repository().join(RECORD), text).map_err(|error| format!("{RECORD}: {error}"))?;
+        write(RECORD, format!("{COLUMNS}\n{lines}"))?;
     }
     Ok(())
 }

@@ -2,7 +2,7 @@
 
 pub mod debian;
 
-use crate::{cache, repository, take};
+use crate::{cache, take, write};
 pub use debian::newer_radv;
 use debian::{PACKAGED, Packaged, files_of};
 use std::collections::HashSet;
@@ -115,8 +115,7 @@ pub fn run(options: &Options, unitvec: &Path) -> Result<(), String> {
     print!("\n{}\n", table(&rows));
     verdict(&rows)?;
     if options.record {
-        let written = fs::write(repository().join(RECORD), record(&rows));
-        written.map_err(|error| format!("{RECORD}: {error}"))?;
+        write(RECORD, record(&rows))?;
     }
     Ok(())
 }

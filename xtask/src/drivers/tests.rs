@@ -1,16 +1,5 @@
 use super::*;
-
-fn strings(words: &[&str]) -> Vec<String> {
-    words.iter().map(|word| (*word).to_owned()).collect()
-}
-
-/// A folder of this test.
-fn folder(test: &str) -> PathBuf {
-    let folder = std::env::temp_dir().join(format!("unitvec-xtask-{}-{test}", std::process::id()));
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).unwrap();
-    folder
-}
+use crate::tests::{folder, strings};
 
 fn ran(mismatches: &str, passed: bool) -> Row {
     let names = "device\tdriver\tcodecs\tvectors\tcodes\tmismatches";

@@ -3,7 +3,7 @@
 mod records;
 mod state;
 
-use crate::repository;
+use crate::{repository, write};
 use records::{Kind, RECORDS, Record, Source};
 use state::{Entry, Lock, Repository, State};
 use std::fs;
@@ -198,10 +198,8 @@ fn contributing(root: &Path) -> Result<[String; 2], String> {
 }
 
 fn write_contributing() -> Result<(), String> {
-    let file = repository().join("CONTRIBUTING.md");
     let [before, after] = contributing(&repository())?;
-    let written = if before == after { Ok(()) } else { fs::write(file, after) };
-    written.map_err(|error| format!("CONTRIBUTING.md: {error}"))
+    if before == after { Ok(()) } else { write("CONTRIBUTING.md", after) }
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@
 use super::state::matches;
 use crate::{
     built, cache, cargo, conform, drivers, integration, languages, processors, program, repository, run,
-    shaders, spirv,
+    shaders, spirv, write,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -194,7 +194,7 @@ pub static RECORDS: &[Record] = &[
             ],
         ],
         minutes: 3,
-        renew: || measure(&["docs::accuracy::measure", "docs::dither::measure", "docs::projected::measure"]),
+        renew: || bless(&["docs::accuracy::measure", "docs::dither::measure", "docs::projected::measure"]),
         ..FILE
     },
     Record {
@@ -202,7 +202,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/textbook.csv")],
         from: "`glsl/textbook/` on lavapipe, and the codecs",
         inputs: &[CODECS, &[Code("glsl/textbook/*")]],
-        renew: || measure(&["textbook::measure"]),
+        renew: || bless(&["textbook::measure"]),
         ..FILE
     },
     Record {
@@ -221,7 +221,7 @@ pub static RECORDS: &[Record] = &[
                 None => drivers::newer_radv(&cache("drivers")?)?.into(),
             };
             let tests = ["isa::compiled::renew", "isa::dithered::compiled::renew"];
-            by_tests(&tests, &["--ignored"], (drivers::NEWER_RADV, newer))
+            by_tests(&tests, (drivers::NEWER_RADV, newer))
         },
         ..FILE
     },
@@ -352,20 +352,16 @@ fn locked(names: &[&str]) -> String {
     lock.split("[[package]]").filter(is_named).collect()
 }
 
-/// Makes tests of the integration program write the files that they compare.
+/// Makes tests of the integration program write the files that they compare, or measure the figures that others compare.
 fn bless(tests: &[&str]) -> Result<(), String> {
-    by_tests(tests, &[], ("BLESS", "1".into()))
+    by_tests(tests, ("BLESS", "1".into()))
 }
 
-/// Makes ignored tests of the integration program measure the figures that others compare.
-fn measure(tests: &[&str]) -> Result<(), String> {
-    by_tests(tests, &["--ignored"], ("BLESS", "1".into()))
-}
-
-fn by_tests(tests: &[&str], arguments: &[&str], variable: (&str, OsString)) -> Result<(), String> {
+fn by_tests(tests: &[&str], (name, value): (&str, OsString)) -> Result<(), String> {
     built(&mut integration(&["--no-run"]))?;
-    let mut command = integration(&["--", "--exact", "--nocapture"]);
-    run(command.args(arguments).args(tests).env(variable.0, variable.1))
+    // Tests that measure are ignored otherwise.
+    let mut command = integration(&["--", "--exact", "--nocapture", "--include-ignored"]);
+    run(command.args(tests).env(name, value))
 }
 
 /// Runs `unitvec` in the repository's root.
@@ -379,5 +375,5 @@ fn write_output(command: &mut Command, file: &str) -> Result<(), String> {
     if !output.status.success() {
         return Err(format!("what prints {file} ended with {}", output.status));
     }
-    fs::write(repository().join(file), output.stdout).map_err(|error| format!("{file}: {error}"))
+    write(file, output.stdout)
 }

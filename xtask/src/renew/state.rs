@@ -240,16 +240,12 @@ mod tests {
             inputs: &[&[Source::Code("*.rs")]],
             ..*RECORDS.first().unwrap()
         };
-        let root = std::env::temp_dir().join(format!("unitvec-xtask-{}-records", std::process::id()));
-        fs::create_dir_all(&root).unwrap();
+        let root = crate::tests::folder("records");
         let files = ["a.rs", "b.rs", "out"].map(str::to_owned).to_vec();
         let repository = Repository { root: root.clone(), files };
         let write = |texts: [&str; 3]| {
-            repository
-                .files
-                .iter()
-                .zip(texts)
-                .for_each(|(file, text)| fs::write(root.join(file), text).unwrap());
+            let files = repository.files.iter().zip(texts);
+            files.for_each(|(file, text)| fs::write(root.join(file), text).unwrap());
         };
         let why = |lock: &Lock| match lock.state(&repository, &record).unwrap() {
             State::Current(_) => String::new(),
@@ -258,12 +254,8 @@ mod tests {
         write(["1\n", "", "1"]);
         let mut lock = Lock::default();
         assert!(why(&lock).contains("does not have it"));
-        let entry = Entry {
-            date: String::new(),
-            hashes: repository.hashes(&record).unwrap(),
-            adopted: String::new(),
-        };
-        lock.0.insert(record.name.to_owned(), entry);
+        let (date, adopted, hashes) = (String::new(), String::new(), repository.hashes(&record).unwrap());
+        lock.0.insert(record.name.to_owned(), Entry { date, hashes, adopted });
         for (texts, told) in [
             (["// One.\n\n1\n", "", "1"], ""),
             (["2\n", "", "1"], "inputs changed"),
@@ -272,11 +264,8 @@ mod tests {
             (["1\n", "", "1"], ""),
         ] {
             write(texts);
-            assert!(
-                why(&lock).contains(told) && told.is_empty() == why(&lock).is_empty(),
-                "{texts:?}: {}",
-                why(&lock)
-            );
+            let why = why(&lock);
+            assert!(why.contains(told) && told.is_empty() == why.is_empty(), "{texts:?}: {why}");
         }
         fs::remove_dir_all(&root).unwrap();
     }
