@@ -76,7 +76,6 @@ else:
     archive.extractall(folder, [m for m in archive.getmembers() if fnmatch.fnmatch(m.name, pattern)])
 ";
 
-/// The options of `test --languages`.
 struct Options {
     needs_all: bool,
     records: bool,

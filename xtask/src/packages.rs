@@ -23,7 +23,6 @@ const PROGRAM: [&str; 10] = [
     "unitvec-host",
 ];
 
-/// All published packages.
 fn packages() -> impl Iterator<Item = &'static str> {
     LIBRARIES.into_iter().chain(PROGRAM)
 }
@@ -37,7 +36,6 @@ pub fn run() -> Result<(), String> {
     outcome.and(removed)
 }
 
-/// The unpacked packages.
 struct Unpacked {
     folder: PathBuf,
 }

@@ -239,7 +239,6 @@ const COLUMNS: &str = "processor,target,unitvec,compiler,run by,slices,inputs,di
 /// A line of the record, with the fault in the place of the levels where there is one, and whether all digests are the same.
 type Row = (String, bool);
 
-/// Formats a row for the screen.
 fn line((record, is_same): &Row) -> String {
     format!("{}: {}", if *is_same { "same bits" } else { "FAIL" }, record.replace(',', " | "))
 }
@@ -263,7 +262,6 @@ impl Processor {
         has_sources.then_some(WITH_SOURCES).ok_or_else(remedy)
     }
 
-    /// Builds and runs the program.
     fn row(&self, features: &str, count: usize, toolchain: Result<&str, String>, reference: &str) -> Row {
         let compiler =
             toolchain.as_ref().map_or_else(|_| String::new(), |of| version(&mut tool("rustc", of), "-V"));

@@ -33,7 +33,6 @@ const TO_RUN: Packages = &[
 pub struct Pending(Option<JoinHandle<Result<(), String>>>);
 
 impl Pending {
-    /// Waits for the installation.
     pub fn finish(self) -> Result<(), String> {
         let Some(thread) = self.0 else { return Ok(()) };
         if !thread.is_finished() {

@@ -97,7 +97,6 @@ impl Packaged {
         vec![libraries.join("ld-linux-x86-64.so.2").into(), "--library-path".into(), libraries.into()]
     }
 
-    /// Fetches the missing packages.
     pub fn fetch(&self, cache: &Path) -> Result<(), String> {
         if self.version(cache).is_some() {
             return Ok(());

@@ -32,7 +32,6 @@ pub fn versions() -> String {
     format!("{PACKAGED:?}")
 }
 
-/// The options of `--drivers`.
 pub struct Options {
     fetch: bool,
     record: bool,

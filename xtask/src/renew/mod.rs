@@ -4,8 +4,8 @@ mod records;
 mod state;
 
 use crate::{repository, write};
-use records::{Kind, RECORDS, Record, Source};
-use state::{Entry, Lock, Repository, State};
+use records::{GROUPS, RECORDS, Record, Source};
+use state::{Entry, Lock, Repository};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -38,19 +38,14 @@ type Chosen = (&'static Record, bool);
 
 /// The records of these names and groups, or all but timings, in the order of [`RECORDS`].
 fn chosen(names: &[&str]) -> Result<Vec<Chosen>, String> {
-    let is_group = |name: &str| Kind::ALL.iter().any(|(group, _)| *group == name);
     let is_record = |name: &str| RECORDS.iter().any(|record| record.name == name);
-    if let Some(unknown) = names.iter().find(|name| !is_group(name) && !is_record(name)) {
+    if let Some(unknown) = names.iter().find(|name| !GROUPS.contains(name) && !is_record(name)) {
         let known = RECORDS.iter().map(|record| record.name).collect::<Vec<_>>().join(", ");
         return Err(format!("no record `{unknown}`; there are {known}, and files, runs and timings"));
     }
     let groups = if names.is_empty() { &["files", "runs"] } else { names };
-    let in_group = |record: &Record| {
-        Kind::ALL.iter().any(|(group, kind)| *kind == record.kind && groups.contains(group))
-    };
-    let is_named = |record: &Record| names.contains(&record.name);
-    let all = RECORDS.iter().map(|record| (record, is_named(record)));
-    Ok(all.filter(|(record, is_named)| *is_named || in_group(record)).collect())
+    let all = RECORDS.iter().map(|record| (record, names.contains(&record.name)));
+    Ok(all.filter(|(record, is_named)| *is_named || groups.contains(&record.group)).collect())
 }
 
 /// Renews the stale records among the chosen, those that follow from them, and those named.
@@ -66,7 +61,7 @@ fn renew(root: &Path, chosen: Vec<Chosen>) -> Result<(), String> {
     for (index, (record, is_named)) in due.iter().enumerate() {
         let (place, files) =
             (format!("renew {}/{} {}", index + 1, due.len(), record.name), Repository::open(root)?);
-        if !is_named && matches!(Lock::read(root)?.state(&files, record)?, State::Current(_)) {
+        if !is_named && Lock::read(root)?.current(&files, record)?.is_ok() {
             println!("{place}: its inputs came out as they were");
             continue;
         }
@@ -95,7 +90,7 @@ fn renew(root: &Path, chosen: Vec<Chosen>) -> Result<(), String> {
 fn due(files: &Repository, lock: &Lock, chosen: Vec<Chosen>) -> Result<Vec<Chosen>, String> {
     let mut due: Vec<Chosen> = Vec::new();
     for (record, is_named) in chosen {
-        let is_stale = matches!(lock.state(files, record)?, State::Stale(_));
+        let is_stale = lock.current(files, record)?.is_err();
         if is_named || is_stale || due.iter().any(|(other, _)| follows(files, record, other)) {
             due.push((record, is_named));
         }
@@ -137,14 +132,14 @@ fn check(root: &Path, chosen: &[Chosen]) -> Result<(), String> {
     let (files, lock) = (Repository::open(root)?, Lock::read(root)?);
     let mut stale = Vec::new();
     for (record, _) in chosen {
-        match lock.state(&files, record)? {
-            State::Current(Entry { date, adopted, .. }) if adopted.is_empty() => {
+        match lock.current(&files, record)? {
+            Ok(Entry { date, adopted, .. }) if adopted.is_empty() => {
                 println!("{}: record of these inputs, {date}", record.name);
             }
-            State::Current(Entry { date, adopted, .. }) => {
+            Ok(Entry { date, adopted, .. }) => {
                 println!("{}: record of these inputs, adopted {date}: {adopted}", record.name);
             }
-            State::Stale(reason) => {
+            Err(reason) => {
                 println!("{}: STALE: {reason}", record.name);
                 stale.push((*record, false));
             }
@@ -178,9 +173,8 @@ fn listed() -> String {
             Source::Parts(patterns) => Some(format!("parts of `{}`", patterns.replace(' ', "`, `"))),
             _ => None,
         });
-        let group = Kind::ALL.iter().find(|(_, kind)| *kind == record.kind).map_or("", |(group, _)| group);
-        let (files, Record { name, from, minutes, needs, .. }) =
-            (files.collect::<Vec<_>>().join(", "), record);
+        let files = files.collect::<Vec<_>>().join(", ");
+        let Record { name, from, group, minutes, needs, .. } = record;
         text += &format!("| `{name}` | {files} | {from} | {group} | {minutes} | {needs} |\n")
             .replace("|  |", "| |");
     }

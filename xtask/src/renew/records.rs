@@ -27,21 +27,9 @@ pub enum Source {
 }
 use Source::{Bytes, Code, Parts, Versions};
 
-/// The check that notices that a record is stale.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Kind {
-    /// Tests fail.
-    File,
-    /// `.ci/run` runs it.
-    Run,
-    /// Nobody, and it is renewed by name only: times differ from machine to machine.
-    Timing,
-}
-
-impl Kind {
-    pub const ALL: [(&str, Self); 3] =
-        [("files", Self::File), ("runs", Self::Run), ("timings", Self::Timing)];
-}
+/// The groups of records. While one of the files is stale, tests fail; stale runs are repeated by `.ci/run`. Nobody looks at
+/// timings, which differ from machine to machine and are renewed by name only.
+pub const GROUPS: [&str; 3] = ["files", "runs", "timings"];
 
 /// A set of files, or a run, that is renewed at once.
 pub struct Record {
@@ -50,7 +38,8 @@ pub struct Record {
     /// The record's sources, for people.
     pub from: &'static str,
     pub inputs: &'static [&'static [Source]],
-    pub kind: Kind,
+    /// One of [`GROUPS`].
+    pub group: &'static str,
     /// The time that it takes on 2 cores, when everything is built.
     pub minutes: u32,
     /// Requirements that a machine may lack: the record is left stale then. Empty where `cargo xtask setup` suffices.
@@ -91,14 +80,13 @@ const FILE: Record = Record {
     outputs: &[],
     from: "",
     inputs: &[],
-    kind: Kind::File,
+    group: "files",
     minutes: 1,
     needs: "",
     renew: || Ok(()),
 };
 
-/// The defaults of runs.
-const RUN: Record = Record { kind: Kind::Run, ..FILE };
+const RUN: Record = Record { group: "runs", ..FILE };
 
 /// All records, each after those among its inputs.
 pub static RECORDS: &[Record] = &[
@@ -245,7 +233,7 @@ pub static RECORDS: &[Record] = &[
         from: "times of slices on the CPU, beside other crates",
         // The arithmetic counts only where all slices share it: a new codec has no row.
         inputs: &[&[Code("shader-crate/src/slice/*.rs shader-crate/src/arith/*.rs bench/benches/*.rs")]],
-        kind: Kind::Timing,
+        group: "timings",
         minutes: 6,
         renew: || {
             run(&mut cargo(&["bench", "--package", "unitvec-bench"]))?;

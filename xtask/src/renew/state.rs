@@ -120,13 +120,6 @@ pub struct Entry {
     pub adopted: String,
 }
 
-/// A record beside the lock.
-#[derive(Debug, PartialEq)]
-pub enum State<'a> {
-    Current(&'a Entry),
-    Stale(String),
-}
-
 /// The entries of [`LOCK`], by the records' names.
 #[derive(Debug, Default, PartialEq)]
 pub struct Lock(pub BTreeMap<String, Entry>);
@@ -157,18 +150,22 @@ impl Lock {
         written.map_err(|error| format!("{}: {error}", path.display()))
     }
 
-    /// The state of a record: current, or why not.
-    pub fn state(&self, repository: &Repository, record: &Record) -> Result<State<'_>, String> {
+    /// The entry of a record that is current; else why it is stale. Fails where a file cannot be read.
+    pub fn current(
+        &self,
+        repository: &Repository,
+        record: &Record,
+    ) -> Result<Result<&Entry, String>, String> {
         let Some(entry) = self.0.get(record.name) else {
-            return Ok(State::Stale(format!("{LOCK} does not have it")));
+            return Ok(Err(format!("{LOCK} does not have it")));
         };
         let hashes = repository.hashes(record)?;
         Ok(if entry.hashes.inputs != hashes.inputs {
-            State::Stale(format!("its inputs changed since {}", entry.date))
+            Err(format!("its inputs changed since {}", entry.date))
         } else if entry.hashes.outputs != hashes.outputs {
-            State::Stale(format!("its files are not those of {}: `renew` did not write them", entry.date))
+            Err(format!("its files are not those of {}: `renew` did not write them", entry.date))
         } else {
-            State::Current(entry)
+            Ok(entry)
         })
     }
 }
@@ -247,10 +244,7 @@ mod tests {
             let files = repository.files.iter().zip(texts);
             files.for_each(|(file, text)| fs::write(root.join(file), text).unwrap());
         };
-        let why = |lock: &Lock| match lock.state(&repository, &record).unwrap() {
-            State::Current(_) => String::new(),
-            State::Stale(why) => why,
-        };
+        let why = |lock: &Lock| lock.current(&repository, &record).unwrap().err().unwrap_or_default();
         write(["1\n", "", "1"]);
         let mut lock = Lock::default();
         assert!(why(&lock).contains("does not have it"));
