@@ -103,14 +103,11 @@ pub fn run(options: &Options, unitvec: &Path) -> Result<(), String> {
     let packaged: Vec<_> =
         PACKAGED.iter().map(|driver| from_package(driver, &cache, options.fetch)).collect();
     let drivers = installed().into_iter().map(Ok).chain(packaged);
-    let rows: Vec<Row> = drivers
-        .map(|driver| match driver {
-            Err(row) => row,
-            Ok(driver) => {
-                Row { outcome: driver.run(unitvec, &options.others, &cache), origin: driver.origin }
-            }
-        })
-        .collect();
+    let run = |driver: Driver| {
+        let outcome = driver.run(unitvec, &options.others, &cache);
+        Row { origin: driver.origin, outcome }
+    };
+    let rows: Vec<Row> = drivers.map(|driver| driver.map_or_else(|row| row, run)).collect();
     print!("\n{}\n", table(&rows));
     verdict(&rows)?;
     if options.record {
