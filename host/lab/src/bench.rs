@@ -180,7 +180,6 @@ impl Bench {
         Ok(rows)
     }
 
-    /// The backends whose arithmetic is measured.
     fn measured(&self) -> impl Iterator<Item = BackendKind> + use<> {
         let has_rust = self.options.cost_kernels.is_some();
         BACKENDS.into_iter().filter(move |backend| has_rust || *backend == BackendKind::Glsl)

@@ -61,7 +61,6 @@ pub fn parse_surface(path: &Path, bytes: &[u8]) -> Result<Surface, MeshError> {
     Ok(Surface { positions, triangles })
 }
 
-/// Hands on the triangles of the faces.
 fn each_triangle(
     path: &Path,
     bytes: &[u8],

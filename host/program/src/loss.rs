@@ -261,7 +261,6 @@ impl Tally {
         Ok(())
     }
 
-    /// Adds the counts of another file.
     fn merge(&mut self, other: Self) {
         self.count += other.count;
         self.left_out += other.left_out;

@@ -101,7 +101,6 @@ pub(super) enum Stage {
     Fullscreen,
 }
 
-/// A compiled shader.
 pub(super) struct Compiled {
     pub(super) spirv: Cow<'static, [u8]>,
     pub(super) entry_point: String,

@@ -7,7 +7,6 @@ use std::{iter, thread, vec};
 /// Maximum number of threads: each has 112 MiB of buffers of its own on the device, and as much for staging.
 const MAX_THREADS: usize = 4;
 
-/// A thread's message.
 enum Message<Row, Error> {
     /// The amount of work done since the last message.
     Done(u64),

@@ -260,7 +260,6 @@ impl Rows<'_> {
         }
     }
 
-    /// Runs all cases.
     fn add(
         &self,
         mut subject: Subject,

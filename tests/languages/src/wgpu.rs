@@ -12,7 +12,6 @@ use wgpu::{
     ShaderModuleDescriptor, ShaderSource,
 };
 
-/// A device of wgpu's.
 pub struct Wgpu {
     device: Device,
     queue: Queue,
@@ -36,7 +35,6 @@ impl Wgpu {
         &self.driver
     }
 
-    /// Compiles and runs.
     pub fn run(&self, jobs: &[Job<'_>], tally: &mut Tally) -> Result<()> {
         for job in jobs {
             tally.add(

@@ -57,7 +57,6 @@ enum TableName {
     All,
 }
 
-/// Rows to be measured.
 enum Job {
     Published(Table, Published, &'static AnyCodec),
     Meyer(&'static Method, &'static AnyCodec),
@@ -157,7 +156,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     Ok(open.close())
 }
 
-/// What the columns mean.
 const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal \
      covering; waste is bits against it; --float64 adds mean and max with float64 intermediates\n";
 

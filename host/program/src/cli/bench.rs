@@ -48,7 +48,6 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Writes the files that are asked for.
     pub fn write<R: Serialize>(&self, rows: &[R], json: &str, markdown: &str) -> Result<()> {
         self.outputs.write(rows)?;
         if let Some(path) = &self.markdown {

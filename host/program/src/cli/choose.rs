@@ -40,7 +40,6 @@ pub struct Arguments {
     wide: Wide,
 }
 
-/// Codecs that are shown.
 const SHOWN: usize = 8;
 
 /// The codecs that meet a demand.

@@ -76,7 +76,6 @@ pub struct Studio<'a> {
 }
 
 impl<'a> Studio<'a> {
-    /// Of pictures of this size.
     pub fn new(rendering: &'a Rendering, size: Option<Size>, small: bool) -> Self {
         Self { rendering, size: size.unwrap_or(SIZES[usize::from(small)]), opened: None }
     }
@@ -116,7 +115,6 @@ impl Camera for Studio<'_> {
     }
 }
 
-/// Draws figures, with a bar.
 pub fn draw_all(
     parts: &[Part],
     options: &Options,

@@ -131,7 +131,6 @@ enum Command {
 }
 
 impl Arguments {
-    /// Runs the command.
     pub fn run(self) -> Result<ExitCode> {
         match self.command {
             Command::Codecs(arguments) => codecs::run(&arguments),
@@ -324,7 +323,6 @@ fn write_output(mut output: Output, bytes: &[u8]) -> Result<()> {
     Ok(output.finish()?)
 }
 
-/// Prints to the standard output.
 fn print(text: &str) -> Result<ExitCode> {
     let written = io::stdout().lock().write_all(text.as_bytes());
     written.map_err(|source| unitvec_files::Error::writing(Path::new("-"), source))?;

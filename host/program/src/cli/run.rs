@@ -105,7 +105,6 @@ pub struct Run {
 }
 
 impl Run {
-    /// The codecs.
     pub fn formats(&self) -> Result<Vec<&'static AnyCodec>> {
         chosen_formats(&self.codec)
     }
@@ -161,7 +160,6 @@ impl Live {
         printed.map(drop)
     }
 
-    /// Removes the bar.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
     }
@@ -169,7 +167,6 @@ impl Live {
 
 /// The table of a run, which grows above the bar, and its last words.
 pub struct Screen {
-    /// The bar.
     pub live: Live,
     table: Layout,
     columns: Option<usize>,
@@ -183,12 +180,10 @@ impl Screen {
         Ok(Self { live, table: Layout::new(columns, width), columns: width, messages: Vec::new() })
     }
 
-    /// Prints the legend and the headings.
     pub fn head(&self, legend: &str) -> Result<()> {
         self.live.print(|| wrapped(legend, "    ", self.columns) + &self.table.heading())
     }
 
-    /// Prints a codec's lines of the table.
     pub fn row(&self, id: &str, lines: impl FnOnce() -> String) -> Result<()> {
         self.live.name(id);
         self.live.print(lines)

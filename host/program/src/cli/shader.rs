@@ -63,7 +63,6 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
 }
 
-/// Writes all files of a language.
 fn write_all(language: Language, folder: &Path) -> Result<ExitCode> {
     if folder == Path::new("-") {
         return Err(Error::Usage("--all writes many files: -o has to name a folder for them".to_owned()));

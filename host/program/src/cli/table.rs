@@ -49,7 +49,6 @@ pub fn wrapped(text: &str, indent: &str, columns: Option<usize>) -> String {
     text.split('\n').map(|line| textwrap::fill(line, &options)).collect::<Vec<_>>().join("\n")
 }
 
-/// A column of a table.
 pub struct Column {
     heading: String,
     width: usize,

@@ -31,7 +31,6 @@ const LAYOUTS: [Fields; 10] = [
 ];
 
 impl Fields {
-    /// All layouts.
     pub(super) fn all() -> impl Iterator<Item = Self> {
         LAYOUTS.into_iter()
     }

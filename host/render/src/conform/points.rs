@@ -21,13 +21,11 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Points with these normals.
     pub(super) fn of_normals(renderer: &Renderer, normals: &[[f32; 3]]) -> Result<Self> {
         let attribute = Storage::Float.attribute(renderer.graphics.device());
         Self::of_attributes(renderer, Variant::FLOAT, attribute, bytemuck::cast_slice(normals))
     }
 
-    /// Points with the normals of these codes.
     pub(super) fn of_codes(
         renderer: &Renderer,
         variant: &Variant,
@@ -38,7 +36,6 @@ impl Points {
         Self::of_attributes(renderer, *variant, attribute, &texels_of(codes, attribute, format.bytes))
     }
 
-    /// Points with the normals of these attributes.
     pub(super) fn of_attributes(
         renderer: &Renderer,
         vertices: Variant,

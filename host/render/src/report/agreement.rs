@@ -48,7 +48,6 @@ pub fn of_pipeline(report: &Report) -> Value {
     }
 }
 
-/// The rows with any difference.
 fn differing<'a>(rows: impl Iterator<Item = (&'a str, u64)>) -> Vec<(&'a str, u64)> {
     rows.filter(|(_, count)| *count > 0).collect()
 }
