@@ -69,7 +69,6 @@ impl<'b> Payload<'b> {
         Ok((header, Self { path, encoding, rest, line }))
     }
 
-    /// Reads an element.
     fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
         let parser = Parser::new();
         let read = match self.encoding {
@@ -302,35 +301,28 @@ mod tests {
 
     const ENCODINGS: [&str; 3] = ["ascii", "binary_little_endian", "binary_big_endian"];
 
-    /// One number of a payload, in the type that its header declares.
-    enum Number {
-        U8(u8),
-        I16(i16),
-        F32(f32),
-        F64(f64),
+    /// A number of a payload as text and in little-endian bytes.
+    type Number = (String, Vec<u8>);
+
+    /// A number of the type that its header declares.
+    macro_rules! number {
+        ($n:expr) => {
+            ($n.to_string(), $n.to_le_bytes().to_vec())
+        };
     }
 
-    impl Number {
-        fn written(&self, encoding: &str) -> Vec<u8> {
-            let (text, mut bytes) = match self {
-                Self::U8(n) => (n.to_string(), n.to_le_bytes().to_vec()),
-                Self::I16(n) => (n.to_string(), n.to_le_bytes().to_vec()),
-                Self::F32(n) => (n.to_string(), n.to_le_bytes().to_vec()),
-                Self::F64(n) => (n.to_string(), n.to_le_bytes().to_vec()),
-            };
-            match encoding {
-                "ascii" => return (text + " ").into_bytes(),
-                "binary_big_endian" => bytes.reverse(),
-                _ => {}
-            }
-            bytes
+    fn written((text, bytes): &Number, encoding: &str) -> Vec<u8> {
+        match encoding {
+            "ascii" => format!("{text} ").into_bytes(),
+            "binary_big_endian" => bytes.iter().rev().copied().collect(),
+            _ => bytes.clone(),
         }
     }
 
     fn file(encoding: &str, header: &str, elements: &[Vec<Number>]) -> Vec<u8> {
         let mut bytes = format!("ply\nformat {encoding} 1.0\n{header}end_header\n").into_bytes();
         for element in elements {
-            bytes.extend(element.iter().flat_map(|number| number.written(encoding)));
+            bytes.extend(element.iter().flat_map(|number| written(number, encoding)));
             bytes.extend((encoding == "ascii").then_some(b'\n'));
         }
         bytes
@@ -342,10 +334,10 @@ mod tests {
             "comment a cube\nelement vertex 8\nproperty double x\nproperty double y\nproperty double z\n\
             element face 6\nproperty uchar flags\nproperty list uchar short {list}\n"
         );
-        let corners = CUBE_CORNERS.map(|corner| corner.map(|c| Number::F64(c.into())).into());
+        let corners = CUBE_CORNERS.map(|corner| corner.map(|c| number!(f64::from(c))).into());
         let faces = CUBE_FACES.map(|face| {
-            let indices = face.map(|i| Number::I16(i as i16));
-            [Number::U8(7), Number::U8(4)].into_iter().chain(indices).collect()
+            let indices = face.map(|i| number!(i as i16));
+            [number!(7u8), number!(4u8)].into_iter().chain(indices).collect()
         });
         file(encoding, &header, &corners.into_iter().chain(faces).collect::<Vec<_>>())
     }
@@ -355,10 +347,10 @@ mod tests {
         let header = "element extra 1\nproperty list uchar float weights\n\
             element vertex 2\nproperty float x\nproperty float y\nproperty float z\n\
             property float nx\nproperty short ny\nproperty double nz\n";
-        let extra = vec![Number::U8(2), Number::F32(0.5), Number::F32(0.5)];
+        let extra = vec![number!(2u8), number!(0.5f32), number!(0.5f32)];
         let vertex = |n: f32| {
-            let position = [1.0, 2.0, 3.0].map(Number::F32);
-            position.into_iter().chain([Number::F32(n), Number::I16(-3), Number::F64(0.25)]).collect()
+            let position = [1.0f32, 2.0, 3.0].map(|c| number!(c));
+            position.into_iter().chain([number!(n), number!(-3i16), number!(0.25f64)]).collect()
         };
         file(encoding, header, &[extra, vertex(0.5), vertex(second)])
     }
@@ -431,7 +423,7 @@ mod tests {
     #[test]
     fn needs_faces() {
         let header = "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n";
-        let bytes = file(ENCODINGS[0], header, &[vec![Number::U8(0), Number::U8(0), Number::U8(0)]]);
+        let bytes = file(ENCODINGS[0], header, &[vec![number!(0u8), number!(0u8), number!(0u8)]]);
         assert!(matches!(read(&bytes), Err(MeshError::NoFaces { .. })));
     }
 
@@ -444,7 +436,7 @@ mod tests {
             (
                 "element face 1\nproperty list uint int vertex_index\nelement vertex 1\n\
                 property float x\nproperty float y\nproperty float z\n",
-                vec![vec![Number::U8(255), Number::U8(255), Number::U8(255), Number::U8(255)]],
+                vec![vec![number!(255u8), number!(255u8), number!(255u8), number!(255u8)]],
             ),
         ] {
             for encoding in ENCODINGS {
