@@ -204,14 +204,10 @@ fn is_text(head: &[u8]) -> bool {
     whole.is_some_and(|text| !text.is_empty() && text.iter().all(is_printable))
 }
 
-/// Floats as little-endian bytes.
-pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
-    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::stream::to_bytes;
 
     /// Bytes that were looked at are read again, and all after them.
     #[test]

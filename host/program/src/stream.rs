@@ -204,6 +204,11 @@ pub(crate) fn swap_if_big_endian(floats: &mut [f32]) {
     }
 }
 
+/// Floats as little-endian bytes.
+pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
+    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
+}
+
 fn write(output: &mut Sink<'_>, bytes: &[u8]) -> Result<()> {
     output.stream.write_all(bytes).map_err(|source| unitvec_files::Error::writing(output.path, source))?;
     Ok(())
@@ -243,7 +248,6 @@ fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::to_bytes;
     use unitvec_catalogue::find;
     use unitvec_run::backend::Cpu;
 

@@ -59,7 +59,7 @@
 //! on the octant's face; those on one of the three other faces follow by reflection. A cubic inverts the warp, good to
 //! 1e-4 of an edge (0.002 at 16 bits). One step of Newton's method from there leaves less than 0.002 steps at 16 bits and
 //! 0.0001 at the others; at 32 bits the rounding of the numbers adds 0.001. Of the triangle's three corners the nearest
-//! is chosen, by the distances between neighbours around there, which are polynomials ([`Squares`]). At 16 bits, where
+//! is chosen, by the distances between neighbours around there, which are polynomials. At 16 bits, where
 //! these change from point to point, the chosen corner can be farther off than the nearest by 0.4 % of the maximum.
 //! (Rounding the three coordinates instead would give cells that reach 7 % beyond the bound.)
 //!
