@@ -108,6 +108,7 @@ pub struct Bench {
     /// The baseline and the kernel of [`REFERENCE`].
     references: HashMap<(Operation, BackendKind), [Kernel; 2]>,
     options: Options,
+    vectors: Vec<u8>,
     codes: Vec<u64>,
 }
 
@@ -125,6 +126,7 @@ impl Bench {
             compiler: glsl::Compiler::new()?,
             best_fit_table,
             references: HashMap::new(),
+            vectors: random_elements(Element::Vector, options.count),
             codes: sampling::random_codes(1).take(options.count).collect(),
             options,
         };
@@ -291,12 +293,19 @@ impl Bench {
         Ok((copy, kinds.zip(speeds).map(|((backend, by_table), speed)| (backend, by_table, speed)).collect()))
     }
 
-    /// The bytes of random vectors or frames.
     fn elements(&self, element: Element) -> Vec<u8> {
-        let floats = sampling::random_elements(element, Domain::Sphere, 1);
-        let floats: Vec<f32> = floats.take(self.options.count * element.floats()).collect();
-        bytemuck::cast_slice(&floats).to_vec()
+        match element {
+            Element::Vector => self.vectors.clone(),
+            Element::Frame => random_elements(element, self.options.count),
+        }
     }
+}
+
+/// The bytes of random vectors or frames.
+fn random_elements(element: Element, count: usize) -> Vec<u8> {
+    let floats = sampling::random_elements(element, Domain::Sphere, 1);
+    let floats: Vec<f32> = floats.take(count * element.floats()).collect();
+    bytemuck::cast_slice(&floats).to_vec()
 }
 
 /// Nanoseconds a vector of each dispatch, less those of a dispatch of the baseline beside it.
