@@ -231,7 +231,7 @@ const CODECS: [&str; 12] = [
 fn codecs_keep_within_their_bounds_on_every_device() {
     let device = lavapipe();
     let formats = CODECS.map(|id| find(id).unwrap()).to_vec();
-    let options = Options { count: 4096, seeds: vec![3], models: Model::ALL.to_vec(), all_codes_up_to: 16 };
+    let options = Options { count: 4096, seeds: vec![3], models: Model::ALL.to_vec(), all_codes_up_to: 12 };
     let open = || {
         let gpu = |source| Gpu::new(&device, source, true).unwrap();
         Ok(Gpus::from([

@@ -25,7 +25,6 @@ mod storage;
 mod variant;
 
 pub use error::{Error, Result};
-use picture::srgb8;
 pub use picture::{Picture, Size};
 pub use projection::{PROJECTIONS, Projection};
 pub use renderer::{Layers, MAX_SAMPLES, Renderer};

@@ -1,5 +1,7 @@
 //! Pictures.
 
+use std::sync::LazyLock;
+
 /// Pixels of a picture each way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Size {
@@ -46,11 +48,18 @@ fn shoulder(linear: f32) -> f64 {
     linear.min(KNEE) + (1.0 - KNEE) * (1.0 - 1.0 / (1.0 + beyond))
 }
 
-/// The byte of a linear value, by the curve of sRGB (IEC 61966-2-1).
-pub(crate) fn srgb8(linear: f64) -> u8 {
-    let curve = if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 };
-    // `as` takes NaN to 0 and the rest into the range.
-    (curve * 255.0).round() as u8
+/// The linear value of a byte, or of a place between two, by the curve of sRGB (IEC 61966-2-1).
+pub(crate) fn linear(byte: f64) -> f64 {
+    let value = byte / 255.0;
+    if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
+}
+
+/// The byte nearest to a linear value on the curve of sRGB; 0 for NaN.
+pub(crate) fn srgb8(value: f64) -> u8 {
+    // Searched, since a power for each pixel takes as long as drawing it.
+    static BETWEEN: LazyLock<[f64; 255]> =
+        LazyLock::new(|| std::array::from_fn(|byte| linear(byte as f64 + 0.5)));
+    BETWEEN.partition_point(|step| *step <= value) as u8
 }
 
 #[cfg(test)]

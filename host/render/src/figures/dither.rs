@@ -194,7 +194,6 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
             let errors = errors(&glossy, &floats[usize::from(frame)]);
             blocks.push(block_means(&errors, glossy.width() as usize));
             let shot = at(normals, Material::Mirror, View::Turning, frame);
-            let picture = camera.picture(&shot)?;
             let seen = camera.surface(&shot)?;
             let (cell, points) = points.get_or_insert_with(|| {
                 let all = seen.iter().flatten().map(|seen| seen.position);
@@ -204,6 +203,7 @@ fn turning(camera: &mut dyn Camera, options: &Options) -> Result<(Shown, Vec<Num
             let surface = Surface::new(&seen, *cell);
             errors_of_points.push(points.iter().map(|point| surface.error(*point)).collect());
             if frame % (FRAMES / strip) == 0 {
+                let picture = camera.picture(&shot)?;
                 let [left, top, width, height] = match part {
                     Some(part) => part,
                     // The first frame has not turned.

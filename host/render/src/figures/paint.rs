@@ -1,6 +1,6 @@
 //! Pictures from functions: of the sphere as seen from far away, and of a square.
 
-use crate::srgb8;
+use crate::picture::{linear, srgb8};
 use glam::{DMat3, DVec2, DVec3};
 use image::{Rgb, RgbImage};
 use rayon::prelude::*;
@@ -115,11 +115,7 @@ pub fn to_srgb(colour: Colour) -> [u8; 3] {
 
 /// The linear colour of bytes.
 pub fn from_srgb(bytes: [u8; 3]) -> Colour {
-    let curve = |byte: u8| {
-        let value = f64::from(byte) / 255.0;
-        if value <= 0.040_45 { value / 12.92 } else { ((value + 0.055) / 1.055).powf(2.4) }
-    };
-    Colour::from_array(bytes.map(curve))
+    Colour::from_array(bytes.map(|byte| linear(f64::from(byte))))
 }
 
 /// A strip of colours from 0 at the left to 1 at the right.
