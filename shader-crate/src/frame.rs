@@ -41,8 +41,8 @@
 //!   interpolated.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, coefficients, dot, flip_sign, mask, nearest_code, nearest_pair, normalize,
-    snorm_integer, snorm_max, with_sign,
+    SIGN_BIT, TWO_23, coefficients, dot, exp2, flip_sign, mask, nearest_code, nearest_pair, normalize,
+    signed_quotient, snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::{Code, Codec, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
@@ -167,7 +167,7 @@ coefficients! {
 #[inline(always)]
 pub fn basis(n: Vec3) -> (Vec3, Vec3) {
     let sign = with_sign(1.0, n.z);
-    let a = -1.0 / (sign + n.z);
+    let a = signed_quotient(-1.0, sign + n.z);
     let b = (n.x * n.y) * a;
     (
         Vec3::new(1.0 + sign * ((n.x * n.x) * a), sign * b, -(sign * n.x)),
@@ -192,7 +192,7 @@ fn unwarp<const ANGLE_BITS: u32>(w: f32) -> f32 {
         return v;
     }
     // The slope of `warp` is that of tan(pi v / 4) but for 0.26 %.
-    v + (w - warp(v)) * (core::f32::consts::FRAC_2_PI * 2.0) / (1.0 + u)
+    v + signed_quotient((w - warp(v)) * (core::f32::consts::FRAC_2_PI * 2.0), 1.0 + u)
 }
 
 /// The code of the angle of `tangent` about the decoded normal `n`.
@@ -210,7 +210,7 @@ fn angle_code<const ANGLE_BITS: u32>(n: Vec3, tangent: Vec3, parallel: f32) -> u
     // Odd quarter turns are entered where |x| is 0: there the side runs from |y| to |x|.
     let below = y.to_bits() & SIGN_BIT;
     let odd = (x.to_bits() & SIGN_BIT) ^ below;
-    let w = flip_sign(y.abs() - x.abs(), odd) / sum;
+    let w = signed_quotient(flip_sign(y.abs() - x.abs(), odd), sum);
 
     let half_places = (1 << (ANGLE_BITS - 3)) as f32;
     let place = half_places * (unwarp::<ANGLE_BITS>(w) + 1.0) + TWO_23;
@@ -224,7 +224,7 @@ fn angle_code<const ANGLE_BITS: u32>(n: Vec3, tangent: Vec3, parallel: f32) -> u
 #[inline(always)]
 fn diamond_point<const ANGLE_BITS: u32>(code: u32) -> Vec2 {
     let place = (code & mask(ANGLE_BITS - 2)) as f32;
-    let v = place * (1.0 / (1 << (ANGLE_BITS - 3)) as f32) - 1.0;
+    let v = place * exp2(3 - ANGLE_BITS as i32) - 1.0;
     let odd = (code << (33 - ANGLE_BITS)) & SIGN_BIT;
     let below = (code << (32 - ANGLE_BITS)) & SIGN_BIT;
     let w = flip_sign(warp(v), odd);

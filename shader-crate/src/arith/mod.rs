@@ -1,5 +1,4 @@
-//! The arithmetic that the codecs share. Results are the same on every target, except that division and square root are
-//! as exact as the device's.
+//! The arithmetic that the codecs share. Results are the same on every target.
 
 /// Declares the coefficients of polynomials, lowest power first: the first of each is documented, the others refer to it.
 macro_rules! coefficients {
@@ -16,7 +15,10 @@ pub(crate) use coefficients;
 
 #[cfg(all(any(not(feature = "std"), test), not(target_arch = "spirv")))]
 mod bare;
+mod divide;
 mod elementary;
+#[cfg(any(test, target_arch = "spirv"))]
+mod exact;
 mod face;
 mod half;
 mod pack;
@@ -28,7 +30,9 @@ mod trig;
 mod two_float;
 mod vector;
 
-pub use elementary::{floor, max, min, sqrt};
+pub use divide::{inverse_root, over, quotient, ratio, reciprocal, root, signed_quotient};
+use elementary::sqrt;
+pub use elementary::{floor, max, min};
 pub use face::{face_of, from_face, to_face};
 pub use half::{HALF_MAX, HALF_ONE, half_decode, half_decode_magnitude, half_encode, half_encode_magnitude};
 pub(crate) use pack::signed_integer_field;

@@ -3,7 +3,10 @@
 //! Source: Cigolle et al. 2014, section 1.2. Vulkan's `*_UNORM` and `*_SNORM` formats convert alike, save that they
 //! leave the rounding of ties open; here ties go to the even integer.
 
-use super::{SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, signed_integer, signed_integer_at};
+use super::{
+    SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, quotient, signed_integer, signed_integer_at,
+    signed_quotient,
+};
 use glam::Vec2;
 
 /// Largest integer of a unorm of `bits` bits, `2^bits - 1`. `bits` is 1 to 23.
@@ -36,7 +39,7 @@ pub fn unorm_code(r: f32, bits: u32) -> u32 {
 /// ignored.
 #[inline(always)]
 pub fn unorm_decode(code: u32, bits: u32) -> f32 {
-    (code & mask(bits)) as f32 / unorm_max(bits)
+    quotient((code & mask(bits)) as f32, unorm_max(bits))
 }
 
 /// The snorm code of `r`: `round(clamp(r, -1, 1) (2^(bits-1) - 1))`, in two's complement. `bits` is 2 to 22. The
@@ -62,7 +65,7 @@ pub fn snorm_code(r: f32, bits: u32) -> u32 {
 /// ignored.
 #[inline(always)]
 pub fn snorm_decode(code: u32, bits: u32) -> f32 {
-    snorm_integer(code, bits) / snorm_max(bits)
+    signed_quotient(snorm_integer(code, bits), snorm_max(bits))
 }
 
 /// The integer of an snorm code as a float, with `-2^(bits-1)` taken as `-(2^(bits-1) - 1)`: both stand for -1.

@@ -12,7 +12,7 @@
 //! * Every function is total. Angles and ratios of less than 2^-100 count as 0, so that no result depends on whether
 //!   a device flushes denormals, and no result is -0 or denormal.
 
-use super::{ENORMOUS, NEGLIGIBLE, floor, is_negative, is_within, negate_if, sqrt, whole_to_u32};
+use super::{ENORMOUS, NEGLIGIBLE, floor, is_negative, is_within, negate_if, quotient, root, whole_to_u32};
 use core::f32::consts::{FRAC_1_PI, FRAC_2_PI, FRAC_PI_4, PI};
 use glam::Vec2;
 
@@ -48,12 +48,12 @@ coefficients! {
     pub TURN_0 = 0.6366193, TURN_1 = -0.21218449, TURN_2 = 0.12698378, TURN_3 = -0.088545084,
         TURN_4 = 0.061384138, TURN_5 = -0.035594895, TURN_6 = 0.013918393, TURN_7 = -0.002581218;
 
-    /// `cos(pi d / 2) / sqrt(2) = 1/2 + w (DIAGONAL_COS_0 + w (... + w DIAGONAL_COS_3))` with `w = 1/4 - d^2`, for d in
+    /// `cos(pi d / 2) / root(2) = 1/2 + w (DIAGONAL_COS_0 + w (... + w DIAGONAL_COS_3))` with `w = 1/4 - d^2`, for d in
     /// \[-1/2, 1/2\]: absolute error 3.8e-11 before rounding. The factor makes the ends exact.
     pub DIAGONAL_COS_0 = FRAC_PI_4, DIAGONAL_COS_1 = 0.16854808, DIAGONAL_COS_2 = 0.014111487,
         DIAGONAL_COS_3 = 0.00063868886;
 
-    /// `sin(pi d / 2) / sqrt(2) = d + d w (DIAGONAL_SIN_0 + w (DIAGONAL_SIN_1 + w DIAGONAL_SIN_2))` with
+    /// `sin(pi d / 2) / root(2) = d + d w (DIAGONAL_SIN_0 + w (DIAGONAL_SIN_1 + w DIAGONAL_SIN_2))` with
     /// `w = 1/4 - d^2`, for d in \[-1/2, 1/2\]: absolute error 9.8e-10 before rounding. The factor makes the ends exact.
     pub DIAGONAL_SIN_0 = 0.42920387, DIAGONAL_SIN_1 = 0.053904664, DIAGONAL_SIN_2 = 0.003245287;
 }
@@ -95,7 +95,7 @@ pub fn sin_cos_half_turns(t: f32) -> Vec2 {
 
 /// The x and y whose difference x - y is the cosine of an angle in the first quarter turn, and whose sum x + y is its
 /// sine. The angle is `pi/4 + d pi/2` with d in \[-1/2, 1/2\], 0 or normal. They are the cosine and sine of `d pi/2`,
-/// divided by `sqrt(2)`.
+/// divided by `root(2)`.
 ///
 /// Needs no reduction, so that it costs half of [`sin_cos_half_turns`]. At the ends x is 1/2 and y is -+1/2 exactly:
 /// the axes are exact, and no difference or sum is -0. -d gives the same x and the negated y exactly.
@@ -144,9 +144,9 @@ pub fn atan2_half_turns(y: f32, x: f32) -> f32 {
 /// Error: at most 7.9e-8 and 1.5e-7 relative, over random vectors.
 #[inline(always)]
 pub fn atan_octant_ratio(y: f32, x: f32) -> f32 {
-    let divided = y / x;
-    let quotient = if y < x { divided } else { 1.0 };
-    atan_octant(if y < f32::MIN_POSITIVE { 0.0 } else { quotient })
+    let divided = quotient(y, x);
+    let ratio = if y < x { divided } else { 1.0 };
+    atan_octant(if y < f32::MIN_POSITIVE { 0.0 } else { ratio })
 }
 
 /// `4/pi atan(r)` for r in \[0, 1\]: 0 to 1, with both ends exact. Numbers below 2^-100, negative ones too, count as 0;
@@ -250,7 +250,7 @@ fn clamped_magnitude(x: f32) -> f32 {
 fn asin_small(a: f32) -> f32 {
     let outer = a > 0.5;
     let u = if outer { 0.5 * (1.0 - a) } else { a * a };
-    let root = sqrt(u);
+    let root = root(u);
     let w = if outer { root } else { a };
     let low = ASIN_2 + u * (ASIN_3 + u * (ASIN_4 + u * ASIN_5));
     w * (FRAC_1_PI + (ASIN_0 + u * (ASIN_1 + u * low)))

@@ -1,6 +1,6 @@
 //! Sums, products and quotients as two floats, and unit vectors as exact as floats are, without fused multiplication.
 
-use super::{dot, exp2, integer_part, small_floor, sqrt, whole_to_i32};
+use super::{dot, exp2, integer_part, inverse_root, small_floor, whole_to_i32};
 use glam::Vec3;
 
 /// `x` without the lower 12 of its 24 bits: a product of two such numbers is exact, and so is the rest.
@@ -63,7 +63,7 @@ pub(crate) fn coordinate(x: f32, sum: f32, rest: f32, reciprocal: f32, bits: u32
 pub(crate) fn normalize_parts(upper: Vec3, lower: Vec3) -> Vec3 {
     let squares = dot(upper, upper);
     let other_squares = 2.0 * dot(upper, lower) + dot(lower, lower);
-    let estimate = 1.0 / sqrt(squares + other_squares);
+    let estimate = inverse_root(squares + other_squares);
     let reciprocal = f32::from_bits((estimate.to_bits() + 0x800) & 0xffff_f000);
 
     let scale = reciprocal * reciprocal;

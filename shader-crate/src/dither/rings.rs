@@ -1,7 +1,9 @@
 //! `eaoct`, which rounds to rings and to points on them.
 
 use super::{Candidate, Dithered, unit, usable};
-use crate::arith::{SIGN_BIT, flip_sign, floor, is_negative, max, min, negate_if, snorm_max, with_sign};
+use crate::arith::{
+    SIGN_BIT, flip_sign, floor, is_negative, max, min, negate_if, signed_quotient, snorm_max, with_sign,
+};
 use crate::direction::l1_norm;
 use crate::eaoct::{self, EaOct, EaOctPrecise, Polar, Ring};
 use crate::families::octahedral::{unpack, usable_code};
@@ -44,7 +46,7 @@ fn direction(e: Vec2, offset: Vec2, m: f32) -> Vec3 {
     let ring = at.ring - turned.x;
     let past_equator = ring > m;
     let mirrored = if past_equator { 2.0 * m - ring } else { ring };
-    let turn = (at.place - turned.y) / max(at.ring, 1.0);
+    let turn = signed_quotient(at.place - turned.y, max(at.ring, 1.0));
     // Before the octant's edge it is the neighbour's, and beyond the octant's middle x and y are the other way around.
     let flip = if turn < 0.0 { SIGN_BIT } else { 0 };
     let signs = Vec2::new(

@@ -23,7 +23,9 @@
 //!   square root. Eight more bits divide the error there by 4, elsewhere by 16.
 
 use super::{around_z, azimuth, scaled};
-use crate::arith::{dot, max, min, nearest_code, snorm_clamp, snorm_integer, snorm_max, sqrt, with_sign};
+use crate::arith::{
+    dot, inverse_root, max, min, nearest_code, ratio, root, snorm_clamp, snorm_integer, snorm_max, with_sign,
+};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
@@ -33,7 +35,7 @@ use glam::{Vec2, Vec3};
 fn height_and_azimuth(v: Vec3) -> (f32, f32) {
     let norm = l1_norm(v);
     let p = scaled(v, norm);
-    let height = with_sign(p.z * (1.0 / sqrt(dot(p, p))), v.z);
+    let height = with_sign(p.z * inverse_root(dot(p, p)), v.z);
     (if is_usable(norm) { height } else { 1.0 }, azimuth(v, p))
 }
 
@@ -52,8 +54,8 @@ pub fn lattice(v: Vec3, m: f32) -> Vec2 {
 /// the product of `1 / m` and m is 1 exactly.
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
-    let step = 1.0 / m;
-    let radius = sqrt((m - e.y) * (m + e.y)) * step;
+    let step = ratio(1.0, m);
+    let radius = root((m - e.y) * (m + e.y)) * step;
     around_z(radius, e.y * step, if radius > 0.0 { e.x * (2.0 * step) } else { 0.0 })
 }
 

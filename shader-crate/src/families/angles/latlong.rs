@@ -59,8 +59,8 @@
 
 use super::{around_z, half_turn, quarter, scaled};
 use crate::arith::{
-    SIGN_BIT, flip_sign, floor, from_diagonal, horizontal_length, integer_part, is_negative, mask, max, min,
-    signed_integer, sqrt, whole_to_u32, with_sign,
+    SIGN_BIT, exp2, flip_sign, floor, from_diagonal, horizontal_length, integer_part, is_negative, mask, max,
+    min, ratio, root, signed_integer, signed_quotient, whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -84,7 +84,7 @@ fn grid_encode(v: Vec3, half: u32) -> u32 {
 /// The middle of the patch of a code of [`LatLong`]. Patches from -X to +X count as -`2^(half-1)` to -1.
 #[inline(always)]
 fn grid_decode(code: u32, half: u32) -> Vec3 {
-    let step = 1.0 / (1 << half) as f32;
+    let step = exp2(-(half as i32));
     let ring = ((code >> half) & mask(half)) as i32 as f32;
     let above = 1.0 - (ring + 0.5) * (2.0 * step);
     let meridian = from_diagonal(0.5 - above.abs());
@@ -131,7 +131,7 @@ impl Rings {
         let high =
             if self.q4 != 0.0 { (self.q2 + index * self.q3) + (index * index) * self.q4 } else { self.q2 };
         let factor = if self.q2 != 0.0 { low + (index * index) * high } else { low };
-        sqrt(index) * factor + self.offset
+        root(index) * factor + self.offset
     }
 }
 
@@ -209,10 +209,10 @@ fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let along = if index_bits <= 24 { from_high } else { from_high + low };
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    let divided = (along - 0.5 * count) / count;
+    let divided = signed_quotient(along - 0.5 * count, count);
     let equator = from_diagonal(if along > 0.0 { divided } else { -0.5 });
     // At either end the product is 1/2 exactly.
-    let meridian = from_diagonal((ring - 0.5 * rings.n) * (1.0 / rings.n));
+    let meridian = from_diagonal((ring - 0.5 * rings.n) * ratio(1.0, rings.n));
     let radius = meridian.x + meridian.y;
 
     // Turns by quarters, but for the pole, where a turned 0 would become -0: from quarter to quarter (a, b) goes to

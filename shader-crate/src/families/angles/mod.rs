@@ -7,7 +7,7 @@ pub mod spherical_wide;
 
 use crate::arith::{
     LEAST_X, LEAST_Y, atan_quarter, from_diagonal, is_negative, max, min, negate_if, negate_positive,
-    scale_to_one, with_sign,
+    quotient, scale_to_one, with_sign,
 };
 use glam::Vec3;
 
@@ -24,7 +24,7 @@ fn scaled(v: Vec3, norm: f32) -> Vec3 {
 /// Error: at most 1.7e-7, most of it [`atan_quarter`]'s.
 #[inline(always)]
 fn quarter(y: f32, x: f32) -> f32 {
-    let part = atan_quarter(min(x, y) / max(x, y));
+    let part = atan_quarter(quotient(min(x, y), max(x, y)));
     if y > x { 1.0 - part } else { part }
 }
 

@@ -31,7 +31,7 @@
 
 use super::{around_z, azimuth, quarter, scaled};
 use crate::arith::{
-    exp2, from_diagonal, horizontal_length, nearest_code, negate_if, signed_integer, snorm_clamp,
+    exp2, from_diagonal, horizontal_length, nearest_code, negate_if, ratio, signed_integer, snorm_clamp,
     snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::Codec;
@@ -63,10 +63,10 @@ pub fn lattice(v: Vec3, m: f32, half_turn: f32) -> Vec2 {
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32, half_turn: f32) -> Vec3 {
     // The product of m is 1 exactly.
-    let latitude = e.x.abs() * (1.0 / m);
+    let latitude = e.x.abs() * ratio(1.0, m);
     let meridian = from_diagonal(latitude - 0.5);
     let z = negate_if(e.x > 0.0, meridian.x + meridian.y);
-    let quarters = if latitude < 1.0 { e.y * (2.0 / half_turn) } else { 0.0 };
+    let quarters = if latitude < 1.0 { e.y * ratio(2.0, half_turn) } else { 0.0 };
     around_z(meridian.x - meridian.y, z, quarters)
 }
 

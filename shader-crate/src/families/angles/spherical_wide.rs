@@ -30,7 +30,8 @@
 
 use crate::arith::{
     COS_0, COS_1, COS_2, COS_3, SIN_0, SIN_1, SIN_2, SIN_3, atan_octant_ratio, exp2, floor, integer_part,
-    is_negative, mask, max, negate_if, negate_positive, product_rest, scaled_to_one, sqrt,
+    is_negative, mask, max, negate_if, negate_positive, product_rest, ratio, root, scaled_to_one,
+    signed_quotient,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -128,13 +129,13 @@ fn nearest(x: TwoFloats, y: TwoFloats, steps: Steps) -> i32 {
     let steep = y.high > x.high;
     let (long, short) = if steep { (y, x) } else { (x, y) };
     let part = atan_octant_ratio(short.high, long.high);
-    let estimate = integer_part(part * (0.25 / steps.size) + 0.5);
+    let estimate = integer_part(part * ratio(0.25, steps.size) + 0.5);
 
     let (cosine, sine) = octant(estimate, steps);
     let (forth, back) = (short.times(cosine), long.times(sine));
     let across = (forth.high - back.high) + (forth.low - back.low);
-    let length = max(sqrt(long.high * long.high + short.high * short.high), POLAR);
-    let off = across / (length * (PI * steps.size));
+    let length = max(root(long.high * long.high + short.high * short.high), POLAR);
+    let off = signed_quotient(across, length * (PI * steps.size));
     let n = estimate + integer_part(floor(off + 0.5));
     if steep { steps.in_quarter - n } else { n }
 }
@@ -144,11 +145,11 @@ fn nearest(x: TwoFloats, y: TwoFloats, steps: Steps) -> i32 {
 fn length(x: f32, y: f32) -> TwoFloats {
     let (long, short) = if y > x { (y, x) } else { (x, y) };
     let (a, b) = (long * long, short * short);
-    let root = max(sqrt(a + b), POLAR);
+    let root = max(root(a + b), POLAR);
     let square = root * root;
     let rests =
         (product_rest(long, long, a) - product_rest(root, root, square)) + product_rest(short, short, b);
-    TwoFloats { high: root, low: (((a - square) + b) + rests) / (2.0 * root) }
+    TwoFloats { high: root, low: signed_quotient(((a - square) + b) + rests, 2.0 * root) }
 }
 
 /// Spherical coordinates in 48 bits: two integers of 24.

@@ -39,8 +39,9 @@
 //! itself elsewhere. Encoding and decoding are off by at most 2e-7 radians each.
 
 use crate::arith::{
-    LEAST_X, LEAST_Y, atan_octant_of_normal, coefficients, cos_eighth, exp2, integer_part, is_negative, mask,
-    max, min, negate_if, scale_to_one, sin_eighth, small_floor, sqrt, whole_to_i32, whole_to_u32,
+    LEAST_X, LEAST_Y, atan_octant_of_normal, coefficients, cos_eighth, exp2, integer_part, inverse_root,
+    is_negative, mask, max, min, negate_if, quotient, reciprocal, root, scale_to_one, sin_eighth,
+    small_floor, whole_to_i32, whole_to_u32,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -106,7 +107,7 @@ fn split(x: f32) -> (u32, f32) {
 #[inline(always)]
 fn azimuth(v: Vec3, scaled: Vec3) -> u32 {
     let (x, y) = (max(scaled.x.abs(), LEAST_X), max(scaled.y.abs(), LEAST_Y));
-    let (octant, _) = split(atan_octant_of_normal(min(x, y) / max(x, y)) * exp2(29));
+    let (octant, _) = split(atan_octant_of_normal(quotient(min(x, y), max(x, y))) * exp2(29));
     let quarter = if y > x { (1 << 30) - octant } else { octant };
     let half = if is_negative(v.x) { (1 << 31) - quarter } else { quarter };
     if is_negative(v.y) { 0u32.wrapping_sub(half) } else { half }
@@ -143,10 +144,10 @@ impl Place {
     #[inline(always)]
     fn new(v: Vec3, bits: u32) -> Self {
         let horizontal = v.x * v.x + v.y * v.y;
-        let reciprocal = 1.0 / sqrt(horizontal + v.z * v.z);
+        let reciprocal = inverse_root(horizontal + v.z * v.z);
         let height = v.z.abs() * reciprocal;
         let radius_squared = (horizontal * reciprocal) * reciprocal;
-        let from_pole = radius_squared / (1.0 + height);
+        let from_pole = quotient(radius_squared, 1.0 + height);
         let is_polar = height > 0.5;
 
         let half = exp2(bits as i32 - 1);
@@ -190,7 +191,7 @@ impl Basis {
         let k = small_floor(0.720_210_1 * logarithm);
         let k = whole_to_u32(if k > 2.0 { k } else { 2.0 });
         let power = golden_power(k);
-        let turn = 1.0 / power;
+        let turn = reciprocal(power);
         Self {
             // F(k) is (1 / g)^k / sqrt(5), rounded.
             step: small_floor(power * 0.447_213_6 + 0.5),
@@ -225,13 +226,13 @@ impl Candidate {
         let depth = place.depth - difference;
         let is_point = depth > 0.0;
         let depth = depth.abs();
-        let radii = sqrt(place.radius_squared * (depth * (2.0 - depth)));
+        let radii = root(place.radius_squared * (depth * (2.0 - depth)));
 
         let d = signed_turn(turn);
         let u = d * d;
         let chord = u * (CHORD_0 + u * (CHORD_1 + u * (CHORD_2 + u * (CHORD_3 + u * CHORD_4))));
         let sum = (place.depth + depth * place.height) + radii;
-        let cost = (difference * difference) / sum + radii * chord;
+        let cost = quotient(difference * difference, sum) + radii * chord;
         // More than any distance.
         Self { i, cost: if is_point { cost } else { 4.0 } }
     }
@@ -292,7 +293,7 @@ pub fn point(i: u32, bits: u32) -> Vec3 {
     let unit = exp2(1 - bits as i32);
     let depth = (from_pole as i32 as f32 + 0.5) * unit;
     let height = ((last(bits - 1) - from_pole) as i32 as f32 + 0.5) * unit;
-    let radius = sqrt(depth * (2.0 - depth));
+    let radius = root(depth * (2.0 - depth));
 
     let azimuth = turn(i);
     let quarter = azimuth.wrapping_add(1 << 29) >> 30;

@@ -75,7 +75,7 @@
 
 use crate::arith::{
     SIGN_BIT, TWO_23, coefficients, flip_sign, floor, is_negative, mask, max, min, negate_if, normalize,
-    whole_to_u32, with_sign,
+    ratio, reciprocal, whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -180,7 +180,7 @@ fn sum(v: Vec3) -> f32 {
 #[inline(always)]
 fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let n = lattice.n as f32;
-    let t = p * (1.0 / p_sum);
+    let t = p * reciprocal(p_sum);
     let t_squared = t * t;
     let squares = sum(t_squared);
     let b_1 = INVERSE_0 * n + (INVERSE_1 * n) * squares;
@@ -194,7 +194,7 @@ fn nearest(p: Vec3, p_sum: f32, lattice: Lattice) -> Vec3 {
     let w = start * rest;
     let d = rest - start;
     let turned = d * Vec3::new(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
-    let factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
+    let factor = reciprocal(d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
     let (x, z) = (start.x + (turned.z - turned.y) * factor, start.z + (turned.y - turned.x) * factor);
 
     // Two triangles share the cell between whole x and z: one has the lower corner, the other, turned by half, the upper.
@@ -333,8 +333,11 @@ fn decode(code: u32, lattice: Lattice) -> Vec3 {
     let code = if code < lattice.last() { code } else { lattice.last() };
     let is_octant = code >= lattice.octants();
     let (first, length) = if is_octant { (lattice.octants(), lattice.n - 1) } else { (0, lattice.n + 2) };
-    let (per_length, rows, per_rows) =
-        if is_octant { (2.0 / (n - 1.0), n - 2.0, 1.0 / (n - 2.0)) } else { (2.0 / (n + 2.0), n, 1.0 / n) };
+    let (per_length, rows, per_rows) = if is_octant {
+        (ratio(2.0, n - 1.0), n - 2.0, ratio(1.0, n - 2.0))
+    } else {
+        (ratio(2.0, n + 2.0), n, ratio(1.0, n))
+    };
 
     // `index / 2` fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line` is it or the next, and then the remainder wraps.

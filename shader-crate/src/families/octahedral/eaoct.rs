@@ -52,8 +52,8 @@
 
 use super::{unpack, usable_code};
 use crate::arith::{
-    atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, scale_to_one, sin_eighth,
-    snorm_clamp, snorm_max, sqrt, with_sign,
+    SnormDivision, atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, quotient,
+    ratio, root, scale_to_one, signed_quotient, sin_eighth, snorm_clamp, snorm_max, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -94,9 +94,9 @@ pub(crate) fn polar(v: Vec3, norm: f32) -> Polar {
     let (a, b) = (max(x, y), min(x, y));
 
     let horizontal = a * a + b * b;
-    let length = sqrt(horizontal + p.z * p.z);
-    let radius = sqrt(horizontal / (length * (length + p.z)));
-    Polar { radius, turn: atan_quarter(b / a), swapped: y > x }
+    let length = root(horizontal + p.z * p.z);
+    let radius = root(quotient(horizontal, length * (length + p.z)));
+    Polar { radius, turn: atan_quarter(quotient(b, a)), swapped: y > x }
 }
 
 /// Moves a lattice point of [`polar`]'s half octant to the half octant of the direction of `v`. With m the largest
@@ -143,7 +143,8 @@ unorm_projection!();
 pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
     const { assert!(BITS % 2 == 0 && BITS >= 16 && BITS <= 32) };
     let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
-    let e = lattice_precise(v, norm, m) / m;
+    let (e, by_m) = (lattice_precise(v, norm, m), const { SnormDivision::new(BITS / 2) });
+    let e = Vec2::new(by_m.of(e.x), by_m.of(e.y));
     if is_usable(norm) { e } else { Vec2::ZERO }
 }
 
@@ -176,10 +177,10 @@ fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
     let along = p.turn * ring;
     let place = floor(along + 0.5);
     let across = ring - steps;
-    let q = (along - place) / max(ring, 1.0);
+    let q = signed_quotient(along - place, max(ring, 1.0));
 
     let c_squared = 2.0 - p.radius * p.radius;
-    let change = across * (p.radius * (1.0 / m));
+    let change = across * (p.radius * ratio(1.0, m));
     let turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
     let cost =
         across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
@@ -193,7 +194,7 @@ fn candidate(p: Polar, ring: f32, m: f32) -> Candidate {
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let at = ring_of(e, m);
-    from_ring(e, at, at.place / max(at.ring, f32::MIN_POSITIVE), m)
+    from_ring(e, at, quotient(at.place, max(at.ring, f32::MIN_POSITIVE)), m)
 }
 
 /// The place of a lattice point: number `place` on ring `ring`, mirrored so that this is at most half of `ring`.
@@ -221,9 +222,9 @@ pub(crate) fn ring_of(e: Vec2, m: f32) -> Ring {
 #[inline(always)]
 pub(crate) fn from_ring(e: Vec2, Ring { ring, swapped, above, .. }: Ring, turn: f32, m: f32) -> Vec3 {
     let (sine, cosine) = (sin_eighth(0.5 * turn), cos_eighth(0.5 * turn));
-    let radius = ring * (1.0 / m);
+    let radius = ring * ratio(1.0, m);
     let z = (1.0 - radius) * (1.0 + radius);
-    let horizontal = radius * sqrt(1.0 + z);
+    let horizontal = radius * root(1.0 + z);
     let (near, far) = (horizontal * cosine, horizontal * sine);
     let (x, y) = if swapped { (far, near) } else { (near, far) };
     Vec3::new(negate_positive(e.x < 0.0, x), negate_positive(e.y < 0.0, y), with_sign(z, above))

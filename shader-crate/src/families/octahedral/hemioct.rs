@@ -20,7 +20,7 @@
 //! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
 //!   where x or y is 0.
 
-use crate::arith::{max, nearest_pair, normalize, snorm_clamp, snorm_integers, snorm_max};
+use crate::arith::{max, nearest_pair, normalize, over, snorm_clamp, snorm_integers, snorm_max};
 use crate::codec::Codec;
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
@@ -28,7 +28,7 @@ use glam::{Vec2, Vec3};
 /// The place of `v` on the square `[-m, m]^2` (listing 6); `norm` is the L1 norm of (x, y, |z|).
 #[inline(always)]
 pub(crate) fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
-    let scale = m / norm;
+    let scale = over(m, norm);
     Vec2::new((v.x + v.y) * scale, (v.x - v.y) * scale)
 }
 

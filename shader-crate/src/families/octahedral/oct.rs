@@ -40,7 +40,8 @@
 
 use super::{fold, unpack, usable_code};
 use crate::arith::{
-    TWO_23, exp2, floor, is_nan, max, min, normalize, snorm_clamp, snorm_max, whole_to_u32, with_sign,
+    SnormDivision, TWO_23, exp2, floor, is_nan, max, min, normalize, over, quotient, ratio, snorm_clamp,
+    snorm_max, whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -54,7 +55,7 @@ use glam::{UVec3, Vec2, Vec3};
 /// square's border, which stands for the same direction.
 #[inline(always)]
 pub fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
-    let scale = m / norm;
+    let scale = over(m, norm);
     let below = max(-v.z, 0.0);
     Vec2::new(with_sign((v.x.abs() + below) * scale, v.x), with_sign((v.y.abs() + below) * scale, v.y))
 }
@@ -63,7 +64,7 @@ pub fn position(v: Vec3, norm: f32, m: f32) -> Vec2 {
 /// corners of its cell, as in listing 3. The nearest of all points is among these.
 #[inline(always)]
 fn precise_point(v: Vec3, norm: f32, m: f32) -> Vec2 {
-    let p = v.abs() * (m / norm);
+    let p = v.abs() * over(m, norm);
     let p = if m < WIDE { p } else { at_least(p, m * LEAST_PART) };
     let nearest = if m < FEW { searched_corner(p, m) } else { nearest_corner(p, m) };
     let (x, y) = fold(v.z, nearest.x, nearest.y, m);
@@ -119,8 +120,8 @@ unorm_projection!();
 #[inline(always)]
 pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
     const { assert!(BITS % 2 == 0 && BITS >= 4 && BITS <= 32) };
-    let m = snorm_max(BITS / 2);
-    lattice_precise(v, m) / m
+    let (e, by_m) = (lattice_precise(v, snorm_max(BITS / 2)), const { SnormDivision::new(BITS / 2) });
+    Vec2::new(by_m.of(e.x), by_m.of(e.y))
 }
 
 /// The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
@@ -128,23 +129,26 @@ pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
 fn bytes(f: Vec2) -> Vec3 {
     let f = snorm_clamp(f);
     let (u, v) = (floor(f.x * 2047.0 + 2047.5), floor(f.y * 2047.0 + 2047.5));
-    let (high, carry) = (floor(u / 16.0), floor(v / 256.0));
+    let (high, carry) = (floor(u * (1.0 / 16.0)), floor(v * (1.0 / 256.0)));
     Vec3::new(high, (u - high * 16.0) * 16.0 + carry, v - carry * 256.0)
 }
 
 /// The inverse of [`bytes`], for whole numbers up to 255.
 #[inline(always)]
 fn from_bytes(bytes: Vec3) -> Vec2 {
-    let high = floor(bytes.y / 16.0);
+    let high = floor(bytes.y * (1.0 / 16.0));
     let (u, v) = (bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
-    Vec2::new(min((u - 2047.0) / 2047.0, 1.0), min((v - 2047.0) / 2047.0, 1.0))
+    const BY_2047: SnormDivision = SnormDivision::new(12);
+    Vec2::new(min(BY_2047.of(u - 2047.0), 1.0), min(BY_2047.of(v - 2047.0), 1.0))
 }
 
 /// Listing 5: a pair of snorm12 values on \[-1, 1\] as three unorm8 values, for a UNORM format: those of (0, 0) where
 /// one is NaN.
 #[inline(always)]
 pub fn snorm12x2_to_unorm8x3(f: Vec2) -> Vec3 {
-    bytes(f) / 255.0
+    const BY_255: SnormDivision = SnormDivision::new(9);
+    let bytes = bytes(f);
+    Vec3::new(BY_255.of(bytes.x), BY_255.of(bytes.y), BY_255.of(bytes.z))
 }
 
 /// Listing 5: the inverse, for unorm8 values from a fetch.
@@ -191,7 +195,7 @@ pub fn uint8x3_to_snorm12x2(u: UVec3) -> Vec2 {
 fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     let middle = Vec2::new(floor(p.x) + 0.5, floor(p.y) + 0.5);
     let q = Vec2::new(p.x - middle.x, p.y - middle.y);
-    let at = Vec2::new(p.x * (3.0 / m) - 1.0, p.y * (3.0 / m) - 1.0);
+    let at = Vec2::new(p.x * ratio(3.0, m) - 1.0, p.y * ratio(3.0, m) - 1.0);
     let weighs = m < SMALL;
     let q = if !weighs && m < LARGE { approached(q, at, m) } else { q };
     let q = if m < WIDE { q } else { projected(q, p, middle, m) };
@@ -270,7 +274,7 @@ const WIDE: f32 = 65536.0;
 #[inline(always)]
 fn projected(q: Vec2, p: Vec3, middle: Vec2, m: f32) -> Vec2 {
     let missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    let stretch = missing * (1.0 / m);
+    let stretch = missing * ratio(1.0, m);
     Vec2::new(q.x + stretch * p.x, q.y + stretch * p.y)
 }
 
@@ -292,7 +296,7 @@ fn weighed(a: f32, b: f32, cross: f32, q: Vec2, at: Vec2, m: f32) -> (f32, f32) 
     let over = max((a + b).abs() - cross, 0.0);
     let n = ((a * q.x + b * q.y) + (0.25 * z_squared + 0.5)) - over;
     let half_s = z_squared + (0.5 + cross);
-    let u = n * ((1.5 / m) / half_s);
+    let u = n * quotient(ratio(1.5, m), half_s);
     (a + u * (at.x + minus_z), b + u * (at.y + minus_z))
 }
 
@@ -302,7 +306,7 @@ fn weighed(a: f32, b: f32, cross: f32, q: Vec2, at: Vec2, m: f32) -> (f32, f32) 
 /// step: 4e-4, 2e-4 and 1e-4 at 20, 22 and 24 bits.
 #[inline(always)]
 fn approached(q: Vec2, at: Vec2, m: f32) -> Vec2 {
-    Vec2::new(q.x + at.x * (0.3795 / m), q.y + at.y * (0.3795 / m))
+    Vec2::new(q.x + at.x * ratio(0.3795, m), q.y + at.y * ratio(0.3795, m))
 }
 
 /// 2^23 + 2047: the low 12 bits of its sum with x from -2047 to 2047 are x + 2047, rounded to the nearest.

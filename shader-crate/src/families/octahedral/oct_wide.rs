@@ -36,7 +36,8 @@
 //! have a code of its own in `oct52p`, whose lattice is finer than floats: it is not stable across devices.
 
 use crate::arith::{
-    Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, scaled_to_one, two_sum,
+    Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, reciprocal,
+    scaled_to_one, two_sum,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -77,7 +78,7 @@ fn position(v: Vec3, norm: f32, bits: u32) -> Position {
     let (sum_xy, rest_xy) = two_sum(vector.x, vector.y);
     let (sum, rest_z) = two_sum(sum_xy, vector.z);
     let rest = rest_xy + rest_z;
-    let reciprocal = 1.0 / sum;
+    let reciprocal = reciprocal(sum);
     let (x, part_x) = coordinate(vector.x, sum, rest, reciprocal, bits);
     let (y, part_y) = coordinate(vector.y, sum, rest, reciprocal, bits);
     Position { x, y, part: Vec3::new(part_x, part_y, vector.z * reciprocal), vector }

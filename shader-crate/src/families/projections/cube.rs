@@ -42,7 +42,8 @@
 
 use crate::arith::{
     atan_octant, coordinate, exp2, face_of, floor, from_face, is_negative, mask, negate_if, negate_positive,
-    normalize, normalize_parts, scaled_to_one, signed_code, snorm_integer, snorm_max, tan_octant, to_face,
+    normalize, normalize_parts, quotient, ratio, reciprocal, scaled_to_one, signed_code, snorm_integer,
+    snorm_max, tan_octant, to_face,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -91,7 +92,7 @@ fn encode<const BITS: u32>(v: Vec3, along: impl Fn(f32) -> f32) -> u32 {
     let (v, _) = or_z(v);
     let face = face_of(v);
     let p = to_face(v, face);
-    let scale = 1.0 / p.z.abs();
+    let scale = reciprocal(p.z.abs());
     let e = Vec2::new(
         round(is_negative(p.x), along(p.x.abs() * scale), snorm_max(u_bits(BITS))),
         round(is_negative(p.y), along(p.y.abs() * scale), snorm_max(v_bits(BITS))),
@@ -125,7 +126,7 @@ impl<const BITS: u32> Codec for Cube<BITS> {
         let e = unpack::<BITS>(code);
         // In steps of u, so that only v is rounded before the normalisation.
         let side = snorm_max(u_bits(BITS)) + 0.5;
-        let v_step = side / (snorm_max(v_bits(BITS)) + 0.5);
+        let v_step = ratio(side, snorm_max(v_bits(BITS)) + 0.5);
         from_face(normalize(Vec3::new(e.x, e.y * v_step, negate_if((face & 1) != 0, side))), face)
     }
 }
@@ -134,7 +135,7 @@ impl<const BITS: u32> Codec for Cube<BITS> {
 #[inline(always)]
 fn round_wide(x: f32, side: f32, bits: u32) -> i32 {
     // Twice the factor of `x / side` is `2^bits - 1`.
-    let (doubled, _) = coordinate(x, side, 0.0, 1.0 / side, bits + 1);
+    let (doubled, _) = coordinate(x, side, 0.0, ratio(1.0, side), bits + 1);
     let rounded = (doubled.whole + 1) >> 1;
     let m = mask(bits - 1) as i32;
     if rounded > m { m } else { rounded }
@@ -185,7 +186,7 @@ impl Codec for CubeWide {
         let face = (high >> (Self::U_BITS + Self::V_BITS - 32)) & 7;
         // Half a side is 2^23 - 1; then a step of u is 2, and one of v `4 + 2 / (2^22 - 1)`.
         let (u, v) = (2 * i, 4 * j);
-        let rest = j as f32 * (2.0 / mask(Self::V_BITS) as f32);
+        let rest = j as f32 * ratio(2.0, mask(Self::V_BITS) as f32);
         let upper = Vec3::new((u >> 12) as f32, (v >> 12) as f32, 2047.0);
         let lower = Vec3::new((u & 4095) as f32, (v & 4095) as f32 + rest, 4095.0) * exp2(-12);
         let p = normalize_parts(upper, lower);
@@ -222,8 +223,8 @@ impl<const BITS: u32> Codec for WarpedCube<BITS> {
     fn decode_vec3(code: u32) -> Vec3 {
         let face = unpack_face::<BITS>(code);
         let e = unpack::<BITS>(code);
-        let u = tan_octant(e.x.abs() / (snorm_max(u_bits(BITS)) + 0.5));
-        let v = tan_octant(e.y.abs() / (snorm_max(v_bits(BITS)) + 0.5));
+        let u = tan_octant(quotient(e.x.abs(), snorm_max(u_bits(BITS)) + 0.5));
+        let v = tan_octant(quotient(e.y.abs(), snorm_max(v_bits(BITS)) + 0.5));
         let p = Vec3::new(
             negate_if(is_negative(e.x), u),
             negate_if(is_negative(e.y), v),

@@ -65,7 +65,7 @@ mod table;
 pub use table::fill_table;
 pub use table::{TABLE_COLUMNS, TABLE_WORDS, table_word};
 
-use crate::arith::{signed_code, snorm_decode, snorm_max, sqrt};
+use crate::arith::{quotient, root, signed_code, snorm_decode, snorm_max};
 use crate::codec::Codec;
 use crate::direction::or_z;
 use glam::Vec3;
@@ -218,7 +218,7 @@ impl Codec for SnormBest16 {
         let u = on_cube(v);
         let parts = by_size(u);
         let longest = snorm_max(16);
-        let unit = longest / sqrt((1.0 + parts.mid * parts.mid) + parts.min * parts.min);
+        let unit = quotient(longest, root((1.0 + parts.mid * parts.mid) + parts.min * parts.min));
         let best = Fit::of_scale(parts, unit).or_scanned(parts, longest);
         let q = at_scale(v, u, best.scale);
         [signed_code(q.x, 16) | (signed_code(q.y, 16) << 16), signed_code(q.z, 16)]

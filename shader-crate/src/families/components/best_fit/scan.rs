@@ -1,6 +1,6 @@
 //! Lengths tried one after the other.
 
-use crate::arith::{exp2, floor, is_negative, max, min, negate_if, signed_code};
+use crate::arith::{exp2, floor, is_negative, max, min, negate_if, quotient, signed_code};
 use glam::Vec3;
 
 /// Lengths that a scan tries, from the longest down.
@@ -23,7 +23,7 @@ pub(super) struct Parts {
 /// `a / max`, or 0 where that is too small to matter.
 #[inline(always)]
 fn part(a: f32, max: f32) -> f32 {
-    let part = a / max;
+    let part = quotient(a, max);
     if part < LEAST_PART { 0.0 } else { part }
 }
 

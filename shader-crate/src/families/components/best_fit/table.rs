@@ -1,7 +1,9 @@
 //! The table of the lengths that fit a cell of directions best.
 
 use super::scan::{LEAST_PART, Parts, SCANNED};
-use crate::arith::{ONE_AND_A_HALF_2_23, integer_part, max, min, nearest_whole, sqrt, whole_to_u32};
+use crate::arith::{
+    ONE_AND_A_HALF_2_23, integer_part, max, min, nearest_whole, reciprocal, root, whole_to_u32,
+};
 use glam::Vec3;
 
 /// Columns of the table.
@@ -36,7 +38,7 @@ fn nearest_byte(x: f32) -> u32 {
 pub(super) fn parts_and_reciprocal(v: Vec3) -> (Parts, f32) {
     let a = v.abs();
     let (low, high) = (min(a.x, a.y), max(a.x, a.y));
-    let reciprocal = 1.0 / max(high, a.z);
+    let reciprocal = reciprocal(max(high, a.z));
     let mid = max(low, min(high, a.z)) * reciprocal;
     let min = min(low, a.z) * reciprocal;
     let parts = Parts {
@@ -107,7 +109,7 @@ pub(super) fn sine(u: Parts, length: f32) -> f32 {
     let (y, z) = (u.mid * length, u.min * length);
     let (dy, dz) = (nearest_whole(y) - y, nearest_whole(z) - z);
     let cx = dy * u.min - dz * u.mid;
-    sqrt(((cx * cx + dy * dy) + dz * dz) * (1.0 / (length * length)))
+    root(((cx * cx + dy * dy) + dz * dz) * (1.0 / (length * length)))
 }
 
 #[inline(always)]

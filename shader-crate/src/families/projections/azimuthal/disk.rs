@@ -1,6 +1,9 @@
 //! The hemisphere on the disk.
 
-use crate::arith::{NEGLIGIBLE, atan_octant_ratio, coefficients, dot, horizontal_length, sqrt};
+use crate::arith::{
+    NEGLIGIBLE, atan_octant_ratio, coefficients, dot, horizontal_length, inverse_root, quotient, reciprocal,
+    root, signed_quotient,
+};
 use core::fmt::Debug;
 use core::hash::Hash;
 use glam::{Vec2, Vec3};
@@ -38,7 +41,7 @@ impl Projection for Stereo {
 
     #[inline(always)]
     fn to_disk(v: Vec3) -> Disk {
-        let scale = 1.0 / (sqrt(dot(v, v)) + v.z);
+        let scale = reciprocal(root(dot(v, v)) + v.z);
         Disk {
             point: Vec2::new(v.x * scale, v.y * scale),
             radius: horizontal_length(v) * scale,
@@ -50,7 +53,8 @@ impl Projection for Stereo {
     fn from_disk(disk: Disk) -> Vec3 {
         // Divisions rather than a product with the reciprocal: its rounding would take the length beyond 2 ULP.
         let sum = 2.0 - disk.rim;
-        Vec3::new(2.0 * disk.point.x / sum, 2.0 * disk.point.y / sum, disk.rim / sum)
+        let over_sum = |part| signed_quotient(part, sum);
+        Vec3::new(over_sum(2.0 * disk.point.x), over_sum(2.0 * disk.point.y), over_sum(disk.rim))
     }
 }
 
@@ -63,18 +67,18 @@ impl Projection for Eqarea {
 
     #[inline(always)]
     fn to_disk(v: Vec3) -> Disk {
-        let length = sqrt(dot(v, v));
-        let scale = 1.0 / sqrt(length * (length + v.z));
+        let length = root(dot(v, v));
+        let scale = inverse_root(length * (length + v.z));
         Disk {
             point: Vec2::new(v.x * scale, v.y * scale),
             radius: horizontal_length(v) * scale,
-            rim: v.z / length,
+            rim: signed_quotient(v.z, length),
         }
     }
 
     #[inline(always)]
     fn from_disk(disk: Disk) -> Vec3 {
-        let scale = sqrt(1.0 + disk.rim);
+        let scale = root(1.0 + disk.rim);
         Vec3::new(disk.point.x * scale, disk.point.y * scale, disk.rim)
     }
 }
@@ -105,8 +109,8 @@ impl Projection for Eqdist {
         let part = 0.5 * atan_octant_ratio(shorter, longer);
         let rest = 1.0 - part;
         let (radius, inside) = if flat { (rest, part) } else { (part, rest) };
-        let quotient = radius / rho;
-        let scale = if rho > NEGLIGIBLE { quotient } else { 0.0 };
+        let ratio = quotient(radius, rho);
+        let scale = if rho > NEGLIGIBLE { ratio } else { 0.0 };
         Disk { point: Vec2::new(v.x * scale, v.y * scale), radius, rim: inside * (1.0 + radius) }
     }
 

@@ -101,8 +101,8 @@ pub use disk::*;
 pub use square::*;
 
 use crate::arith::{
-    SnormDivision, exp2, floor, is_negative, is_set, negate_if, signed_code, signed_integer, snorm_clamp,
-    snorm_integer, snorm_max,
+    SnormDivision, exp2, floor, is_negative, is_set, negate_if, reciprocal, signed_code, signed_integer,
+    snorm_clamp, snorm_integer, snorm_max,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -137,7 +137,7 @@ impl Lattice {
 /// The place of the direction of `v`, of this L1 norm, on the square, without signs.
 #[inline(always)]
 fn to_square<P: Projection, S: SquareMap>(v: Vec3, norm: f32) -> Vec2 {
-    S::to_square(P::to_disk(v.abs() * (1.0 / norm)))
+    S::to_square(P::to_disk(v.abs() * reciprocal(norm)))
 }
 
 /// The projection `P` of the direction of `v`, laid on the square by `S`, unquantised: u and v on \[-1, 1\], and 1 for z < 0,

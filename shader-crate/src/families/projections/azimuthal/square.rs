@@ -4,7 +4,7 @@ use super::Lattice;
 use super::disk::Disk;
 #[cfg(doc)]
 use super::disk::Projection;
-use crate::arith::{atan_octant_ratio, sin_cos_half_turns, sqrt};
+use crate::arith::{atan_octant_ratio, inverse_root, quotient, root, signed_quotient, sin_cos_half_turns};
 #[cfg(doc)]
 use crate::codec::Codec;
 use core::fmt::Debug;
@@ -70,7 +70,7 @@ impl SquareMap for Plain {
 
     #[inline(always)]
     fn settle(e: Vec2, lattice: Lattice) -> Vec2 {
-        let slope = lattice.parts(e) / lattice.largest;
+        let slope = over_each(lattice.parts(e), lattice.largest);
         let inward = if slope.x > slope.y { Vec2::X } else { Vec2::Y };
         if is_remote(e, lattice) { e - inward } else { e }
     }
@@ -93,7 +93,7 @@ impl SquareMap for Plain {
     #[inline(always)]
     fn square_to_disk(s: Vec2) -> Disk {
         let square = s.x * s.x + s.y * s.y;
-        let inward = 1.0 / sqrt(square);
+        let inward = inverse_root(square);
         if square < 1.0 {
             Disk { point: s, radius: 0.0, rim: 1.0 - square }
         } else {
@@ -109,18 +109,24 @@ fn is_remote(e: Vec2, lattice: Lattice) -> bool {
     corner.x * corner.x + corner.y * corner.y > 1.0
 }
 
+/// `a / b` of each component.
+#[inline(always)]
+fn over_each(a: Vec2, b: Vec2) -> Vec2 {
+    Vec2::new(signed_quotient(a.x, b.x), signed_quotient(a.y, b.y))
+}
+
 /// The point on the rim for a point `p` beyond it, where `excess` is `(|p|^2 - 1) / 2`.
 #[inline(always)]
 fn move_to_rim(p: Vec2, m: Vec2, excess: f32) -> Vec2 {
     // The decrease of the excess by one step on each axis.
-    let slope = p / m;
+    let slope = over_each(p, m);
     let along_u = slope.x > slope.y;
     let (steep, gentle) = if along_u { (slope.x, slope.y) } else { (slope.y, slope.x) };
-    let alone = excess / steep;
-    let remainder = (excess - REACH * steep) / gentle;
+    let alone = signed_quotient(excess, steep);
+    let remainder = signed_quotient(excess - REACH * steep, gentle);
     let (first, second) = if alone < REACH { (alone, 0.0) } else { (REACH, remainder) };
     let moved = if along_u { Vec2::new(first, second) } else { Vec2::new(second, first) };
-    p - moved / m
+    p - over_each(moved, m)
 }
 
 /// Shirley and Chiu's concentric map: keeps relative areas; circles become squares. It creases at the diagonals.
@@ -144,8 +150,8 @@ impl SquareMap for Concentric {
     fn square_to_disk(s: Vec2) -> Disk {
         let steep = s.y > s.x;
         let (shorter, radius) = if steep { (s.x, s.y) } else { (s.y, s.x) };
-        let quotient = shorter / radius;
-        let octant = if radius > 0.0 { quotient } else { 0.0 };
+        let ratio = quotient(shorter, radius);
+        let octant = if radius > 0.0 { ratio } else { 0.0 };
         let turn = sin_cos_half_turns(0.25 * octant);
         let (across, along) = (radius * turn.y, radius * turn.x);
         let point = if steep { Vec2::new(across, along) } else { Vec2::new(along, across) };
@@ -173,13 +179,13 @@ impl SquareMap for Ellipse {
     fn to_square(disk: Disk) -> Vec2 {
         let p = disk.point;
         let difference = (p.x - p.y) * (p.x + p.y);
-        let sum = 2.0 + sqrt(difference * difference + 4.0 * disk.rim);
-        Vec2::new(2.0 * p.x / sqrt(sum + difference), 2.0 * p.y / sqrt(sum - difference))
+        let sum = 2.0 + root(difference * difference + 4.0 * disk.rim);
+        over_each(2.0 * p, Vec2::new(root(sum + difference), root(sum - difference)))
     }
 
     #[inline(always)]
     fn square_to_disk(s: Vec2) -> Disk {
-        let point = Vec2::new(s.x * sqrt(1.0 - 0.5 * s.y * s.y), s.y * sqrt(1.0 - 0.5 * s.x * s.x));
+        let point = Vec2::new(s.x * root(1.0 - 0.5 * s.y * s.y), s.y * root(1.0 - 0.5 * s.x * s.x));
         // (1 - s^2) (1 - t^2), with one rounding less near the middle.
         let factor = 1.0 - s.x * s.x;
         Disk { point, radius: 0.0, rim: factor - factor * (s.y * s.y) }

@@ -59,8 +59,8 @@ mod xyonly;
 pub use xyonly::{XyOnly, XyOnly32F};
 
 use crate::arith::{
-    dot, face_of, from_face, is_negative, mask, max, negate_positive, scale_to_one, snorm_integer, sqrt,
-    to_face, whole_to_u32,
+    dot, face_of, from_face, inverse_root, is_negative, mask, max, negate_positive, root, scale_to_one,
+    snorm_integer, to_face, whole_to_u32,
 };
 use crate::codec::{Code, Codec};
 use crate::direction::or_z;
@@ -76,14 +76,14 @@ fn unit(v: Vec3, l1_norm: f32) -> Vec3 {
     let scaled = v * scale_to_one(l1_norm * 1.1);
     let square = dot(scaled, scaled);
     let is_unit = (square - 1.0).abs() <= 9.536_743e-7;
-    scaled * if is_unit { 1.0 } else { 1.0 / sqrt(square) }
+    scaled * if is_unit { 1.0 } else { inverse_root(square) }
 }
 
 /// The third component of a unit vector.
 #[inline(always)]
 fn third(p: Vec2) -> f32 {
     let square = 1.0 - (p.x * p.x + p.y * p.y);
-    sqrt(max(square, 0.0))
+    root(max(square, 0.0))
 }
 
 /// Two's complement, in `bits` bits, of a whole number below 2^23 with a sign.

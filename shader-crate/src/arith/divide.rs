@@ -1,0 +1,74 @@
+//! Division and square root: the only place of either, so that devices that round them badly give the CPU's bits.
+//!
+//! The CPU rounds correctly. A GPU need not: there the results are put right, which `exact` derives. Divisions of constants
+//! by constants are constants: [`ratio`].
+
+use super::sqrt;
+#[cfg(target_arch = "spirv")]
+use super::{SIGN_BIT, exact, flip_sign};
+
+/// True where a kernel is to take the device's own division and roots.
+///
+/// False wherever rust-gpu compiles it. In the shipped kernels it is the specialization constant 1: the build of the modules
+/// puts that in the place of this function, which it knows by having no parameters and no instructions.
+#[cfg(target_arch = "spirv")]
+#[inline(never)]
+fn is_fast() -> bool {
+    false
+}
+
+/// The result of the device, or of the CPU, where that rounds correctly or is wanted as it is; else the exact one.
+macro_rules! exactly {
+    ($device:expr, $exact:expr) => {{
+        #[cfg(not(target_arch = "spirv"))]
+        return $device;
+        #[cfg(target_arch = "spirv")]
+        return if is_fast() { $device } else { $exact };
+    }};
+}
+
+/// `a / b`, rounded to nearest, for `a` of 0 or more and positive `b`. Numbers are normal or 0; quotients below 2^-100 may
+/// be 0.
+#[inline(always)]
+pub fn quotient(a: f32, b: f32) -> f32 {
+    exactly!(a / b, exact::quotient(a, b, 1.0 / b))
+}
+
+/// [`quotient`] for numbers of either sign.
+#[inline(always)]
+pub fn signed_quotient(a: f32, b: f32) -> f32 {
+    exactly!(a / b, {
+        let magnitude = exact::quotient(a.abs(), b.abs(), 1.0 / b.abs());
+        flip_sign(magnitude, (a.to_bits() ^ b.to_bits()) & SIGN_BIT)
+    })
+}
+
+/// `m / b`, rounded to nearest, for positive `b` and a positive constant `m`; cheaper than [`quotient`].
+#[inline(always)]
+pub fn over(m: f32, b: f32) -> f32 {
+    exactly!(m / b, exact::over(m, b, 1.0 / b))
+}
+
+/// `1 / b`, rounded to nearest, for positive `b`.
+#[inline(always)]
+pub fn reciprocal(b: f32) -> f32 {
+    exactly!(1.0 / b, exact::reciprocal(b, 1.0 / b))
+}
+
+/// `a / b` of constants: the build of the modules leaves its result.
+#[inline(always)]
+pub const fn ratio(a: f32, b: f32) -> f32 {
+    a / b
+}
+
+/// The square root of `x`, rounded to nearest; 0 for 0 and denormals on a GPU.
+#[inline(always)]
+pub fn root(x: f32) -> f32 {
+    exactly!(sqrt(x), exact::root(x, 1.0 / sqrt(x)))
+}
+
+/// `1 / root(x)`, for normal `x`: two roundings to nearest.
+#[inline(always)]
+pub fn inverse_root(x: f32) -> f32 {
+    exactly!(1.0 / sqrt(x), exact::inverse_root(x, 1.0 / sqrt(x)))
+}
