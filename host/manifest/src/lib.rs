@@ -193,7 +193,7 @@ pub struct Table {
 pub struct PushConstant {
     /// Byte offset.
     pub offset: u32,
-    /// Type: `u32`, four bytes.
+    /// Type: `u32` or `bool`, either of which takes four bytes.
     pub r#type: String,
     /// What it holds.
     pub content: Constant,
@@ -215,7 +215,7 @@ pub struct SpecializationConstant {
     pub id: u32,
     /// Its name in the kernels' sources.
     pub name: String,
-    /// Type: `u32`, four bytes.
+    /// Type: `u32` or `bool`, either of which takes four bytes.
     pub r#type: String,
     /// The value that it has without VkSpecializationInfo.
     pub default: u32,

@@ -63,7 +63,9 @@ fn nearest(dividend: u32, guess: u32, divisor: u32, minus_part: f32) -> u32 {
     let excess = guess.wrapping_mul(divisor).wrapping_sub(dividend) as i32;
     let step = integer_part(excess as f32 * minus_part) as u32;
     // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    let near = guess.wrapping_add(step).min(SIGNIFICAND);
+    let near = guess.wrapping_add(step);
+    // `Ord::min` needs a capability in SPIR-V.
+    let near = if near < SIGNIFICAND { near } else { SIGNIFICAND };
     let rest = near.wrapping_mul(divisor).wrapping_sub(dividend);
     near + ((rest << 1).wrapping_add(divisor) >> 31)
 }

@@ -1,6 +1,7 @@
 //! The manifest's words about kernels, modules and tables.
 
 use crate::kernel::Kernel;
+use crate::passes;
 use unitvec_catalogue::{AnyCodec, Element, Operation, best_fit_table};
 use unitvec_link::{LIBRARY, Signature};
 use unitvec_manifest as manifest;
@@ -79,7 +80,7 @@ pub fn interface(kernel: &Kernel) -> (String, Interface) {
         descriptor_set: 0,
         bindings,
         push_constants: vec![count],
-        specialization_constants: vec![whole_groups()],
+        specialization_constants: vec![whole_groups(), fast()],
     };
     (name, interface)
 }
@@ -131,5 +132,17 @@ fn whole_groups() -> SpecializationConstant {
              hold whole groups of {GROUP} vectors, all of the push constant's number, and the results beyond that number mean \
              nothing. The range of a table is looked at in either case."
         ),
+    }
+}
+
+fn fast() -> SpecializationConstant {
+    SpecializationConstant {
+        id: passes::FAST,
+        name: "fast".to_owned(),
+        r#type: "bool".to_owned(),
+        default: 0,
+        meaning: "false: results are the CPU's, to the bit, on every device. true: the kernel takes the device's own division and \
+                  square root, which may change the last bit. Kernels without either have no such constant."
+            .to_owned(),
     }
 }

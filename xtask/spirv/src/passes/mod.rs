@@ -1,12 +1,14 @@
 //! From rust-gpu's modules to those that are shipped.
 //!
-//! Each kernel gets NoContraction on every float result and is optimised; branches become selects, some instructions one, and
+//! Each kernel gets a specialization constant for its division, and NoContraction on every float result, and is optimised;
+//! branches become selects, some instructions one, and
 //! loops end at their condition; then the kernels of a codec join in one module, which is optimised once more. The functions
 //! of the library are made likewise of entry points, and join in one module that exports them.
 
 mod blocks;
 mod combine;
 mod decorate;
+mod divide;
 mod exit;
 mod export;
 mod features;
@@ -25,6 +27,8 @@ use spirv_tools::val::Validator;
 use spirv_tools::{TargetEnv, opt, val};
 use unitvec_link::Signature;
 
+pub use divide::FAST;
+
 const ENVIRONMENT: TargetEnv = TargetEnv::Vulkan_1_1;
 
 /// Vulkan takes no module with linkage.
@@ -32,7 +36,7 @@ const LIBRARY_ENVIRONMENT: TargetEnv = TargetEnv::Universal_1_3;
 
 /// One module of kernels that are compiled each to a module of its own, with these names for entry points.
 pub fn run(kernels: Vec<(String, Vec<u32>)>) -> Result<Vec<u32>> {
-    let kernels = kernels.iter().map(|(name, words)| kernel(name, words).with_context(|| name.clone()));
+    let kernels = kernels.iter().map(|(name, words)| kernel(name, words, true).with_context(|| name.clone()));
     let module = join::join(kernels.collect::<Result<_>>()?)?;
     let words = optimize(&module.assemble())?;
     decorate::check_no_contraction(&parse(&words)?)?;
@@ -44,7 +48,7 @@ pub fn run(kernels: Vec<(String, Vec<u32>)>) -> Result<Vec<u32>> {
 pub fn library(functions: Vec<(Signature, Vec<u32>)>) -> Result<Vec<u32>> {
     let functions = functions.into_par_iter().map(|(signature, words)| {
         let named = || signature.name.clone();
-        let mut module = kernel("function", &words).with_context(named)?;
+        let mut module = kernel("function", &words, false).with_context(named)?;
         export::function(&mut module).with_context(named)?;
         Ok((signature, module))
     });
@@ -57,12 +61,19 @@ pub fn library(functions: Vec<(Signature, Vec<u32>)>) -> Result<Vec<u32>> {
     Ok(words)
 }
 
-fn kernel(name: &str, words: &[u32]) -> Result<Module> {
+/// A function of the library is not specialized: a module that is linked has the constants of the program around it.
+fn kernel(name: &str, words: &[u32], is_specialized: bool) -> Result<Module> {
     let mut module = parse(words)?;
     join::name_entry_point(&mut module, name)?;
     features::remove(&mut module);
+    if is_specialized {
+        divide::specialize(&mut module)?;
+    }
     decorate::no_contraction(&mut module);
     let mut module = parse(&optimize(&module.assemble())?)?;
+    while divide::fold(&mut module)? {
+        module = parse(&optimize(&module.assemble())?)?;
+    }
     select::for_branches(&mut module)?;
     combine::instructions(&mut module)?;
     exit::at_conditions(&mut module);

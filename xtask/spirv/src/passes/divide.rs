@@ -1,0 +1,138 @@
+//! The choice of the device's own division, and quotients of constants.
+
+use super::globals::{Globals, operands};
+use anyhow::Result;
+use rspirv::dr::{Function, Instruction, Module, Operand};
+use rspirv::spirv::{Decoration, Op, Word};
+
+/// The specialization constant that takes the device's own division and roots.
+pub const FAST: u32 = 1;
+
+/// Makes `arith::divide::is_fast` return the specialization constant [`FAST`], by default false. It is the function without
+/// parameters that returns a constant.
+pub fn specialize(module: &mut Module) -> Result<()> {
+    let mut constant = None;
+    Globals::pass(module, |functions, globals| {
+        for returned in functions.iter_mut().filter_map(returned_constant) {
+            let Some(of_type) = globals.find(*returned).filter(|of| of.class.opcode == Op::ConstantFalse)
+            else {
+                continue;
+            };
+            let of_type = of_type.result_type;
+            *returned = *constant.get_or_insert_with(|| {
+                let id = globals.fresh();
+                globals.known.push(Instruction::new(Op::SpecConstantFalse, of_type, Some(id), Vec::new()));
+                id
+            });
+        }
+    })?;
+    let decoration = |id| {
+        let operands =
+            vec![Operand::IdRef(id), Operand::Decoration(Decoration::SpecId), Operand::LiteralBit32(FAST)];
+        Instruction::new(Op::Decorate, None, None, operands)
+    };
+    module.annotations.extend(constant.map(decoration));
+    Ok(())
+}
+
+/// The result of a function that has no parameters and does nothing but return.
+fn returned_constant(function: &mut Function) -> Option<&mut Word> {
+    let [block] = function.blocks.as_mut_slice() else { return None };
+    let [last] = block.instructions.as_mut_slice() else { return None };
+    if !function.parameters.is_empty() || last.class.opcode != Op::ReturnValue {
+        return None;
+    }
+    last.operands.first_mut()?.id_ref_any_mut()
+}
+
+/// Replaces quotients and bit patterns of constants by constants, and tells whether there were any. spirv-opt leaves both: the
+/// former since they must not be contracted.
+pub fn fold(module: &mut Module) -> Result<bool> {
+    let mut any = false;
+    Globals::pass(module, |functions, globals| {
+        for instruction in functions.iter_mut().flat_map(Function::all_inst_iter_mut) {
+            let Some(value) = folded(instruction, globals) else { continue };
+            let Some(of_type) = instruction.result_type else { continue };
+            let constant = Operand::IdRef(globals.constant(of_type, value));
+            instruction.class = rspirv::grammar::CoreInstructionTable::get(Op::CopyObject);
+            instruction.operands = vec![constant];
+            any = true;
+        }
+    })?;
+    Ok(any)
+}
+
+fn folded(instruction: &Instruction, globals: &Globals) -> Option<u32> {
+    match instruction.class.opcode {
+        Op::FDiv => {
+            let [a, b] = operands(instruction)?.map(|id| globals.value(id).map(f32::from_bits));
+            Some((a? / b?).to_bits())
+        }
+        Op::Bitcast => {
+            let [bits] = operands(instruction)?;
+            let is_scalar = globals.is(instruction.result_type?, Op::TypeFloat)
+                || globals.is(instruction.result_type?, Op::TypeInt);
+            globals.value(bits).filter(|_| is_scalar)
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::snippet;
+    use super::*;
+
+    /// A call of the marker chooses by the specialization constant; other functions stay.
+    #[test]
+    fn the_function_that_returns_false_returns_a_specialization_constant() {
+        let mut module = snippet::assembled(
+            "OpCapability Shader
+            OpMemoryModel Logical GLSL450
+            OpEntryPoint GLCompute %1 \"main\"
+            OpExecutionMode %1 LocalSize 1 1 1
+            %2 = OpTypeVoid
+            %3 = OpTypeFunction %2
+            %4 = OpTypeBool
+            %5 = OpTypeFunction %4
+            %6 = OpConstantFalse %4
+            %7 = OpConstantTrue %4
+            %8 = OpFunction %4 None %5
+            %9 = OpLabel
+            OpReturnValue %6
+            OpFunctionEnd
+            %10 = OpFunction %4 None %5
+            %11 = OpLabel
+            OpReturnValue %7
+            OpFunctionEnd
+            %1 = OpFunction %2 None %3
+            %12 = OpLabel
+            %13 = OpFunctionCall %4 %8
+            %14 = OpFunctionCall %4 %10
+            OpReturn
+            OpFunctionEnd",
+        );
+        specialize(&mut module).unwrap();
+        snippet::assert_valid(&module);
+        let added = module.types_global_values.last().unwrap();
+        assert_eq!(added.class.opcode, Op::SpecConstantFalse);
+        let returned = module.functions.iter_mut().map(|function| returned_constant(function).copied());
+        assert_eq!(returned.collect::<Vec<_>>(), [added.result_id, Some(7), None]);
+        assert_eq!(module.annotations.len(), 1);
+    }
+
+    #[test]
+    fn quotients_and_patterns_of_constants_are_constants() {
+        let mut module = snippet::module(
+            "%10 = OpFDiv %float %f1 %f1
+            %11 = OpFDiv %float %f1 %7
+            %12 = OpBitcast %uint %f1
+            %13 = OpBitcast %float %12
+            OpStore %6 %11",
+        );
+        assert!(fold(&mut module).unwrap());
+        let opcodes = snippet::opcodes(&module);
+        assert_eq!(opcodes[..4], [Op::CopyObject, Op::FDiv, Op::CopyObject, Op::Bitcast]);
+        snippet::assert_valid(&module);
+    }
+}
