@@ -11,7 +11,7 @@ use unitvec_run::conform::{Backends, Mismatches, Options, Plan, widest_of_each_s
 use unitvec_run::shader::{Edition, Language, LanguageGpu};
 use unitvec_run::{glsl, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
-use unitvec_vulkan::{BufferPromise, Device, Error, GROUP, Runner, SENTINEL};
+use unitvec_vulkan::{BufferPromise, Device, Division, Error, GROUP, Runner, SENTINEL};
 
 fn embedded() -> KernelSource {
     KernelSource::Rust(Modules::open(None).unwrap())
@@ -185,8 +185,9 @@ fn kernels_of_whole_groups_write_the_same() {
             let from_glsl = compiler.kernel(format, operation).unwrap();
             for (spirv, entry_point) in [(&from_rust[..], name.as_str()), (&from_glsl[..], glsl::ENTRY_POINT)]
             {
-                let [exact, whole] = [BufferPromise::ExactSize, BufferPromise::WholeGroups]
-                    .map(|buffers| runner.kernel_for(buffers, spirv, entry_point, None).unwrap());
+                let [exact, whole] = [BufferPromise::ExactSize, BufferPromise::WholeGroups].map(|buffers| {
+                    runner.kernel_for(buffers, Division::Exact, spirv, entry_point, None).unwrap()
+                });
                 let (read, written) = match operation {
                     Operation::Encode => (&elements, format.bytes),
                     Operation::Decode => (&codes, format.element.bytes()),
@@ -229,7 +230,8 @@ fn kernels_write_nothing_by_a_short_table() {
         for (spirv, entry_point) in [(&from_rust[..], name), (&from_glsl[..], glsl::ENTRY_POINT)] {
             for (table, is_written) in [(&short, false), (&whole, true)] {
                 for buffers in [BufferPromise::ExactSize, BufferPromise::WholeGroups] {
-                    let kernel = runner.kernel_for(buffers, spirv, entry_point, Some(table)).unwrap();
+                    let kernel =
+                        runner.kernel_for(buffers, Division::Exact, spirv, entry_point, Some(table)).unwrap();
                     let mut output = [0; 12];
                     runner.run(&kernel, 1, &[0x22; 12], &mut output).unwrap();
                     let untouched = output.chunks(4).all(|word| word == SENTINEL.to_le_bytes());

@@ -85,8 +85,10 @@ impl Generation {
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Source {
-    /// Rust: the SPIR-V that ships.
+    /// Rust: the SPIR-V that ships, with the device's own division and square root.
     Rust,
+    /// Rust: the SPIR-V as it ships, which puts the device's division and square root right.
+    Exact,
     /// The GLSL that ships.
     Glsl,
     /// GLSL as people write it from the papers' formulas.
@@ -97,6 +99,7 @@ impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Rust => "rust",
+            Self::Exact => "exact",
             Self::Glsl => "glsl",
             Self::Textbook => "textbook",
         })

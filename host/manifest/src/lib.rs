@@ -23,6 +23,9 @@ pub const BEST_FIT_TABLE: &str = "best_fit_table.bin";
 /// The kernel that decodes two-byte codes of any codec by a table.
 pub const DECODE_BY_TABLE: &str = "decode_by_table";
 
+/// The kernel that computes what codecs compute, from which to learn how a device rounds.
+pub const ARITHMETIC: &str = "arithmetic";
+
 /// SPIR-V modules with compute kernels that encode and decode unit vectors, and how to call them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

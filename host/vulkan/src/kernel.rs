@@ -27,6 +27,18 @@ pub enum BufferPromise {
     WholeGroups = 1,
 }
 
+/// The division and square root of a kernel: values of specialization constant 1 of the kernels that `spirv/manifest.json`
+/// describes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[repr(u32)]
+pub enum Division {
+    /// Rounded correctly, whatever the device does.
+    #[default]
+    Exact = 0,
+    /// The device's own, which may be some last places off.
+    Device = 1,
+}
+
 /// A compute kernel with the interface of `spirv/manifest.json`: binding 0 in, binding 1 out, binding 2 a table, the
 /// number of vectors as push constant.
 pub struct Kernel {
@@ -45,15 +57,19 @@ impl Layout {
     /// Compiles a kernel to a pipeline. The device knows the flags.
     pub(super) fn compile(
         &self,
-        promise: BufferPromise,
+        (promise, division): (BufferPromise, Division),
         spirv: &[u8],
         entry_point: &str,
         flags: vk::PipelineCreateFlags,
     ) -> Result<Handle<vk::Pipeline>, Error> {
         let module = Module::new(&self.device, spirv, entry_point)?;
-        let data = (promise as u32).to_ne_bytes();
-        let constants = [vk::SpecializationMapEntry::default().constant_id(0).offset(0).size(data.len())];
-        let specialization = vk::SpecializationInfo::default().map_entries(&constants).data(&data);
+        let values = [promise as u32, division as u32];
+        let constants = [0, 1].map(|id| {
+            vk::SpecializationMapEntry::default().constant_id(id).offset(4 * id).size(size_of::<u32>())
+        });
+        let data = values.map(u32::to_ne_bytes);
+        let specialization =
+            vk::SpecializationInfo::default().map_entries(&constants).data(data.as_flattened());
         let stage = module.stage(vk::ShaderStageFlags::COMPUTE).specialization_info(&specialization);
         let create =
             [vk::ComputePipelineCreateInfo::default().flags(flags).stage(stage).layout(*self.pipeline)];

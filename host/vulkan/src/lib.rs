@@ -25,7 +25,7 @@ pub use error::Error;
 pub use format::{FormatUse, ImageFormat, bytes_per_texel};
 pub use graphics::{Draw, Graphics, Image, Mesh, Pipeline, PipelineOptions, Shader, Target};
 pub use instance::Instance;
-pub use kernel::{BufferPromise, GROUP, Kernel, WORKGROUP};
+pub use kernel::{BufferPromise, Division, GROUP, Kernel, WORKGROUP};
 pub use runner::{Runner, SENTINEL, Table};
 pub use spirv::check_spirv;
 pub use statistics::{Inspector, Statistics};

@@ -6,7 +6,7 @@ use super::kernel::MAX_ELEMENT;
 use super::layout::{Descriptors, Layout};
 use super::memory::Place;
 use super::submission::{ALL, Submission, barrier};
-use super::{BufferPromise, Device, Error, GROUP, Kernel, Named, WORKGROUP};
+use super::{BufferPromise, Device, Division, Error, GROUP, Kernel, Named, WORKGROUP};
 use ash::vk;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -77,17 +77,18 @@ impl Runner {
     /// # Errors
     /// [`Error::NotSpirv`], [`Error::ForeignKernel`] for a table of another runner, or a failed call.
     pub fn kernel(&self, spirv: &[u8], entry_point: &str, table: Option<&Table>) -> Result<Kernel, Error> {
-        self.kernel_for(BufferPromise::ExactSize, spirv, entry_point, table)
+        self.kernel_for(BufferPromise::ExactSize, Division::Exact, spirv, entry_point, table)
     }
 
-    /// Makes a kernel as [`kernel`](Self::kernel) does, for buffers that keep this promise. A module without the
-    /// specialization constant is the same for all.
+    /// Makes a kernel as [`kernel`](Self::kernel) does, for buffers that keep this promise, and with this division. A
+    /// module without a specialization constant is the same for all of its values.
     ///
     /// # Errors
     /// The errors of [`kernel`](Self::kernel).
     pub fn kernel_for(
         &self,
         promise: BufferPromise,
+        division: Division,
         spirv: &[u8],
         entry_point: &str,
         table: Option<&Table>,
@@ -95,7 +96,8 @@ impl Runner {
         if table.is_some_and(|table| !Arc::ptr_eq(&table.layout, &self.layout)) {
             return Err(Error::ForeignKernel);
         }
-        let pipeline = self.layout.compile(promise, spirv, entry_point, vk::PipelineCreateFlags::empty())?;
+        let pipeline =
+            self.layout.compile((promise, division), spirv, entry_point, vk::PipelineCreateFlags::empty())?;
         Ok(Kernel { pipeline, layout: self.layout.clone(), table: table.cloned(), promise })
     }
 

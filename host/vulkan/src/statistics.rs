@@ -2,7 +2,7 @@
 
 use super::device::Purpose;
 use super::layout::Layout;
-use super::{BufferPromise, Device, DeviceChoice, Error, Instance, Named};
+use super::{BufferPromise, Device, DeviceChoice, Division, Error, Instance, Named};
 use ash::{khr, vk};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -32,15 +32,21 @@ impl Inspector {
         &self.layout.device
     }
 
-    /// Compiles a kernel, for [`BufferPromise::WholeGroups`].
+    /// Compiles a kernel, for [`BufferPromise::WholeGroups`] and this division.
     ///
     /// The module is trusted as in [`Runner::kernel`](super::Runner::kernel).
     ///
     /// # Errors
     /// [`Error::NotSpirv`] or a failed call.
-    pub fn statistics(&self, module: &[u8], entry_point: &str) -> Result<Statistics, Error> {
+    pub fn statistics(
+        &self,
+        division: Division,
+        module: &[u8],
+        entry_point: &str,
+    ) -> Result<Statistics, Error> {
         let flags = vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR;
-        let pipeline = self.layout.compile(BufferPromise::WholeGroups, module, entry_point, flags)?;
+        let pipeline =
+            self.layout.compile((BufferPromise::WholeGroups, division), module, entry_point, flags)?;
         let info = vk::PipelineExecutableInfoKHR::default().pipeline(*pipeline);
         // SAFETY: the pipeline was made to capture statistics and has one executable at least.
         let statistics = unsafe { self.functions.get_pipeline_executable_statistics(&info) }

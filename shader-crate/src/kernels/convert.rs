@@ -10,15 +10,19 @@
 //! instructions. Both buffers must then hold the number of vectors rounded up to a multiple of four; shorter ones are
 //! undefined behaviour.
 //!
+//! Specialization constant 1, a `bool`: true takes the device's own division and square root, which may change the last
+//! bit of a result. False, the default, rounds both as the CPU does.
+//!
 //! Binding 2 is a table, where the kernel reads one: that of [`best_fit`](crate::best_fit) for `snorm8x3p_encode` and
 //! `crytek_bfn24_encode`, the decoded vectors of all 2^16 codes for `decode_by_table`, which serves all codecs whose
 //! codes take two bytes. A kernel whose table is too short writes nothing.
 
 use super::words::{Codes, Element, GROUP, Words};
 use super::{CodeWords, element};
+use crate::arith::{inverse_root, quotient, reciprocal, root};
 use crate::best_fit::{EncodeByTable, TABLE_WORDS};
 use crate::codec::{Code, Codec};
-use crate::frame::FrameCodec;
+use crate::frame::{Frame, FrameCodec};
 use crate::{for_each_codec, for_each_frame};
 use glam::Vec3;
 use spirv_std::spirv;
@@ -186,6 +190,20 @@ kernel!("Decodes four codes of two bytes by looking their vectors up."
             #[allow(unsafe_code)]
             let [x, y, z] = unsafe { element(table, code & 0xffff) };
             Vec3::new(f32::from_bits(x), f32::from_bits(y), f32::from_bits(z))
+        });
+    }
+);
+
+kernel!("Computes with pairs of floats, a of at least 0 and positive b, what codecs compute: a / b, 1 / b, the root of a and its
+    inverse, a + b, a b + a, and b's bits as a number. `unitvec conform` learns from it how a device rounds."
+    arithmetic(group, input, output) {
+        decode::<_, [u32; 8]>(group, input, output, |[low, high]| {
+            let (a, b) = (f32::from_bits(low), f32::from_bits(high));
+            Frame {
+                normal: Vec3::new(quotient(a, b), reciprocal(b), root(a)),
+                tangent: Vec3::new(inverse_root(a), a + b, a * b + a),
+                handedness: high as i32 as f32,
+            }
         });
     }
 );

@@ -13,7 +13,7 @@ use unitvec_lab::isa::radv::Radv;
 use unitvec_manifest::sha256_hex;
 use unitvec_run::glsl;
 use unitvec_run::glsl::{Compiler, ENTRY_POINT};
-use unitvec_vulkan::{DeviceChoice, Inspector, Instance};
+use unitvec_vulkan::{DeviceChoice, Division, Inspector, Instance};
 
 const KERNEL: &str = include_str!("kernel.comp");
 
@@ -75,7 +75,7 @@ fn row(inspector: &Inspector, compiler: &Compiler, codec: &str, operation: Opera
         ("KEY".to_owned(), key.to_owned()),
     ];
     let module = compiler.compile("kernels/dithered.comp", KERNEL, &macros).unwrap();
-    let statistics = inspector.statistics(&module, ENTRY_POINT).unwrap();
+    let statistics = inspector.statistics(Division::Device, &module, ENTRY_POINT).unwrap();
     let device = &inspector.device().info().name;
     unitvec_lab::isa::row(&row_id(codec, key), operation, Source::Glsl, None, &statistics, device)
 }

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use unitvec_catalogue::Operation;
 use unitvec_run::shader::kernel::ENTRY_POINT;
 use unitvec_run::shader::{Edition, Language, compile};
-use unitvec_vulkan::{DeviceChoice, Inspector, Instance};
+use unitvec_vulkan::{DeviceChoice, Division, Inspector, Instance};
 
 /// The codecs that stand for the others.
 pub const CODECS: [&str; 8] =
@@ -69,7 +69,9 @@ pub fn record(cases: &[Case], dxc: &Compiler<'_>, slang: &Path, path: &Path) -> 
 }
 
 fn instructions(inspector: &Inspector, name: &str, module: &[u8]) -> Result<u64> {
-    let statistics = inspector.statistics(module, ENTRY_POINT).map_err(|error| format!("{name}: {error}"))?;
+    let statistics = inspector
+        .statistics(Division::Device, module, ENTRY_POINT)
+        .map_err(|error| format!("{name}: {error}"))?;
     let count = statistics.get("Instructions").copied();
     count.ok_or_else(|| format!("{name}: the driver does not count instructions"))
 }

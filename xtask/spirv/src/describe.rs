@@ -87,13 +87,16 @@ pub fn interface(kernel: &Kernel) -> (String, Interface) {
 
 /// The buffers that a kernel reads and writes, with the names of their contents.
 fn buffers(kernel: &Kernel) -> [(String, Binding); 2] {
-    let element = kernel.codec.map_or(Element::Vector, |codec| codec.element);
+    // `arithmetic` reads two floats as if they were a code, and writes seven.
+    let (element, bytes) = match kernel.codec {
+        Some(codec) => (codec.element, codec.bytes),
+        None if kernel.name == manifest::ARITHMETIC => (Element::Frame, 8),
+        None => (Element::Vector, 2),
+    };
     let (elements, content) = match element {
         Element::Frame => ("frames", "seven f32 a frame (normal, tangent, handedness), packed"),
         Element::Vector => ("vectors", "three f32 a vector, packed"),
     };
-    // Codes that are decoded by a table have two bytes.
-    let bytes = kernel.codec.map_or(2, |codec| codec.bytes);
     let plural = if bytes == 1 { "" } else { "s" };
     let elements = (elements.to_owned(), content, element.bytes());
     let codes = (format!("codes of {bytes} byte{plural}"), "codes, little endian, packed", bytes);

@@ -2,17 +2,20 @@
 
 use anyhow::{Context, Result};
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
-use unitvec_manifest::DECODE_BY_TABLE;
+use unitvec_manifest::{ARITHMETIC, DECODE_BY_TABLE};
 
 /// Stands for a codec in the names of the kernels that measure what the others do besides encoding or decoding.
 const BASELINE: &str = "baseline";
+
+/// The kernels besides those of codecs. Both decode.
+const OF_NO_CODEC: [&str; 2] = [DECODE_BY_TABLE, ARITHMETIC];
 
 /// A kernel.
 #[derive(Debug)]
 pub struct Kernel {
     /// Its entry point's name in the module: `oct16_encode`, `oct16_encode_cost`.
     pub name: String,
-    /// The codec, if it belongs to one. [`BASELINE`] and [`DECODE_BY_TABLE`] belong to none.
+    /// The codec, if it belongs to one. [`BASELINE`] and [`OF_NO_CODEC`] belong to none.
     pub codec: Option<&'static AnyCodec>,
     /// What it does.
     pub operation: Operation,
@@ -24,7 +27,7 @@ impl Kernel {
     /// The kernel with this entry point: `kernels::oct16::encode` or `oct16_encode`.
     pub fn of_entry_point(entry_point: &str) -> Result<Self> {
         let name = name_of_path(entry_point);
-        if name == DECODE_BY_TABLE {
+        if OF_NO_CODEC.contains(&&*name) {
             return Ok(Self { name, codec: None, operation: Operation::Decode, is_cost: false });
         }
         let (function, is_cost) = name.strip_suffix("_cost").map_or((&*name, false), |name| (name, true));
@@ -59,7 +62,7 @@ impl Kernel {
 pub fn name_of_path(entry_point: &str) -> String {
     let mut parts = entry_point.rsplit("::");
     match (parts.next(), parts.next()) {
-        (Some(function), Some(module)) if function != DECODE_BY_TABLE => format!("{module}_{function}"),
+        (Some(function), Some(module)) if !OF_NO_CODEC.contains(&function) => format!("{module}_{function}"),
         (Some(function), _) => function.to_owned(),
         (None, _) => String::new(),
     }
@@ -83,6 +86,7 @@ mod tests {
             ("kernels::baseline::decode_cost", "baseline_decode_cost", "baseline_decode_cost.spv"),
             ("kernels::decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
             ("decode_by_table", "decode_by_table", "kernels/decode_by_table.spv"),
+            ("kernels::convert::arithmetic", "arithmetic", "kernels/arithmetic.spv"),
         ] {
             let kernel = Kernel::of_entry_point(entry_point).unwrap();
             assert_eq!((kernel.name.as_str(), kernel.file().as_str()), (name, file));

@@ -80,7 +80,7 @@ fn build(repository: &Path) -> Result<BTreeMap<String, Vec<u8>>> {
     let compiler = compile::Compiler::install(repository.join("shader-crate"))?;
     let kernels = compiler.kernels(compile::KERNELS)?;
     let codecs = CODECS.len();
-    ensure!(kernels.len() == 2 * codecs + 1, "{} kernels for {codecs} codecs", kernels.len());
+    ensure!(kernels.len() == 2 * codecs + 2, "{} kernels for {codecs} codecs", kernels.len());
     eprintln!("spirv: optimising {} kernels", kernels.len());
     let modules = modules(kernels)?;
     let library = library(&compiler)?;

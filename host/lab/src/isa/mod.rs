@@ -13,7 +13,7 @@ pub use unitvec_choose::costs::{Report, Row, Source};
 use unitvec_manifest::modules::Modules;
 use unitvec_manifest::sha256_hex;
 use unitvec_run::glsl;
-use unitvec_vulkan::{Inspector, Statistics};
+use unitvec_vulkan::{Division, Inspector, Statistics};
 
 /// Compiles the kernels of these codecs, from all sources; `done` receives each codec that is finished.
 ///
@@ -48,12 +48,15 @@ fn of_codec(inspector: &Inspector, modules: &Modules, format: &AnyCodec) -> Resu
     for operation in Operation::ALL {
         let name = format.function(operation);
         let mut add = |source, module: &[u8], entry_point: &str, textbook: Option<&Textbook>| -> Result<()> {
-            let statistics = inspector.statistics(module, entry_point)?;
+            let division = if source == Source::Exact { Division::Exact } else { Division::Device };
+            let statistics = inspector.statistics(division, module, entry_point)?;
             let device = &inspector.device().info().name;
             rows.push(row(format.id, operation, source, textbook, &statistics, device));
             Ok(())
         };
-        add(Source::Rust, &modules.load(&name)?, &name, None)?;
+        for source in [Source::Rust, Source::Exact] {
+            add(source, &modules.load(&name)?, &name, None)?;
+        }
         add(Source::Glsl, &compiler.kernel(format, operation)?, glsl::ENTRY_POINT, None)?;
         for textbook in TEXTBOOK.iter().filter(|textbook| textbook.codec == format.id) {
             let module = textbook::kernel(&compiler, textbook, operation)?;

@@ -1,10 +1,12 @@
 //! Shows that the CPU and a device agree to the bit, with the SPIR-V from Rust, from WGSL and, in a build with a GLSL compiler,
 //! from GLSL and HLSL; and how large the error is.
 
+mod arithmetic;
 mod plan;
 mod rounding;
 mod series;
 
+pub use arithmetic::Arithmetic;
 pub use plan::Plan;
 pub use rounding::Rounding;
 pub use series::widest_of_each_series;

@@ -3,27 +3,34 @@
 use super::globals::{Globals, operands};
 use anyhow::Result;
 use rspirv::dr::{Function, Instruction, Module, Operand};
-use rspirv::spirv::{Decoration, Op, Word};
+use rspirv::spirv::{Decoration, FunctionControl, Op, Word};
 
 /// The specialization constant that takes the device's own division and roots.
 pub const FAST: u32 = 1;
 
-/// Makes `arith::divide::is_fast` return the specialization constant [`FAST`], by default false. It is the function without
-/// parameters that returns a constant.
-pub fn specialize(module: &mut Module) -> Result<()> {
+/// Makes `arith::divide::is_fast` return the specialization constant [`FAST`], by default false, or false in a library, whose
+/// users have specialization constants of their own. It is the function without parameters that returns false.
+pub fn choose(module: &mut Module, is_library: bool) -> Result<()> {
     let mut constant = None;
     Globals::pass(module, |functions, globals| {
-        for returned in functions.iter_mut().filter_map(returned_constant) {
-            let Some(of_type) = globals.find(*returned).filter(|of| of.class.opcode == Op::ConstantFalse)
-            else {
-                continue;
-            };
-            let of_type = of_type.result_type;
-            *returned = *constant.get_or_insert_with(|| {
-                let id = globals.fresh();
-                globals.known.push(Instruction::new(Op::SpecConstantFalse, of_type, Some(id), Vec::new()));
-                id
-            });
+        for function in functions {
+            let Some(returned) = returned_constant(function) else { continue };
+            let found = globals.find(*returned).filter(|of| of.class.opcode == Op::ConstantFalse);
+            let Some(of_type) = found.map(|found| found.result_type) else { continue };
+            if !is_library {
+                *returned = *constant.get_or_insert_with(|| {
+                    let id = globals.fresh();
+                    let declared = Instruction::new(Op::SpecConstantFalse, of_type, Some(id), Vec::new());
+                    globals.known.push(declared);
+                    id
+                });
+            }
+            // rust-gpu must not inline it, so that it is found here; spirv-opt has to.
+            if let Some(Operand::FunctionControl(control)) =
+                function.def.as_mut().and_then(|def| def.operands.first_mut())
+            {
+                *control = FunctionControl::NONE;
+            }
         }
     })?;
     let decoration = |id| {
@@ -97,7 +104,7 @@ mod tests {
             %5 = OpTypeFunction %4
             %6 = OpConstantFalse %4
             %7 = OpConstantTrue %4
-            %8 = OpFunction %4 None %5
+            %8 = OpFunction %4 DontInline %5
             %9 = OpLabel
             OpReturnValue %6
             OpFunctionEnd
@@ -112,13 +119,15 @@ mod tests {
             OpReturn
             OpFunctionEnd",
         );
-        specialize(&mut module).unwrap();
+        choose(&mut module, false).unwrap();
         snippet::assert_valid(&module);
         let added = module.types_global_values.last().unwrap();
         assert_eq!(added.class.opcode, Op::SpecConstantFalse);
         let returned = module.functions.iter_mut().map(|function| returned_constant(function).copied());
         assert_eq!(returned.collect::<Vec<_>>(), [added.result_id, Some(7), None]);
         assert_eq!(module.annotations.len(), 1);
+        let control = &module.functions[0].def.as_ref().unwrap().operands[0];
+        assert_eq!(*control, Operand::FunctionControl(FunctionControl::NONE));
     }
 
     #[test]

@@ -36,7 +36,8 @@ const LIBRARY_ENVIRONMENT: TargetEnv = TargetEnv::Universal_1_3;
 
 /// One module of kernels that are compiled each to a module of its own, with these names for entry points.
 pub fn run(kernels: Vec<(String, Vec<u32>)>) -> Result<Vec<u32>> {
-    let kernels = kernels.iter().map(|(name, words)| kernel(name, words, true).with_context(|| name.clone()));
+    let kernels =
+        kernels.iter().map(|(name, words)| kernel(name, words, false).with_context(|| name.clone()));
     let module = join::join(kernels.collect::<Result<_>>()?)?;
     let words = optimize(&module.assemble())?;
     decorate::check_no_contraction(&parse(&words)?)?;
@@ -48,7 +49,7 @@ pub fn run(kernels: Vec<(String, Vec<u32>)>) -> Result<Vec<u32>> {
 pub fn library(functions: Vec<(Signature, Vec<u32>)>) -> Result<Vec<u32>> {
     let functions = functions.into_par_iter().map(|(signature, words)| {
         let named = || signature.name.clone();
-        let mut module = kernel("function", &words, false).with_context(named)?;
+        let mut module = kernel("function", &words, true).with_context(named)?;
         export::function(&mut module).with_context(named)?;
         Ok((signature, module))
     });
@@ -61,14 +62,11 @@ pub fn library(functions: Vec<(Signature, Vec<u32>)>) -> Result<Vec<u32>> {
     Ok(words)
 }
 
-/// A function of the library is not specialized: a module that is linked has the constants of the program around it.
-fn kernel(name: &str, words: &[u32], is_specialized: bool) -> Result<Module> {
+fn kernel(name: &str, words: &[u32], is_library: bool) -> Result<Module> {
     let mut module = parse(words)?;
     join::name_entry_point(&mut module, name)?;
     features::remove(&mut module);
-    if is_specialized {
-        divide::specialize(&mut module)?;
-    }
+    divide::choose(&mut module, is_library)?;
     decorate::no_contraction(&mut module);
     let mut module = parse(&optimize(&module.assemble())?)?;
     while divide::fold(&mut module)? {

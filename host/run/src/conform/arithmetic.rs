@@ -1,0 +1,188 @@
+//! A device's rounding of what codecs compute, measured against float64.
+
+use crate::Result;
+use crate::backend::CHUNK;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+use std::sync::Arc;
+use unitvec_manifest::ARITHMETIC;
+use unitvec_manifest::modules::Modules;
+use unitvec_vulkan::{BufferPromise, Device, Division, Runner};
+
+/// A device's arithmetic. Errors are the greatest found, in units in the last place of the exact result (ULP).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Arithmetic {
+    /// Error of `a / b`. Vulkan allows 2.5.
+    pub quotient_ulp: f64,
+    /// Error of `1 / b`. Vulkan allows 2.5.
+    pub reciprocal_ulp: f64,
+    /// Error of the square root. Vulkan allows what `1 / inversesqrt(x)` has, some 5.
+    pub root_ulp: f64,
+    /// Error of 1 over the square root.
+    pub inverse_root_ulp: f64,
+    /// Error of sums and of the products in them, each rounded.
+    pub sum_ulp: f64,
+    /// Error of integers as floats.
+    pub conversion_ulp: f64,
+    /// Products and sums that were rounded once, as one operation, where NoContraction forbids it.
+    pub contracted: u64,
+    /// Operands for which a quotient, reciprocal, root or inverse root of the exact kernels is not the CPU's.
+    pub inexact: u64,
+}
+
+/// An error of a correctly rounded result, and of the float64 beside it.
+const NEAREST: f64 = 0.500_001;
+
+/// The greatest error of a device's `1 / sqrt(x)` that exact kernels make good, in ULP; of `1 / b` it is one more.
+const CORRECTED: f64 = 14.0;
+
+impl Arithmetic {
+    /// Measures a device, with the shipped kernel.
+    ///
+    /// # Errors
+    /// A missing module, or a failed Vulkan call.
+    pub fn of(device: &Arc<Device>, modules: &Modules) -> Result<Self> {
+        let mut runner = Runner::new(device, CHUNK, false)?;
+        let module = modules.load(ARITHMETIC)?;
+        let operands = operands();
+        let mut results = |division| -> Result<Vec<[f32; 7]>> {
+            let kernel = runner.kernel_for(BufferPromise::ExactSize, division, &module, ARITHMETIC, None)?;
+            let mut results = vec![[0.0f32; 7]; operands.len()];
+            let bytes = bytemuck::cast_slice_mut(results.as_flattened_mut());
+            runner.run(&kernel, operands.len(), bytemuck::cast_slice(operands.as_flattened()), bytes)?;
+            Ok(results)
+        };
+        Ok(Self::measured(&operands, &results(Division::Device)?, &results(Division::Exact)?))
+    }
+
+    fn measured(operands: &[[f32; 2]], of_device: &[[f32; 7]], exact: &[[f32; 7]]) -> Self {
+        let mut all = Self::default();
+        for ((&[a, b], of_device), exact) in operands.iter().zip(of_device).zip(exact) {
+            let on_cpu = [a / b, 1.0 / b, a.sqrt(), 1.0 / a.sqrt()];
+            all.inexact += u64::from(on_cpu[..] != exact[..4]);
+            let [quotient, reciprocal, root, inverse_root, sum, fused, conversion] = *of_device;
+            let (x, y, bits) = (f64::from(a), f64::from(b), f64::from(b.to_bits() as i32));
+            let twice = f64::from(a * b) + x;
+            let once = (x * y + x) as f32;
+            all.contracted += u64::from(fused == once && fused != twice as f32);
+            for (greatest, found, exact) in [
+                (&mut all.quotient_ulp, quotient, x / y),
+                (&mut all.reciprocal_ulp, reciprocal, 1.0 / y),
+                (&mut all.root_ulp, root, x.sqrt()),
+                (&mut all.inverse_root_ulp, inverse_root, 1.0 / x.sqrt()),
+                (&mut all.sum_ulp, sum, x + y),
+                (&mut all.conversion_ulp, conversion, bits),
+            ] {
+                *greatest = greatest.max(ulp(found, exact));
+            }
+        }
+        all
+    }
+
+    /// True where the device's own division and roots are rounded as the CPU's: plain functions give the CPU's bits.
+    pub fn divides_exactly(&self) -> bool {
+        // The inverse of a root is rounded twice, on the CPU as well.
+        [self.quotient_ulp, self.reciprocal_ulp, self.root_ulp].iter().all(|ulp| *ulp <= NEAREST)
+    }
+
+    /// The reason why no codec can be exact on the device, if there is one.
+    pub fn objection(&self) -> Option<String> {
+        if self.contracted > 0 {
+            return Some("the device contracts products and sums, where NoContraction forbids it".to_owned());
+        }
+        if self.sum_ulp > NEAREST || self.conversion_ulp > NEAREST {
+            return Some("the device does not round sums to nearest".to_owned());
+        }
+        let far = self.reciprocal_ulp.max(self.root_ulp).max(self.inverse_root_ulp);
+        let reason = if far > CORRECTED {
+            format!(
+                "the device's division or square root is {far:.1} ULP off, more than {CORRECTED} that can be put right"
+            )
+        } else {
+            format!("exact kernels differ from the CPU in {} quotients and roots", self.inexact)
+        };
+        (self.inexact > 0).then_some(reason)
+    }
+}
+
+impl fmt::Display for Arithmetic {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { quotient_ulp, reciprocal_ulp, root_ulp, inverse_root_ulp, .. } = self;
+        write!(
+            f,
+            "the device's own quotients are within {quotient_ulp:.1} ULP, reciprocals {reciprocal_ulp:.1}, roots {root_ulp:.1}, inverse \
+             roots {inverse_root_ulp:.1}; exact kernels put them right"
+        )
+    }
+}
+
+/// The distance of a result from the exact one, in the last place of that; infinite for NaN.
+fn ulp(found: f32, exact: f64) -> f64 {
+    let place = 2f64.powi((exact.abs().log2().floor() as i32).max(-126) - 23);
+    let distance = ((f64::from(found) - exact) / place).abs();
+    if distance.is_nan() { f64::INFINITY } else { distance }
+}
+
+/// Pairs of operands, from 2^-20 to 2^20: random ones, and every second time such that `a / b` lies next to the middle between
+/// two floats, or nearly.
+fn operands() -> Vec<[f32; 2]> {
+    let mut state = 0x2545_f491_4f6c_dd1d_u64;
+    let mut random = || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        state
+    };
+    let float = |bits: u32| f32::from_bits((bits & 0x7f_ffff) | ((107 + (bits >> 23) % 41) << 23));
+    let mut pair = |hard: bool| {
+        let bits = random();
+        let [a, b] = [float(bits as u32), float((bits >> 32) as u32)];
+        // The middle above the float next to the quotient, times the divisor, rounded.
+        let middle = f64::from(a / b) * (1.0 + 2f64.powi(-24));
+        [if hard { (middle * f64::from(b)) as f32 } else { a }, b]
+    };
+    (0..CHUNK).map(|index| pair(index % 2 == 1)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The results of a device that moves quotients and roots by so many ULP.
+    fn results(operands: &[[f32; 2]], by: i32) -> Vec<[f32; 7]> {
+        let moved = |x: f32| f32::from_bits(x.to_bits().wrapping_add_signed(by));
+        let of = |&[a, b]: &[f32; 2]| {
+            let [quotient, reciprocal] = [a / b, 1.0 / b].map(moved);
+            let [root, inverse_root] = [a.sqrt(), 1.0 / a.sqrt()].map(moved);
+            [quotient, reciprocal, root, inverse_root, a + b, a * b + a, b.to_bits() as i32 as f32]
+        };
+        operands.iter().map(of).collect()
+    }
+
+    #[test]
+    fn what_a_device_does_is_found() {
+        let operands = operands();
+        let [exact, loose] = [0, 2].map(|by| results(&operands, by));
+        let found = Arithmetic::measured(&operands, &exact, &exact);
+        assert!(found.divides_exactly() && found.objection().is_none(), "{found:?}");
+        let found = Arithmetic::measured(&operands, &loose, &exact);
+        assert!(!found.divides_exactly() && found.objection().is_none(), "{found:?}");
+        assert!(
+            (2.4..=4.6).contains(&found.quotient_ulp) && (2.4..=2.6).contains(&found.root_ulp),
+            "{found:?}"
+        );
+        let found = Arithmetic::measured(&operands, &results(&operands, 20), &loose);
+        assert!(found.objection().unwrap().contains("more than 14"), "{found:?}");
+        let fused: Vec<[f32; 7]> = operands
+            .iter()
+            .zip(&exact)
+            .map(|([a, b], of)| {
+                let mut of = *of;
+                of[5] = a.mul_add(*b, *a);
+                of
+            })
+            .collect();
+        let found = Arithmetic::measured(&operands, &fused, &exact);
+        assert!(found.objection().unwrap().contains("NoContraction"), "{found:?}");
+    }
+}
