@@ -16,6 +16,16 @@ fn source(file: &str) -> &'static str {
     glsl(&format!("unitvec/{file}")).unwrap()
 }
 
+/// The text of an include as far as it belongs to this edition: the functions of `unitvec_exact_` are not in plain ones, where no
+/// macro chooses.
+fn source_of(file: &str, language: Language, edition: Edition) -> String {
+    let is_kept = |block: &&str| {
+        let first = code(block).next().unwrap_or_default().to_ascii_lowercase();
+        edition == Edition::Exact || language == Language::Hlsl || !first.contains("unitvec_exact_")
+    };
+    source(file).split("\n\n").filter(is_kept).collect::<Vec<_>>().join("\n\n")
+}
+
 /// The words in a text.
 fn words(text: &str) -> impl Iterator<Item = &str> {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty())
@@ -48,6 +58,19 @@ fn committed_files_are_current() {
     for path in unitvec_shaders::shader_paths() {
         let is_known = known.contains(path) || path.starts_with("stubs/");
         assert!(is_known, "shaders/{path} comes from no file of glsl/unitvec: run `cargo xtask shaders`");
+    }
+}
+
+/// Babylon.js and others search a whole text for directives, its comments too.
+#[test]
+fn no_comment_has_a_directive() {
+    let shaders = unitvec_shaders::shader_paths().map(|path| (path, unitvec_shaders::shader(path)));
+    for (path, text) in unitvec_shaders::glsl_paths().map(|path| (path, glsl(path))).chain(shaders) {
+        for line in text.unwrap_or_default().lines() {
+            let comment = line.split_once("//").map_or("", |(_, comment)| comment);
+            let is_directive = |after: &str| after.starts_with(|c: char| c.is_ascii_lowercase());
+            assert!(!comment.split('#').skip(1).any(is_directive), "{path}: {line}");
+        }
     }
 }
 
@@ -117,7 +140,8 @@ fn files_are_as_long_as_their_sources() {
     let library = library();
     for (language, edition) in generated() {
         for file in library.files().filter(|file| *file != "unitvec.glsl") {
-            let source = lines(source(file));
+            let source = source_of(file, language, edition);
+            let source = lines(&source);
             let text = library.file(file, language, edition).unwrap();
             let text = lines(&text);
             let ratio = text.len() as f64 / source.len() as f64;
@@ -159,7 +183,8 @@ fn comments_stay_in_their_places() {
     for (language, edition) in generated() {
         for file in library.files() {
             let text = library.file(file, language, edition).unwrap();
-            let [source, text] = [source(file), &text]
+            let source = source_of(file, language, edition);
+            let [source, text] = [&source, &text]
                 .map(|text| comments(text).into_iter().filter(|words| !is_own(words)).collect::<Vec<_>>());
             assert_eq!(text, source, "{file} in {language}");
         }
@@ -187,19 +212,19 @@ fn names_are_those_of_the_source() {
         let text = names(files.map(|file| library.file(file, language, edition).unwrap()));
         let own = match language {
             Language::Hlsl => {
-                "static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint asfloat all any"
+                "static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint asfloat all any rsqrt"
             }
             Language::Wgsl | Language::NagaOil | Language::Wesl => {
                 "fn let var f32 u32 i32 vec2f vec3f vec4f vec2u vec3u vec4u vec2i vec3i bitcast select array ptr function \
-                 all import super define_import_path unitvec"
+                 all import super define_import_path unitvec inverseSqrt"
             }
             Language::Slang => {
                 "module unitvec implementing __include public static float2 float3 float4 uint2 uint3 uint4 int2 int3 asuint \
-                 asfloat all"
+                 asfloat all rsqrt"
             }
             Language::Msl => {
                 "metal_stdlib using namespace metal pragma clang fp contract off constant inline thread float2 float3 \
-                 float4 uint2 uint3 uint4 int2 int3 as_type all"
+                 float4 uint2 uint3 uint4 int2 int3 as_type all rsqrt"
             }
             _ => "",
         };
@@ -251,25 +276,25 @@ fn an_excerpt_has_nothing_else() {
             let words: Vec<&str> = code(&text).flat_map(words).collect();
             for name in words.iter().filter(|word| word.to_lowercase().starts_with("unitvec_")) {
                 let count = words.iter().filter(|word| *word == name).count();
-                let is_frame = ["UNITVEC_HUGE", "UNITVEC_BEST_FIT_TABLE"].contains(name);
+                let is_frame = ["UNITVEC_HUGE", "UNITVEC_BEST_FIT_TABLE", "UNITVEC_EXACT"].contains(name);
                 assert!(count > 1 || is_frame, "{codec} in {language}, {edition:?}: {name} is not used");
             }
         }
     }
 }
 
-/// Sums, products, quotients and roots that are rounded pass through the barrier; products that are exact do not.
+/// Sums and products that are rounded pass through the barrier; products that are exact, quotients and roots do not.
 #[test]
 fn the_exact_edition_has_barriers() {
     let text = "float f(float a, float b) {\n    UNITVEC_PRECISE float r = (a * b + 2.0 * a) / sqrt(b);\n    return r;\n}\n";
     let printed = |language| of(text).excerpt(&["f"], language, Edition::Exact).unwrap();
-    let barriers = "min(min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / min(sqrt(b), UNITVEC_HUGE), UNITVEC_HUGE);";
+    let barriers = "min(min(a * b, UNITVEC_HUGE) + 2.0 * a, UNITVEC_HUGE) / sqrt(b);";
     assert!(printed(Language::Wgsl).contains(&format!("let r = {barriers}")));
     let in_metal = barriers.replace("2.0", "2.0f");
     assert!(printed(Language::Msl).contains(&format!("float r = {in_metal}")));
     let vectors = text.replace("float", "vec2");
     let printed = of(&vectors).excerpt(&["f"], Language::Slang, Edition::Exact).unwrap();
-    assert!(printed.contains("min(min(min(a * b, (float2)(UNITVEC_HUGE))"), "{printed}");
+    assert!(printed.contains("min(min(a * b, (float2)(UNITVEC_HUGE))"), "{printed}");
 }
 
 /// A library of one file.

@@ -123,3 +123,71 @@ fn no_crate_is_too_large() {
         assert!(lines <= MOST_LINES, "{name} has {lines} lines");
     }
 }
+
+/// The rule of divisions, for who breaks it.
+const RULE: &str = "GPUs round quotients and roots badly: call quotient, signed_quotient, over, reciprocal, root or inverse_root \
+    (in GLSL with unitvec_ before), and ratio for constants of Rust. `/` is for integers over a literal and for two literals";
+
+/// The functions of GLSL that divide: those of the rule, of which some are only parts, quotients of snorms, which the exact
+/// edition multiplies, and one of integers.
+const DIVIDING: [&str; 7] = [
+    "unitvec_quotient",
+    "unitvec_signed_quotient",
+    "unitvec_over",
+    "unitvec_reciprocal",
+    "unitvec_root",
+    "unitvec_inverse_root",
+    "unitvec_snorm_",
+];
+
+/// True where a line of code takes a root, or divides other than as the rule allows.
+fn divides(line: &str) -> bool {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '.';
+    let is_literal = |word: &str| word.starts_with(|c: char| c.is_ascii_digit());
+    let line = line.split("//").next().unwrap_or_default();
+    let has_quotient = line.match_indices('/').any(|(at, _)| {
+        let (left, right) = (line[..at].trim_end(), line[at + 1..].trim_start());
+        let left = &left[left.rfind(|c| !is_part(c)).map_or(0, |before| before + 1)..];
+        let right = &right[..right.find(|c| !is_part(c)).unwrap_or(right.len())];
+        !(is_literal(right) && (is_literal(left) || !right.contains('.')))
+    });
+    has_quotient || line.contains("sqrt(") || line.contains(".recip()")
+}
+
+#[test]
+fn floats_are_divided_in_one_place() {
+    let sources = repository().join("shader-crate/src");
+    let own =
+        ["divide.rs", "exact.rs", "elementary.rs", "bare.rs"].map(|file| sources.join("arith").join(file));
+    let folders = ["arith", "dither", "families"].map(|folder| files(&sources.join(folder), &[".rs"]));
+    let rust = folders.into_iter().flatten().chain(["frame.rs", "formats.rs"].map(|file| sources.join(file)));
+    let glsl = files(&repository().join("glsl/unitvec"), &[".glsl"]);
+    let mut found = Vec::new();
+    for file in rust.filter(|file| !own.contains(file)).chain(glsl) {
+        let text = fs::read_to_string(&file).unwrap();
+        let shipped = text.split("\n#[cfg(test)]\nmod ").next().unwrap();
+        let mut may_divide = false;
+        for (number, line) in shipped.lines().enumerate() {
+            if let Some((head, _)) = line.split_once('(').filter(|_| !line.starts_with([' ', '/', '#'])) {
+                let name = head.rsplit(' ').next().unwrap();
+                may_divide =
+                    name.starts_with("unitvec_exact_") || DIVIDING.iter().any(|own| name.starts_with(own));
+            }
+            if divides(line) && !may_divide {
+                found.push(format!("{}:{}: {}", file.display(), number + 1, line.trim()));
+            }
+        }
+    }
+    assert!(found.is_empty(), "{RULE}:\n{}", found.join("\n"));
+}
+
+#[test]
+fn divisions_are_found() {
+    for line in ["x / m", "a / 3.0", "1.0 / m", "x /= 2.0", "let y = x.sqrt();", "1.0 / sqrt(x)", "(x) / (2)"]
+    {
+        assert!(divides(line), "{line}");
+    }
+    for line in ["bits / 2u", "(bits - 2) / 2", "1.0 / 4096.0", "// a / b", "over(m, b) // m / b"] {
+        assert!(!divides(line), "{line}");
+    }
+}

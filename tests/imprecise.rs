@@ -10,6 +10,7 @@ use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
 use unitvec_manifest::modules::Modules;
 use unitvec_run::backend::{BackendKind, Gpu, KernelSource};
 use unitvec_run::glsl::Compiler;
+use unitvec_run::shader::Edition;
 use unitvec_tests::directions::Rng;
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 use unitvec_vulkan::{Device, Runner};
@@ -226,6 +227,31 @@ const CODECS: [&str; 12] = [
     "spp48",
     "snorm8x3_nearest",
 ];
+
+/// The exact edition has the CPU's bits, of special input too.
+#[test]
+fn the_exact_edition_has_the_cpus_bits_on_every_device() {
+    let device = lavapipe();
+    let options = Options {
+        count: 4096,
+        seeds: vec![4],
+        models: Model::ALL.into_iter().filter(|model| model.rounds_to_nearest()).collect(),
+        all_codes_up_to: 0,
+    };
+    let source = || KernelSource::Glsl(Compiler::of(Edition::Exact).unwrap());
+    let open = || Ok(Gpus::from([(BackendKind::Glsl, Gpu::new(&device, source(), true).unwrap())]));
+    let mut differing = Vec::new();
+    imprecise::run(CODECS.map(|id| find(id).unwrap()).to_vec(), &options, open, &mut |_| {}, &mut |row| {
+        differing.extend(row.models.into_iter().filter_map(|(model, outcome)| {
+            let counts = [outcome.codes_differ, outcome.special_differ, outcome.elements_differ];
+            (counts != [0; 3]).then(|| format!("{} {model}: {counts:?}", row.id))
+        }));
+        Ok::<(), unitvec_lab::Error>(())
+    })
+    .unwrap();
+    assert_eq!(differing, [""; 0]);
+    assert_no_validation_messages(device);
+}
 
 #[test]
 fn codecs_keep_within_their_bounds_on_every_device() {

@@ -1,29 +1,37 @@
 //! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and `unitvec shader`.
 
 use unitvec_catalogue::{CODECS, Operation};
-use unitvec_run::backend::{Backend, BackendKind};
+use unitvec_run::backend::{Backend, BackendKind, Gpu, KernelSource};
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Options, Plan, widest_of_each_series};
+use unitvec_run::glsl::Compiler;
 use unitvec_run::shader::{Edition, Language, LanguageGpu, compile, kernel, library, text};
 use unitvec_tests::program::{refusal, run, stderr, stdout};
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 
 /// 2^12 random directions, special and tied input, all codes of up to 16 bits and 2^12 of more, of a codec of each series: the
-/// exact edition of WGSL, and HLSL, give the CPU's bits. `cargo xtask conform` takes every codec.
+/// exact editions of GLSL, HLSL and WGSL, and HLSL's plain one, give the CPU's bits. `cargo xtask conform` takes every codec.
 #[test]
-fn hlsl_and_exact_wgsl_agree_to_the_bit() {
+fn exact_editions_and_hlsl_agree_to_the_bit() {
     let device = lavapipe();
     let options = Options { count: 1 << 12, seed: 15, normals: Vec::new(), all_codes_up_to: 16 };
     let formats = widest_of_each_series();
     // WGSL's compilers may round the plain edition as they like.
     for (kind, language, edition) in [
+        (BackendKind::Glsl, Language::Glsl, Edition::Exact),
         (BackendKind::Hlsl, Language::Hlsl, Edition::Plain),
+        (BackendKind::Hlsl, Language::Hlsl, Edition::Exact),
         (BackendKind::Wgsl, Language::Wgsl, Edition::Exact),
     ] {
         let plans: Vec<Plan<'_>> = formats.iter().map(|format| Plan::new(format, &options)).collect();
         let mut codecs = 0;
         let open = || {
-            let gpu: Box<dyn Backend> = Box::new(LanguageGpu::new(&device, language, edition).unwrap());
+            let gpu: Box<dyn Backend> = if kind == BackendKind::Glsl {
+                let source = KernelSource::Glsl(Compiler::of(edition).unwrap());
+                Box::new(Gpu::new(&device, source, true).unwrap())
+            } else {
+                Box::new(LanguageGpu::new(&device, language, edition).unwrap())
+            };
             Ok(Backends::from([(kind, gpu)]))
         };
         conform::run(plans, open, &mut |_| {}, &mut |row| {
@@ -43,6 +51,7 @@ fn the_text_of_each_codec_compiles() {
     for format in &CODECS {
         for (language, edition) in [
             (Language::Hlsl, Edition::Plain),
+            (Language::Hlsl, Edition::Exact),
             (Language::Wgsl, Edition::Plain),
             (Language::Wgsl, Edition::Exact),
         ] {

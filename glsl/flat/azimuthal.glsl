@@ -36,6 +36,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -46,9 +47,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -80,16 +170,44 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_IS_NAN
 #define UNITVEC_HAS_IS_NAN
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_EXP2
-#define UNITVEC_HAS_EXP2
-float unitvec_exp2(int exponent) {
-    return uintBitsToFloat(uint(127 + exponent) << 23u);
+#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
+#define UNITVEC_HAS_SNORM_RECIPROCAL
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
@@ -112,19 +230,16 @@ vec3 unitvec_or_z(vec3 v) {
     return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
-#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
-#define UNITVEC_HAS_SNORM_RECIPROCAL
-float unitvec_snorm_reciprocal(uint bits) {
-    uint m = unitvec_mask(bits - 1u);
-    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
-}
-float unitvec_snorm_part(float x, uint bits) {
-    float h = unitvec_exp2(1 - int(bits));
-    bool few = bits <= 11u;
-    UNITVEC_PRECISE float high = few ? h + h * h : h;
-    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
-    UNITVEC_PRECISE float quotient = x * high + x * low;
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
     return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_0
@@ -184,13 +299,12 @@ float unitvec_atan_octant_of_normal(float r) {
 #ifndef UNITVEC_HAS_HORIZONTAL_LENGTH
 #define UNITVEC_HAS_HORIZONTAL_LENGTH
 float unitvec_horizontal_length(vec3 v) {
-    UNITVEC_PRECISE float distance_from_z = sqrt(v.x * v.x + v.y * v.y);
-    return distance_from_z;
+    UNITVEC_PRECISE float square = v.x * v.x + v.y * v.y;
+    return unitvec_root(square);
 }
 #endif
-#ifndef UNITVEC_HAS_NEGLIGIBLE
-#define UNITVEC_HAS_NEGLIGIBLE
-const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+#ifndef UNITVEC_HAS_ATAN_OCTANT
+#define UNITVEC_HAS_ATAN_OCTANT
 float unitvec_atan_octant(float r) {
     return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
@@ -210,19 +324,9 @@ bool unitvec_is_set(float x) {
 #ifndef UNITVEC_HAS_ATAN_OCTANT_RATIO
 #define UNITVEC_HAS_ATAN_OCTANT_RATIO
 float unitvec_atan_octant_ratio(float y, float x) {
-    UNITVEC_PRECISE float divided = y / x;
+    float divided = unitvec_quotient(y, x);
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
-}
-#endif
-#ifndef UNITVEC_HAS_DIVISORS
-#define UNITVEC_HAS_DIVISORS
-vec3 unitvec_divisors(float x) {
-#ifdef UNITVEC_EXACT
-    return vec3(x, min(x, 1e38), max(x, 1e-38));
-#else
-    return vec3(x);
-#endif
 }
 #endif
 const float UNITVEC_ENORMOUS = 1.2676506002282294e30;
@@ -253,9 +357,15 @@ const int UNITVEC_PLAIN = 0;
 const int UNITVEC_CONCENTRIC = 1;
 const int UNITVEC_ELLIPSE = 2;
 
+// a / b of each component.
+vec2 unitvec_signed_quotients(vec2 a, vec2 b) {
+    return vec2(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
-    UNITVEC_PRECISE float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
+    UNITVEC_PRECISE float sum = unitvec_root(unitvec_dot(v, v)) + v.z;
+    float scale = unitvec_reciprocal(sum);
     UNITVEC_PRECISE vec2 at = v.xy * scale;
     UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
     UNITVEC_PRECISE float rim = 2.0 * v.z * scale;
@@ -264,23 +374,22 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     UNITVEC_PRECISE float sum = 2.0 - rim;
-    vec3 by = unitvec_divisors(sum);
-    UNITVEC_PRECISE vec2 horizontal = 2.0 * at / by.xy;
-    UNITVEC_PRECISE float z = rim / by.z;
-    return vec3(horizontal, z);
+    return vec3(unitvec_signed_quotients(2.0 * at, vec2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
-    UNITVEC_PRECISE float norm = sqrt(unitvec_dot(v, v));
-    UNITVEC_PRECISE float scale = 1.0 / sqrt(norm * (norm + v.z));
+    float norm = unitvec_root(unitvec_dot(v, v));
+    UNITVEC_PRECISE float product = norm * (norm + v.z);
+    float scale = unitvec_inverse_root(product);
     UNITVEC_PRECISE vec2 at = v.xy * scale;
     UNITVEC_PRECISE float radius = unitvec_horizontal_length(v) * scale;
-    UNITVEC_PRECISE float rim = v.z / norm;
+    float rim = unitvec_signed_quotient(v.z, norm);
     return vec4(at, radius, rim);
 }
 
 vec3 unitvec_disk_to_eqarea(vec2 at, float rim) {
-    UNITVEC_PRECISE float scale = sqrt(1.0 + rim);
+    UNITVEC_PRECISE float square = 1.0 + rim;
+    float scale = unitvec_root(square);
     UNITVEC_PRECISE vec2 horizontal = at * scale;
     return vec3(horizontal, rim);
 }
@@ -295,7 +404,7 @@ vec4 unitvec_eqdist_to_disk(vec3 v) {
     UNITVEC_PRECISE float rest = 1.0 - part;
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    UNITVEC_PRECISE float quotient = radius / rho;
+    float quotient = unitvec_quotient(radius, rho);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
     UNITVEC_PRECISE vec2 at = v.xy * scale;
     UNITVEC_PRECISE float rim = inside * (1.0 + radius);
@@ -348,23 +457,24 @@ bool unitvec_plain_is_remote(vec2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 vec2 unitvec_plain_settle(vec2 e, uint bits) {
-    UNITVEC_PRECISE vec2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    vec2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     UNITVEC_PRECISE vec2 settled = e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
-    UNITVEC_PRECISE vec2 slope = p / m;
+    vec2 slope = unitvec_signed_quotients(p, m);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    UNITVEC_PRECISE float alone = excess / steep;
-    UNITVEC_PRECISE float remainder = (excess - UNITVEC_AZIMUTHAL_REACH * steep) / gentle;
+    float alone = unitvec_signed_quotient(excess, steep);
+    UNITVEC_PRECISE float left = excess - UNITVEC_AZIMUTHAL_REACH * steep;
+    float remainder = unitvec_signed_quotient(left, gentle);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
-    UNITVEC_PRECISE vec2 on_rim = p - moved / m;
+    UNITVEC_PRECISE vec2 on_rim = p - unitvec_signed_quotients(moved, m);
     return on_rim;
 }
 
@@ -383,7 +493,7 @@ vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 vec4 unitvec_plain_square_to_disk(vec2 s) {
     UNITVEC_PRECISE float square = s.x * s.x + s.y * s.y;
-    UNITVEC_PRECISE vec2 on_rim = s * (1.0 / sqrt(square));
+    UNITVEC_PRECISE vec2 on_rim = s * unitvec_inverse_root(square);
     UNITVEC_PRECISE float rim = 1.0 - square;
     return square < 1.0 ? vec4(s, 0.0, rim) : vec4(on_rim, 0.0, 0.0);
 }
@@ -400,7 +510,7 @@ vec4 unitvec_concentric_to_disk(vec2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    UNITVEC_PRECISE float quotient = shorter / radius;
+    float quotient = unitvec_quotient(shorter, radius);
     float octant = radius > 0.0 ? quotient : 0.0;
     UNITVEC_PRECISE float angle = 0.25 * octant;
     UNITVEC_PRECISE vec2 p = radius * unitvec_sin_cos_half_turns(angle);
@@ -411,13 +521,15 @@ vec4 unitvec_concentric_to_disk(vec2 s) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 vec2 unitvec_ellipse_to_square(vec4 disk) {
     UNITVEC_PRECISE float difference = (disk.x - disk.y) * (disk.x + disk.y);
-    UNITVEC_PRECISE float sum = 2.0 + sqrt(difference * difference + 4.0 * disk.w);
-    UNITVEC_PRECISE vec2 s = 2.0 * disk.xy / vec2(sqrt(sum + difference), sqrt(sum - difference));
-    return s;
+    UNITVEC_PRECISE float square = difference * difference + 4.0 * disk.w;
+    UNITVEC_PRECISE float sum = 2.0 + unitvec_root(square);
+    UNITVEC_PRECISE vec2 squares = vec2(sum + difference, sum - difference);
+    return unitvec_signed_quotients(2.0 * disk.xy, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 s) {
-    UNITVEC_PRECISE vec2 root = vec2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
+    UNITVEC_PRECISE vec2 squares = vec2(1.0 - 0.5 * s.y * s.y, 1.0 - 0.5 * s.x * s.x);
+    vec2 root = vec2(unitvec_root(squares.x), unitvec_root(squares.y));
     UNITVEC_PRECISE vec2 at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     UNITVEC_PRECISE float factor = 1.0 - s.x * s.x;
@@ -432,7 +544,7 @@ float unitvec_azimuthal_signed(bool negative, float x) {
 
 // The place of the direction of v on the square, without signs.
 vec2 unitvec_azimuthal_to_square(vec3 v, int projection, int map) {
-    UNITVEC_PRECISE vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
+    UNITVEC_PRECISE vec3 octant = abs(v) * unitvec_reciprocal(unitvec_l1_norm(v));
     vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

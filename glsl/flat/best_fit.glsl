@@ -14,8 +14,8 @@
 // the table. They round by adding 1.5 2^23; without `precise` (see arith.glsl) a compiler may undo that in the choice of a
 // length, which then is a cell's first.
 //
-// They look the lengths up, with the same result, where UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included,
-// as an expression that gives word i of the table, i below 206080: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
+// They look the lengths up, with the same result, where a macro UNITVEC_BEST_FIT_TABLE(i) is defined before this file is
+// included, as an expression that gives word i of the table, i below 206080, such as table.words[i].
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Decoding
 // gives the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -39,6 +39,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -49,9 +50,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -83,16 +173,17 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_EXP2
-#define UNITVEC_HAS_EXP2
-float unitvec_exp2(int exponent) {
-    return uintBitsToFloat(uint(127 + exponent) << 23u);
-}
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
 #endif
-#ifndef UNITVEC_HAS_OR_Z
-#define UNITVEC_HAS_OR_Z
-vec3 unitvec_or_z(vec3 v) {
-    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
@@ -110,10 +201,10 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
-#ifndef UNITVEC_HAS_WHOLE_TO_U32
-#define UNITVEC_HAS_WHOLE_TO_U32
-uint unitvec_whole_to_u32(float whole) {
-    return uint(int(whole));
+#ifndef UNITVEC_HAS_OR_Z
+#define UNITVEC_HAS_OR_Z
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENT
@@ -127,10 +218,10 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_SIGNED_CODE
-#define UNITVEC_HAS_SIGNED_CODE
-uint unitvec_signed_code(float whole, uint bits) {
-    return uint(int(whole)) & unitvec_mask(bits);
+#ifndef UNITVEC_HAS_WHOLE_TO_U32
+#define UNITVEC_HAS_WHOLE_TO_U32
+uint unitvec_whole_to_u32(float whole) {
+    return uint(int(whole));
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_QUOTIENTS
@@ -140,14 +231,10 @@ vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
         unitvec_snorm_quotient(e.z, z_bits));
 }
 #endif
-#ifndef UNITVEC_HAS_DIVISORS
-#define UNITVEC_HAS_DIVISORS
-vec3 unitvec_divisors(float x) {
-#ifdef UNITVEC_EXACT
-    return vec3(x, min(x, 1e38), max(x, 1e-38));
-#else
-    return vec3(x);
-#endif
+#ifndef UNITVEC_HAS_SIGNED_CODE
+#define UNITVEC_HAS_SIGNED_CODE
+uint unitvec_signed_code(float whole, uint bits) {
+    return uint(int(whole)) & unitvec_mask(bits);
 }
 #endif
 vec2 unitvec_nearest_whole(vec2 x) {
@@ -171,16 +258,16 @@ const float UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT = 0.75;
 const float UNITVEC_BEST_FIT_LEAST_PART = 5.9604644775390625e-8;
 
 float unitvec_best_fit_part(float a, float largest) {
-    UNITVEC_PRECISE float part = a / largest;
+    float part = unitvec_quotient(a, largest);
     return part < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : part;
 }
 
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 vec3 unitvec_best_fit_on_cube(vec3 v) {
     vec3 a = abs(v);
-    vec3 largest = unitvec_divisors(max(max(a.x, a.y), a.z));
-    return vec3(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
-        unitvec_best_fit_part(a.z, largest.z));
+    float largest = max(max(a.x, a.y), a.z);
+    return vec3(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
+        unitvec_best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
@@ -263,7 +350,7 @@ vec3 unitvec_best_fit_parts_and_reciprocal(vec3 v) {
     vec3 a = abs(v);
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
-    UNITVEC_PRECISE float reciprocal = 1.0 / max(high, a.z);
+    float reciprocal = unitvec_reciprocal(max(high, a.z));
     UNITVEC_PRECISE float mid = max(low, min(high, a.z)) * reciprocal;
     UNITVEC_PRECISE float least = min(low, a.z) * reciprocal;
     return vec3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : least,
@@ -316,16 +403,17 @@ float unitvec_best_fit_sine(vec2 u, float size) {
     UNITVEC_PRECISE vec2 p = u * size;
     UNITVEC_PRECISE vec2 d = unitvec_nearest_whole(p) - p;
     UNITVEC_PRECISE float cx = d.x * u.y - d.y * u.x;
-    UNITVEC_PRECISE float sine = sqrt(((cx * cx + d.x * d.x) + d.y * d.y) * (1.0 / (size * size)));
-    return sine;
+    UNITVEC_PRECISE float size_squared = size * size;
+    UNITVEC_PRECISE float square = ((cx * cx + d.x * d.x) + d.y * d.y) * unitvec_reciprocal(size_squared);
+    return unitvec_root(square);
 }
 
 // `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
-    UNITVEC_PRECISE float columns = float(cell) + (third + 0.5) / max(third, 3.0);
-    UNITVEC_PRECISE float part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
-    return part;
+    UNITVEC_PRECISE float middle = third + 0.5;
+    UNITVEC_PRECISE float columns = float(cell) + unitvec_quotient(middle, max(third, 3.0));
+    return unitvec_quotient(columns, max(columns, UNITVEC_BEST_FIT_CELLS));
 }
 
 // One of the nine directions of a cell.
@@ -427,7 +515,8 @@ uvec2 snorm16x3p_encode(vec3 v) {
     vec3 u = unitvec_best_fit_on_cube(v);
     vec2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    UNITVEC_PRECISE float unit = longest / sqrt((1.0 + parts.x * parts.x) + parts.y * parts.y);
+    UNITVEC_PRECISE float square = (1.0 + parts.x * parts.x) + parts.y * parts.y;
+    float unit = unitvec_quotient(longest, unitvec_root(square));
     vec3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     vec3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uvec2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -30,6 +30,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -40,9 +41,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -80,23 +170,32 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
-#ifndef UNITVEC_HAS_EXP2
-#define UNITVEC_HAS_EXP2
-float unitvec_exp2(int exponent) {
-    return uintBitsToFloat(uint(127 + exponent) << 23u);
+#ifndef UNITVEC_HAS_EXACT_OVER
+#define UNITVEC_HAS_EXACT_OVER
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = m * inverse;
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
 }
+float unitvec_over(float m, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_over(m, b);
+#else
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
-    return n;
-}
-#endif
-#ifndef UNITVEC_HAS_OR_Z
-#define UNITVEC_HAS_OR_Z
-vec3 unitvec_or_z(vec3 v) {
-    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
@@ -112,6 +211,30 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+#endif
+#ifndef UNITVEC_HAS_OR_Z
+#define UNITVEC_HAS_OR_Z
+vec3 unitvec_or_z(vec3 v) {
+    return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENT
+#define UNITVEC_HAS_SNORM_QUOTIENT
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_WITHOUT_DENORMAL
@@ -148,17 +271,6 @@ float unitvec_atan_octant_of_normal(float r) {
     return octants;
 }
 #endif
-#ifndef UNITVEC_HAS_SNORM_QUOTIENT
-#define UNITVEC_HAS_SNORM_QUOTIENT
-float unitvec_snorm_quotient(float x, uint bits) {
-#ifdef UNITVEC_EXACT
-    return unitvec_snorm_part(x, bits);
-#else
-    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_UPPER_HALF
 #define UNITVEC_HAS_UPPER_HALF
 float unitvec_upper_half(float x) {
@@ -174,9 +286,8 @@ float unitvec_product_rest(float a, float b, float product) {
     return rest;
 }
 #endif
-#ifndef UNITVEC_HAS_NEGLIGIBLE
-#define UNITVEC_HAS_NEGLIGIBLE
-const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+#ifndef UNITVEC_HAS_ATAN_OCTANT
+#define UNITVEC_HAS_ATAN_OCTANT
 float unitvec_atan_octant(float r) {
     return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
@@ -209,7 +320,8 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
     UNITVEC_PRECISE float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
-    UNITVEC_PRECISE float estimate = 1.0 / sqrt(squares + other_squares);
+    UNITVEC_PRECISE float square = squares + other_squares;
+    float estimate = unitvec_inverse_root(square);
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     UNITVEC_PRECISE float scale = reciprocal * reciprocal;
@@ -278,7 +390,7 @@ uint unitvec_cube_encode_on_face(vec3 v, uint bits, bool warped) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(v, face);
-    UNITVEC_PRECISE float scale = 1.0 / abs(p.z);
+    float scale = unitvec_reciprocal(abs(p.z));
     UNITVEC_PRECISE vec2 t = abs(p.xy) * scale;
     if (warped) t = vec2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
     uvec2 widths = unitvec_cube_widths(bits);
@@ -306,7 +418,7 @@ vec3 unitvec_cube_decode(uint code, uint bits) {
     uvec2 widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
     UNITVEC_PRECISE float side = unitvec_snorm_max(widths.x) + 0.5;
-    UNITVEC_PRECISE float v_step = side / (unitvec_snorm_max(widths.y) + 0.5);
+    float v_step = unitvec_over(side, unitvec_snorm_max(widths.y) + 0.5);
     UNITVEC_PRECISE float y = e.y * v_step;
     return unitvec_from_face(unitvec_normalize(vec3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
@@ -331,7 +443,7 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice the factor of
 // x / side is 2^bits - 1.
 int unitvec_cube_round_wide(float x, float side, uint bits) {
-    UNITVEC_PRECISE float reciprocal = 1.0 / side;
+    float reciprocal = unitvec_reciprocal(side);
     int doubled;
     float fraction;
     unitvec_coordinate(x, vec2(side, 0.0), reciprocal, bits + 1u, doubled, fraction);

@@ -33,6 +33,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -43,9 +44,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -90,23 +180,69 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_IS_NAN
 #define UNITVEC_HAS_IS_NAN
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_SIGN_BIT
-#define UNITVEC_HAS_SIGN_BIT
-const uint UNITVEC_SIGN_BIT = 0x80000000u;
+#ifndef UNITVEC_HAS_EXACT_OVER
+#define UNITVEC_HAS_EXACT_OVER
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = m * inverse;
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
+}
+float unitvec_over(float m, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_over(m, b);
+#else
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
 }
 #endif
@@ -121,6 +257,18 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_TURN_0
@@ -195,12 +343,6 @@ vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     return scaled;
 }
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3
 #define UNITVEC_HAS_OCT_PACK_UNORM8X3
 uint unitvec_oct_pack_unorm8x3(vec2 e) {
@@ -231,7 +373,7 @@ vec3 unitvec_oct_from_lattice(vec2 e, float m) {
 #ifndef UNITVEC_HAS_HEMIOCT_POSITION
 #define UNITVEC_HAS_HEMIOCT_POSITION
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
-    UNITVEC_PRECISE vec2 e = vec2(v.x + v.y, v.x - v.y) * (m / norm);
+    UNITVEC_PRECISE vec2 e = vec2(v.x + v.y, v.x - v.y) * unitvec_over(m, norm);
     return e;
 }
 #endif
@@ -239,7 +381,7 @@ vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
 #define UNITVEC_HAS_OCT_POSITION
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * (m / norm);
+    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
     return unitvec_oct_mirror(v, p);
 }
 #endif
@@ -276,9 +418,11 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     float b = min(x, y);
 
     UNITVEC_PRECISE float horizontal = a * a + b * b;
-    UNITVEC_PRECISE float len = sqrt(horizontal + p.z * p.z);
-    UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + p.z)));
-    UNITVEC_PRECISE float q = b / a;
+    UNITVEC_PRECISE float square = horizontal + p.z * p.z;
+    float len = unitvec_root(square);
+    UNITVEC_PRECISE float product = len * (len + p.z);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -311,9 +455,10 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
     UNITVEC_PRECISE float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    UNITVEC_PRECISE float radius = ring * (1.0 / m);
+    UNITVEC_PRECISE float radius = ring * unitvec_reciprocal(m);
     UNITVEC_PRECISE float z = (1.0 - radius) * (1.0 + radius);
-    UNITVEC_PRECISE float horizontal = radius * sqrt(1.0 + z);
+    UNITVEC_PRECISE float from_below = 1.0 + z;
+    UNITVEC_PRECISE float horizontal = radius * unitvec_root(from_below);
     UNITVEC_PRECISE float near_axis = horizontal * cosine;
     UNITVEC_PRECISE float off_axis = horizontal * sine;
     float x = swapped ? off_axis : near_axis;
@@ -325,10 +470,10 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
 #ifndef UNITVEC_HAS_SOCT_FROM_LATTICE
 #define UNITVEC_HAS_SOCT_FROM_LATTICE
 vec3 unitvec_soct_from_lattice(vec2 e, uint sign_bit, float m) {
-    float below = uintBitsToFloat(sign_bit & UNITVEC_SIGN_BIT);
+    uint below = sign_bit & UNITVEC_SIGN_BIT;
     float across = 2.0 * max(abs(e.x), abs(e.y));
     UNITVEC_PRECISE vec3 v =
-        vec3(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below));
+        vec3(e.x + e.y, e.x - e.y, unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below));
     return unitvec_normalize(v);
 }
 #endif
@@ -503,7 +648,8 @@ vec3 unitvec_dither_eaoct_direction(vec2 e, vec2 offset, float m) {
     bool past_equator = ring > m;
     UNITVEC_PRECISE float beyond_equator = 2.0 * m - ring;
     float mirrored = past_equator ? beyond_equator : ring;
-    UNITVEC_PRECISE float turn = (at.place - turned.y) / max(at.ring, 1.0);
+    UNITVEC_PRECISE float place = at.place - turned.y;
+    float turn = unitvec_signed_quotient(place, max(at.ring, 1.0));
     uint flip = turn < 0.0 ? UNITVEC_SIGN_BIT : 0u;
     vec2 signs = vec2(unitvec_flip_sign(unitvec_with_sign(1.0, e.x), at.swapped ? flip : 0u),
         unitvec_flip_sign(unitvec_with_sign(1.0, e.y), at.swapped ? 0u : flip));

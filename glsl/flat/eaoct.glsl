@@ -34,6 +34,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -44,9 +45,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -91,17 +181,50 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_IS_NAN
 #define UNITVEC_HAS_IS_NAN
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_SIGN_BIT
-#define UNITVEC_HAS_SIGN_BIT
-const uint UNITVEC_SIGN_BIT = 0x80000000u;
+#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
+#define UNITVEC_HAS_SNORM_RECIPROCAL
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
@@ -129,6 +252,29 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENT
+#define UNITVEC_HAS_SNORM_QUOTIENT
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_TURN_0
@@ -227,9 +373,11 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     float b = min(x, y);
 
     UNITVEC_PRECISE float horizontal = a * a + b * b;
-    UNITVEC_PRECISE float len = sqrt(horizontal + p.z * p.z);
-    UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + p.z)));
-    UNITVEC_PRECISE float q = b / a;
+    UNITVEC_PRECISE float square = horizontal + p.z * p.z;
+    float len = unitvec_root(square);
+    UNITVEC_PRECISE float product = len * (len + p.z);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -271,9 +419,10 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
     UNITVEC_PRECISE float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    UNITVEC_PRECISE float radius = ring * (1.0 / m);
+    UNITVEC_PRECISE float radius = ring * unitvec_reciprocal(m);
     UNITVEC_PRECISE float z = (1.0 - radius) * (1.0 + radius);
-    UNITVEC_PRECISE float horizontal = radius * sqrt(1.0 + z);
+    UNITVEC_PRECISE float from_below = 1.0 + z;
+    UNITVEC_PRECISE float horizontal = radius * unitvec_root(from_below);
     UNITVEC_PRECISE float near_axis = horizontal * cosine;
     UNITVEC_PRECISE float off_axis = horizontal * sine;
     float x = swapped ? off_axis : near_axis;
@@ -301,10 +450,11 @@ vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     UNITVEC_PRECISE float along = p.turn * ring;
     UNITVEC_PRECISE float place = floor(along + 0.5);
     UNITVEC_PRECISE float across = ring - steps;
-    UNITVEC_PRECISE float q = (along - place) / max(ring, 1.0);
+    UNITVEC_PRECISE float beside = along - place;
+    float q = unitvec_signed_quotient(beside, max(ring, 1.0));
 
     UNITVEC_PRECISE float c_squared = 2.0 - p.radius * p.radius;
-    UNITVEC_PRECISE float change = across * (p.radius * (1.0 / m));
+    UNITVEC_PRECISE float change = across * (p.radius * unitvec_reciprocal(m));
     UNITVEC_PRECISE float turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
     UNITVEC_PRECISE float cost =
         across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
@@ -325,7 +475,7 @@ vec2 unitvec_eaoct_lattice_precise(vec3 v, float norm, float m) {
 // Direction of a lattice point.
 vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
-    UNITVEC_PRECISE float turn = at.place / max(at.ring, UNITVEC_MIN_POSITIVE);
+    float turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -351,8 +501,9 @@ vec3 eaoct_unorm_to_float32x3(vec2 e) { return eaoct_to_float32x3(unitvec_unbias
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_eaoctn_precise(vec3 v, int n) {
     float norm = unitvec_l1_norm(v);
-    float m = unitvec_snorm_max(uint(n / 2));
-    UNITVEC_PRECISE vec2 e = unitvec_eaoct_lattice_precise(v, norm, m) / m;
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 

@@ -28,6 +28,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -38,9 +39,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -78,10 +168,17 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
-#ifndef UNITVEC_HAS_EXP2
-#define UNITVEC_HAS_EXP2
-float unitvec_exp2(int exponent) {
-    return uintBitsToFloat(uint(127 + exponent) << 23u);
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_WHOLE_TO_U32
@@ -222,7 +319,7 @@ uint unitvec_fib_split(float x, out float rest) {
 uint unitvec_fib_azimuth(vec3 v, vec3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    UNITVEC_PRECISE float quotient = min(x, y) / max(x, y);
+    float quotient = unitvec_quotient(min(x, y), max(x, y));
     UNITVEC_PRECISE float part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -244,10 +341,12 @@ float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 UnitvecFibPlace unitvec_fib_place(vec3 v, uint bits) {
     UNITVEC_PRECISE float horizontal = v.x * v.x + v.y * v.y;
-    UNITVEC_PRECISE float reciprocal = 1.0 / sqrt(horizontal + v.z * v.z);
+    UNITVEC_PRECISE float square = horizontal + v.z * v.z;
+    float reciprocal = unitvec_inverse_root(square);
     UNITVEC_PRECISE float height = abs(v.z) * reciprocal;
     UNITVEC_PRECISE float radius_squared = (horizontal * reciprocal) * reciprocal;
-    UNITVEC_PRECISE float from_pole = radius_squared / (1.0 + height);
+    UNITVEC_PRECISE float from_below = 1.0 + height;
+    float from_pole = unitvec_quotient(radius_squared, from_below);
     UNITVEC_PRECISE float from_top = 1.0 - height;
     bool is_polar = height > 0.5;
 
@@ -269,7 +368,7 @@ UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0));
     float power = unitvec_fib_golden_power(k);
-    UNITVEC_PRECISE float turn = 1.0 / power;
+    float turn = unitvec_reciprocal(power);
     UNITVEC_PRECISE float next_turn = turn * 0.618034;
     UNITVEC_PRECISE float step_size = power * 0.4472136 + 0.5;
     UNITVEC_PRECISE float next_step = power * 0.7236068 + 0.5;
@@ -284,14 +383,16 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
     UNITVEC_PRECISE float signed_depth = place.depth - difference;
     bool is_point = signed_depth > 0.0;
     float depth = abs(signed_depth);
-    UNITVEC_PRECISE float radii = sqrt(place.radius_squared * (depth * (2.0 - depth)));
+    UNITVEC_PRECISE float squares = place.radius_squared * (depth * (2.0 - depth));
+    float radii = unitvec_root(squares);
 
     float d = unitvec_fib_signed_turn(turn);
     UNITVEC_PRECISE float u = d * d;
     UNITVEC_PRECISE float chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1
         + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     UNITVEC_PRECISE float sum = (place.depth + depth * place.height) + radii;
-    UNITVEC_PRECISE float cost = (difference * difference) / sum + radii * chord;
+    UNITVEC_PRECISE float square = difference * difference;
+    UNITVEC_PRECISE float cost = unitvec_quotient(square, sum) + radii * chord;
     // More than any distance.
     UnitvecFibCandidate candidate = UnitvecFibCandidate(i, is_point ? cost : 4.0);
     return candidate;
@@ -347,7 +448,8 @@ vec3 unitvec_fib_point(uint i, uint bits) {
     float unit = unitvec_exp2(1 - int(bits));
     UNITVEC_PRECISE float depth = (float(int(from_pole)) + 0.5) * unit;
     UNITVEC_PRECISE float height = (float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5) * unit;
-    UNITVEC_PRECISE float radius = sqrt(depth * (2.0 - depth));
+    UNITVEC_PRECISE float square = depth * (2.0 - depth);
+    float radius = unitvec_root(square);
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;

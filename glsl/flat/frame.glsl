@@ -32,6 +32,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -42,9 +43,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -83,17 +173,50 @@ uint unitvec_nearest_code(float x, uint bits) {
     return floatBitsToUint(sum) & unitvec_mask(bits);
 }
 #endif
-#ifndef UNITVEC_HAS_SIGN_BIT
-#define UNITVEC_HAS_SIGN_BIT
-const uint UNITVEC_SIGN_BIT = 0x80000000u;
+#ifndef UNITVEC_HAS_EXACT_OVER
+#define UNITVEC_HAS_EXACT_OVER
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = m * inverse;
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
+}
+float unitvec_over(float m, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_over(m, b);
+#else
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
 }
 #endif
@@ -108,6 +231,18 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_INTEGER
@@ -127,12 +262,6 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
 }
 vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
-}
-#endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_MIRROR
@@ -156,7 +285,7 @@ vec2 unitvec_oct_fold(float z, vec2 p, float m) {
 }
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     UNITVEC_PRECISE float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    UNITVEC_PRECISE float stretch = missing * (1.0 / m);
+    UNITVEC_PRECISE float stretch = missing * unitvec_reciprocal(m);
     UNITVEC_PRECISE vec2 moved = q + stretch * p.xy;
     return moved;
 }
@@ -166,18 +295,18 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE float over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     UNITVEC_PRECISE float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     UNITVEC_PRECISE float half_s = z_squared + (0.5 + cross_term);
-    UNITVEC_PRECISE float u = n * ((1.5 / m) / half_s);
+    UNITVEC_PRECISE float u = n * unitvec_quotient(unitvec_over(1.5, m), half_s);
     UNITVEC_PRECISE vec2 moved = ab + u * (at + minus_z);
     return moved;
 }
 vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
-    UNITVEC_PRECISE vec2 moved = q + at * (0.3795 / m);
+    UNITVEC_PRECISE vec2 moved = q + at * unitvec_over(0.3795, m);
     return moved;
 }
 vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
     UNITVEC_PRECISE vec2 middle = floor(p.xy) + 0.5;
     UNITVEC_PRECISE vec2 q = p.xy - middle;
-    UNITVEC_PRECISE vec2 at = p.xy * (3.0 / m) - 1.0;
+    UNITVEC_PRECISE vec2 at = p.xy * unitvec_over(3.0, m) - 1.0;
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -219,7 +348,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
 }
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
-    UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
+    UNITVEC_PRECISE vec3 p = abs(v) * unitvec_over(m, norm);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -253,7 +382,8 @@ const float UNITVEC_UNWARP_2 = 0.0392082;
 // second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     float s = unitvec_with_sign(1.0, n.z);
-    UNITVEC_PRECISE float a = -1.0 / (s + n.z);
+    UNITVEC_PRECISE float beyond = s + n.z;
+    float a = unitvec_signed_quotient(-1.0, beyond);
     UNITVEC_PRECISE float b = (n.x * n.y) * a;
     UNITVEC_PRECISE vec3 e = vec3(1.0 + s * ((n.x * n.x) * a), s * b, -(s * n.x));
     UNITVEC_PRECISE vec3 f = vec3(b, s + (n.y * n.y) * a, -n.y);
@@ -274,7 +404,9 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
     UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    UNITVEC_PRECISE float nearer = v + (w - unitvec_frame_warp(v)) * 1.2732395 / (1.0 + u);
+    UNITVEC_PRECISE float missing = (w - unitvec_frame_warp(v)) * 1.2732395;
+    UNITVEC_PRECISE float slope = 1.0 + u;
+    UNITVEC_PRECISE float nearer = v + unitvec_signed_quotient(missing, slope);
     return nearer;
 }
 
@@ -295,7 +427,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     UNITVEC_PRECISE float difference = abs(y) - abs(x);
-    UNITVEC_PRECISE float w = unitvec_flip_sign(difference, odd) / sum;
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     float half_places = float(1u << (angle_bits - 3u));
     UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
@@ -308,7 +440,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    UNITVEC_PRECISE float v = place * (1.0 / float(1u << (angle_bits - 3u))) - 1.0;
+    UNITVEC_PRECISE float v = place * unitvec_exp2(3 - int(angle_bits)) - 1.0;
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -335,7 +467,7 @@ uint unitvec_frame_handedness_code(float handedness) {
 
 // -1 where bit 31 of a code is set, else +1.
 float unitvec_frame_handedness(uint code) {
-    return unitvec_with_sign(1.0, uintBitsToFloat(code));
+    return unitvec_flip_sign(1.0, code & UNITVEC_SIGN_BIT);
 }
 
 uint frame32_encode(vec3 normal, vec4 tangent) {

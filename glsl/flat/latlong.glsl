@@ -30,6 +30,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -40,9 +41,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -80,17 +170,47 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
-#ifndef UNITVEC_HAS_SIGN_BIT
-#define UNITVEC_HAS_SIGN_BIT
-const uint UNITVEC_SIGN_BIT = 0x80000000u;
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
 #ifndef UNITVEC_HAS_WHOLE_TO_U32
 #define UNITVEC_HAS_WHOLE_TO_U32
 uint unitvec_whole_to_u32(float whole) {
     return uint(int(whole));
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_TURN_0
@@ -117,12 +237,6 @@ float unitvec_atan_quarter(float q) {
 const float UNITVEC_ANGLES_LEAST_X = 9.094947017729282e-13;
 const float UNITVEC_ANGLES_LEAST_Y = 4.336808689942018e-19;
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
 #ifndef UNITVEC_HAS_DIAGONAL_COS_0
 #define UNITVEC_HAS_DIAGONAL_COS_0
 const float UNITVEC_DIAGONAL_COS_0 = 0.7853982;
@@ -145,7 +259,7 @@ vec3 unitvec_angles_scaled(vec3 v, float norm) {
     return vec3(max(p.x, UNITVEC_ANGLES_LEAST_X), max(p.y, UNITVEC_ANGLES_LEAST_Y), p.z);
 }
 float unitvec_angles_quarter(float y, float x) {
-    UNITVEC_PRECISE float q = min(x, y) / max(x, y);
+    float q = unitvec_quotient(min(x, y), max(x, y));
     float part = unitvec_atan_quarter(q);
     UNITVEC_PRECISE float rest = 1.0 - part;
     return y > x ? rest : part;
@@ -167,8 +281,8 @@ vec3 unitvec_angles_around_z(float radius, float z, float quarters) {
 #ifndef UNITVEC_HAS_HORIZONTAL_LENGTH
 #define UNITVEC_HAS_HORIZONTAL_LENGTH
 float unitvec_horizontal_length(vec3 v) {
-    UNITVEC_PRECISE float distance_from_z = sqrt(v.x * v.x + v.y * v.y);
-    return distance_from_z;
+    UNITVEC_PRECISE float square = v.x * v.x + v.y * v.y;
+    return unitvec_root(square);
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_INTEGER
@@ -194,7 +308,7 @@ uint unitvec_latlong_grid_encode(vec3 v, uint half_bits) {
 }
 
 vec3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
-    float step_size = 1.0 / float(1u << half_bits);
+    float step_size = unitvec_exp2(-int(half_bits));
     float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
     UNITVEC_PRECISE float above = 1.0 - (ring + 0.5) * (2.0 * step_size);
     UNITVEC_PRECISE float diagonal = 0.5 - abs(above);
@@ -236,7 +350,7 @@ float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float high = rings.q_last != 0.0 ? both_high : rings.q.z;
     UNITVEC_PRECISE float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0 ? whole_factor : low;
-    UNITVEC_PRECISE float i = sqrt(index) * factor + rings.offset;
+    UNITVEC_PRECISE float i = unitvec_root(index) * factor + rings.offset;
     return i;
 }
 
@@ -295,10 +409,11 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    UNITVEC_PRECISE float divided = (along - 0.5 * count) / count;
+    UNITVEC_PRECISE float beside = along - 0.5 * count;
+    float divided = unitvec_signed_quotient(beside, count);
     vec2 equator = unitvec_from_diagonal(along > 0.0 ? divided : -0.5);
     // At either end the product is 1/2 exactly.
-    UNITVEC_PRECISE float latitude = (ring - 0.5 * rings.n) * (1.0 / rings.n);
+    UNITVEC_PRECISE float latitude = (ring - 0.5 * rings.n) * unitvec_reciprocal(rings.n);
     vec2 meridian = unitvec_from_diagonal(latitude);
     UNITVEC_PRECISE float radius = meridian.x + meridian.y;
 

@@ -41,6 +41,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -51,9 +52,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -98,9 +188,51 @@ bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_SIGN_BIT
-#define UNITVEC_HAS_SIGN_BIT
-const uint UNITVEC_SIGN_BIT = 0x80000000u;
+#ifndef UNITVEC_HAS_EXACT_OVER
+#define UNITVEC_HAS_EXACT_OVER
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = m * inverse;
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
+}
+float unitvec_over(float m, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_over(m, b);
+#else
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
+#define UNITVEC_HAS_SNORM_RECIPROCAL
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_WITH_SIGN
+#define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
@@ -122,7 +254,7 @@ vec2 unitvec_unbiased(vec2 e) {
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
 }
 #endif
@@ -137,6 +269,17 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENT
+#define UNITVEC_HAS_SNORM_QUOTIENT
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_WHOLE_TO_U32
@@ -161,6 +304,13 @@ vec2 unitvec_oct_unpack_unorm8x3(uint code) {
 
 vec2 unitvec_oct_unpack(uint code, uint bits) {
     return bits == 24u ? unitvec_oct_unpack_unorm8x3(code) : unitvec_snorm_integers(code, bits / 2u);
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENTS
+#define UNITVEC_HAS_SNORM_QUOTIENTS
+vec3 unitvec_snorm_quotients(vec3 e, uint xy_bits, uint z_bits) {
+    return vec3(unitvec_snorm_quotient(e.x, xy_bits), unitvec_snorm_quotient(e.y, xy_bits),
+        unitvec_snorm_quotient(e.z, z_bits));
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3
@@ -213,7 +363,7 @@ vec2 unitvec_oct_fold(float z, vec2 p, float m) {
 // q at the point where the ray of p hits the plane x + y + z = m.
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     UNITVEC_PRECISE float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    UNITVEC_PRECISE float stretch = missing * (1.0 / m);
+    UNITVEC_PRECISE float stretch = missing * unitvec_reciprocal(m);
     UNITVEC_PRECISE vec2 moved = q + stretch * p.xy;
     return moved;
 }
@@ -226,7 +376,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE float over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     UNITVEC_PRECISE float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     UNITVEC_PRECISE float half_s = z_squared + (0.5 + cross_term);
-    UNITVEC_PRECISE float u = n * ((1.5 / m) / half_s);
+    UNITVEC_PRECISE float u = n * unitvec_quotient(unitvec_over(1.5, m), half_s);
     UNITVEC_PRECISE vec2 moved = ab + u * (at + minus_z);
     return moved;
 }
@@ -234,7 +384,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
-    UNITVEC_PRECISE vec2 moved = q + at * (0.3795 / m);
+    UNITVEC_PRECISE vec2 moved = q + at * unitvec_over(0.3795, m);
     return moved;
 }
 
@@ -248,7 +398,7 @@ vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
 vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
     UNITVEC_PRECISE vec2 middle = floor(p.xy) + 0.5;
     UNITVEC_PRECISE vec2 q = p.xy - middle;
-    UNITVEC_PRECISE vec2 at = p.xy * (3.0 / m) - 1.0;
+    UNITVEC_PRECISE vec2 at = p.xy * unitvec_over(3.0, m) - 1.0;
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -299,7 +449,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
-    UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
+    UNITVEC_PRECISE vec3 p = abs(v) * unitvec_over(m, norm);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -327,7 +477,7 @@ vec3 oct22_decode(uint code) { return unitvec_oct_decode(code, 22u); }
 // with s = m / norm, which is (|x| + |z|) s.
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * (m / norm);
+    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
     return unitvec_oct_mirror(v, p);
 }
 #endif
@@ -350,32 +500,31 @@ vec3 oct_unorm_to_float32x3(vec2 e) { return oct_to_float32x3(unitvec_unbiased(e
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_octn_precise(vec3 v, int n) {
-    float m = unitvec_snorm_max(uint(n / 2));
-    UNITVEC_PRECISE vec2 e = unitvec_oct_lattice_precise(v, m) / m;
-    return e;
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 vec3 unitvec_oct_bytes(vec2 f) {
     UNITVEC_PRECISE vec2 u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
-    float high = floor(u.x / 16.0);
-    float carry = floor(u.y / 256.0);
+    float high = floor(u.x * 0.0625);
+    float carry = floor(u.y * 0.00390625);
     UNITVEC_PRECISE vec3 bytes = vec3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
     return bytes;
 }
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 vec2 unitvec_oct_from_bytes(vec3 bytes) {
-    float high = floor(bytes.y / 16.0);
+    float high = floor(bytes.y * 0.0625);
     UNITVEC_PRECISE vec2 biased = vec2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
-    UNITVEC_PRECISE vec2 s = (biased - 2047.0) / 2047.0;
-    return min(s, 1.0);
+    UNITVEC_PRECISE vec2 e = biased - 2047.0;
+    return min(vec2(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), 1.0);
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 vec3 snorm12x2_to_unorm8x3(vec2 f) {
-    UNITVEC_PRECISE vec3 parts = unitvec_oct_bytes(f) / 255.0;
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -29,6 +29,7 @@ precision highp int;
 #ifndef UNITVEC_HAS_MIN_POSITIVE
 #define UNITVEC_HAS_MIN_POSITIVE
 const float UNITVEC_MIN_POSITIVE = 1.1754943508222875e-38;
+const uint UNITVEC_SIGN_BIT = 0x80000000u;
 bool unitvec_is_negative(float x) {
     return x <= -UNITVEC_MIN_POSITIVE;
 }
@@ -39,9 +40,98 @@ float unitvec_negate_positive(bool negative, float x) {
     return unitvec_negate_if(negative && x > 0.0, x);
 }
 const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+float unitvec_exp2(int exponent) {
+    return uintBitsToFloat(uint(127 + exponent) << 23u);
+}
 bool unitvec_is_within(float x, float least, float end) {
     uint first = floatBitsToUint(least);
     return floatBitsToUint(x) - first < floatBitsToUint(end) - first;
+}
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
 }
 uint unitvec_mask(uint bits) {
     return (1u << bits) - 1u;
@@ -79,10 +169,69 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
+#ifndef UNITVEC_HAS_ROOT
+#define UNITVEC_HAS_ROOT
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_EXACT_OVER
+#define UNITVEC_HAS_EXACT_OVER
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = m * inverse;
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
+}
+float unitvec_over(float m, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_over(m, b);
+#else
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+#endif
 #ifndef UNITVEC_HAS_OR_Z
 #define UNITVEC_HAS_OR_Z
 vec3 unitvec_or_z(vec3 v) {
     return unitvec_is_usable(unitvec_l1_norm(v)) ? v : vec3(0.0, 0.0, 1.0);
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SIN_0
@@ -146,9 +295,8 @@ float unitvec_product_rest(float a, float b, float product) {
     return rest;
 }
 #endif
-#ifndef UNITVEC_HAS_NEGLIGIBLE
-#define UNITVEC_HAS_NEGLIGIBLE
-const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
+#ifndef UNITVEC_HAS_ATAN_OCTANT
+#define UNITVEC_HAS_ATAN_OCTANT
 float unitvec_atan_octant(float r) {
     return unitvec_atan_octant_of_normal(r < UNITVEC_NEGLIGIBLE ? 0.0 : r);
 }
@@ -156,7 +304,7 @@ float unitvec_atan_octant(float r) {
 #ifndef UNITVEC_HAS_ATAN_OCTANT_RATIO
 #define UNITVEC_HAS_ATAN_OCTANT_RATIO
 float unitvec_atan_octant_ratio(float y, float x) {
-    UNITVEC_PRECISE float divided = y / x;
+    float divided = unitvec_quotient(y, x);
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
 }
@@ -237,7 +385,7 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
-    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size) + 0.5;
+    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size) + 0.5;
     int estimate = int(part);
 
     vec2 cosine;
@@ -246,9 +394,10 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
     vec2 back = unitvec_spherical_wide_product(longer, sine);
     UNITVEC_PRECISE float across = (forth.x - back.x) + (forth.y - back.y);
-    UNITVEC_PRECISE float root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
+    UNITVEC_PRECISE float square = longer.x * longer.x + shorter.x * shorter.x;
+    float root = unitvec_root(square);
     UNITVEC_PRECISE float radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
-    UNITVEC_PRECISE float off = across / radians + 0.5;
+    UNITVEC_PRECISE float off = unitvec_signed_quotient(across, radians) + 0.5;
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -259,13 +408,14 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     UNITVEC_PRECISE float a = longer * longer;
     UNITVEC_PRECISE float b = shorter * shorter;
-    UNITVEC_PRECISE float first = sqrt(a + b);
+    UNITVEC_PRECISE float squares = a + b;
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     UNITVEC_PRECISE float square = root * root;
     UNITVEC_PRECISE float rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
-    UNITVEC_PRECISE float low = (((a - square) + b) + rests) / (2.0 * root);
-    return vec2(root, low);
+    UNITVEC_PRECISE float left = ((a - square) + b) + rests;
+    return vec2(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 uvec2 spherical48_encode(vec3 v) {

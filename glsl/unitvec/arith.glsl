@@ -1,6 +1,6 @@
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// Needs GLSL 3.30 or GLSL ES 3.00. Use it by #include (GL_GOOGLE_include_directive), or take the families from
+// Needs GLSL 3.30 or GLSL ES 3.00. Include it (GL_GOOGLE_include_directive), or take the families from
 // glsl/flat, where nothing is included. Besides the functions that the heads of the files name, all names at the top
 // level begin with unitvec (in any case).
 //
@@ -9,8 +9,8 @@
 // direction is nearly as far from two of them.
 //
 // The functions are those of the Rust crate's modules `arith` and `direction`, in their order. They repeat the crate's
-// operations, so that all devices give the same bits: the built-in trigonometry does not. `floor`, `max`, `min` and
-// `sqrt` are GLSL's own.
+// operations, so that all devices give the same bits: the built-in trigonometry does not. `floor`, `max` and
+// `min` are GLSL's own.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -135,6 +135,168 @@ vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     return scaled;
 }
 
+// divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
+// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+// The bits of 2^-1 and of 2^125.
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+
+// The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+
+// About -1 / significand of a number of this exponent.
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+
+// a / b, a of 0 or more and b positive.
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = a * inverse;
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(
+        dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+
+// m / b, both positive and m a constant.
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    UNITVEC_PRECISE float rough = m * inverse;
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess =
+        (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
+}
+
+// The reciprocal of the number of this significand and exponent, about `inverse`.
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+
+// The exponent of the root of x.
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+
+// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess = (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW))
+        & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+
+// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+
+// unitvec_quotient for numbers of either sign.
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+
+// m / b, rounded to nearest, for positive b and a positive constant m.
+float unitvec_over(float m, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_over(m, b);
+#else
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
+#endif
+}
+
+// 1 / b, rounded to nearest, for positive b.
+float unitvec_reciprocal(float b) {
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+#ifdef UNITVEC_EXACT
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+#else
+    return inverse;
+#endif
+}
+
+// The square root of x, rounded to nearest; of denormals it may be 0.
+float unitvec_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+#else
+    UNITVEC_PRECISE float found = sqrt(x);
+    return found;
+#endif
+}
+
+// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+float unitvec_inverse_root(float x) {
+#ifdef UNITVEC_EXACT
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+#else
+    UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
+    return inverse;
+#endif
+}
+
 // pack: integers in the low bits of words.
 
 // The low `bits` bits (1 to 31) set.
@@ -202,24 +364,13 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
-// takes two more operations instead.
+// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
 float unitvec_snorm_quotient(float x, uint bits) {
 #ifdef UNITVEC_EXACT
     return unitvec_snorm_part(x, bits);
 #else
     UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
     return quotient;
-#endif
-}
-
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
-// may otherwise divide once and multiply by the quotient.
-vec3 unitvec_divisors(float x) {
-#ifdef UNITVEC_EXACT
-    return vec3(x, min(x, 1e38), max(x, 1e-38));
-#else
-    return vec3(x);
 #endif
 }
 
@@ -360,14 +511,14 @@ float unitvec_dot(vec3 a, vec3 b) {
 
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
 }
 
 // Distance of v from the z axis.
 float unitvec_horizontal_length(vec3 v) {
-    UNITVEC_PRECISE float distance_from_z = sqrt(v.x * v.x + v.y * v.y);
-    return distance_from_z;
+    UNITVEC_PRECISE float square = v.x * v.x + v.y * v.y;
+    return unitvec_root(square);
 }
 
 // face: the faces of a cube, the one in a direction, and the components in its order.
@@ -446,7 +597,8 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
     UNITVEC_PRECISE float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
-    UNITVEC_PRECISE float estimate = 1.0 / sqrt(squares + other_squares);
+    UNITVEC_PRECISE float square = squares + other_squares;
+    float estimate = unitvec_inverse_root(square);
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     UNITVEC_PRECISE float scale = reciprocal * reciprocal;
@@ -595,7 +747,7 @@ float unitvec_atan_octant(float r) {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 float unitvec_atan_octant_ratio(float y, float x) {
-    UNITVEC_PRECISE float divided = y / x;
+    float divided = unitvec_quotient(y, x);
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
 }
@@ -650,7 +802,7 @@ float unitvec_asin_small(float a) {
     UNITVEC_PRECISE float half_chord_squared = 0.5 * (1.0 - a);
     UNITVEC_PRECISE float squared = a * a;
     float u = outer_part ? half_chord_squared : squared;
-    UNITVEC_PRECISE float root = sqrt(u);
+    float root = unitvec_root(u);
     float w = outer_part ? root : a;
     UNITVEC_PRECISE float low = UNITVEC_ASIN_2 + u * (UNITVEC_ASIN_3 + u * (UNITVEC_ASIN_4 + u * UNITVEC_ASIN_5));
     UNITVEC_PRECISE float angle = w * (UNITVEC_FRAC_1_PI + (UNITVEC_ASIN_0 + u * (UNITVEC_ASIN_1 + u * low)));
@@ -764,7 +916,7 @@ vec3 unitvec_angles_scaled(vec3 v, float norm) {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 float unitvec_angles_quarter(float y, float x) {
-    UNITVEC_PRECISE float q = min(x, y) / max(x, y);
+    float q = unitvec_quotient(min(x, y), max(x, y));
     float part = unitvec_atan_quarter(q);
     UNITVEC_PRECISE float rest = 1.0 - part;
     return y > x ? rest : part;

@@ -35,7 +35,7 @@ uint unitvec_cube_encode_on_face(vec3 v, uint bits, bool warped) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(v, face);
-    UNITVEC_PRECISE float scale = 1.0 / abs(p.z);
+    float scale = unitvec_reciprocal(abs(p.z));
     UNITVEC_PRECISE vec2 t = abs(p.xy) * scale;
     if (warped) t = vec2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
     uvec2 widths = unitvec_cube_widths(bits);
@@ -63,7 +63,7 @@ vec3 unitvec_cube_decode(uint code, uint bits) {
     uvec2 widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
     UNITVEC_PRECISE float side = unitvec_snorm_max(widths.x) + 0.5;
-    UNITVEC_PRECISE float v_step = side / (unitvec_snorm_max(widths.y) + 0.5);
+    float v_step = unitvec_over(side, unitvec_snorm_max(widths.y) + 0.5);
     UNITVEC_PRECISE float y = e.y * v_step;
     return unitvec_from_face(unitvec_normalize(vec3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
@@ -89,7 +89,7 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice the factor of
 // x / side is 2^bits - 1.
 int unitvec_cube_round_wide(float x, float side, uint bits) {
-    UNITVEC_PRECISE float reciprocal = 1.0 / side;
+    float reciprocal = unitvec_reciprocal(side);
     int doubled;
     float fraction;
     unitvec_coordinate(x, vec2(side, 0.0), reciprocal, bits + 1u, doubled, fraction);

@@ -204,7 +204,8 @@ vec3 unitvec_dither_eaoct_direction(vec2 e, vec2 offset, float m) {
     bool past_equator = ring > m;
     UNITVEC_PRECISE float beyond_equator = 2.0 * m - ring;
     float mirrored = past_equator ? beyond_equator : ring;
-    UNITVEC_PRECISE float turn = (at.place - turned.y) / max(at.ring, 1.0);
+    UNITVEC_PRECISE float place = at.place - turned.y;
+    float turn = unitvec_signed_quotient(place, max(at.ring, 1.0));
     uint flip = turn < 0.0 ? UNITVEC_SIGN_BIT : 0u;
     vec2 signs = vec2(unitvec_flip_sign(unitvec_with_sign(1.0, e.x), at.swapped ? flip : 0u),
         unitvec_flip_sign(unitvec_with_sign(1.0, e.y), at.swapped ? 0u : flip));

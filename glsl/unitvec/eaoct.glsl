@@ -44,9 +44,11 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     float b = min(x, y);
 
     UNITVEC_PRECISE float horizontal = a * a + b * b;
-    UNITVEC_PRECISE float len = sqrt(horizontal + p.z * p.z);
-    UNITVEC_PRECISE float radius = sqrt(horizontal / (len * (len + p.z)));
-    UNITVEC_PRECISE float q = b / a;
+    UNITVEC_PRECISE float square = horizontal + p.z * p.z;
+    float len = unitvec_root(square);
+    UNITVEC_PRECISE float product = len * (len + p.z);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -81,10 +83,11 @@ vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     UNITVEC_PRECISE float along = p.turn * ring;
     UNITVEC_PRECISE float place = floor(along + 0.5);
     UNITVEC_PRECISE float across = ring - steps;
-    UNITVEC_PRECISE float q = (along - place) / max(ring, 1.0);
+    UNITVEC_PRECISE float beside = along - place;
+    float q = unitvec_signed_quotient(beside, max(ring, 1.0));
 
     UNITVEC_PRECISE float c_squared = 2.0 - p.radius * p.radius;
-    UNITVEC_PRECISE float change = across * (p.radius * (1.0 / m));
+    UNITVEC_PRECISE float change = across * (p.radius * unitvec_reciprocal(m));
     UNITVEC_PRECISE float turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
     UNITVEC_PRECISE float cost =
         across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
@@ -127,9 +130,10 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
     UNITVEC_PRECISE float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    UNITVEC_PRECISE float radius = ring * (1.0 / m);
+    UNITVEC_PRECISE float radius = ring * unitvec_reciprocal(m);
     UNITVEC_PRECISE float z = (1.0 - radius) * (1.0 + radius);
-    UNITVEC_PRECISE float horizontal = radius * sqrt(1.0 + z);
+    UNITVEC_PRECISE float from_below = 1.0 + z;
+    UNITVEC_PRECISE float horizontal = radius * unitvec_root(from_below);
     UNITVEC_PRECISE float near_axis = horizontal * cosine;
     UNITVEC_PRECISE float off_axis = horizontal * sine;
     float x = swapped ? off_axis : near_axis;
@@ -141,7 +145,7 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
 // Direction of a lattice point.
 vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
-    UNITVEC_PRECISE float turn = at.place / max(at.ring, UNITVEC_MIN_POSITIVE);
+    float turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -167,8 +171,9 @@ vec3 eaoct_unorm_to_float32x3(vec2 e) { return eaoct_to_float32x3(unitvec_unbias
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_eaoctn_precise(vec3 v, int n) {
     float norm = unitvec_l1_norm(v);
-    float m = unitvec_snorm_max(uint(n / 2));
-    UNITVEC_PRECISE vec2 e = unitvec_eaoct_lattice_precise(v, norm, m) / m;
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 

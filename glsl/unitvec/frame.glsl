@@ -37,7 +37,8 @@ const float UNITVEC_UNWARP_2 = 0.0392082;
 // second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     float s = unitvec_with_sign(1.0, n.z);
-    UNITVEC_PRECISE float a = -1.0 / (s + n.z);
+    UNITVEC_PRECISE float beyond = s + n.z;
+    float a = unitvec_signed_quotient(-1.0, beyond);
     UNITVEC_PRECISE float b = (n.x * n.y) * a;
     UNITVEC_PRECISE vec3 e = vec3(1.0 + s * ((n.x * n.x) * a), s * b, -(s * n.x));
     UNITVEC_PRECISE vec3 f = vec3(b, s + (n.y * n.y) * a, -n.y);
@@ -58,7 +59,9 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
     UNITVEC_PRECISE float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    UNITVEC_PRECISE float nearer = v + (w - unitvec_frame_warp(v)) * 1.2732395 / (1.0 + u);
+    UNITVEC_PRECISE float missing = (w - unitvec_frame_warp(v)) * 1.2732395;
+    UNITVEC_PRECISE float slope = 1.0 + u;
+    UNITVEC_PRECISE float nearer = v + unitvec_signed_quotient(missing, slope);
     return nearer;
 }
 
@@ -79,7 +82,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     UNITVEC_PRECISE float difference = abs(y) - abs(x);
-    UNITVEC_PRECISE float w = unitvec_flip_sign(difference, odd) / sum;
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     float half_places = float(1u << (angle_bits - 3u));
     UNITVEC_PRECISE float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
@@ -92,7 +95,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    UNITVEC_PRECISE float v = place * (1.0 / float(1u << (angle_bits - 3u))) - 1.0;
+    UNITVEC_PRECISE float v = place * unitvec_exp2(3 - int(angle_bits)) - 1.0;
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -119,7 +122,7 @@ uint unitvec_frame_handedness_code(float handedness) {
 
 // -1 where bit 31 of a code is set, else +1.
 float unitvec_frame_handedness(uint code) {
-    return unitvec_with_sign(1.0, uintBitsToFloat(code));
+    return unitvec_flip_sign(1.0, code & UNITVEC_SIGN_BIT);
 }
 
 uint frame32_encode(vec3 normal, vec4 tangent) {

@@ -22,7 +22,7 @@ precision highp int;
 
 // The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
-    UNITVEC_PRECISE vec2 e = vec2(v.x + v.y, v.x - v.y) * (m / norm);
+    UNITVEC_PRECISE vec2 e = vec2(v.x + v.y, v.x - v.y) * unitvec_over(m, norm);
     return e;
 }
 

@@ -36,7 +36,7 @@ uint unitvec_latlong_grid_encode(vec3 v, uint half_bits) {
 }
 
 vec3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
-    float step_size = 1.0 / float(1u << half_bits);
+    float step_size = unitvec_exp2(-int(half_bits));
     float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
     UNITVEC_PRECISE float above = 1.0 - (ring + 0.5) * (2.0 * step_size);
     UNITVEC_PRECISE float diagonal = 0.5 - abs(above);
@@ -79,7 +79,7 @@ float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float high = rings.q_last != 0.0 ? both_high : rings.q.z;
     UNITVEC_PRECISE float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0 ? whole_factor : low;
-    UNITVEC_PRECISE float i = sqrt(index) * factor + rings.offset;
+    UNITVEC_PRECISE float i = unitvec_root(index) * factor + rings.offset;
     return i;
 }
 
@@ -138,10 +138,11 @@ vec3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint ind
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    UNITVEC_PRECISE float divided = (along - 0.5 * count) / count;
+    UNITVEC_PRECISE float beside = along - 0.5 * count;
+    float divided = unitvec_signed_quotient(beside, count);
     vec2 equator = unitvec_from_diagonal(along > 0.0 ? divided : -0.5);
     // At either end the product is 1/2 exactly.
-    UNITVEC_PRECISE float latitude = (ring - 0.5 * rings.n) * (1.0 / rings.n);
+    UNITVEC_PRECISE float latitude = (ring - 0.5 * rings.n) * unitvec_reciprocal(rings.n);
     vec2 meridian = unitvec_from_diagonal(latitude);
     UNITVEC_PRECISE float radius = meridian.x + meridian.y;
 

@@ -47,14 +47,14 @@ vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
 // with s = m / norm, which is (|x| + |z|) s.
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * (m / norm);
+    UNITVEC_PRECISE vec2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
     return unitvec_oct_mirror(v, p);
 }
 
 // q at the point where the ray of p hits the plane x + y + z = m.
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     UNITVEC_PRECISE float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    UNITVEC_PRECISE float stretch = missing * (1.0 / m);
+    UNITVEC_PRECISE float stretch = missing * unitvec_reciprocal(m);
     UNITVEC_PRECISE vec2 moved = q + stretch * p.xy;
     return moved;
 }
@@ -67,7 +67,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     UNITVEC_PRECISE float over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     UNITVEC_PRECISE float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     UNITVEC_PRECISE float half_s = z_squared + (0.5 + cross_term);
-    UNITVEC_PRECISE float u = n * ((1.5 / m) / half_s);
+    UNITVEC_PRECISE float u = n * unitvec_quotient(unitvec_over(1.5, m), half_s);
     UNITVEC_PRECISE vec2 moved = ab + u * (at + minus_z);
     return moved;
 }
@@ -75,7 +75,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
-    UNITVEC_PRECISE vec2 moved = q + at * (0.3795 / m);
+    UNITVEC_PRECISE vec2 moved = q + at * unitvec_over(0.3795, m);
     return moved;
 }
 
@@ -89,7 +89,7 @@ vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
 vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
     UNITVEC_PRECISE vec2 middle = floor(p.xy) + 0.5;
     UNITVEC_PRECISE vec2 q = p.xy - middle;
-    UNITVEC_PRECISE vec2 at = p.xy * (3.0 / m) - 1.0;
+    UNITVEC_PRECISE vec2 at = p.xy * unitvec_over(3.0, m) - 1.0;
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -140,7 +140,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
-    UNITVEC_PRECISE vec3 p = abs(v) * (m / norm);
+    UNITVEC_PRECISE vec3 p = abs(v) * unitvec_over(m, norm);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -183,32 +183,31 @@ vec3 oct_unorm_to_float32x3(vec2 e) { return oct_to_float32x3(unitvec_unbiased(e
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_octn_precise(vec3 v, int n) {
-    float m = unitvec_snorm_max(uint(n / 2));
-    UNITVEC_PRECISE vec2 e = unitvec_oct_lattice_precise(v, m) / m;
-    return e;
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 vec3 unitvec_oct_bytes(vec2 f) {
     UNITVEC_PRECISE vec2 u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
-    float high = floor(u.x / 16.0);
-    float carry = floor(u.y / 256.0);
+    float high = floor(u.x * 0.0625);
+    float carry = floor(u.y * 0.00390625);
     UNITVEC_PRECISE vec3 bytes = vec3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
     return bytes;
 }
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 vec2 unitvec_oct_from_bytes(vec3 bytes) {
-    float high = floor(bytes.y / 16.0);
+    float high = floor(bytes.y * 0.0625);
     UNITVEC_PRECISE vec2 biased = vec2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
-    UNITVEC_PRECISE vec2 s = (biased - 2047.0) / 2047.0;
-    return min(s, 1.0);
+    UNITVEC_PRECISE vec2 e = biased - 2047.0;
+    return min(vec2(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), 1.0);
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 vec3 snorm12x2_to_unorm8x3(vec2 f) {
-    UNITVEC_PRECISE vec3 parts = unitvec_oct_bytes(f) / 255.0;
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -116,15 +116,14 @@ vec3 unitvec_parallel_unit(vec3 v) {
     UNITVEC_PRECISE vec3 scaled = v * unitvec_scale_to_one(raised);
     float square = unitvec_dot(scaled, scaled);
     UNITVEC_PRECISE float off = square - 1.0;
-    UNITVEC_PRECISE float inverse = 1.0 / sqrt(square);
+    float inverse = unitvec_inverse_root(square);
     UNITVEC_PRECISE vec3 n = scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse);
     return n;
 }
 
 float unitvec_parallel_third(vec2 p) {
     UNITVEC_PRECISE float square = 1.0 - (p.x * p.x + p.y * p.y);
-    UNITVEC_PRECISE float root = sqrt(max(square, 0.0));
-    return root;
+    return unitvec_root(max(square, 0.0));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

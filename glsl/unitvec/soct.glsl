@@ -30,10 +30,10 @@ uint unitvec_soct_pair(vec3 v, float norm, uint bits) {
 // The direction of a point of [-m, m]^2 and the sign, in bit 31: unit length to within 2 ULP. z is the difference of two
 // numbers that both have the sign, since a sum of them may be 0, which has none.
 vec3 unitvec_soct_from_lattice(vec2 e, uint sign_bit, float m) {
-    float below = uintBitsToFloat(sign_bit & UNITVEC_SIGN_BIT);
+    uint below = sign_bit & UNITVEC_SIGN_BIT;
     float across = 2.0 * max(abs(e.x), abs(e.y));
     UNITVEC_PRECISE vec3 v =
-        vec3(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below));
+        vec3(e.x + e.y, e.x - e.y, unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below));
     return unitvec_normalize(v);
 }
 

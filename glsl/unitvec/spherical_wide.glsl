@@ -95,7 +95,7 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
-    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size) + 0.5;
+    UNITVEC_PRECISE float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size) + 0.5;
     int estimate = int(part);
 
     vec2 cosine;
@@ -104,9 +104,10 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
     vec2 back = unitvec_spherical_wide_product(longer, sine);
     UNITVEC_PRECISE float across = (forth.x - back.x) + (forth.y - back.y);
-    UNITVEC_PRECISE float root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
+    UNITVEC_PRECISE float square = longer.x * longer.x + shorter.x * shorter.x;
+    float root = unitvec_root(square);
     UNITVEC_PRECISE float radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
-    UNITVEC_PRECISE float off = across / radians + 0.5;
+    UNITVEC_PRECISE float off = unitvec_signed_quotient(across, radians) + 0.5;
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -117,14 +118,15 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     UNITVEC_PRECISE float a = longer * longer;
     UNITVEC_PRECISE float b = shorter * shorter;
-    UNITVEC_PRECISE float first = sqrt(a + b);
+    UNITVEC_PRECISE float squares = a + b;
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     UNITVEC_PRECISE float square = root * root;
     UNITVEC_PRECISE float rests =
         (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
-    UNITVEC_PRECISE float low = (((a - square) + b) + rests) / (2.0 * root);
-    return vec2(root, low);
+    UNITVEC_PRECISE float left = ((a - square) + b) + rests;
+    return vec2(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 uvec2 spherical48_encode(vec3 v) {

@@ -27,12 +27,16 @@ pub enum Language {
     Wesl,
 }
 
-/// Ways to keep compilers from fusing and reordering.
+/// The macro that makes the text of GLSL and HLSL the exact edition.
+pub const EXACT: &str = "UNITVEC_EXACT";
+
+/// Ways to keep compilers from fusing and reordering, and devices from dividing in their own way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Edition {
-    /// The language's own means, where it has any.
+    /// The language's own means, where it has any, and the device's division and square root.
     Plain,
-    /// Barriers: each rounded result passes through `min` with a number that none exceeds, which no compiler folds.
+    /// Quotients and roots are put right. Where there is no `precise`, barriers: each rounded result passes through `min` with a
+    /// number that none exceeds, which no compiler folds.
     Exact,
 }
 
@@ -86,12 +90,9 @@ impl Language {
         self.names()[2]
     }
 
-    /// Its editions. GLSL and HLSL need no other than the plain one: they have `precise`.
+    /// The editions of its files. In GLSL and HLSL the macro [`EXACT`] chooses between both.
     pub const fn editions(self) -> &'static [Edition] {
-        match self {
-            Self::Glsl | Self::Hlsl => &[Edition::Plain],
-            _ => &[Edition::Plain, Edition::Exact],
-        }
+        if self.has_precise() { &[Edition::Plain] } else { &[Edition::Plain, Edition::Exact] }
     }
 
     /// True for the languages whose compilers take `#include`.
@@ -114,12 +115,18 @@ impl Language {
         matches!(self, Self::Glsl | Self::GlslEs | Self::Godot)
     }
 
+    /// True for the languages with `precise`. In these a macro of the user's chooses the exact edition.
+    pub(crate) const fn has_precise(self) -> bool {
+        matches!(self, Self::Glsl | Self::Hlsl)
+    }
+
     /// The part of an alternative that belongs to its text. Both parts stay where a macro of the user's decides; where
     /// the version of GLSL decides, the part for the oldest stays.
     pub(crate) fn branch(self, edition: Edition, condition: &Condition) -> Branch {
         match condition {
             _ if self == Self::Glsl => Branch::Both,
             Condition::Macro(_) if self.has_preprocessor() => Branch::Both,
+            Condition::Exact(_) if self.has_precise() => Branch::Both,
             Condition::Exact(_) if edition == Edition::Exact => Branch::Then,
             _ => Branch::Otherwise,
         }

@@ -31,7 +31,7 @@ mod print;
 mod syntax;
 mod wrap;
 
-pub use language::{Edition, Language, UnknownLanguage};
+pub use language::{EXACT, Edition, Language, UnknownLanguage};
 
 use parse::{Declared, parse};
 use print::Printer;

@@ -41,7 +41,7 @@
 //!   interpolated.
 
 use crate::arith::{
-    SIGN_BIT, TWO_23, coefficients, dot, exp2, flip_sign, mask, nearest_code, nearest_pair, normalize,
+    SIGN_BIT, TWO_23, coefficients, dot, exp2, flip_sign, mask, nearest_code, nearest_pair, normalize, ratio,
     signed_quotient, snorm_integer, snorm_max, with_sign,
 };
 use crate::codec::{Code, Codec, storage_bytes};
@@ -251,22 +251,22 @@ fn handedness_code(handedness: f32) -> u32 {
 /// -1 where bit 31 of a code is set, else +1.
 #[inline(always)]
 fn handedness(code: u32) -> f32 {
-    with_sign(1.0, f32::from_bits(code))
+    flip_sign(1.0, code & SIGN_BIT)
 }
 
 /// An upper bound of `sqrt(d^2 + e^2)`: steps of Heron's method from above stay above.
 const fn hypotenuse_bound(d: f32, e: f32) -> f32 {
     let square = d * d + e * e;
     let first = d + e;
-    let second = 0.5 * (first + square / first);
-    let third = 0.5 * (second + square / second);
-    0.5 * (third + square / third)
+    let second = 0.5 * (first + ratio(square, first));
+    let third = 0.5 * (second + ratio(square, second));
+    0.5 * (third + ratio(square, third))
 }
 
 /// An upper bound of the tangent's error, in degrees. To the tilt and half a step comes the arithmetic: 0.4 % of half
 /// a step for [`unwarp`] at 9 bits, and 2^-22 radians for the basis, the products with it and the decoded tangent.
 const fn tangent_error_bound(normal_error_deg: f32, angle_bits: u32) -> f32 {
-    let half_step = core::f32::consts::PI / (1u32 << angle_bits) as f32;
+    let half_step = ratio(core::f32::consts::PI, (1u32 << angle_bits) as f32);
     let angle = half_step * 1.0026 * if angle_bits <= 9 { 1.004 } else { 1.0 };
     hypotenuse_bound(normal_error_deg, (angle + 1.0 / 4_194_304.0).to_degrees())
 }
@@ -307,7 +307,7 @@ impl FrameCodec for Frame64 {
     const BITS: u32 = 64;
     /// Meyer's bound (eq. 11), and 2^-24 radians each for the rounding of the position and of the decoded vector.
     const MAX_NORMAL_ERROR_DEG: f32 =
-        (core::f32::consts::SQRT_2 / snorm_max(21) + 1.0 / 8_388_608.0).to_degrees();
+        (ratio(core::f32::consts::SQRT_2, snorm_max(21)) + 1.0 / 8_388_608.0).to_degrees();
     const MAX_TANGENT_ERROR_DEG: f32 = tangent_error_bound(Self::MAX_NORMAL_ERROR_DEG, 21);
     type Code = [u32; 2];
 

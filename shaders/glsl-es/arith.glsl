@@ -2,8 +2,8 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you need, this
-// one first, with your own, all below `#version 300 es`.
+// For GLSL ES 3.00 and later, WebGL 2 included, which cannot include files: join the texts of the files that you need,
+// this one first, with your own, all below the line that states the version.
 //
 // This language has no `precise`, so compilers may fuse and reorder operations: they may give another code where a
 // direction lies almost halfway between two. The files in exact/ prevent that.
@@ -122,6 +122,45 @@ vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     return scaled;
 }
 
+// divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
+// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+
+// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+float unitvec_quotient(float a, float b) {
+    float quotient = a / b;
+    return quotient;
+}
+
+// unitvec_quotient for numbers of either sign.
+float unitvec_signed_quotient(float a, float b) {
+    float quotient = a / b;
+    return quotient;
+}
+
+// m / b, rounded to nearest, for positive b and a positive constant m.
+float unitvec_over(float m, float b) {
+    float quotient = m / b;
+    return quotient;
+}
+
+// 1 / b, rounded to nearest, for positive b.
+float unitvec_reciprocal(float b) {
+    float inverse = 1.0 / b;
+    return inverse;
+}
+
+// The square root of x, rounded to nearest; of denormals it may be 0.
+float unitvec_root(float x) {
+    float found = sqrt(x);
+    return found;
+}
+
+// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+float unitvec_inverse_root(float x) {
+    float inverse = 1.0 / sqrt(x);
+    return inverse;
+}
+
 // pack: integers in the low bits of words.
 
 // The low `bits` bits (1 to 31) set.
@@ -185,17 +224,10 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
-// takes two more operations instead.
+// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
 float unitvec_snorm_quotient(float x, uint bits) {
     float quotient = x / unitvec_snorm_max(bits);
     return quotient;
-}
-
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
-// may otherwise divide once and multiply by the quotient.
-vec3 unitvec_divisors(float x) {
-    return vec3(x);
 }
 
 // unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
@@ -335,14 +367,14 @@ float unitvec_dot(vec3 a, vec3 b) {
 
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
-    vec3 n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
 }
 
 // Distance of v from the z axis.
 float unitvec_horizontal_length(vec3 v) {
-    float distance_from_z = sqrt(v.x * v.x + v.y * v.y);
-    return distance_from_z;
+    float square = v.x * v.x + v.y * v.y;
+    return unitvec_root(square);
 }
 
 // face: the faces of a cube, the one in a direction, and the components in its order.
@@ -420,7 +452,8 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
-    float estimate = 1.0 / sqrt(squares + other_squares);
+    float square = squares + other_squares;
+    float estimate = unitvec_inverse_root(square);
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = reciprocal * reciprocal;
@@ -567,7 +600,7 @@ float unitvec_atan_octant(float r) {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 float unitvec_atan_octant_ratio(float y, float x) {
-    float divided = y / x;
+    float divided = unitvec_quotient(y, x);
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
 }
@@ -622,7 +655,7 @@ float unitvec_asin_small(float a) {
     float half_chord_squared = 0.5 * (1.0 - a);
     float squared = a * a;
     float u = outer_part ? half_chord_squared : squared;
-    float root = sqrt(u);
+    float root = unitvec_root(u);
     float w = outer_part ? root : a;
     float low = UNITVEC_ASIN_2 + u * (UNITVEC_ASIN_3 + u * (UNITVEC_ASIN_4 + u * UNITVEC_ASIN_5));
     float angle = w * (UNITVEC_FRAC_1_PI + (UNITVEC_ASIN_0 + u * (UNITVEC_ASIN_1 + u * low)));
@@ -735,7 +768,7 @@ vec3 unitvec_angles_scaled(vec3 v, float norm) {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 float unitvec_angles_quarter(float y, float x) {
-    float q = min(x, y) / max(x, y);
+    float q = unitvec_quotient(min(x, y), max(x, y));
     float part = unitvec_atan_quarter(q);
     float rest = 1.0 - part;
     return y > x ? rest : part;

@@ -34,12 +34,18 @@ const int UNITVEC_PLAIN = 0;
 const int UNITVEC_CONCENTRIC = 1;
 const int UNITVEC_ELLIPSE = 2;
 
+// a / b of each component.
+vec2 unitvec_signed_quotients(vec2 a, vec2 b) {
+    return vec2(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
-    float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
+    float sum = unitvec_root(unitvec_dot(v, v)) + v.z;
+    float scale = unitvec_reciprocal(sum);
     vec2 at = v.xy * scale;
     float radius = unitvec_horizontal_length(v) * scale;
     float rim = 2.0 * v.z * scale;
@@ -48,23 +54,22 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     float sum = 2.0 - rim;
-    vec3 by = unitvec_divisors(sum);
-    vec2 horizontal = 2.0 * at / by.xy;
-    float z = rim / by.z;
-    return vec3(horizontal, z);
+    return vec3(unitvec_signed_quotients(2.0 * at, vec2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
-    float norm = sqrt(unitvec_dot(v, v));
-    float scale = 1.0 / sqrt(norm * (norm + v.z));
+    float norm = unitvec_root(unitvec_dot(v, v));
+    float product = norm * (norm + v.z);
+    float scale = unitvec_inverse_root(product);
     vec2 at = v.xy * scale;
     float radius = unitvec_horizontal_length(v) * scale;
-    float rim = v.z / norm;
+    float rim = unitvec_signed_quotient(v.z, norm);
     return vec4(at, radius, rim);
 }
 
 vec3 unitvec_disk_to_eqarea(vec2 at, float rim) {
-    float scale = sqrt(1.0 + rim);
+    float square = 1.0 + rim;
+    float scale = unitvec_root(square);
     vec2 horizontal = at * scale;
     return vec3(horizontal, rim);
 }
@@ -79,7 +84,7 @@ vec4 unitvec_eqdist_to_disk(vec3 v) {
     float rest = 1.0 - part;
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    float quotient = radius / rho;
+    float quotient = unitvec_quotient(radius, rho);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
     vec2 at = v.xy * scale;
     float rim = inside * (1.0 + radius);
@@ -131,23 +136,24 @@ bool unitvec_plain_is_remote(vec2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 vec2 unitvec_plain_settle(vec2 e, uint bits) {
-    vec2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    vec2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     vec2 settled = e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
-    vec2 slope = p / m;
+    vec2 slope = unitvec_signed_quotients(p, m);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    float alone = excess / steep;
-    float remainder = (excess - UNITVEC_AZIMUTHAL_REACH * steep) / gentle;
+    float alone = unitvec_signed_quotient(excess, steep);
+    float left = excess - UNITVEC_AZIMUTHAL_REACH * steep;
+    float remainder = unitvec_signed_quotient(left, gentle);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
-    vec2 on_rim = p - moved / m;
+    vec2 on_rim = p - unitvec_signed_quotients(moved, m);
     return on_rim;
 }
 
@@ -166,7 +172,7 @@ vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 vec4 unitvec_plain_square_to_disk(vec2 s) {
     float square = s.x * s.x + s.y * s.y;
-    vec2 on_rim = s * (1.0 / sqrt(square));
+    vec2 on_rim = s * unitvec_inverse_root(square);
     float rim = 1.0 - square;
     return square < 1.0 ? vec4(s, 0.0, rim) : vec4(on_rim, 0.0, 0.0);
 }
@@ -183,7 +189,7 @@ vec4 unitvec_concentric_to_disk(vec2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    float quotient = shorter / radius;
+    float quotient = unitvec_quotient(shorter, radius);
     float octant = radius > 0.0 ? quotient : 0.0;
     float angle = 0.25 * octant;
     vec2 p = radius * unitvec_sin_cos_half_turns(angle);
@@ -194,13 +200,15 @@ vec4 unitvec_concentric_to_disk(vec2 s) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 vec2 unitvec_ellipse_to_square(vec4 disk) {
     float difference = (disk.x - disk.y) * (disk.x + disk.y);
-    float sum = 2.0 + sqrt(difference * difference + 4.0 * disk.w);
-    vec2 s = 2.0 * disk.xy / vec2(sqrt(sum + difference), sqrt(sum - difference));
-    return s;
+    float square = difference * difference + 4.0 * disk.w;
+    float sum = 2.0 + unitvec_root(square);
+    vec2 squares = vec2(sum + difference, sum - difference);
+    return unitvec_signed_quotients(2.0 * disk.xy, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 s) {
-    vec2 root = vec2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
+    vec2 squares = vec2(1.0 - 0.5 * s.y * s.y, 1.0 - 0.5 * s.x * s.x);
+    vec2 root = vec2(unitvec_root(squares.x), unitvec_root(squares.y));
     vec2 at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     float factor = 1.0 - s.x * s.x;
@@ -215,7 +223,7 @@ float unitvec_azimuthal_signed(bool negative, float x) {
 
 // The place of the direction of v on the square, without signs.
 vec2 unitvec_azimuthal_to_square(vec3 v, int projection, int map) {
-    vec3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
+    vec3 octant = abs(v) * unitvec_reciprocal(unitvec_l1_norm(v));
     vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

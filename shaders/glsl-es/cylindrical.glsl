@@ -25,7 +25,7 @@ precision highp int;
 vec2 unitvec_cylindrical_height(vec3 v) {
     float norm = unitvec_l1_norm(v);
     vec3 p = unitvec_angles_scaled(v, norm);
-    float magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
+    float magnitude = p.z * unitvec_inverse_root(unitvec_dot(p, p));
     float height = unitvec_with_sign(magnitude, v.z);
     return vec2(unitvec_is_usable(norm) ? height : 1.0, unitvec_angles_azimuth(v, p));
 }
@@ -42,8 +42,9 @@ vec2 unitvec_cylindrical_lattice(vec3 v, float m) {
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 vec3 unitvec_cylindrical_from_lattice(vec2 e, float m) {
-    float step_size = 1.0 / m;
-    float radius = sqrt((m - e.y) * (m + e.y)) * step_size;
+    float step_size = unitvec_reciprocal(m);
+    float square = (m - e.y) * (m + e.y);
+    float radius = unitvec_root(square) * step_size;
     float z = e.y * step_size;
     float quarters = e.x * (2.0 * step_size);
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);

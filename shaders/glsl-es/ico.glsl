@@ -92,7 +92,7 @@ float unitvec_ico_sum(vec3 v) {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
-    vec3 t = p * (1.0 / p_sum);
+    vec3 t = p * unitvec_reciprocal(p_sum);
     vec3 t_squared = t * t;
     float squares = unitvec_ico_sum(t_squared);
     // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -109,7 +109,8 @@ vec3 unitvec_ico_nearest(vec3 p, float p_sum, UnitvecIcoLattice lattice) {
     vec3 w = start * rest;
     vec3 d = rest - start;
     vec3 turned = d * vec3(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
-    float factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
+    float determinant = d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y);
+    float factor = unitvec_reciprocal(determinant);
     float x = start.x + (turned.z - turned.y) * factor;
     float z = start.z + (turned.y - turned.x) * factor;
 
@@ -209,9 +210,9 @@ vec3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     bool is_octant = code >= unitvec_ico_octants(lattice);
     uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    float per_length = is_octant ? 2.0 / (n - 1.0) : 2.0 / (n + 2.0);
+    float per_length = is_octant ? unitvec_over(2.0, n - 1.0) : unitvec_over(2.0, n + 2.0);
     float rows = is_octant ? n - 2.0 : n;
-    float per_rows = is_octant ? 1.0 / (n - 2.0) : 1.0 / n;
+    float per_rows = is_octant ? unitvec_reciprocal(n - 2.0) : unitvec_reciprocal(n);
 
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.

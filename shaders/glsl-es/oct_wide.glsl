@@ -41,7 +41,7 @@ UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
     vec2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     vec2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     vec2 sum = vec2(sum_z.x, sum_xy.y + sum_z.y);
-    float reciprocal = 1.0 / sum.x;
+    float reciprocal = unitvec_reciprocal(sum.x);
 
     UnitvecOctWidePosition p;
     int x;

@@ -116,15 +116,14 @@ vec3 unitvec_parallel_unit(vec3 v) {
     vec3 scaled = v * unitvec_scale_to_one(raised);
     float square = unitvec_dot(scaled, scaled);
     float off = square - 1.0;
-    float inverse = 1.0 / sqrt(square);
+    float inverse = unitvec_inverse_root(square);
     vec3 n = scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse);
     return n;
 }
 
 float unitvec_parallel_third(vec2 p) {
     float square = 1.0 - (p.x * p.x + p.y * p.y);
-    float root = sqrt(max(square, 0.0));
-    return root;
+    return unitvec_root(max(square, 0.0));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

@@ -42,12 +42,12 @@ vec2 unitvec_spherical_lattice(vec3 v, float m, float half_turn) {
 // Direction of a pair of integers, unit length to within 2 ULP.
 vec3 unitvec_spherical_from_lattice(vec2 e, float m, float half_turn) {
     // The product of m is 1 exactly.
-    float latitude = abs(e.x) * (1.0 / m);
+    float latitude = abs(e.x) * unitvec_reciprocal(m);
     float diagonal = latitude - 0.5;
     vec2 meridian = unitvec_from_diagonal(diagonal);
     float radius = meridian.x - meridian.y;
     float z = meridian.x + meridian.y;
-    float quarters = e.y * (2.0 / half_turn);
+    float quarters = e.y * unitvec_over(2.0, half_turn);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), latitude < 1.0 ? quarters : 0.0);
 }
 

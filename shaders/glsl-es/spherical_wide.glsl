@@ -94,7 +94,7 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
-    float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size) + 0.5;
+    float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size) + 0.5;
     int estimate = int(part);
 
     vec2 cosine;
@@ -103,9 +103,10 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
     vec2 back = unitvec_spherical_wide_product(longer, sine);
     float across = (forth.x - back.x) + (forth.y - back.y);
-    float root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
+    float square = longer.x * longer.x + shorter.x * shorter.x;
+    float root = unitvec_root(square);
     float radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
-    float off = across / radians + 0.5;
+    float off = unitvec_signed_quotient(across, radians) + 0.5;
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -116,13 +117,14 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     float a = longer * longer;
     float b = shorter * shorter;
-    float first = sqrt(a + b);
+    float squares = a + b;
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     float square = root * root;
     float rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
-    float low = (((a - square) + b) + rests) / (2.0 * root);
-    return vec2(root, low);
+    float left = ((a - square) + b) + rests;
+    return vec2(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 uvec2 spherical48_encode(vec3 v) {

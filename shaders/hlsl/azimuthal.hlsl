@@ -31,12 +31,18 @@ static const int UNITVEC_PLAIN = 0;
 static const int UNITVEC_CONCENTRIC = 1;
 static const int UNITVEC_ELLIPSE = 2;
 
+// a / b of each component.
+float2 unitvec_signed_quotients(float2 a, float2 b) {
+    return float2(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 float4 unitvec_stereo_to_disk(float3 v) {
-    precise float scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
+    precise float sum = unitvec_root(unitvec_dot(v, v)) + v.z;
+    float scale = unitvec_reciprocal(sum);
     precise float2 at = v.xy * scale;
     precise float radius = unitvec_horizontal_length(v) * scale;
     precise float rim = 2.0 * v.z * scale;
@@ -45,23 +51,22 @@ float4 unitvec_stereo_to_disk(float3 v) {
 
 float3 unitvec_disk_to_stereo(float2 at, float rim) {
     precise float sum = 2.0 - rim;
-    float3 by = unitvec_divisors(sum);
-    precise float2 horizontal = 2.0 * at / by.xy;
-    precise float z = rim / by.z;
-    return float3(horizontal, z);
+    return float3(unitvec_signed_quotients(2.0 * at, (float2)(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 float4 unitvec_eqarea_to_disk(float3 v) {
-    precise float norm = sqrt(unitvec_dot(v, v));
-    precise float scale = 1.0 / sqrt(norm * (norm + v.z));
+    float norm = unitvec_root(unitvec_dot(v, v));
+    precise float product = norm * (norm + v.z);
+    float scale = unitvec_inverse_root(product);
     precise float2 at = v.xy * scale;
     precise float radius = unitvec_horizontal_length(v) * scale;
-    precise float rim = v.z / norm;
+    float rim = unitvec_signed_quotient(v.z, norm);
     return float4(at, radius, rim);
 }
 
 float3 unitvec_disk_to_eqarea(float2 at, float rim) {
-    precise float scale = sqrt(1.0 + rim);
+    precise float square = 1.0 + rim;
+    float scale = unitvec_root(square);
     precise float2 horizontal = at * scale;
     return float3(horizontal, rim);
 }
@@ -76,7 +81,7 @@ float4 unitvec_eqdist_to_disk(float3 v) {
     precise float rest = 1.0 - part;
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    precise float quotient = radius / rho;
+    float quotient = unitvec_quotient(radius, rho);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
     precise float2 at = v.xy * scale;
     precise float rim = inside * (1.0 + radius);
@@ -128,23 +133,24 @@ bool unitvec_plain_is_remote(float2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 float2 unitvec_plain_settle(float2 e, uint bits) {
-    precise float2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    float2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     precise float2 settled = e - (slope.x > slope.y ? float2(1.0, 0.0) : float2(0.0, 1.0));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
-    precise float2 slope = p / m;
+    float2 slope = unitvec_signed_quotients(p, m);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    precise float alone = excess / steep;
-    precise float remainder = (excess - UNITVEC_AZIMUTHAL_REACH * steep) / gentle;
+    float alone = unitvec_signed_quotient(excess, steep);
+    precise float left = excess - UNITVEC_AZIMUTHAL_REACH * steep;
+    float remainder = unitvec_signed_quotient(left, gentle);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    precise float2 on_rim = p - moved / m;
+    precise float2 on_rim = p - unitvec_signed_quotients(moved, m);
     return on_rim;
 }
 
@@ -163,7 +169,7 @@ float4 unitvec_plain_to_disk(float2 e, uint bits) {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 float4 unitvec_plain_square_to_disk(float2 s) {
     precise float square = s.x * s.x + s.y * s.y;
-    precise float2 on_rim = s * (1.0 / sqrt(square));
+    precise float2 on_rim = s * unitvec_inverse_root(square);
     precise float rim = 1.0 - square;
     return square < 1.0 ? float4(s, 0.0, rim) : float4(on_rim, 0.0, 0.0);
 }
@@ -180,7 +186,7 @@ float4 unitvec_concentric_to_disk(float2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    precise float quotient = shorter / radius;
+    float quotient = unitvec_quotient(shorter, radius);
     float octant = radius > 0.0 ? quotient : 0.0;
     precise float angle = 0.25 * octant;
     precise float2 p = radius * unitvec_sin_cos_half_turns(angle);
@@ -191,13 +197,15 @@ float4 unitvec_concentric_to_disk(float2 s) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 float2 unitvec_ellipse_to_square(float4 disk) {
     precise float difference = (disk.x - disk.y) * (disk.x + disk.y);
-    precise float sum = 2.0 + sqrt(difference * difference + 4.0 * disk.w);
-    precise float2 s = 2.0 * disk.xy / float2(sqrt(sum + difference), sqrt(sum - difference));
-    return s;
+    precise float square = difference * difference + 4.0 * disk.w;
+    precise float sum = 2.0 + unitvec_root(square);
+    precise float2 squares = float2(sum + difference, sum - difference);
+    return unitvec_signed_quotients(2.0 * disk.xy, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 float4 unitvec_ellipse_to_disk(float2 s) {
-    precise float2 root = float2(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
+    precise float2 squares = float2(1.0 - 0.5 * s.y * s.y, 1.0 - 0.5 * s.x * s.x);
+    float2 root = float2(unitvec_root(squares.x), unitvec_root(squares.y));
     precise float2 at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     precise float factor = 1.0 - s.x * s.x;
@@ -212,7 +220,7 @@ float unitvec_azimuthal_signed(bool negative, float x) {
 
 // The place of the direction of v on the square, without signs.
 float2 unitvec_azimuthal_to_square(float3 v, int projection, int map) {
-    precise float3 octant = abs(v) * (1.0 / unitvec_l1_norm(v));
+    precise float3 octant = abs(v) * unitvec_reciprocal(unitvec_l1_norm(v));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

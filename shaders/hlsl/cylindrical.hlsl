@@ -22,7 +22,7 @@
 float2 unitvec_cylindrical_height(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
-    precise float magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
+    precise float magnitude = p.z * unitvec_inverse_root(unitvec_dot(p, p));
     float height = unitvec_with_sign(magnitude, v.z);
     return float2(unitvec_is_usable(norm) ? height : 1.0, unitvec_angles_azimuth(v, p));
 }
@@ -39,8 +39,9 @@ float2 unitvec_cylindrical_lattice(float3 v, float m) {
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
-    precise float step_size = 1.0 / m;
-    precise float radius = sqrt((m - e.y) * (m + e.y)) * step_size;
+    float step_size = unitvec_reciprocal(m);
+    precise float square = (m - e.y) * (m + e.y);
+    precise float radius = unitvec_root(square) * step_size;
     precise float z = e.y * step_size;
     precise float quarters = e.x * (2.0 * step_size);
     return unitvec_angles_around_z(radius, z, radius > 0.0 ? quarters : 0.0);

@@ -41,9 +41,11 @@ UnitvecEaoctPolar unitvec_eaoct_polar(float3 v, float norm) {
     float b = min(x, y);
 
     precise float horizontal = a * a + b * b;
-    precise float len = sqrt(horizontal + p.z * p.z);
-    precise float radius = sqrt(horizontal / (len * (len + p.z)));
-    precise float q = b / a;
+    precise float square = horizontal + p.z * p.z;
+    float len = unitvec_root(square);
+    precise float product = len * (len + p.z);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = { radius, unitvec_atan_quarter(q), y > x };
     return polar;
 }
@@ -78,10 +80,11 @@ float3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     precise float along = p.turn * ring;
     precise float place = floor(along + 0.5);
     precise float across = ring - steps;
-    precise float q = (along - place) / max(ring, 1.0);
+    precise float beside = along - place;
+    float q = unitvec_signed_quotient(beside, max(ring, 1.0));
 
     precise float c_squared = 2.0 - p.radius * p.radius;
-    precise float change = across * (p.radius * (1.0 / m));
+    precise float change = across * (p.radius * unitvec_reciprocal(m));
     precise float turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
     precise float cost =
         across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
@@ -124,9 +127,10 @@ float3 unitvec_eaoct_from_ring(float2 e, float ring, float turn, bool swapped, f
     precise float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    precise float radius = ring * (1.0 / m);
+    precise float radius = ring * unitvec_reciprocal(m);
     precise float z = (1.0 - radius) * (1.0 + radius);
-    precise float horizontal = radius * sqrt(1.0 + z);
+    precise float from_below = 1.0 + z;
+    precise float horizontal = radius * unitvec_root(from_below);
     precise float near_axis = horizontal * cosine;
     precise float off_axis = horizontal * sine;
     float x = swapped ? off_axis : near_axis;
@@ -138,7 +142,7 @@ float3 unitvec_eaoct_from_ring(float2 e, float ring, float turn, bool swapped, f
 // Direction of a lattice point.
 float3 unitvec_eaoct_from_lattice(float2 e, float m) {
     UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
-    precise float turn = at.place / max(at.ring, UNITVEC_MIN_POSITIVE);
+    float turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -164,8 +168,9 @@ float3 eaoct_unorm_to_float32x3(float2 e) { return eaoct_to_float32x3(unitvec_un
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 float2 float32x3_to_eaoctn_precise(float3 v, int n) {
     float norm = unitvec_l1_norm(v);
-    float m = unitvec_snorm_max(uint(n / 2));
-    precise float2 e = unitvec_eaoct_lattice_precise(v, norm, m) / m;
+    uint bits = uint(n / 2);
+    float2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return unitvec_is_usable(norm) ? e : float2(0.0, 0.0);
 }
 

@@ -93,7 +93,7 @@ uint unitvec_fib_split(float x, out float rest) {
 uint unitvec_fib_azimuth(float3 v, float3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    precise float quotient = min(x, y) / max(x, y);
+    float quotient = unitvec_quotient(min(x, y), max(x, y));
     precise float part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -115,10 +115,12 @@ float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
     precise float horizontal = v.x * v.x + v.y * v.y;
-    precise float reciprocal = 1.0 / sqrt(horizontal + v.z * v.z);
+    precise float square = horizontal + v.z * v.z;
+    float reciprocal = unitvec_inverse_root(square);
     precise float height = abs(v.z) * reciprocal;
     precise float radius_squared = (horizontal * reciprocal) * reciprocal;
-    precise float from_pole = radius_squared / (1.0 + height);
+    precise float from_below = 1.0 + height;
+    float from_pole = unitvec_quotient(radius_squared, from_below);
     precise float from_top = 1.0 - height;
     bool is_polar = height > 0.5;
 
@@ -140,7 +142,7 @@ UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0));
     float power = unitvec_fib_golden_power(k);
-    precise float turn = 1.0 / power;
+    float turn = unitvec_reciprocal(power);
     precise float next_turn = turn * 0.618034;
     precise float step_size = power * 0.4472136 + 0.5;
     precise float next_step = power * 0.7236068 + 0.5;
@@ -155,14 +157,16 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
     precise float signed_depth = place.depth - difference;
     bool is_point = signed_depth > 0.0;
     float depth = abs(signed_depth);
-    precise float radii = sqrt(place.radius_squared * (depth * (2.0 - depth)));
+    precise float squares = place.radius_squared * (depth * (2.0 - depth));
+    float radii = unitvec_root(squares);
 
     float d = unitvec_fib_signed_turn(turn);
     precise float u = d * d;
     precise float chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1
         + u * (UNITVEC_CHORD_2 + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     precise float sum = (place.depth + depth * place.height) + radii;
-    precise float cost = (difference * difference) / sum + radii * chord;
+    precise float square = difference * difference;
+    precise float cost = unitvec_quotient(square, sum) + radii * chord;
     // More than any distance.
     UnitvecFibCandidate candidate = { i, is_point ? cost : 4.0 };
     return candidate;
@@ -218,7 +222,8 @@ float3 unitvec_fib_point(uint i, uint bits) {
     float unit = unitvec_exp2(1 - int(bits));
     precise float depth = (float(int(from_pole)) + 0.5) * unit;
     precise float height = (float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5) * unit;
-    precise float radius = sqrt(depth * (2.0 - depth));
+    precise float square = depth * (2.0 - depth);
+    float radius = unitvec_root(square);
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;

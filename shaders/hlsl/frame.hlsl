@@ -34,7 +34,8 @@ static const float UNITVEC_UNWARP_2 = 0.0392082;
 // second, n).
 void unitvec_frame_basis(float3 n, out float3 first, out float3 second) {
     float s = unitvec_with_sign(1.0, n.z);
-    precise float a = -1.0 / (s + n.z);
+    precise float beyond = s + n.z;
+    float a = unitvec_signed_quotient(-1.0, beyond);
     precise float b = (n.x * n.y) * a;
     precise float3 e = float3(1.0 + s * ((n.x * n.x) * a), s * b, -(s * n.x));
     precise float3 f = float3(b, s + (n.y * n.y) * a, -n.y);
@@ -55,7 +56,9 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
     precise float v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    precise float nearer = v + (w - unitvec_frame_warp(v)) * 1.2732395 / (1.0 + u);
+    precise float missing = (w - unitvec_frame_warp(v)) * 1.2732395;
+    precise float slope = 1.0 + u;
+    precise float nearer = v + unitvec_signed_quotient(missing, slope);
     return nearer;
 }
 
@@ -76,7 +79,7 @@ uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, float p
     uint below = asuint(y) & UNITVEC_SIGN_BIT;
     uint odd = (asuint(x) & UNITVEC_SIGN_BIT) ^ below;
     precise float difference = abs(y) - abs(x);
-    precise float w = unitvec_flip_sign(difference, odd) / sum;
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     float half_places = float(1u << (angle_bits - 3u));
     precise float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
@@ -89,7 +92,7 @@ uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, float p
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 float2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    precise float v = place * (1.0 / float(1u << (angle_bits - 3u))) - 1.0;
+    precise float v = place * unitvec_exp2(3 - int(angle_bits)) - 1.0;
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -116,7 +119,7 @@ uint unitvec_frame_handedness_code(float handedness) {
 
 // -1 where bit 31 of a code is set, else +1.
 float unitvec_frame_handedness(uint code) {
-    return unitvec_with_sign(1.0, asfloat(code));
+    return unitvec_flip_sign(1.0, code & UNITVEC_SIGN_BIT);
 }
 
 uint frame32_encode(float3 normal, float4 tangent) {

@@ -33,7 +33,7 @@ uint unitvec_latlong_grid_encode(float3 v, uint half_bits) {
 }
 
 float3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
-    float step_size = 1.0 / float(1u << half_bits);
+    float step_size = unitvec_exp2(-int(half_bits));
     float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
     precise float above = 1.0 - (ring + 0.5) * (2.0 * step_size);
     precise float diagonal = 0.5 - abs(above);
@@ -74,7 +74,7 @@ float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float high = rings.q_last != 0.0 ? both_high : rings.q.z;
     precise float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0 ? whole_factor : low;
-    precise float i = sqrt(index) * factor + rings.offset;
+    precise float i = unitvec_root(index) * factor + rings.offset;
     return i;
 }
 
@@ -133,10 +133,11 @@ float3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings, uint i
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    precise float divided = (along - 0.5 * count) / count;
+    precise float beside = along - 0.5 * count;
+    float divided = unitvec_signed_quotient(beside, count);
     float2 equator = unitvec_from_diagonal(along > 0.0 ? divided : -0.5);
     // At either end the product is 1/2 exactly.
-    precise float latitude = (ring - 0.5 * rings.n) * (1.0 / rings.n);
+    precise float latitude = (ring - 0.5 * rings.n) * unitvec_reciprocal(rings.n);
     float2 meridian = unitvec_from_diagonal(latitude);
     precise float radius = meridian.x + meridian.y;
 

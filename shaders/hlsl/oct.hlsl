@@ -44,14 +44,14 @@ float2 unitvec_oct_mirror(float3 v, float2 p) {
 // with s = m / norm, which is (|x| + |z|) s.
 float2 unitvec_oct_position(float3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    precise float2 p = (abs(v.xy) + below) * (m / norm);
+    precise float2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
     return unitvec_oct_mirror(v, p);
 }
 
 // q at the point where the ray of p hits the plane x + y + z = m.
 float2 unitvec_oct_projected(float2 q, float3 p, float2 middle, float m) {
     precise float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    precise float stretch = missing * (1.0 / m);
+    precise float stretch = missing * unitvec_reciprocal(m);
     precise float2 moved = q + stretch * p.xy;
     return moved;
 }
@@ -64,7 +64,7 @@ float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 at, flo
     precise float over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     precise float n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     precise float half_s = z_squared + (0.5 + cross_term);
-    precise float u = n * ((1.5 / m) / half_s);
+    precise float u = n * unitvec_quotient(unitvec_over(1.5, m), half_s);
     precise float2 moved = ab + u * (at + minus_z);
     return moved;
 }
@@ -72,7 +72,7 @@ float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 at, flo
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 float2 unitvec_oct_approached(float2 q, float2 at, float m) {
-    precise float2 moved = q + at * (0.3795 / m);
+    precise float2 moved = q + at * unitvec_over(0.3795, m);
     return moved;
 }
 
@@ -86,7 +86,7 @@ float2 unitvec_oct_approached(float2 q, float2 at, float m) {
 float2 unitvec_oct_nearest_corner(float3 p, float m) {
     precise float2 middle = floor(p.xy) + 0.5;
     precise float2 q = p.xy - middle;
-    precise float2 at = p.xy * (3.0 / m) - 1.0;
+    precise float2 at = p.xy * unitvec_over(3.0, m) - 1.0;
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -137,7 +137,7 @@ float2 unitvec_oct_searched_corner(float3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 float2 unitvec_oct_precise_point(float3 v, float norm, float m) {
-    precise float3 p = abs(v) * (m / norm);
+    precise float3 p = abs(v) * unitvec_over(m, norm);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -180,32 +180,31 @@ float3 oct_unorm_to_float32x3(float2 e) { return oct_to_float32x3(unitvec_unbias
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 float2 float32x3_to_octn_precise(float3 v, int n) {
-    float m = unitvec_snorm_max(uint(n / 2));
-    precise float2 e = unitvec_oct_lattice_precise(v, m) / m;
-    return e;
+    uint bits = uint(n / 2);
+    float2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 float3 unitvec_oct_bytes(float2 f) {
     precise float2 u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
-    float high = floor(u.x / 16.0);
-    float carry = floor(u.y / 256.0);
+    float high = floor(u.x * 0.0625);
+    float carry = floor(u.y * 0.00390625);
     precise float3 bytes = float3(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
     return bytes;
 }
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 float2 unitvec_oct_from_bytes(float3 bytes) {
-    float high = floor(bytes.y / 16.0);
+    float high = floor(bytes.y * 0.0625);
     precise float2 biased = float2(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
-    precise float2 s = (biased - 2047.0) / 2047.0;
-    return min(s, 1.0);
+    precise float2 e = biased - 2047.0;
+    return min(float2(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), 1.0);
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 float3 snorm12x2_to_unorm8x3(float2 f) {
-    precise float3 parts = unitvec_oct_bytes(f) / 255.0;
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

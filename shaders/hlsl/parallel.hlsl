@@ -113,15 +113,14 @@ float3 unitvec_parallel_unit(float3 v) {
     precise float3 scaled = v * unitvec_scale_to_one(raised);
     float square = unitvec_dot(scaled, scaled);
     precise float off = square - 1.0;
-    precise float inverse = 1.0 / sqrt(square);
+    float inverse = unitvec_inverse_root(square);
     precise float3 n = scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse);
     return n;
 }
 
 float unitvec_parallel_third(float2 p) {
     precise float square = 1.0 - (p.x * p.x + p.y * p.y);
-    precise float root = sqrt(max(square, 0.0));
-    return root;
+    return unitvec_root(max(square, 0.0));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

@@ -39,12 +39,12 @@ float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
 // Direction of a pair of integers, unit length to within 2 ULP.
 float3 unitvec_spherical_from_lattice(float2 e, float m, float half_turn) {
     // The product of m is 1 exactly.
-    precise float latitude = abs(e.x) * (1.0 / m);
+    precise float latitude = abs(e.x) * unitvec_reciprocal(m);
     precise float diagonal = latitude - 0.5;
     float2 meridian = unitvec_from_diagonal(diagonal);
     precise float radius = meridian.x - meridian.y;
     precise float z = meridian.x + meridian.y;
-    precise float quarters = e.y * (2.0 / half_turn);
+    precise float quarters = e.y * unitvec_over(2.0, half_turn);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), latitude < 1.0 ? quarters : 0.0);
 }
 

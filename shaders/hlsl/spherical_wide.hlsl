@@ -90,7 +90,7 @@ int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWideSteps
     bool steep = y.x > x.x;
     float2 longer = steep ? y : x;
     float2 shorter = steep ? x : y;
-    precise float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size) + 0.5;
+    precise float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size) + 0.5;
     int estimate = int(part);
 
     float2 cosine;
@@ -99,9 +99,10 @@ int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWideSteps
     float2 forth = unitvec_spherical_wide_product(shorter, cosine);
     float2 back = unitvec_spherical_wide_product(longer, sine);
     precise float across = (forth.x - back.x) + (forth.y - back.y);
-    precise float root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
+    precise float square = longer.x * longer.x + shorter.x * shorter.x;
+    float root = unitvec_root(square);
     precise float radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
-    precise float off = across / radians + 0.5;
+    precise float off = unitvec_signed_quotient(across, radians) + 0.5;
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -112,13 +113,14 @@ float2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     precise float a = longer * longer;
     precise float b = shorter * shorter;
-    precise float first = sqrt(a + b);
+    precise float squares = a + b;
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     precise float square = root * root;
     precise float rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
-    precise float low = (((a - square) + b) + rests) / (2.0 * root);
-    return float2(root, low);
+    precise float left = ((a - square) + b) + rests;
+    return float2(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 uint2 spherical48_encode(float3 v) {

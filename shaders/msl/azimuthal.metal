@@ -31,12 +31,18 @@ constant int UNITVEC_PLAIN = 0;
 constant int UNITVEC_CONCENTRIC = 1;
 constant int UNITVEC_ELLIPSE = 2;
 
+// a / b of each component.
+inline float2 unitvec_signed_quotients(float2 a, float2 b) {
+    return float2(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 inline float4 unitvec_stereo_to_disk(float3 v) {
-    float scale = 1.0f / (sqrt(unitvec_dot(v, v)) + v.z);
+    float sum = unitvec_root(unitvec_dot(v, v)) + v.z;
+    float scale = unitvec_reciprocal(sum);
     float2 at = v.xy * scale;
     float radius = unitvec_horizontal_length(v) * scale;
     float rim = 2.0f * v.z * scale;
@@ -45,23 +51,22 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = 2.0f - rim;
-    float3 by = unitvec_divisors(sum);
-    float2 horizontal = 2.0f * at / by.xy;
-    float z = rim / by.z;
-    return float3(horizontal, z);
+    return float3(unitvec_signed_quotients(2.0f * at, float2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
-    float norm = sqrt(unitvec_dot(v, v));
-    float scale = 1.0f / sqrt(norm * (norm + v.z));
+    float norm = unitvec_root(unitvec_dot(v, v));
+    float product = norm * (norm + v.z);
+    float scale = unitvec_inverse_root(product);
     float2 at = v.xy * scale;
     float radius = unitvec_horizontal_length(v) * scale;
-    float rim = v.z / norm;
+    float rim = unitvec_signed_quotient(v.z, norm);
     return float4(at, radius, rim);
 }
 
 inline float3 unitvec_disk_to_eqarea(float2 at, float rim) {
-    float scale = sqrt(1.0f + rim);
+    float square = 1.0f + rim;
+    float scale = unitvec_root(square);
     float2 horizontal = at * scale;
     return float3(horizontal, rim);
 }
@@ -76,7 +81,7 @@ inline float4 unitvec_eqdist_to_disk(float3 v) {
     float rest = 1.0f - part;
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    float quotient = radius / rho;
+    float quotient = unitvec_quotient(radius, rho);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0f;
     float2 at = v.xy * scale;
     float rim = inside * (1.0f + radius);
@@ -128,23 +133,24 @@ inline bool unitvec_plain_is_remote(float2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 inline float2 unitvec_plain_settle(float2 e, uint bits) {
-    float2 slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    float2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     float2 settled = e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 inline float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
-    float2 slope = p / m;
+    float2 slope = unitvec_signed_quotients(p, m);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    float alone = excess / steep;
-    float remainder = (excess - UNITVEC_AZIMUTHAL_REACH * steep) / gentle;
+    float alone = unitvec_signed_quotient(excess, steep);
+    float left = excess - UNITVEC_AZIMUTHAL_REACH * steep;
+    float remainder = unitvec_signed_quotient(left, gentle);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0f : remainder;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    float2 on_rim = p - moved / m;
+    float2 on_rim = p - unitvec_signed_quotients(moved, m);
     return on_rim;
 }
 
@@ -163,7 +169,7 @@ inline float4 unitvec_plain_to_disk(float2 e, uint bits) {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 inline float4 unitvec_plain_square_to_disk(float2 s) {
     float square = s.x * s.x + s.y * s.y;
-    float2 on_rim = s * (1.0f / sqrt(square));
+    float2 on_rim = s * unitvec_inverse_root(square);
     float rim = 1.0f - square;
     return square < 1.0f ? float4(s, 0.0f, rim) : float4(on_rim, 0.0f, 0.0f);
 }
@@ -180,7 +186,7 @@ inline float4 unitvec_concentric_to_disk(float2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    float quotient = shorter / radius;
+    float quotient = unitvec_quotient(shorter, radius);
     float octant = radius > 0.0f ? quotient : 0.0f;
     float angle = 0.25f * octant;
     float2 p = radius * unitvec_sin_cos_half_turns(angle);
@@ -191,13 +197,15 @@ inline float4 unitvec_concentric_to_disk(float2 s) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 inline float2 unitvec_ellipse_to_square(float4 disk) {
     float difference = (disk.x - disk.y) * (disk.x + disk.y);
-    float sum = 2.0f + sqrt(difference * difference + 4.0f * disk.w);
-    float2 s = 2.0f * disk.xy / float2(sqrt(sum + difference), sqrt(sum - difference));
-    return s;
+    float square = difference * difference + 4.0f * disk.w;
+    float sum = 2.0f + unitvec_root(square);
+    float2 squares = float2(sum + difference, sum - difference);
+    return unitvec_signed_quotients(2.0f * disk.xy, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 inline float4 unitvec_ellipse_to_disk(float2 s) {
-    float2 root = float2(sqrt(1.0f - 0.5f * s.y * s.y), sqrt(1.0f - 0.5f * s.x * s.x));
+    float2 squares = float2(1.0f - 0.5f * s.y * s.y, 1.0f - 0.5f * s.x * s.x);
+    float2 root = float2(unitvec_root(squares.x), unitvec_root(squares.y));
     float2 at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     float factor = 1.0f - s.x * s.x;
@@ -212,7 +220,7 @@ inline float unitvec_azimuthal_signed(bool negative, float x) {
 
 // The place of the direction of v on the square, without signs.
 inline float2 unitvec_azimuthal_to_square(float3 v, int projection, int map) {
-    float3 octant = abs(v) * (1.0f / unitvec_l1_norm(v));
+    float3 octant = abs(v) * unitvec_reciprocal(unitvec_l1_norm(v));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

@@ -14,8 +14,8 @@
 // the table. They round by adding 1.5 2^23; without `precise` (see arith.metal) a compiler may undo that in the choice of a
 // length, which then is a cell's first.
 //
-// They look the lengths up, with the same result, where UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included,
-// as an expression that gives word i of the table, i below 206080: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
+// They look the lengths up, with the same result, where a macro UNITVEC_BEST_FIT_TABLE(i) is defined before this file is
+// included, as an expression that gives word i of the table, i below 206080, such as table.words[i].
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Decoding
 // gives the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -38,16 +38,16 @@ constant float UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT = 0.75f;
 constant float UNITVEC_BEST_FIT_LEAST_PART = 5.9604644775390625e-8f;
 
 inline float unitvec_best_fit_part(float a, float largest) {
-    float part = a / largest;
+    float part = unitvec_quotient(a, largest);
     return part < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : part;
 }
 
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 inline float3 unitvec_best_fit_on_cube(float3 v) {
     float3 a = abs(v);
-    float3 largest = unitvec_divisors(max(max(a.x, a.y), a.z));
-    return float3(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
-        unitvec_best_fit_part(a.z, largest.z));
+    float largest = max(max(a.x, a.y), a.z);
+    return float3(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
+        unitvec_best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
@@ -132,7 +132,7 @@ inline float3 unitvec_best_fit_parts_and_reciprocal(float3 v) {
     float3 a = abs(v);
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
-    float reciprocal = 1.0f / max(high, a.z);
+    float reciprocal = unitvec_reciprocal(max(high, a.z));
     float mid = max(low, min(high, a.z)) * reciprocal;
     float least = min(low, a.z) * reciprocal;
     return float3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : least,
@@ -185,16 +185,17 @@ inline float unitvec_best_fit_sine(float2 u, float size) {
     float2 p = u * size;
     float2 d = unitvec_nearest_whole(p) - p;
     float cx = d.x * u.y - d.y * u.x;
-    float sine = sqrt(((cx * cx + d.x * d.x) + d.y * d.y) * (1.0f / (size * size)));
-    return sine;
+    float size_squared = size * size;
+    float square = ((cx * cx + d.x * d.x) + d.y * d.y) * unitvec_reciprocal(size_squared);
+    return unitvec_root(square);
 }
 
 // `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 inline float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
-    float columns = float(cell) + (third + 0.5f) / max(third, 3.0f);
-    float part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
-    return part;
+    float middle = third + 0.5f;
+    float columns = float(cell) + unitvec_quotient(middle, max(third, 3.0f));
+    return unitvec_quotient(columns, max(columns, UNITVEC_BEST_FIT_CELLS));
 }
 
 // One of the nine directions of a cell.
@@ -296,7 +297,8 @@ inline uint2 snorm16x3p_encode(float3 v) {
     float3 u = unitvec_best_fit_on_cube(v);
     float2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = longest / sqrt((1.0f + parts.x * parts.x) + parts.y * parts.y);
+    float square = (1.0f + parts.x * parts.x) + parts.y * parts.y;
+    float unit = unitvec_quotient(longest, unitvec_root(square));
     float3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     float3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uint2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -199,7 +199,8 @@ inline float3 unitvec_dither_eaoct_direction(float2 e, float2 offset, float m) {
     bool past_equator = ring > m;
     float beyond_equator = 2.0f * m - ring;
     float mirrored = past_equator ? beyond_equator : ring;
-    float turn = (at.place - turned.y) / max(at.ring, 1.0f);
+    float place = at.place - turned.y;
+    float turn = unitvec_signed_quotient(place, max(at.ring, 1.0f));
     uint flip = turn < 0.0f ? UNITVEC_SIGN_BIT : 0u;
     float2 signs = float2(unitvec_flip_sign(unitvec_with_sign(1.0f, e.x), at.swapped ? flip : 0u),
         unitvec_flip_sign(unitvec_with_sign(1.0f, e.y), at.swapped ? 0u : flip));

@@ -41,9 +41,11 @@ inline UnitvecEaoctPolar unitvec_eaoct_polar(float3 v, float norm) {
     float b = min(x, y);
 
     float horizontal = a * a + b * b;
-    float len = sqrt(horizontal + p.z * p.z);
-    float radius = sqrt(horizontal / (len * (len + p.z)));
-    float q = b / a;
+    float square = horizontal + p.z * p.z;
+    float len = unitvec_root(square);
+    float product = len * (len + p.z);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = { radius, unitvec_atan_quarter(q), y > x };
     return polar;
 }
@@ -78,10 +80,11 @@ inline float3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) 
     float along = p.turn * ring;
     float place = floor(along + 0.5f);
     float across = ring - steps;
-    float q = (along - place) / max(ring, 1.0f);
+    float beside = along - place;
+    float q = unitvec_signed_quotient(beside, max(ring, 1.0f));
 
     float c_squared = 2.0f - p.radius * p.radius;
-    float change = across * (p.radius * (1.0f / m));
+    float change = across * (p.radius * unitvec_reciprocal(m));
     float turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
     float cost = across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
     return float3(ring, place, cost);
@@ -123,9 +126,10 @@ inline float3 unitvec_eaoct_from_ring(float2 e, float ring, float turn, bool swa
     float eighth = 0.5f * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    float radius = ring * (1.0f / m);
+    float radius = ring * unitvec_reciprocal(m);
     float z = (1.0f - radius) * (1.0f + radius);
-    float horizontal = radius * sqrt(1.0f + z);
+    float from_below = 1.0f + z;
+    float horizontal = radius * unitvec_root(from_below);
     float near_axis = horizontal * cosine;
     float off_axis = horizontal * sine;
     float x = swapped ? off_axis : near_axis;
@@ -137,7 +141,7 @@ inline float3 unitvec_eaoct_from_ring(float2 e, float ring, float turn, bool swa
 // Direction of a lattice point.
 inline float3 unitvec_eaoct_from_lattice(float2 e, float m) {
     UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
-    float turn = at.place / max(at.ring, UNITVEC_MIN_POSITIVE);
+    float turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -163,8 +167,9 @@ inline float3 eaoct_unorm_to_float32x3(float2 e) { return eaoct_to_float32x3(uni
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 inline float2 float32x3_to_eaoctn_precise(float3 v, int n) {
     float norm = unitvec_l1_norm(v);
-    float m = unitvec_snorm_max(uint(n / 2));
-    float2 e = unitvec_eaoct_lattice_precise(v, norm, m) / m;
+    uint bits = uint(n / 2);
+    float2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return unitvec_is_usable(norm) ? e : float2(0.0f);
 }
 

@@ -93,7 +93,7 @@ inline uint unitvec_fib_split(float x, thread float& rest) {
 inline uint unitvec_fib_azimuth(float3 v, float3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    float quotient = min(x, y) / max(x, y);
+    float quotient = unitvec_quotient(min(x, y), max(x, y));
     float part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -115,10 +115,12 @@ inline float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 inline UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
     float horizontal = v.x * v.x + v.y * v.y;
-    float reciprocal = 1.0f / sqrt(horizontal + v.z * v.z);
+    float square = horizontal + v.z * v.z;
+    float reciprocal = unitvec_inverse_root(square);
     float height = abs(v.z) * reciprocal;
     float radius_squared = (horizontal * reciprocal) * reciprocal;
-    float from_pole = radius_squared / (1.0f + height);
+    float from_below = 1.0f + height;
+    float from_pole = unitvec_quotient(radius_squared, from_below);
     float from_top = 1.0f - height;
     bool is_polar = height > 0.5f;
 
@@ -140,7 +142,7 @@ inline UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0f));
     float power = unitvec_fib_golden_power(k);
-    float turn = 1.0f / power;
+    float turn = unitvec_reciprocal(power);
     float next_turn = turn * 0.618034f;
     float step_size = power * 0.4472136f + 0.5f;
     float next_step = power * 0.7236068f + 0.5f;
@@ -155,14 +157,16 @@ inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, 
     float signed_depth = place.depth - difference;
     bool is_point = signed_depth > 0.0f;
     float depth = abs(signed_depth);
-    float radii = sqrt(place.radius_squared * (depth * (2.0f - depth)));
+    float squares = place.radius_squared * (depth * (2.0f - depth));
+    float radii = unitvec_root(squares);
 
     float d = unitvec_fib_signed_turn(turn);
     float u = d * d;
     float chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2
         + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     float sum = (place.depth + depth * place.height) + radii;
-    float cost = (difference * difference) / sum + radii * chord;
+    float square = difference * difference;
+    float cost = unitvec_quotient(square, sum) + radii * chord;
     // More than any distance.
     UnitvecFibCandidate candidate = { i, is_point ? cost : 4.0f };
     return candidate;
@@ -218,7 +222,8 @@ inline float3 unitvec_fib_point(uint i, uint bits) {
     float unit = unitvec_exp2(1 - int(bits));
     float depth = (float(int(from_pole)) + 0.5f) * unit;
     float height = (float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5f) * unit;
-    float radius = sqrt(depth * (2.0f - depth));
+    float square = depth * (2.0f - depth);
+    float radius = unitvec_root(square);
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;

@@ -34,7 +34,8 @@ constant float UNITVEC_UNWARP_2 = 0.0392082f;
 // second, n).
 inline void unitvec_frame_basis(float3 n, thread float3& first, thread float3& second) {
     float s = unitvec_with_sign(1.0f, n.z);
-    float a = -1.0f / (s + n.z);
+    float beyond = s + n.z;
+    float a = unitvec_signed_quotient(-1.0f, beyond);
     float b = (n.x * n.y) * a;
     float3 e = float3(1.0f + s * ((n.x * n.x) * a), s * b, -(s * n.x));
     float3 f = float3(b, s + (n.y * n.y) * a, -n.y);
@@ -55,7 +56,9 @@ inline float unitvec_frame_unwarp(float w, uint angle_bits) {
     float v = w + w * ((1.0f - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float nearer = v + (w - unitvec_frame_warp(v)) * 1.2732395f / (1.0f + u);
+    float missing = (w - unitvec_frame_warp(v)) * 1.2732395f;
+    float slope = 1.0f + u;
+    float nearer = v + unitvec_signed_quotient(missing, slope);
     return nearer;
 }
 
@@ -76,7 +79,7 @@ inline uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, 
     uint below = as_type<uint>(y) & UNITVEC_SIGN_BIT;
     uint odd = (as_type<uint>(x) & UNITVEC_SIGN_BIT) ^ below;
     float difference = abs(y) - abs(x);
-    float w = unitvec_flip_sign(difference, odd) / sum;
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     float half_places = float(1u << (angle_bits - 3u));
     float place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0f) + UNITVEC_2_23;
@@ -89,7 +92,7 @@ inline uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, 
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 inline float2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v = place * (1.0f / float(1u << (angle_bits - 3u))) - 1.0f;
+    float v = place * unitvec_exp2(3 - int(angle_bits)) - 1.0f;
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -116,7 +119,7 @@ inline uint unitvec_frame_handedness_code(float handedness) {
 
 // -1 where bit 31 of a code is set, else +1.
 inline float unitvec_frame_handedness(uint code) {
-    return unitvec_with_sign(1.0f, as_type<float>(code));
+    return unitvec_flip_sign(1.0f, code & UNITVEC_SIGN_BIT);
 }
 
 inline uint frame32_encode(float3 normal, float4 tangent) {

@@ -19,7 +19,7 @@
 
 // The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 inline float2 unitvec_hemioct_position(float3 v, float norm, float m) {
-    float2 e = float2(v.x + v.y, v.x - v.y) * (m / norm);
+    float2 e = float2(v.x + v.y, v.x - v.y) * unitvec_over(m, norm);
     return e;
 }
 

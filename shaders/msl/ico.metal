@@ -87,7 +87,7 @@ inline float unitvec_ico_sum(float3 v) {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 inline float3 unitvec_ico_nearest(float3 p, float p_sum, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
-    float3 t = p * (1.0f / p_sum);
+    float3 t = p * unitvec_reciprocal(p_sum);
     float3 t_squared = t * t;
     float squares = unitvec_ico_sum(t_squared);
     // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -104,7 +104,8 @@ inline float3 unitvec_ico_nearest(float3 p, float p_sum, UnitvecIcoLattice latti
     float3 w = start * rest;
     float3 d = rest - start;
     float3 turned = d * float3(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
-    float factor = 1.0f / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
+    float determinant = d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y);
+    float factor = unitvec_reciprocal(determinant);
     float x = start.x + (turned.z - turned.y) * factor;
     float z = start.z + (turned.y - turned.x) * factor;
 
@@ -204,9 +205,9 @@ inline float3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     bool is_octant = code >= unitvec_ico_octants(lattice);
     uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    float per_length = is_octant ? 2.0f / (n - 1.0f) : 2.0f / (n + 2.0f);
+    float per_length = is_octant ? unitvec_over(2.0f, n - 1.0f) : unitvec_over(2.0f, n + 2.0f);
     float rows = is_octant ? n - 2.0f : n;
-    float per_rows = is_octant ? 1.0f / (n - 2.0f) : 1.0f / n;
+    float per_rows = is_octant ? unitvec_reciprocal(n - 2.0f) : unitvec_reciprocal(n);
 
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.

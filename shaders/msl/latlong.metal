@@ -33,7 +33,7 @@ inline uint unitvec_latlong_grid_encode(float3 v, uint half_bits) {
 }
 
 inline float3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
-    float step_size = 1.0f / float(1u << half_bits);
+    float step_size = unitvec_exp2(-int(half_bits));
     float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
     float above = 1.0f - (ring + 0.5f) * (2.0f * step_size);
     float diagonal = 0.5f - abs(above);
@@ -74,7 +74,7 @@ inline float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float high = rings.q_last != 0.0f ? both_high : rings.q.z;
     float whole_factor = low + (index * index) * high;
     float factor = rings.q.z != 0.0f ? whole_factor : low;
-    float i = sqrt(index) * factor + rings.offset;
+    float i = unitvec_root(index) * factor + rings.offset;
     return i;
 }
 
@@ -133,10 +133,11 @@ inline float3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings,
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    float divided = (along - 0.5f * count) / count;
+    float beside = along - 0.5f * count;
+    float divided = unitvec_signed_quotient(beside, count);
     float2 equator = unitvec_from_diagonal(along > 0.0f ? divided : -0.5f);
     // At either end the product is 1/2 exactly.
-    float latitude = (ring - 0.5f * rings.n) * (1.0f / rings.n);
+    float latitude = (ring - 0.5f * rings.n) * unitvec_reciprocal(rings.n);
     float2 meridian = unitvec_from_diagonal(latitude);
     float radius = meridian.x + meridian.y;
 

@@ -44,14 +44,14 @@ inline float2 unitvec_oct_mirror(float3 v, float2 p) {
 // with s = m / norm, which is (|x| + |z|) s.
 inline float2 unitvec_oct_position(float3 v, float norm, float m) {
     float below = max(-v.z, 0.0f);
-    float2 p = (abs(v.xy) + below) * (m / norm);
+    float2 p = (abs(v.xy) + below) * unitvec_over(m, norm);
     return unitvec_oct_mirror(v, p);
 }
 
 // q at the point where the ray of p hits the plane x + y + z = m.
 inline float2 unitvec_oct_projected(float2 q, float3 p, float2 middle, float m) {
     float missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    float stretch = missing * (1.0f / m);
+    float stretch = missing * unitvec_reciprocal(m);
     float2 moved = q + stretch * p.xy;
     return moved;
 }
@@ -64,7 +64,7 @@ inline float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 
     float over = max(abs(ab.x + ab.y) - cross_term, 0.0f);
     float n = ((ab.x * q.x + ab.y * q.y) + (0.25f * z_squared + 0.5f)) - over;
     float half_s = z_squared + (0.5f + cross_term);
-    float u = n * ((1.5f / m) / half_s);
+    float u = n * unitvec_quotient(unitvec_over(1.5f, m), half_s);
     float2 moved = ab + u * (at + minus_z);
     return moved;
 }
@@ -72,7 +72,7 @@ inline float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 inline float2 unitvec_oct_approached(float2 q, float2 at, float m) {
-    float2 moved = q + at * (0.3795f / m);
+    float2 moved = q + at * unitvec_over(0.3795f, m);
     return moved;
 }
 
@@ -86,7 +86,7 @@ inline float2 unitvec_oct_approached(float2 q, float2 at, float m) {
 inline float2 unitvec_oct_nearest_corner(float3 p, float m) {
     float2 middle = floor(p.xy) + 0.5f;
     float2 q = p.xy - middle;
-    float2 at = p.xy * (3.0f / m) - 1.0f;
+    float2 at = p.xy * unitvec_over(3.0f, m) - 1.0f;
     if (m >= 256.0f && m < 4096.0f) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0f) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -137,7 +137,7 @@ inline float2 unitvec_oct_searched_corner(float3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 inline float2 unitvec_oct_precise_point(float3 v, float norm, float m) {
-    float3 p = abs(v) * (m / norm);
+    float3 p = abs(v) * unitvec_over(m, norm);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0f) p = max(p, float3(m * 1.490116119384765625e-8f));
@@ -180,32 +180,31 @@ inline float3 oct_unorm_to_float32x3(float2 e) { return oct_to_float32x3(unitvec
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 inline float2 float32x3_to_octn_precise(float3 v, int n) {
-    float m = unitvec_snorm_max(uint(n / 2));
-    float2 e = unitvec_oct_lattice_precise(v, m) / m;
-    return e;
+    uint bits = uint(n / 2);
+    float2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 inline float3 unitvec_oct_bytes(float2 f) {
     float2 u = floor(unitvec_snorm_clamp(f) * 2047.0f + 2047.5f);
-    float high = floor(u.x / 16.0f);
-    float carry = floor(u.y / 256.0f);
+    float high = floor(u.x * 0.0625f);
+    float carry = floor(u.y * 0.00390625f);
     float3 bytes = float3(high, (u.x - high * 16.0f) * 16.0f + carry, u.y - carry * 256.0f);
     return bytes;
 }
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 inline float2 unitvec_oct_from_bytes(float3 bytes) {
-    float high = floor(bytes.y / 16.0f);
+    float high = floor(bytes.y * 0.0625f);
     float2 biased = float2(bytes.x * 16.0f + high, (bytes.y - high * 16.0f) * 256.0f + bytes.z);
-    float2 s = (biased - 2047.0f) / 2047.0f;
-    return min(s, float2(1.0f));
+    float2 e = biased - 2047.0f;
+    return min(float2(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), float2(1.0f));
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 inline float3 snorm12x2_to_unorm8x3(float2 f) {
-    float3 parts = unitvec_oct_bytes(f) / 255.0f;
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -38,7 +38,7 @@ inline UnitvecOctWidePosition unitvec_oct_wide_position(float3 v, uint bits) {
     float2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     float2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     float2 sum = float2(sum_z.x, sum_xy.y + sum_z.y);
-    float reciprocal = 1.0f / sum.x;
+    float reciprocal = unitvec_reciprocal(sum.x);
 
     UnitvecOctWidePosition p;
     int x;

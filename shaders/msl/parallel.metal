@@ -113,15 +113,14 @@ inline float3 unitvec_parallel_unit(float3 v) {
     float3 scaled = v * unitvec_scale_to_one(raised);
     float square = unitvec_dot(scaled, scaled);
     float off = square - 1.0f;
-    float inverse = 1.0f / sqrt(square);
+    float inverse = unitvec_inverse_root(square);
     float3 n = scaled * (abs(off) <= 9.536743e-7f ? 1.0f : inverse);
     return n;
 }
 
 inline float unitvec_parallel_third(float2 p) {
     float square = 1.0f - (p.x * p.x + p.y * p.y);
-    float root = sqrt(max(square, 0.0f));
-    return root;
+    return unitvec_root(max(square, 0.0f));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

@@ -39,12 +39,12 @@ inline float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
 // Direction of a pair of integers, unit length to within 2 ULP.
 inline float3 unitvec_spherical_from_lattice(float2 e, float m, float half_turn) {
     // The product of m is 1 exactly.
-    float latitude = abs(e.x) * (1.0f / m);
+    float latitude = abs(e.x) * unitvec_reciprocal(m);
     float diagonal = latitude - 0.5f;
     float2 meridian = unitvec_from_diagonal(diagonal);
     float radius = meridian.x - meridian.y;
     float z = meridian.x + meridian.y;
-    float quarters = e.y * (2.0f / half_turn);
+    float quarters = e.y * unitvec_over(2.0f, half_turn);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0f, z), latitude < 1.0f ? quarters : 0.0f);
 }
 

@@ -91,7 +91,7 @@ inline int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWi
     bool steep = y.x > x.x;
     float2 longer = steep ? y : x;
     float2 shorter = steep ? x : y;
-    float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25f / steps.size) + 0.5f;
+    float part = unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25f, steps.size) + 0.5f;
     int estimate = int(part);
 
     float2 cosine;
@@ -100,9 +100,10 @@ inline int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWi
     float2 forth = unitvec_spherical_wide_product(shorter, cosine);
     float2 back = unitvec_spherical_wide_product(longer, sine);
     float across = (forth.x - back.x) + (forth.y - back.y);
-    float root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
+    float square = longer.x * longer.x + shorter.x * shorter.x;
+    float root = unitvec_root(square);
     float radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
-    float off = across / radians + 0.5f;
+    float off = unitvec_signed_quotient(across, radians) + 0.5f;
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -113,13 +114,14 @@ inline float2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     float a = longer * longer;
     float b = shorter * shorter;
-    float first = sqrt(a + b);
+    float squares = a + b;
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     float square = root * root;
     float rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
-    float low = (((a - square) + b) + rests) / (2.0f * root);
-    return float2(root, low);
+    float left = ((a - square) + b) + rests;
+    return float2(root, unitvec_signed_quotient(left, 2.0f * root));
 }
 
 inline uint2 spherical48_encode(float3 v) {

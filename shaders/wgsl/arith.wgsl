@@ -2,7 +2,7 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// WGSL has no #include: join the texts of the files that you need, this one first, with your own.
+// WGSL cannot include files: join the texts of the files that you need, this one first, with your own.
 //
 // This language has no `precise`, so compilers may fuse and reorder operations: they may give another code where a
 // direction lies almost halfway between two. The files in exact/ prevent that.
@@ -115,6 +115,45 @@ fn unitvec_scaled_to_one(v: vec3f, l1_norm: f32) -> vec3f {
     return scaled;
 }
 
+// divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
+// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+
+// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+fn unitvec_quotient(a: f32, b: f32) -> f32 {
+    let quotient = a / b;
+    return quotient;
+}
+
+// unitvec_quotient for numbers of either sign.
+fn unitvec_signed_quotient(a: f32, b: f32) -> f32 {
+    let quotient = a / b;
+    return quotient;
+}
+
+// m / b, rounded to nearest, for positive b and a positive constant m.
+fn unitvec_over(m: f32, b: f32) -> f32 {
+    let quotient = m / b;
+    return quotient;
+}
+
+// 1 / b, rounded to nearest, for positive b.
+fn unitvec_reciprocal(b: f32) -> f32 {
+    let inverse = 1.0 / b;
+    return inverse;
+}
+
+// The square root of x, rounded to nearest; of denormals it may be 0.
+fn unitvec_root(x: f32) -> f32 {
+    let found = sqrt(x);
+    return found;
+}
+
+// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+fn unitvec_inverse_root(x: f32) -> f32 {
+    let inverse = 1.0 / sqrt(x);
+    return inverse;
+}
+
 // pack: integers in the low bits of words.
 
 // The low `bits` bits (1 to 31) set.
@@ -178,17 +217,10 @@ fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
-// takes two more operations instead.
+// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
 fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     let quotient = x / unitvec_snorm_max(bits);
     return quotient;
-}
-
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
-// may otherwise divide once and multiply by the quotient.
-fn unitvec_divisors(x: f32) -> vec3f {
-    return vec3f(x);
 }
 
 // unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
@@ -328,14 +360,14 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
-    let n = v * (1.0 / sqrt(unitvec_dot(v, v)));
+    let n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
 }
 
 // Distance of v from the z axis.
 fn unitvec_horizontal_length(v: vec3f) -> f32 {
-    let distance_from_z = sqrt(v.x * v.x + v.y * v.y);
-    return distance_from_z;
+    let square = v.x * v.x + v.y * v.y;
+    return unitvec_root(square);
 }
 
 // face: the faces of a cube, the one in a direction, and the components in its order.
@@ -414,7 +446,8 @@ fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: p
 fn unitvec_normalize_parts(upper: vec3f, lower: vec3f) -> vec3f {
     let squares = unitvec_dot(upper, upper);
     let other_squares = 2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower);
-    let estimate = 1.0 / sqrt(squares + other_squares);
+    let square = squares + other_squares;
+    let estimate = unitvec_inverse_root(square);
     let reciprocal = bitcast<f32>((bitcast<u32>(estimate) + 0x800u) & 0xfffff000u);
 
     let scale = reciprocal * reciprocal;
@@ -560,7 +593,7 @@ fn unitvec_atan_octant(r: f32) -> f32 {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 fn unitvec_atan_octant_ratio(y: f32, x: f32) -> f32 {
-    let divided = y / x;
+    let divided = unitvec_quotient(y, x);
     let quotient = select(1.0, divided, y < x);
     return unitvec_atan_octant(select(quotient, 0.0, y < UNITVEC_MIN_POSITIVE));
 }
@@ -618,7 +651,7 @@ fn unitvec_asin_small(a: f32) -> f32 {
     let half_chord_squared = 0.5 * (1.0 - a);
     let squared = a * a;
     let u = select(squared, half_chord_squared, outer_part);
-    let root = sqrt(u);
+    let root = unitvec_root(u);
     let w = select(a, root, outer_part);
     let low = UNITVEC_ASIN_2 + u * (UNITVEC_ASIN_3 + u * (UNITVEC_ASIN_4 + u * UNITVEC_ASIN_5));
     let angle = w * (UNITVEC_FRAC_1_PI + (UNITVEC_ASIN_0 + u * (UNITVEC_ASIN_1 + u * low)));
@@ -732,7 +765,7 @@ fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 fn unitvec_angles_quarter(y: f32, x: f32) -> f32 {
-    let q = min(x, y) / max(x, y);
+    let q = unitvec_quotient(min(x, y), max(x, y));
     let part = unitvec_atan_quarter(q);
     let rest = 1.0 - part;
     return select(part, rest, y > x);

@@ -28,12 +28,18 @@ const UNITVEC_PLAIN: i32 = 0;
 const UNITVEC_CONCENTRIC: i32 = 1;
 const UNITVEC_ELLIPSE: i32 = 2;
 
+// a / b of each component.
+fn unitvec_signed_quotients(a: vec2f, b: vec2f) -> vec2f {
+    return vec2f(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
-    let scale = 1.0 / (sqrt(unitvec_dot(v, v)) + v.z);
+    let sum = unitvec_root(unitvec_dot(v, v)) + v.z;
+    let scale = unitvec_reciprocal(sum);
     let at = v.xy * scale;
     let radius = unitvec_horizontal_length(v) * scale;
     let rim = 2.0 * v.z * scale;
@@ -42,23 +48,22 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
     let sum = 2.0 - rim;
-    let by = unitvec_divisors(sum);
-    let horizontal = 2.0 * at / by.xy;
-    let z = rim / by.z;
-    return vec3f(horizontal, z);
+    return vec3f(unitvec_signed_quotients(2.0 * at, vec2f(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
-    let norm = sqrt(unitvec_dot(v, v));
-    let scale = 1.0 / sqrt(norm * (norm + v.z));
+    let norm = unitvec_root(unitvec_dot(v, v));
+    let product = norm * (norm + v.z);
+    let scale = unitvec_inverse_root(product);
     let at = v.xy * scale;
     let radius = unitvec_horizontal_length(v) * scale;
-    let rim = v.z / norm;
+    let rim = unitvec_signed_quotient(v.z, norm);
     return vec4f(at, radius, rim);
 }
 
 fn unitvec_disk_to_eqarea(at: vec2f, rim: f32) -> vec3f {
-    let scale = sqrt(1.0 + rim);
+    let square = 1.0 + rim;
+    let scale = unitvec_root(square);
     let horizontal = at * scale;
     return vec3f(horizontal, rim);
 }
@@ -73,7 +78,7 @@ fn unitvec_eqdist_to_disk(v: vec3f) -> vec4f {
     let rest = 1.0 - part;
     let radius = select(part, rest, low);
     let inside = select(rest, part, low);
-    let quotient = radius / rho;
+    let quotient = unitvec_quotient(radius, rho);
     let scale = select(0.0, quotient, rho > UNITVEC_NEGLIGIBLE);
     let at = v.xy * scale;
     let rim = inside * (1.0 + radius);
@@ -125,23 +130,24 @@ fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 fn unitvec_plain_settle(e: vec2f, bits: u32) -> vec2f {
-    let slope = unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits);
+    let slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     let settled = e - select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), slope.x > slope.y);
     return select(e, settled, unitvec_plain_is_remote(e, bits));
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 fn unitvec_plain_move_to_rim(p: vec2f, m: vec2f, excess: f32) -> vec2f {
-    let slope = p / m;
+    let slope = unitvec_signed_quotients(p, m);
     let along_u = slope.x > slope.y;
     let steep = select(slope.y, slope.x, along_u);
     let gentle = select(slope.x, slope.y, along_u);
-    let alone = excess / steep;
-    let remainder = (excess - UNITVEC_AZIMUTHAL_REACH * steep) / gentle;
+    let alone = unitvec_signed_quotient(excess, steep);
+    let left = excess - UNITVEC_AZIMUTHAL_REACH * steep;
+    let remainder = unitvec_signed_quotient(left, gentle);
     let first = select(UNITVEC_AZIMUTHAL_REACH, alone, alone < UNITVEC_AZIMUTHAL_REACH);
     let second = select(remainder, 0.0, alone < UNITVEC_AZIMUTHAL_REACH);
     let moved = select(vec2f(second, first), vec2f(first, second), along_u);
-    let on_rim = p - moved / m;
+    let on_rim = p - unitvec_signed_quotients(moved, m);
     return on_rim;
 }
 
@@ -160,7 +166,7 @@ fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 fn unitvec_plain_square_to_disk(s: vec2f) -> vec4f {
     let square = s.x * s.x + s.y * s.y;
-    let on_rim = s * (1.0 / sqrt(square));
+    let on_rim = s * unitvec_inverse_root(square);
     let rim = 1.0 - square;
     return select(vec4f(on_rim, 0.0, 0.0), vec4f(s, 0.0, rim), square < 1.0);
 }
@@ -177,7 +183,7 @@ fn unitvec_concentric_to_disk(s: vec2f) -> vec4f {
     let steep = s.y > s.x;
     let shorter = select(s.y, s.x, steep);
     let radius = select(s.x, s.y, steep);
-    let quotient = shorter / radius;
+    let quotient = unitvec_quotient(shorter, radius);
     let octant = select(0.0, quotient, radius > 0.0);
     let angle = 0.25 * octant;
     let p = radius * unitvec_sin_cos_half_turns(angle);
@@ -188,13 +194,15 @@ fn unitvec_concentric_to_disk(s: vec2f) -> vec4f {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
     let difference = (disk.x - disk.y) * (disk.x + disk.y);
-    let sum = 2.0 + sqrt(difference * difference + 4.0 * disk.w);
-    let s = 2.0 * disk.xy / vec2f(sqrt(sum + difference), sqrt(sum - difference));
-    return s;
+    let square = difference * difference + 4.0 * disk.w;
+    let sum = 2.0 + unitvec_root(square);
+    let squares = vec2f(sum + difference, sum - difference);
+    return unitvec_signed_quotients(2.0 * disk.xy, vec2f(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 fn unitvec_ellipse_to_disk(s: vec2f) -> vec4f {
-    let root = vec2f(sqrt(1.0 - 0.5 * s.y * s.y), sqrt(1.0 - 0.5 * s.x * s.x));
+    let squares = vec2f(1.0 - 0.5 * s.y * s.y, 1.0 - 0.5 * s.x * s.x);
+    let root = vec2f(unitvec_root(squares.x), unitvec_root(squares.y));
     let at = s * root;
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     let factor = 1.0 - s.x * s.x;
@@ -209,7 +217,7 @@ fn unitvec_azimuthal_signed(negative: bool, x: f32) -> f32 {
 
 // The place of the direction of v on the square, without signs.
 fn unitvec_azimuthal_to_square(v: vec3f, projection: i32, map: i32) -> vec2f {
-    let octant = abs(v) * (1.0 / unitvec_l1_norm(v));
+    let octant = abs(v) * unitvec_reciprocal(unitvec_l1_norm(v));
     let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),
         projection == UNITVEC_EQAREA), unitvec_stereo_to_disk(octant), projection == UNITVEC_STEREO);
     return select(select(unitvec_ellipse_to_square(disk), unitvec_concentric_to_square(disk),

@@ -32,16 +32,16 @@ const UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT: f32 = 0.75;
 const UNITVEC_BEST_FIT_LEAST_PART: f32 = 5.9604644775390625e-8;
 
 fn unitvec_best_fit_part(a: f32, largest: f32) -> f32 {
-    let part = a / largest;
+    let part = unitvec_quotient(a, largest);
     return select(part, 0.0, part < UNITVEC_BEST_FIT_LEAST_PART);
 }
 
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 fn unitvec_best_fit_on_cube(v: vec3f) -> vec3f {
     let a = abs(v);
-    let largest = unitvec_divisors(max(max(a.x, a.y), a.z));
-    return vec3f(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
-        unitvec_best_fit_part(a.z, largest.z));
+    let largest = max(max(a.x, a.y), a.z);
+    return vec3f(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
+        unitvec_best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
@@ -127,7 +127,7 @@ fn unitvec_best_fit_parts_and_reciprocal(v: vec3f) -> vec3f {
     let a = abs(v);
     let low = min(a.x, a.y);
     let high = max(a.x, a.y);
-    let reciprocal = 1.0 / max(high, a.z);
+    let reciprocal = unitvec_reciprocal(max(high, a.z));
     let mid = max(low, min(high, a.z)) * reciprocal;
     let least = min(low, a.z) * reciprocal;
     return vec3f(select(mid, 0.0, mid < UNITVEC_BEST_FIT_LEAST_PART),
@@ -180,16 +180,17 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     let p = u * size;
     let d = unitvec_nearest_whole(p) - p;
     let cx = d.x * u.y - d.y * u.x;
-    let sine = sqrt(((cx * cx + d.x * d.x) + d.y * d.y) * (1.0 / (size * size)));
-    return sine;
+    let size_squared = size * size;
+    let square = ((cx * cx + d.x * d.x) + d.y * d.y) * unitvec_reciprocal(size_squared);
+    return unitvec_root(square);
 }
 
 // `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
     let third = f32(i);
-    let columns = f32(cell) + (third + 0.5) / max(third, 3.0);
-    let part = columns / max(columns, UNITVEC_BEST_FIT_CELLS);
-    return part;
+    let middle = third + 0.5;
+    let columns = f32(cell) + unitvec_quotient(middle, max(third, 3.0));
+    return unitvec_quotient(columns, max(columns, UNITVEC_BEST_FIT_CELLS));
 }
 
 // One of the nine directions of a cell.
@@ -291,7 +292,8 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
     let u = unitvec_best_fit_on_cube(v);
     let parts = unitvec_best_fit_by_size(u);
     let longest = unitvec_snorm_max(16u);
-    let unit = longest / sqrt((1.0 + parts.x * parts.x) + parts.y * parts.y);
+    let square = (1.0 + parts.x * parts.x) + parts.y * parts.y;
+    let unit = unitvec_quotient(longest, unitvec_root(square));
     let best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     let q = unitvec_best_fit_at_scale(v, u, best.x);
     return vec2u(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -30,7 +30,7 @@ fn unitvec_cube_encode_on_face(v_in: vec3f, bits: u32, warped: bool) -> u32 {
     v = unitvec_or_z(v);
     let face = unitvec_face_of(v);
     let p = unitvec_to_face(v, face);
-    let scale = 1.0 / abs(p.z);
+    let scale = unitvec_reciprocal(abs(p.z));
     var t = abs(p.xy) * scale;
     if warped { t = vec2f(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y)); }
     let widths = unitvec_cube_widths(bits);
@@ -58,7 +58,7 @@ fn unitvec_cube_decode(code: u32, bits: u32) -> vec3f {
     let widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
     let side = unitvec_snorm_max(widths.x) + 0.5;
-    let v_step = side / (unitvec_snorm_max(widths.y) + 0.5);
+    let v_step = unitvec_over(side, unitvec_snorm_max(widths.y) + 0.5);
     let y = e.y * v_step;
     return unitvec_from_face(unitvec_normalize(vec3f(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
@@ -83,7 +83,7 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice the factor of
 // x / side is 2^bits - 1.
 fn unitvec_cube_round_wide(x: f32, side: f32, bits: u32) -> i32 {
-    let reciprocal = 1.0 / side;
+    let reciprocal = unitvec_reciprocal(side);
     var doubled: i32;
     var fraction: f32;
     unitvec_coordinate(x, vec2f(side, 0.0), reciprocal, bits + 1u, &doubled, &fraction);

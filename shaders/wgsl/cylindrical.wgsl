@@ -19,7 +19,7 @@
 fn unitvec_cylindrical_height(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
-    let magnitude = p.z * (1.0 / sqrt(unitvec_dot(p, p)));
+    let magnitude = p.z * unitvec_inverse_root(unitvec_dot(p, p));
     let height = unitvec_with_sign(magnitude, v.z);
     return vec2f(select(1.0, height, unitvec_is_usable(norm)), unitvec_angles_azimuth(v, p));
 }
@@ -36,8 +36,9 @@ fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 fn unitvec_cylindrical_from_lattice(e: vec2f, m: f32) -> vec3f {
-    let step_size = 1.0 / m;
-    let radius = sqrt((m - e.y) * (m + e.y)) * step_size;
+    let step_size = unitvec_reciprocal(m);
+    let square = (m - e.y) * (m + e.y);
+    let radius = unitvec_root(square) * step_size;
     let z = e.y * step_size;
     let quarters = e.x * (2.0 * step_size);
     return unitvec_angles_around_z(radius, z, select(0.0, quarters, radius > 0.0));

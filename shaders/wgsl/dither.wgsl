@@ -196,7 +196,8 @@ fn unitvec_dither_eaoct_direction(e: vec2f, offset: vec2f, m: f32) -> vec3f {
     let past_equator = ring > m;
     let beyond_equator = 2.0 * m - ring;
     let mirrored = select(ring, beyond_equator, past_equator);
-    let turn = (at.place - turned.y) / max(at.ring, 1.0);
+    let place = at.place - turned.y;
+    let turn = unitvec_signed_quotient(place, max(at.ring, 1.0));
     let flip = select(0u, UNITVEC_SIGN_BIT, turn < 0.0);
     let signs = vec2f(unitvec_flip_sign(unitvec_with_sign(1.0, e.x), select(0u, flip, at.swapped)),
         unitvec_flip_sign(unitvec_with_sign(1.0, e.y), select(flip, 0u, at.swapped)));

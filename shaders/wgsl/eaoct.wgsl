@@ -38,9 +38,11 @@ fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
     let b = min(x, y);
 
     let horizontal = a * a + b * b;
-    let len = sqrt(horizontal + p.z * p.z);
-    let radius = sqrt(horizontal / (len * (len + p.z)));
-    let q = b / a;
+    let square = horizontal + p.z * p.z;
+    let len = unitvec_root(square);
+    let product = len * (len + p.z);
+    let radius = unitvec_root(unitvec_quotient(horizontal, product));
+    let q = unitvec_quotient(b, a);
     let polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -75,10 +77,11 @@ fn unitvec_eaoct_candidate(p: UnitvecEaoctPolar, ring: f32, m: f32) -> vec3f {
     let along = p.turn * ring;
     let place = floor(along + 0.5);
     let across = ring - steps;
-    let q = (along - place) / max(ring, 1.0);
+    let beside = along - place;
+    let q = unitvec_signed_quotient(beside, max(ring, 1.0));
 
     let c_squared = 2.0 - p.radius * p.radius;
-    let change = across * (p.radius * (1.0 / m));
+    let change = across * (p.radius * unitvec_reciprocal(m));
     let turned = (steps * ring) * (q * q) * (PI_2_16 - PI_2_16_TIMES_PI_2_48 * (q * q));
     let cost = across * across * (c_squared + change) + turned * ((c_squared * c_squared) * (c_squared - change));
     return vec3f(ring, place, cost);
@@ -120,9 +123,10 @@ fn unitvec_eaoct_from_ring(e: vec2f, ring: f32, turn: f32, swapped: bool, above:
     let eighth = 0.5 * turn;
     let sine = unitvec_sin_eighth(eighth);
     let cosine = unitvec_cos_eighth(eighth);
-    let radius = ring * (1.0 / m);
+    let radius = ring * unitvec_reciprocal(m);
     let z = (1.0 - radius) * (1.0 + radius);
-    let horizontal = radius * sqrt(1.0 + z);
+    let from_below = 1.0 + z;
+    let horizontal = radius * unitvec_root(from_below);
     let near_axis = horizontal * cosine;
     let off_axis = horizontal * sine;
     let x = select(near_axis, off_axis, swapped);
@@ -134,7 +138,7 @@ fn unitvec_eaoct_from_ring(e: vec2f, ring: f32, turn: f32, swapped: bool, above:
 // Direction of a lattice point.
 fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let at = unitvec_eaoct_ring_of(e, m);
-    let turn = at.place / max(at.ring, UNITVEC_MIN_POSITIVE);
+    let turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -160,8 +164,9 @@ fn eaoct_unorm_to_float32x3(e: vec2f) -> vec3f { return eaoct_to_float32x3(unitv
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 fn float32x3_to_eaoctn_precise(v: vec3f, n: i32) -> vec2f {
     let norm = unitvec_l1_norm(v);
-    let m = unitvec_snorm_max(u32(n / 2));
-    let e = unitvec_eaoct_lattice_precise(v, norm, m) / m;
+    let bits = u32(n / 2);
+    var e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = vec2f(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return select(vec2f(0.0), e, unitvec_is_usable(norm));
 }
 

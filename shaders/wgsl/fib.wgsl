@@ -90,7 +90,7 @@ fn unitvec_fib_split(x: f32, rest: ptr<function, f32>) -> u32 {
 fn unitvec_fib_azimuth(v: vec3f, scaled: vec3f) -> u32 {
     let x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     let y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    let quotient = min(x, y) / max(x, y);
+    let quotient = unitvec_quotient(min(x, y), max(x, y));
     let part = unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29);
     let octant = u32(i32(part));
     let quarter = select(octant, 0x40000000u - octant, y > x);
@@ -112,10 +112,12 @@ fn unitvec_fib_golden_power(k: u32) -> f32 {
 // Place of a vector with an L1 norm of 1 to 2.
 fn unitvec_fib_place(v: vec3f, bits: u32) -> UnitvecFibPlace {
     let horizontal = v.x * v.x + v.y * v.y;
-    let reciprocal = 1.0 / sqrt(horizontal + v.z * v.z);
+    let square = horizontal + v.z * v.z;
+    let reciprocal = unitvec_inverse_root(square);
     let height = abs(v.z) * reciprocal;
     let radius_squared = (horizontal * reciprocal) * reciprocal;
-    let from_pole = radius_squared / (1.0 + height);
+    let from_below = 1.0 + height;
+    let from_pole = unitvec_quotient(radius_squared, from_below);
     let from_top = 1.0 - height;
     let is_polar = height > 0.5;
 
@@ -137,7 +139,7 @@ fn unitvec_fib_basis(radius_squared: f32, bits: u32) -> UnitvecFibBasis {
     let lower = floor(zone);
     let k = unitvec_whole_to_u32(max(lower, 2.0));
     let power = unitvec_fib_golden_power(k);
-    let turn = 1.0 / power;
+    let turn = unitvec_reciprocal(power);
     let next_turn = turn * 0.618034;
     let step_size = power * 0.4472136 + 0.5;
     let next_step = power * 0.7236068 + 0.5;
@@ -152,14 +154,16 @@ fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -
     let signed_depth = place.depth - difference;
     let is_point = signed_depth > 0.0;
     let depth = abs(signed_depth);
-    let radii = sqrt(place.radius_squared * (depth * (2.0 - depth)));
+    let squares = place.radius_squared * (depth * (2.0 - depth));
+    let radii = unitvec_root(squares);
 
     let d = unitvec_fib_signed_turn(turn);
     let u = d * d;
     let chord = u * (UNITVEC_CHORD_0 + u * (UNITVEC_CHORD_1 + u * (UNITVEC_CHORD_2
         + u * (UNITVEC_CHORD_3 + u * UNITVEC_CHORD_4))));
     let sum = (place.depth + depth * place.height) + radii;
-    let cost = (difference * difference) / sum + radii * chord;
+    let square = difference * difference;
+    let cost = unitvec_quotient(square, sum) + radii * chord;
     // More than any distance.
     let candidate = UnitvecFibCandidate(i, select(4.0, cost, is_point));
     return candidate;
@@ -216,7 +220,8 @@ fn unitvec_fib_point(i_in: u32, bits: u32) -> vec3f {
     let unit = unitvec_exp2(1 - i32(bits));
     let depth = (f32(i32(from_pole)) + 0.5) * unit;
     let height = (f32(i32(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5) * unit;
-    let radius = sqrt(depth * (2.0 - depth));
+    let square = depth * (2.0 - depth);
+    let radius = unitvec_root(square);
 
     let azimuth = unitvec_fib_turn(i);
     let quarter = (azimuth + 0x20000000u) >> 30u;

@@ -31,7 +31,8 @@ const UNITVEC_UNWARP_2: f32 = 0.0392082;
 // second, n).
 fn unitvec_frame_basis(n: vec3f, first: ptr<function, vec3f>, second: ptr<function, vec3f>) {
     let s = unitvec_with_sign(1.0, n.z);
-    let a = -1.0 / (s + n.z);
+    let beyond = s + n.z;
+    let a = unitvec_signed_quotient(-1.0, beyond);
     let b = (n.x * n.y) * a;
     let e = vec3f(1.0 + s * ((n.x * n.x) * a), s * b, -(s * n.x));
     let f = vec3f(b, s + (n.y * n.y) * a, -n.y);
@@ -52,7 +53,9 @@ fn unitvec_frame_unwarp(w: f32, angle_bits: u32) -> f32 {
     let v = w + w * ((1.0 - u) * (UNITVEC_UNWARP_0 + u * (UNITVEC_UNWARP_1 + u * UNITVEC_UNWARP_2)));
     if angle_bits <= 9u { return v; }
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    let nearer = v + (w - unitvec_frame_warp(v)) * 1.2732395 / (1.0 + u);
+    let missing = (w - unitvec_frame_warp(v)) * 1.2732395;
+    let slope = 1.0 + u;
+    let nearer = v + unitvec_signed_quotient(missing, slope);
     return nearer;
 }
 
@@ -73,7 +76,7 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
     let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
     let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
     let difference = abs(y) - abs(x);
-    let w = unitvec_flip_sign(difference, odd) / sum;
+    let w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     let half_places = f32(1u << (angle_bits - 3u));
     let place = half_places * (unitvec_frame_unwarp(w, angle_bits) + 1.0) + UNITVEC_2_23;
@@ -86,7 +89,7 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 fn unitvec_frame_diamond_point(code: u32, angle_bits: u32) -> vec2f {
     let place = f32(code & unitvec_mask(angle_bits - 2u));
-    let v = place * (1.0 / f32(1u << (angle_bits - 3u))) - 1.0;
+    let v = place * unitvec_exp2(3 - i32(angle_bits)) - 1.0;
 
     let odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     let below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -113,7 +116,7 @@ fn unitvec_frame_handedness_code(handedness: f32) -> u32 {
 
 // -1 where bit 31 of a code is set, else +1.
 fn unitvec_frame_handedness(code: u32) -> f32 {
-    return unitvec_with_sign(1.0, bitcast<f32>(code));
+    return unitvec_flip_sign(1.0, code & UNITVEC_SIGN_BIT);
 }
 
 fn frame32_encode(normal: vec3f, tangent: vec4f) -> u32 {

@@ -16,7 +16,7 @@
 
 // The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 fn unitvec_hemioct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
-    let e = vec2f(v.x + v.y, v.x - v.y) * (m / norm);
+    let e = vec2f(v.x + v.y, v.x - v.y) * unitvec_over(m, norm);
     return e;
 }
 

@@ -86,7 +86,7 @@ fn unitvec_ico_sum(v: vec3f) -> f32 {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3f {
     let n = f32(lattice.n);
-    let t = p * (1.0 / p_sum);
+    let t = p * unitvec_reciprocal(p_sum);
     let t_squared = t * t;
     let squares = unitvec_ico_sum(t_squared);
     // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -103,7 +103,8 @@ fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3
     let w = start * rest;
     let d = rest - start;
     let turned = d * vec3f(t.y * w.z - t.z * w.y, t.z * w.x - t.x * w.z, t.x * w.y - t.y * w.x);
-    let factor = 1.0 / (d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y));
+    let determinant = d.z * (t.x * d.y + t.y * d.x) + t.z * (d.x * d.y);
+    let factor = unitvec_reciprocal(determinant);
     let x = start.x + (turned.z - turned.y) * factor;
     let z = start.z + (turned.y - turned.x) * factor;
 
@@ -204,9 +205,9 @@ fn unitvec_ico_decode(code_in: u32, lattice: UnitvecIcoLattice) -> vec3f {
     let is_octant = code >= unitvec_ico_octants(lattice);
     let first = select(0u, unitvec_ico_octants(lattice), is_octant);
     let row_length = select(lattice.n + 2u, lattice.n - 1u, is_octant);
-    let per_length = select(2.0 / (n + 2.0), 2.0 / (n - 1.0), is_octant);
+    let per_length = select(unitvec_over(2.0, n + 2.0), unitvec_over(2.0, n - 1.0), is_octant);
     let rows = select(n, n - 2.0, is_octant);
-    let per_rows = select(1.0 / n, 1.0 / (n - 2.0), is_octant);
+    let per_rows = select(unitvec_reciprocal(n), unitvec_reciprocal(n - 2.0), is_octant);
 
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.

@@ -30,7 +30,7 @@ fn unitvec_latlong_grid_encode(v: vec3f, half_bits: u32) -> u32 {
 }
 
 fn unitvec_latlong_grid_decode(code: u32, half_bits: u32) -> vec3f {
-    let step_size = 1.0 / f32(1u << half_bits);
+    let step_size = unitvec_exp2(-i32(half_bits));
     let ring = f32(i32((code >> half_bits) & unitvec_mask(half_bits)));
     let above = 1.0 - (ring + 0.5) * (2.0 * step_size);
     let diagonal = 0.5 - abs(above);
@@ -73,7 +73,7 @@ fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
     let high = select(rings.q.z, both_high, rings.q_last != 0.0);
     let whole_factor = low + (index * index) * high;
     let factor = select(low, whole_factor, rings.q.z != 0.0);
-    let i = sqrt(index) * factor + rings.offset;
+    let i = unitvec_root(index) * factor + rings.offset;
     return i;
 }
 
@@ -132,10 +132,11 @@ fn unitvec_latlong_patch_decode(code: u32, rings: UnitvecLatlongRings, index_bit
     let along = select(from_both, from_high, index_bits <= 24u);
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    let divided = (along - 0.5 * count) / count;
+    let beside = along - 0.5 * count;
+    let divided = unitvec_signed_quotient(beside, count);
     let equator = unitvec_from_diagonal(select(-0.5, divided, along > 0.0));
     // At either end the product is 1/2 exactly.
-    let latitude = (ring - 0.5 * rings.n) * (1.0 / rings.n);
+    let latitude = (ring - 0.5 * rings.n) * unitvec_reciprocal(rings.n);
     let meridian = unitvec_from_diagonal(latitude);
     let radius = meridian.x + meridian.y;
 

@@ -41,14 +41,14 @@ fn unitvec_oct_mirror(v: vec3f, p: vec2f) -> vec2f {
 // with s = m / norm, which is (|x| + |z|) s.
 fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
     let below = max(-v.z, 0.0);
-    let p = (abs(v.xy) + below) * (m / norm);
+    let p = (abs(v.xy) + below) * unitvec_over(m, norm);
     return unitvec_oct_mirror(v, p);
 }
 
 // q at the point where the ray of p hits the plane x + y + z = m.
 fn unitvec_oct_projected(q: vec2f, p: vec3f, middle: vec2f, m: f32) -> vec2f {
     let missing = (((m - middle.x) - middle.y) - p.z) - (q.x + q.y);
-    let stretch = missing * (1.0 / m);
+    let stretch = missing * unitvec_reciprocal(m);
     let moved = q + stretch * p.xy;
     return moved;
 }
@@ -61,7 +61,7 @@ fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) 
     let over = max(abs(ab.x + ab.y) - cross_term, 0.0);
     let n = ((ab.x * q.x + ab.y * q.y) + (0.25 * z_squared + 0.5)) - over;
     let half_s = z_squared + (0.5 + cross_term);
-    let u = n * ((1.5 / m) / half_s);
+    let u = n * unitvec_quotient(unitvec_over(1.5, m), half_s);
     let moved = ab + u * (at + minus_z);
     return moved;
 }
@@ -69,7 +69,7 @@ fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
-    let moved = q + at * (0.3795 / m);
+    let moved = q + at * unitvec_over(0.3795, m);
     return moved;
 }
 
@@ -83,7 +83,7 @@ fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
 fn unitvec_oct_nearest_corner(p: vec3f, m: f32) -> vec2f {
     let middle = floor(p.xy) + 0.5;
     var q = p.xy - middle;
-    let at = p.xy * (3.0 / m) - 1.0;
+    let at = p.xy * unitvec_over(3.0, m) - 1.0;
     if m >= 256.0 && m < 4096.0 { q = unitvec_oct_approached(q, at, m); }
     if m >= 65536.0 { q = unitvec_oct_projected(q, p, middle, m); }
 
@@ -134,7 +134,7 @@ fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 fn unitvec_oct_precise_point(v: vec3f, norm: f32, m: f32) -> vec2f {
-    var p = abs(v) * (m / norm);
+    var p = abs(v) * unitvec_over(m, norm);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if m >= 65536.0 { p = max(p, vec3f(m * 1.490116119384765625e-8)); }
@@ -177,32 +177,31 @@ fn oct_unorm_to_float32x3(e: vec2f) -> vec3f { return oct_to_float32x3(unitvec_u
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
-    let m = unitvec_snorm_max(u32(n / 2));
-    let e = unitvec_oct_lattice_precise(v, m) / m;
-    return e;
+    let bits = u32(n / 2);
+    let e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2f(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 fn unitvec_oct_bytes(f: vec2f) -> vec3f {
     let u = floor(unitvec_snorm_clamp(f) * 2047.0 + 2047.5);
-    let high = floor(u.x / 16.0);
-    let carry = floor(u.y / 256.0);
+    let high = floor(u.x * 0.0625);
+    let carry = floor(u.y * 0.00390625);
     let bytes = vec3f(high, (u.x - high * 16.0) * 16.0 + carry, u.y - carry * 256.0);
     return bytes;
 }
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 fn unitvec_oct_from_bytes(bytes: vec3f) -> vec2f {
-    let high = floor(bytes.y / 16.0);
+    let high = floor(bytes.y * 0.0625);
     let biased = vec2f(bytes.x * 16.0 + high, (bytes.y - high * 16.0) * 256.0 + bytes.z);
-    let s = (biased - 2047.0) / 2047.0;
-    return min(s, vec2f(1.0));
+    let e = biased - 2047.0;
+    return min(vec2f(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), vec2f(1.0));
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
-    let parts = unitvec_oct_bytes(f) / 255.0;
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -35,7 +35,7 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
     let sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     let sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     let sum = vec2f(sum_z.x, sum_xy.y + sum_z.y);
-    let reciprocal = 1.0 / sum.x;
+    let reciprocal = unitvec_reciprocal(sum.x);
 
     var p: UnitvecOctWidePosition;
     var x: i32;

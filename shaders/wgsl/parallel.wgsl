@@ -110,15 +110,14 @@ fn unitvec_parallel_unit(v: vec3f) -> vec3f {
     let scaled = v * unitvec_scale_to_one(raised);
     let square = unitvec_dot(scaled, scaled);
     let off = square - 1.0;
-    let inverse = 1.0 / sqrt(square);
+    let inverse = unitvec_inverse_root(square);
     let n = scaled * select(inverse, 1.0, abs(off) <= 9.536743e-7);
     return n;
 }
 
 fn unitvec_parallel_third(p: vec2f) -> f32 {
     let square = 1.0 - (p.x * p.x + p.y * p.y);
-    let root = sqrt(max(square, 0.0));
-    return root;
+    return unitvec_root(max(square, 0.0));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

@@ -24,9 +24,9 @@ fn unitvec_soct_pair(v: vec3f, norm: f32, bits: u32) -> u32 {
 // The direction of a point of [-m, m]^2 and the sign, in bit 31: unit length to within 2 ULP. z is the difference of two
 // numbers that both have the sign, since a sum of them may be 0, which has none.
 fn unitvec_soct_from_lattice(e: vec2f, sign_bit: u32, m: f32) -> vec3f {
-    let below = bitcast<f32>(sign_bit & UNITVEC_SIGN_BIT);
+    let below = sign_bit & UNITVEC_SIGN_BIT;
     let across = 2.0 * max(abs(e.x), abs(e.y));
-    let v = vec3f(e.x + e.y, e.x - e.y, unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below));
+    let v = vec3f(e.x + e.y, e.x - e.y, unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below));
     return unitvec_normalize(v);
 }
 

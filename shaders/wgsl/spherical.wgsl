@@ -36,12 +36,12 @@ fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
 // Direction of a pair of integers, unit length to within 2 ULP.
 fn unitvec_spherical_from_lattice(e: vec2f, m: f32, half_turn: f32) -> vec3f {
     // The product of m is 1 exactly.
-    let latitude = abs(e.x) * (1.0 / m);
+    let latitude = abs(e.x) * unitvec_reciprocal(m);
     let diagonal = latitude - 0.5;
     let meridian = unitvec_from_diagonal(diagonal);
     let radius = meridian.x - meridian.y;
     let z = meridian.x + meridian.y;
-    let quarters = e.y * (2.0 / half_turn);
+    let quarters = e.y * unitvec_over(2.0, half_turn);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), select(0.0, quarters, latitude < 1.0));
 }
 

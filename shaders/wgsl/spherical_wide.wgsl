@@ -90,7 +90,7 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let steep = y.x > x.x;
     let longer = select(x, y, steep);
     let shorter = select(y, x, steep);
-    let part = unitvec_atan_octant_ratio(shorter.x, longer.x) * (0.25 / steps.size) + 0.5;
+    let part = unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size) + 0.5;
     let estimate = i32(part);
 
     var cosine: vec2f;
@@ -99,9 +99,10 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let forth = unitvec_spherical_wide_product(shorter, cosine);
     let back = unitvec_spherical_wide_product(longer, sine);
     let across = (forth.x - back.x) + (forth.y - back.y);
-    let root = sqrt(longer.x * longer.x + shorter.x * shorter.x);
+    let square = longer.x * longer.x + shorter.x * shorter.x;
+    let root = unitvec_root(square);
     let radians = max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * (UNITVEC_PI * steps.size);
-    let off = across / radians + 0.5;
+    let off = unitvec_signed_quotient(across, radians) + 0.5;
     let n = estimate + i32(floor(off));
     return select(n, steps.in_quarter - n, steep);
 }
@@ -112,13 +113,14 @@ fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let shorter = select(y, x, y > x);
     let a = longer * longer;
     let b = shorter * shorter;
-    let first = sqrt(a + b);
+    let squares = a + b;
+    let first = unitvec_root(squares);
     let root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     let square = root * root;
     let rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
-    let low = (((a - square) + b) + rests) / (2.0 * root);
-    return vec2f(root, low);
+    let left = ((a - square) + b) + rests;
+    return vec2f(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 fn spherical48_encode(v_in: vec3f) -> vec2u {

@@ -11,6 +11,7 @@ use glslang::Glslang;
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, PoisonError};
 use unitvec_catalogue::{AnyCodec, Element, Operation};
+use unitvec_languages::{EXACT, Edition};
 use unitvec_manifest as manifest;
 
 /// GLSL that could not be compiled to SPIR-V.
@@ -77,11 +78,14 @@ pub const ENTRY_POINT: &str = "main";
 /// threads and tests want the same ones.
 static KERNELS: LazyLock<Mutex<Modules>> = LazyLock::new(Mutex::default);
 
-/// SPIR-V by codec and operation.
-type Modules = HashMap<(&'static str, Operation), Vec<u8>>;
+/// SPIR-V by codec, operation and edition.
+type Modules = HashMap<(&'static str, Operation, Edition), Vec<u8>>;
 
 /// A GLSL compiler.
-pub struct Compiler(Glslang);
+pub struct Compiler {
+    glslang: Glslang,
+    edition: Edition,
+}
 
 impl Compiler {
     /// Starts glslang.
@@ -89,7 +93,15 @@ impl Compiler {
     /// # Errors
     /// [`Error::NotBuiltIn`] or [`Error::NoCompiler`].
     pub fn new() -> Result<Self, Error> {
-        Glslang::new().map(Self)
+        Self::of(Edition::Plain)
+    }
+
+    /// Starts glslang, for this edition of the GLSL.
+    ///
+    /// # Errors
+    /// [`Error::NotBuiltIn`] or [`Error::NoCompiler`].
+    pub fn of(edition: Edition) -> Result<Self, Error> {
+        Ok(Self { glslang: Glslang::new()?, edition })
     }
 
     /// The SPIR-V of a codec's kernel, optimised; its entry point is [`ENTRY_POINT`]. A process compiles each kernel once.
@@ -98,7 +110,7 @@ impl Compiler {
     /// [`Error::NoSource`] or [`Error::Rejected`].
     pub fn kernel(&self, format: &AnyCodec, operation: Operation) -> Result<Vec<u8>, Error> {
         let (key, kernels) =
-            ((format.id, operation), || KERNELS.lock().unwrap_or_else(PoisonError::into_inner));
+            ((format.id, operation, self.edition), || KERNELS.lock().unwrap_or_else(PoisonError::into_inner));
         if let Some(module) = kernels().get(&key) {
             return Ok(module.clone());
         }
@@ -174,7 +186,9 @@ impl Compiler {
     /// # Errors
     /// glslang's.
     pub fn compile_shader(&self, shader: Shader<'_>, macros: &[(String, String)]) -> Result<Vec<u8>, String> {
-        self.0.compile(SourceLanguage::Glsl, &shader, macros)
+        let exact = (self.edition == Edition::Exact).then(|| (EXACT.to_owned(), String::new()));
+        let macros: Vec<_> = macros.iter().cloned().chain(exact).collect();
+        self.glslang.compile(SourceLanguage::Glsl, &shader, &macros)
     }
 
     /// Compiles a compute shader in HLSL, whose entry point is [`ENTRY_POINT`].
@@ -183,7 +197,7 @@ impl Compiler {
     /// glslang's.
     pub fn compile_hlsl(&self, file: &str, text: &str) -> Result<Vec<u8>, String> {
         let shader = Shader { stage: Stage::Compute, file, text, beside: |_| None };
-        self.0.compile(SourceLanguage::Hlsl, &shader, &[])
+        self.glslang.compile(SourceLanguage::Hlsl, &shader, &[])
     }
 }
 

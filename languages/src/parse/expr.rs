@@ -8,10 +8,11 @@ use crate::syntax::{Expr, ExprKind, Parameter, Scalar, Type};
 const BITFIELD_EXTRACT: &str = "bitfieldExtract";
 
 /// GLSL's functions that the includes use, and how many arguments each takes.
-const BUILT_IN: [(&str, usize); 9] = [
+const BUILT_IN: [(&str, usize); 10] = [
     ("abs", 1),
     ("floor", 1),
     ("sqrt", 1),
+    ("inversesqrt", 1),
     ("max", 2),
     ("min", 2),
     ("clamp", 3),

@@ -6,6 +6,7 @@ pub use expr::precedence;
 use expr::root;
 
 use crate::Error;
+use crate::language::EXACT;
 use crate::lex::{Kind, Token, tokens};
 use crate::syntax::{
     Block, Condition, Constant, Declaration, Expr, ExprKind, File, Function, Item, ItemKind, Lead, Parameter,
@@ -328,7 +329,7 @@ impl<'a> Parser<'a> {
     fn alternative(&mut self) -> Parsed<StatementKind> {
         let directive = self.peek().text.to_owned();
         let condition = match directive.strip_prefix("#ifdef ") {
-            Some("UNITVEC_EXACT") => Condition::Exact(directive),
+            Some(EXACT) => Condition::Exact(directive),
             Some(_) => Condition::Macro(directive),
             None if directive.starts_with("#if __VERSION__ >= ") => Condition::Version(directive),
             None => return Err(self.error(&format!("what is `{directive}` for?"))),

@@ -63,7 +63,7 @@ impl Printer<'_> {
     fn concerns(&self, paragraph: &[String]) -> bool {
         let says = |word: &str| paragraph.iter().any(|line| line.contains(word));
         let has_macros = self.language.has_preprocessor() && self.language != Language::Slang;
-        !says("GLSL") && (has_macros || !says("#define"))
+        !says("GLSL") && (has_macros || !says("macro"))
     }
 
     /// Prints the paragraph of the head that tells the layout.
@@ -92,7 +92,7 @@ impl Printer<'_> {
         if self.edition == Edition::Exact {
             notes.push(
                 "The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so \
-                 that compilers do not fuse or reorder operations."
+                 that compilers do not fuse or reorder operations; quotients and roots are put right."
                     .to_owned(),
             );
         } else if file.name == ARITH {
@@ -109,7 +109,7 @@ impl Printer<'_> {
                 "For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need."
             }
             Language::Wgsl => {
-                "WGSL has no #include: join the texts of the files that you need, this one first, with your own."
+                "WGSL cannot include files: join the texts of the files that you need, this one first, with your own."
             }
             Language::Slang => {
                 "All files are one module. With this folder among the compiler's search paths (-I), write:\n\timport unitvec;"
@@ -118,11 +118,12 @@ impl Printer<'_> {
                 "Include unitvec.metal, or the families that you need. All functions are inline."
             }
             Language::GlslEs => {
-                "For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you \
-                 need, this one first, with your own, all below `#version 300 es`."
+                "For GLSL ES 3.00 and later, WebGL 2 included, which cannot include files: join the texts of the files that you \
+                 need, this one first, with your own, all below the line that states the version."
             }
             Language::Godot => {
-                "For Godot 4. Put the files into one folder of the project, and write below `shader_type`, for instance:\n\t#include \"res://unitvec/oct.gdshaderinc\"\n\
+                "For Godot 4. Put the files into one folder of the project, and include those that you need below `shader_type`, for \
+                 instance \"res://unitvec/oct.gdshaderinc\".\n\
                  Godot hands numbers to drivers with 14 decimals, so smaller ones are fractions of powers of two here."
             }
             Language::NagaOil => {
@@ -140,9 +141,12 @@ impl Printer<'_> {
     fn precision(&self) -> Option<&'static str> {
         match self.language {
             Language::Glsl => None,
-            Language::Hlsl => Some("`precise` keeps compilers from fusing and reordering operations."),
+            Language::Hlsl => Some(
+                "`precise` keeps compilers from fusing and reordering operations. Where UNITVEC_EXACT is defined, quotients and \
+                 roots are put right.",
+            ),
             Language::Msl => Some(
-                "`#pragma clang fp contract(off)` holds to the end of what includes this. With fast math, which Metal has \
+                "The pragma `clang fp contract(off)` holds to the end of what includes this. With fast math, which Metal has \
                  unless it is turned off, a compiler may still reorder operations. The files in exact/ prevent that.",
             ),
             _ => Some(

@@ -35,18 +35,17 @@ impl Printer<'_> {
         self.unguarded(expr)
     }
 
-    /// True for sums, products, quotients and roots that the exact edition keeps apart from further operations:
-    /// compilers may otherwise fuse, reorder, and take an estimate in place of the inverse of a root.
+    /// True for sums and products that the exact edition keeps apart from further operations: compilers may otherwise fuse
+    /// and reorder. Its quotients and roots are put right, however a device takes them.
     fn needs_barrier(&self, expr: &Expr) -> bool {
-        if !(self.is_exact() && self.in_precise && expr.ty.is_float()) {
+        if !(self.has_barriers() && self.in_precise && expr.ty.is_float()) {
             return false;
         }
         match &expr.kind {
             ExprKind::Binary(operator, left, right) if operator == "*" => {
                 !is_power_of_two(left) && !is_power_of_two(right)
             }
-            ExprKind::Binary(..) => true,
-            ExprKind::BuiltIn(name, _) => name == "sqrt",
+            ExprKind::Binary(operator, ..) => operator != "/",
             _ => false,
         }
     }
@@ -190,6 +189,8 @@ impl Printer<'_> {
             ("floatBitsToUint" | "uintBitsToFloat", language) if !language.is_glsl() => {
                 format!("{}({})", self.bit_cast(name, ty), self.expr(&arguments[0]))
             }
+            ("inversesqrt", Language::Wgsl) => format!("inverseSqrt({})", self.list(arguments)),
+            ("inversesqrt", language) if !language.is_glsl() => format!("rsqrt({})", self.list(arguments)),
             // Scalars beside vectors.
             (_, Language::Wgsl | Language::Msl | Language::Slang) => {
                 let spread = arguments.iter().map(|argument| match argument.ty.size() < ty.size() {

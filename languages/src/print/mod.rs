@@ -9,7 +9,7 @@ use crate::syntax::{
     Parameter, Part, Statement, StatementKind, Struct, Type,
 };
 use crate::wrap::{WIDTH, wrapped};
-use crate::{ALL, Edition, Error, Language};
+use crate::{ALL, EXACT, Edition, Error, Language};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Writes text in a language.
@@ -32,6 +32,9 @@ pub struct Printer<'a> {
 
 /// The exact editions' name for the second operand of the barriers' `min`.
 const BARRIER: &str = "UNITVEC_HUGE";
+
+/// The beginning of the names of what only exact editions need.
+const OF_EXACT: &str = "unitvec_exact_";
 
 /// The file that has the barriers, and the arithmetic that all families need.
 pub const ARITH: &str = "arith.glsl";
@@ -69,8 +72,9 @@ impl<'a> Printer<'a> {
         self.lines.push(line.into());
     }
 
-    fn is_exact(&self) -> bool {
-        self.edition == Edition::Exact
+    /// True where barriers are needed.
+    fn has_barriers(&self) -> bool {
+        self.edition == Edition::Exact && !self.language.has_precise()
     }
 
     /// A whole file.
@@ -151,7 +155,10 @@ impl<'a> Printer<'a> {
                         #pragma clang fp contract(off)\n\n";
             self.lines.extend(head.lines().map(str::to_owned));
         }
-        if self.is_exact() {
+        if self.edition == Edition::Exact && self.language.has_precise() {
+            self.lines.extend([format!("#define {EXACT}"), String::new()]);
+        }
+        if self.has_barriers() {
             // In GLSL ES it stands above the default precision.
             let ty =
                 if self.language == Language::GlslEs { "highp float" } else { &self.type_name(&Type::FLOAT) };
@@ -221,12 +228,17 @@ impl<'a> Printer<'a> {
     }
 
     fn item(&mut self, file: &File, item: &Item) -> Result<(), Error> {
-        let is_left_out = match item.kind {
+        let is_of_exact = |name: &str| name.to_ascii_lowercase().starts_with(OF_EXACT);
+        let has_no_exact =
+            self.language.branch(self.edition, &Condition::Exact(String::new())) == Branch::Otherwise;
+        let is_left_out = match &item.kind {
             ItemKind::Precise(_) => self.language != Language::Glsl,
             ItemKind::Precision(_) => !matches!(self.language, Language::Glsl | Language::GlslEs),
-            _ => false,
+            kind => has_no_exact && kind.name().is_some_and(is_of_exact),
         };
         if is_left_out {
+            let own = item.lead.iter().rposition(String::is_empty).unwrap_or_default();
+            self.comments(0, &item.lead[..own]);
             self.line("");
             return Ok(());
         }
@@ -459,7 +471,7 @@ impl<'a> Printer<'a> {
         let to = self.expr(target);
         let compound = operator.strip_suffix('=').filter(|operator| !operator.is_empty());
         match compound {
-            Some(operator) if self.is_exact() && self.in_precise => {
+            Some(operator) if self.has_barriers() && self.in_precise => {
                 let sum =
                     ExprKind::Binary(operator.to_owned(), Box::new(target.clone()), Box::new(value.clone()));
                 format!("{to} = {}", self.expr(&Expr { kind: sum, ty: target.ty.clone() }))

@@ -4,7 +4,7 @@
 //! leave the rounding of ties open; here ties go to the even integer.
 
 use super::{
-    SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, quotient, signed_integer, signed_integer_at,
+    SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, quotient, ratio, signed_integer, signed_integer_at,
     signed_quotient,
 };
 use glam::Vec2;
@@ -89,7 +89,7 @@ pub struct SnormDivision {
 impl SnormDivision {
     /// The division for an snorm of `bits` bits. For constants only: a device would divide.
     pub const fn new(bits: u32) -> Self {
-        let (h, reciprocal) = (exp2(1 - bits as i32), 1.0 / snorm_max(bits));
+        let (h, reciprocal) = (exp2(1 - bits as i32), ratio(1.0, snorm_max(bits)));
         if bits <= 11 {
             Self { high: h + h * h, low: h * h * reciprocal }
         } else {

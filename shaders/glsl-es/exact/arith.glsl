@@ -2,11 +2,11 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// For GLSL ES 3.00 and later, WebGL 2 included, which has no #include: join the texts of the files that you need, this
-// one first, with your own, all below `#version 300 es`.
+// For GLSL ES 3.00 and later, WebGL 2 included, which cannot include files: join the texts of the files that you need,
+// this one first, with your own, all below the line that states the version.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -125,6 +125,138 @@ vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     return scaled;
 }
 
+// divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
+// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+
+const uint UNITVEC_EXACT_BELOW = 32u;
+const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+// The bits of 2^-1 and of 2^125.
+const uint UNITVEC_EXACT_HALF = 0x3f000000u;
+const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+
+uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+
+// The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
+uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+
+// About -1 / significand of a number of this exponent.
+float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+
+// a / b, a of 0 or more and b positive.
+float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(floatBitsToUint(a));
+    uint divisor = unitvec_exact_significand(floatBitsToUint(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = floatBitsToUint(b) & UNITVEC_EXACT_EXPONENT;
+    float inverse = 1.0 / b;
+    float rough = min(a * inverse, UNITVEC_HUGE);
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
+}
+
+// m / b, both positive and m a constant.
+float unitvec_exact_over(float m, float b) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    float inverse = 1.0 / b;
+    float rough = min(m * inverse, UNITVEC_HUGE);
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return uintBitsToFloat(first - exponent + found);
+}
+
+// The reciprocal of the number of this significand and exponent, about `inverse`.
+float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = floatBitsToUint(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+}
+
+// The exponent of the root of x.
+uint unitvec_exact_root_exponent(float x) {
+    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+
+// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
+uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = floatBitsToUint(x);
+    float rough = min(x * inverse, UNITVEC_HUGE);
+    uint guess =
+        (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+
+// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+float unitvec_quotient(float a, float b) {
+    return unitvec_exact_quotient(a, b);
+}
+
+// unitvec_quotient for numbers of either sign.
+float unitvec_signed_quotient(float a, float b) {
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+}
+
+// m / b, rounded to nearest, for positive b and a positive constant m.
+float unitvec_over(float m, float b) {
+    return unitvec_exact_over(m, b);
+}
+
+// 1 / b, rounded to nearest, for positive b.
+float unitvec_reciprocal(float b) {
+    float inverse = 1.0 / b;
+    uint bits = floatBitsToUint(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+}
+
+// The square root of x, rounded to nearest; of denormals it may be 0.
+float unitvec_root(float x) {
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+}
+
+// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+float unitvec_inverse_root(float x) {
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = inversesqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+}
+
 // pack: integers in the low bits of words.
 
 // The low `bits` bits (1 to 31) set.
@@ -188,16 +320,9 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
-// takes two more operations instead.
+// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
 float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
-}
-
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
-// may otherwise divide once and multiply by the quotient.
-vec3 unitvec_divisors(float x) {
-    return vec3(x, min(x, 1e38), max(x, 1e-38));
 }
 
 // unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
@@ -338,15 +463,14 @@ float unitvec_dot(vec3 a, vec3 b) {
 
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
-    vec3 n = min(v * min(1.0 / min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec3 n = min(v * unitvec_inverse_root(unitvec_dot(v, v)), UNITVEC_HUGE);
     return n;
 }
 
 // Distance of v from the z axis.
 float unitvec_horizontal_length(vec3 v) {
-    float distance_from_z =
-        min(sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    return distance_from_z;
+    float square = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    return unitvec_root(square);
 }
 
 // face: the faces of a cube, the one in a direction, and the components in its order.
@@ -429,7 +553,8 @@ float unitvec_coordinate(float x, vec2 sum, float reciprocal, uint bits, out int
 vec3 unitvec_normalize_parts(vec3 upper, vec3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    float estimate = min(1.0 / min(sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(squares + other_squares, UNITVEC_HUGE);
+    float estimate = unitvec_inverse_root(square);
     float reciprocal = uintBitsToFloat((floatBitsToUint(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -590,7 +715,7 @@ float unitvec_atan_octant(float r) {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 float unitvec_atan_octant_ratio(float y, float x) {
-    float divided = min(y / x, UNITVEC_HUGE);
+    float divided = unitvec_quotient(y, x);
     float quotient = y < x ? divided : 1.0;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0 : quotient);
 }
@@ -654,7 +779,7 @@ float unitvec_asin_small(float a) {
     float half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_HUGE);
     float squared = min(a * a, UNITVEC_HUGE);
     float u = outer_part ? half_chord_squared : squared;
-    float root = min(sqrt(u), UNITVEC_HUGE);
+    float root = unitvec_root(u);
     float w = outer_part ? root : a;
     float low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3
         + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
@@ -773,7 +898,7 @@ vec3 unitvec_angles_scaled(vec3 v, float norm) {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 float unitvec_angles_quarter(float y, float x) {
-    float q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
+    float q = unitvec_quotient(min(x, y), max(x, y));
     float part = unitvec_atan_quarter(q);
     float rest = min(1.0 - part, UNITVEC_HUGE);
     return y > x ? rest : part;

@@ -6,7 +6,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2; Snyder 1987; Shirley and Chiu 1997; the ellipse map is the elliptical grid
 // map.
@@ -37,12 +37,18 @@ const int UNITVEC_PLAIN = 0;
 const int UNITVEC_CONCENTRIC = 1;
 const int UNITVEC_ELLIPSE = 2;
 
+// a / b of each component.
+vec2 unitvec_signed_quotients(vec2 a, vec2 b) {
+    return vec2(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 vec4 unitvec_stereo_to_disk(vec3 v) {
-    float scale = min(1.0 / min(min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sum = min(unitvec_root(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    float scale = unitvec_reciprocal(sum);
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
@@ -51,24 +57,22 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     float sum = min(2.0 - rim, UNITVEC_HUGE);
-    vec3 by = unitvec_divisors(sum);
-    vec2 horizontal = min(2.0 * at / by.xy, UNITVEC_HUGE);
-    float z = min(rim / by.z, UNITVEC_HUGE);
-    return vec3(horizontal, z);
+    return vec3(unitvec_signed_quotients(2.0 * at, vec2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
-    float norm = min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE);
-    float scale =
-        min(1.0 / min(sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float norm = unitvec_root(unitvec_dot(v, v));
+    float product = min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float scale = unitvec_inverse_root(product);
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
-    float rim = min(v.z / norm, UNITVEC_HUGE);
+    float rim = unitvec_signed_quotient(v.z, norm);
     return vec4(at, radius, rim);
 }
 
 vec3 unitvec_disk_to_eqarea(vec2 at, float rim) {
-    float scale = min(sqrt(min(1.0 + rim, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float square = min(1.0 + rim, UNITVEC_HUGE);
+    float scale = unitvec_root(square);
     vec2 horizontal = min(at * scale, UNITVEC_HUGE);
     return vec3(horizontal, rim);
 }
@@ -83,7 +87,7 @@ vec4 unitvec_eqdist_to_disk(vec3 v) {
     float rest = min(1.0 - part, UNITVEC_HUGE);
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    float quotient = min(radius / rho, UNITVEC_HUGE);
+    float quotient = unitvec_quotient(radius, rho);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0;
     vec2 at = min(v.xy * scale, UNITVEC_HUGE);
     float rim = min(inside * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -139,24 +143,24 @@ bool unitvec_plain_is_remote(vec2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 vec2 unitvec_plain_settle(vec2 e, uint bits) {
-    vec2 slope = min(unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits), UNITVEC_HUGE);
+    vec2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     vec2 settled = min(e - (slope.x > slope.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0)), UNITVEC_HUGE);
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 vec2 unitvec_plain_move_to_rim(vec2 p, vec2 m, float excess) {
-    vec2 slope = min(p / m, UNITVEC_HUGE);
+    vec2 slope = unitvec_signed_quotients(p, m);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    float alone = min(excess / steep, UNITVEC_HUGE);
-    float remainder =
-        min(min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle, UNITVEC_HUGE);
+    float alone = unitvec_signed_quotient(excess, steep);
+    float left = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE);
+    float remainder = unitvec_signed_quotient(left, gentle);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0 : remainder;
     vec2 moved = along_u ? vec2(first, second) : vec2(second, first);
-    vec2 on_rim = min(p - min(moved / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 on_rim = min(p - unitvec_signed_quotients(moved, m), UNITVEC_HUGE);
     return on_rim;
 }
 
@@ -176,7 +180,7 @@ vec4 unitvec_plain_to_disk(vec2 e, uint bits) {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 vec4 unitvec_plain_square_to_disk(vec2 s) {
     float square = min(min(s.x * s.x, UNITVEC_HUGE) + min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    vec2 on_rim = min(s * min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 on_rim = min(s * unitvec_inverse_root(square), UNITVEC_HUGE);
     float rim = min(1.0 - square, UNITVEC_HUGE);
     return square < 1.0 ? vec4(s, 0.0, rim) : vec4(on_rim, 0.0, 0.0);
 }
@@ -193,7 +197,7 @@ vec4 unitvec_concentric_to_disk(vec2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    float quotient = min(shorter / radius, UNITVEC_HUGE);
+    float quotient = unitvec_quotient(shorter, radius);
     float octant = radius > 0.0 ? quotient : 0.0;
     float angle = 0.25 * octant;
     vec2 p = min(radius * unitvec_sin_cos_half_turns(angle), UNITVEC_HUGE);
@@ -204,16 +208,16 @@ vec4 unitvec_concentric_to_disk(vec2 s) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 vec2 unitvec_ellipse_to_square(vec4 disk) {
     float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sum = min(2.0 + min(sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)),
-        UNITVEC_HUGE), UNITVEC_HUGE);
-    vec2 s = min(2.0 * disk.xy / vec2(min(sqrt(min(sum + difference, UNITVEC_HUGE)), UNITVEC_HUGE),
-        min(sqrt(min(sum - difference, UNITVEC_HUGE)), UNITVEC_HUGE)), UNITVEC_HUGE);
-    return s;
+    float square = min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE);
+    float sum = min(2.0 + unitvec_root(square), UNITVEC_HUGE);
+    vec2 squares = vec2(min(sum + difference, UNITVEC_HUGE), min(sum - difference, UNITVEC_HUGE));
+    return unitvec_signed_quotients(2.0 * disk.xy, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 s) {
-    vec2 root = vec2(min(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
-        min(sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
+    vec2 squares = vec2(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE));
+    vec2 root = vec2(unitvec_root(squares.x), unitvec_root(squares.y));
     vec2 at = min(s * root, UNITVEC_HUGE);
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     float factor = min(1.0 - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -228,7 +232,7 @@ float unitvec_azimuthal_signed(bool negative, float x) {
 
 // The place of the direction of v on the square, without signs.
 vec2 unitvec_azimuthal_to_square(vec3 v, int projection, int map) {
-    vec3 octant = min(abs(v) * min(1.0 / unitvec_l1_norm(v), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec3 octant = min(abs(v) * unitvec_reciprocal(unitvec_l1_norm(v)), UNITVEC_HUGE);
     vec4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light"; Cigolle et al. 2014, section 2.2.
 //
@@ -19,8 +19,8 @@
 // the table. They round by adding 1.5 2^23; without `precise` (see arith.glsl) a compiler may undo that in the choice of a
 // length, which then is a cell's first.
 //
-// They look the lengths up, with the same result, where UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included,
-// as an expression that gives word i of the table, i below 206080: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
+// They look the lengths up, with the same result, where a macro UNITVEC_BEST_FIT_TABLE(i) is defined before this file is
+// included, as an expression that gives word i of the table, i below 206080, such as table.words[i].
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Decoding
 // gives the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -44,16 +44,16 @@ const float UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT = 0.75;
 const float UNITVEC_BEST_FIT_LEAST_PART = 5.9604644775390625e-8;
 
 float unitvec_best_fit_part(float a, float largest) {
-    float part = min(a / largest, UNITVEC_HUGE);
+    float part = unitvec_quotient(a, largest);
     return part < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : part;
 }
 
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 vec3 unitvec_best_fit_on_cube(vec3 v) {
     vec3 a = abs(v);
-    vec3 largest = unitvec_divisors(max(max(a.x, a.y), a.z));
-    return vec3(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
-        unitvec_best_fit_part(a.z, largest.z));
+    float largest = max(max(a.x, a.y), a.z);
+    return vec3(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
+        unitvec_best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
@@ -142,7 +142,7 @@ vec3 unitvec_best_fit_parts_and_reciprocal(vec3 v) {
     vec3 a = abs(v);
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
-    float reciprocal = min(1.0 / max(high, a.z), UNITVEC_HUGE);
+    float reciprocal = unitvec_reciprocal(max(high, a.z));
     float mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
     float least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return vec3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0 : least,
@@ -196,19 +196,18 @@ float unitvec_best_fit_sine(vec2 u, float size) {
     vec2 p = min(u * size, UNITVEC_HUGE);
     vec2 d = min(unitvec_nearest_whole(p) - p, UNITVEC_HUGE);
     float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sine = min(sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0 / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
-    return sine;
+    float size_squared = min(size * size, UNITVEC_HUGE);
+    float square = min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * unitvec_reciprocal(size_squared), UNITVEC_HUGE);
+    return unitvec_root(square);
 }
 
 // `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
-    float columns =
-        min(float(cell) + min(min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE), UNITVEC_HUGE);
-    float part = min(columns / max(columns, UNITVEC_BEST_FIT_CELLS), UNITVEC_HUGE);
-    return part;
+    float middle = min(third + 0.5, UNITVEC_HUGE);
+    float columns = min(float(cell) + unitvec_quotient(middle, max(third, 3.0)), UNITVEC_HUGE);
+    return unitvec_quotient(columns, max(columns, UNITVEC_BEST_FIT_CELLS));
 }
 
 // One of the nine directions of a cell.
@@ -311,8 +310,9 @@ uvec2 snorm16x3p_encode(vec3 v) {
     vec3 u = unitvec_best_fit_on_cube(v);
     vec2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = min(longest / min(sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float unit = unitvec_quotient(longest, unitvec_root(square));
     vec3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     vec3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uvec2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2; Meyer et al. 2010, eq. 8.
 //
@@ -38,7 +38,7 @@ uint unitvec_cube_encode_on_face(vec3 v, uint bits, bool warped) {
     v = unitvec_or_z(v);
     uint face = unitvec_face_of(v);
     vec3 p = unitvec_to_face(v, face);
-    float scale = min(1.0 / abs(p.z), UNITVEC_HUGE);
+    float scale = unitvec_reciprocal(abs(p.z));
     vec2 t = min(abs(p.xy) * scale, UNITVEC_HUGE);
     if (warped) t = vec2(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y));
     uvec2 widths = unitvec_cube_widths(bits);
@@ -66,7 +66,7 @@ vec3 unitvec_cube_decode(uint code, uint bits) {
     uvec2 widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
     float side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
-    float v_step = min(side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE), UNITVEC_HUGE);
+    float v_step = unitvec_over(side, unitvec_snorm_max(widths.y) + 0.5);
     float y = min(e.y * v_step, UNITVEC_HUGE);
     return unitvec_from_face(unitvec_normalize(vec3(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
@@ -91,7 +91,7 @@ vec3 unitvec_warpedcube_decode(uint code, uint bits) {
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice the factor of
 // x / side is 2^bits - 1.
 int unitvec_cube_round_wide(float x, float side, uint bits) {
-    float reciprocal = min(1.0 / side, UNITVEC_HUGE);
+    float reciprocal = unitvec_reciprocal(side);
     int doubled;
     float fraction;
     unitvec_coordinate(x, vec2(side, 0.0), reciprocal, bits + 1u, doubled, fraction);

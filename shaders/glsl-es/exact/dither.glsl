@@ -5,7 +5,7 @@
 // Needs the text of eaoct.glsl and soct.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
 //   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
@@ -204,7 +204,8 @@ vec3 unitvec_dither_eaoct_direction(vec2 e, vec2 offset, float m) {
     bool past_equator = ring > m;
     float beyond_equator = min(2.0 * m - ring, UNITVEC_HUGE);
     float mirrored = past_equator ? beyond_equator : ring;
-    float turn = min(min(at.place - turned.y, UNITVEC_HUGE) / max(at.ring, 1.0), UNITVEC_HUGE);
+    float place = min(at.place - turned.y, UNITVEC_HUGE);
+    float turn = unitvec_signed_quotient(place, max(at.ring, 1.0));
     uint flip = turn < 0.0 ? UNITVEC_SIGN_BIT : 0u;
     vec2 signs = vec2(unitvec_flip_sign(unitvec_with_sign(1.0, e.x), at.swapped ? flip : 0u),
         unitvec_flip_sign(unitvec_with_sign(1.0, e.y), at.swapped ? 0u : flip));

@@ -5,7 +5,7 @@
 // Needs the text of oct.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD" (the map).
 //
@@ -47,10 +47,11 @@ UnitvecEaoctPolar unitvec_eaoct_polar(vec3 v, float norm) {
     float b = min(x, y);
 
     float horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
-    float len = min(sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    float radius =
-        min(sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    float q = min(b / a, UNITVEC_HUGE);
+    float square = min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float len = unitvec_root(square);
+    float product = min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -85,10 +86,11 @@ vec3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) {
     float along = min(p.turn * ring, UNITVEC_HUGE);
     float place = floor(min(along + 0.5, UNITVEC_HUGE));
     float across = min(ring - steps, UNITVEC_HUGE);
-    float q = min(min(along - place, UNITVEC_HUGE) / max(ring, 1.0), UNITVEC_HUGE);
+    float beside = min(along - place, UNITVEC_HUGE);
+    float q = unitvec_signed_quotient(beside, max(ring, 1.0));
 
     float c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    float change = min(across * min(p.radius * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float change = min(across * min(p.radius * unitvec_reciprocal(m), UNITVEC_HUGE), UNITVEC_HUGE);
     float turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
         UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE), UNITVEC_HUGE);
@@ -134,9 +136,10 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
     float eighth = 0.5 * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    float radius = min(ring * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = min(ring * unitvec_reciprocal(m), UNITVEC_HUGE);
     float z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    float horizontal = min(radius * min(sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float from_below = min(1.0 + z, UNITVEC_HUGE);
+    float horizontal = min(radius * unitvec_root(from_below), UNITVEC_HUGE);
     float near_axis = min(horizontal * cosine, UNITVEC_HUGE);
     float off_axis = min(horizontal * sine, UNITVEC_HUGE);
     float x = swapped ? off_axis : near_axis;
@@ -148,7 +151,7 @@ vec3 unitvec_eaoct_from_ring(vec2 e, float ring, float turn, bool swapped, float
 // Direction of a lattice point.
 vec3 unitvec_eaoct_from_lattice(vec2 e, float m) {
     UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
-    float turn = min(at.place / max(at.ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+    float turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -174,8 +177,9 @@ vec3 eaoct_unorm_to_float32x3(vec2 e) { return eaoct_to_float32x3(unitvec_unbias
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_eaoctn_precise(vec3 v, int n) {
     float norm = unitvec_l1_norm(v);
-    float m = unitvec_snorm_max(uint(n / 2));
-    vec2 e = min(unitvec_eaoct_lattice_precise(v, norm, m) / m, UNITVEC_HUGE);
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return unitvec_is_usable(norm) ? e : vec2(0.0);
 }
 

@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Keinert, Innmann, Sänger and Stamminger 2015, "Spherical Fibonacci Mapping".
 //
@@ -99,7 +99,7 @@ uint unitvec_fib_split(float x, out float rest) {
 uint unitvec_fib_azimuth(vec3 v, vec3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    float quotient = min(min(x, y) / max(x, y), UNITVEC_HUGE);
+    float quotient = unitvec_quotient(min(x, y), max(x, y));
     float part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -122,11 +122,12 @@ float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 UnitvecFibPlace unitvec_fib_place(vec3 v, uint bits) {
     float horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float reciprocal =
-        min(1.0 / min(sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float reciprocal = unitvec_inverse_root(square);
     float height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     float radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
-    float from_pole = min(radius_squared / min(1.0 + height, UNITVEC_HUGE), UNITVEC_HUGE);
+    float from_below = min(1.0 + height, UNITVEC_HUGE);
+    float from_pole = unitvec_quotient(radius_squared, from_below);
     float from_top = min(1.0 - height, UNITVEC_HUGE);
     bool is_polar = height > 0.5;
 
@@ -149,7 +150,7 @@ UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0));
     float power = unitvec_fib_golden_power(k);
-    float turn = min(1.0 / power, UNITVEC_HUGE);
+    float turn = unitvec_reciprocal(power);
     float next_turn = min(turn * 0.618034, UNITVEC_HUGE);
     float step_size = min(min(power * 0.4472136, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     float next_step = min(min(power * 0.7236068, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -164,8 +165,8 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
     float signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     bool is_point = signed_depth > 0.0;
     float depth = abs(signed_depth);
-    float radii = min(sqrt(min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
+    float squares = min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float radii = unitvec_root(squares);
 
     float d = unitvec_fib_signed_turn(turn);
     float u = min(d * d, UNITVEC_HUGE);
@@ -174,8 +175,8 @@ UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, uint tu
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE);
     float sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
-    float cost = min(min(min(difference * difference, UNITVEC_HUGE) / sum, UNITVEC_HUGE)
-        + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(difference * difference, UNITVEC_HUGE);
+    float cost = min(unitvec_quotient(square, sum) + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     UnitvecFibCandidate candidate = UnitvecFibCandidate(i, is_point ? cost : 4.0);
     return candidate;
@@ -233,7 +234,8 @@ vec3 unitvec_fib_point(uint i, uint bits) {
     float depth = min(min(float(int(from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
     float height =
         min(min(float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
-    float radius = min(sqrt(min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float square = min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = unitvec_root(square);
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;

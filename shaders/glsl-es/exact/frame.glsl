@@ -5,7 +5,7 @@
 // Needs the text of oct.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Sources: Duff et al. 2017 for the basis about the normal, Ong 2023 for the tangent's place in it; the normal is that
 // of oct.glsl.
@@ -40,7 +40,8 @@ const float UNITVEC_UNWARP_2 = 0.0392082;
 // second, n).
 void unitvec_frame_basis(vec3 n, out vec3 first, out vec3 second) {
     float s = unitvec_with_sign(1.0, n.z);
-    float a = min(-1.0 / min(s + n.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float beyond = min(s + n.z, UNITVEC_HUGE);
+    float a = unitvec_signed_quotient(-1.0, beyond);
     float b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
     vec3 e = vec3(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
@@ -65,8 +66,9 @@ float unitvec_frame_unwarp(float w, uint angle_bits) {
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float nearer = min(v + min(min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395,
-        UNITVEC_HUGE) / min(1.0 + u, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float missing = min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE);
+    float slope = min(1.0 + u, UNITVEC_HUGE);
+    float nearer = min(v + unitvec_signed_quotient(missing, slope), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -87,7 +89,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
     uint below = floatBitsToUint(y) & UNITVEC_SIGN_BIT;
     uint odd = (floatBitsToUint(x) & UNITVEC_SIGN_BIT) ^ below;
     float difference = min(abs(y) - abs(x), UNITVEC_HUGE);
-    float w = min(unitvec_flip_sign(difference, odd) / sum, UNITVEC_HUGE);
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     float half_places = float(1u << (angle_bits - 3u));
     float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
@@ -101,8 +103,7 @@ uint unitvec_frame_angle_code(vec3 n, vec3 tangent, uint angle_bits, float paral
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 vec2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v =
-        min(min(place * min(1.0 / float(1u << (angle_bits - 3u)), UNITVEC_HUGE), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+    float v = min(min(place * unitvec_exp2(3 - int(angle_bits)), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -129,7 +130,7 @@ uint unitvec_frame_handedness_code(float handedness) {
 
 // -1 where bit 31 of a code is set, else +1.
 float unitvec_frame_handedness(uint code) {
-    return unitvec_with_sign(1.0, uintBitsToFloat(code));
+    return unitvec_flip_sign(1.0, code & UNITVEC_SIGN_BIT);
 }
 
 uint frame32_encode(vec3 normal, vec4 tangent) {

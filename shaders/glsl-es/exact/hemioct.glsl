@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, listing 6.
 //
@@ -25,8 +25,8 @@ precision highp int;
 
 // The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
-    vec2 e = min(vec2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
-        UNITVEC_HUGE);
+    vec2 e =
+        min(vec2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * unitvec_over(m, norm), UNITVEC_HUGE);
     return e;
 }
 

@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, listings 1 to 5; Meyer et al. 2010, section 5.
 //
@@ -50,7 +50,7 @@ vec2 unitvec_oct_mirror(vec3 v, vec2 p) {
 // with s = m / norm, which is (|x| + |z|) s.
 vec2 unitvec_oct_position(vec3 v, float norm, float m) {
     float below = max(-v.z, 0.0);
-    vec2 p = min(min(abs(v.xy) + below, UNITVEC_HUGE) * min(m / norm, UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 p = min(min(abs(v.xy) + below, UNITVEC_HUGE) * unitvec_over(m, norm), UNITVEC_HUGE);
     return unitvec_oct_mirror(v, p);
 }
 
@@ -58,7 +58,7 @@ vec2 unitvec_oct_position(vec3 v, float norm, float m) {
 vec2 unitvec_oct_projected(vec2 q, vec3 p, vec2 middle, float m) {
     float missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
         - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float stretch = min(missing * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    float stretch = min(missing * unitvec_reciprocal(m), UNITVEC_HUGE);
     vec2 moved = min(q + min(stretch * p.xy, UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
@@ -72,7 +72,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
     float n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(0.25 * z_squared + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
     float half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
-    float u = min(n * min(min(1.5 / m, UNITVEC_HUGE) / half_s, UNITVEC_HUGE), UNITVEC_HUGE);
+    float u = min(n * unitvec_quotient(unitvec_over(1.5, m), half_s), UNITVEC_HUGE);
     vec2 moved = min(ab + min(u * min(at + minus_z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
@@ -80,7 +80,7 @@ vec2 unitvec_oct_weighed(vec2 ab, float cross_term, vec2 q, vec2 at, float m) {
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
-    vec2 moved = min(q + min(at * min(0.3795 / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    vec2 moved = min(q + min(at * unitvec_over(0.3795, m), UNITVEC_HUGE), UNITVEC_HUGE);
     return moved;
 }
 
@@ -94,7 +94,7 @@ vec2 unitvec_oct_approached(vec2 q, vec2 at, float m) {
 vec2 unitvec_oct_nearest_corner(vec3 p, float m) {
     vec2 middle = min(floor(p.xy) + 0.5, UNITVEC_HUGE);
     vec2 q = min(p.xy - middle, UNITVEC_HUGE);
-    vec2 at = min(min(p.xy * min(3.0 / m, UNITVEC_HUGE), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+    vec2 at = min(min(p.xy * unitvec_over(3.0, m), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
     if (m >= 256.0 && m < 4096.0) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -147,7 +147,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
-    vec3 p = min(abs(v) * min(m / norm, UNITVEC_HUGE), UNITVEC_HUGE);
+    vec3 p = min(abs(v) * unitvec_over(m, norm), UNITVEC_HUGE);
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0) p = max(p, m * 1.490116119384765625e-8);
@@ -190,16 +190,16 @@ vec3 oct_unorm_to_float32x3(vec2 e) { return oct_to_float32x3(unitvec_unbiased(e
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 vec2 float32x3_to_octn_precise(vec3 v, int n) {
-    float m = unitvec_snorm_max(uint(n / 2));
-    vec2 e = min(unitvec_oct_lattice_precise(v, m) / m, UNITVEC_HUGE);
-    return e;
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 vec3 unitvec_oct_bytes(vec2 f) {
     vec2 u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, UNITVEC_HUGE) + 2047.5, UNITVEC_HUGE));
-    float high = floor(u.x / 16.0);
-    float carry = floor(u.y / 256.0);
+    float high = floor(u.x * 0.0625);
+    float carry = floor(u.y * 0.00390625);
     vec3 bytes = vec3(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0, UNITVEC_HUGE));
     return bytes;
@@ -207,17 +207,16 @@ vec3 unitvec_oct_bytes(vec2 f) {
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 vec2 unitvec_oct_from_bytes(vec3 bytes) {
-    float high = floor(bytes.y / 16.0);
+    float high = floor(bytes.y * 0.0625);
     vec2 biased = vec2(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
         min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
-    vec2 s = min(min(biased - 2047.0, UNITVEC_HUGE) / 2047.0, UNITVEC_HUGE);
-    return min(s, 1.0);
+    vec2 e = min(biased - 2047.0, UNITVEC_HUGE);
+    return min(vec2(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), 1.0);
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 vec3 snorm12x2_to_unorm8x3(vec2 f) {
-    vec3 parts = min(unitvec_oct_bytes(f) / 255.0, UNITVEC_HUGE);
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

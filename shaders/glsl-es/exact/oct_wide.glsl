@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Meyer et al. 2010, section 5 and table 1. The mapping is that of oct.glsl.
 //
@@ -44,7 +44,7 @@ UnitvecOctWidePosition unitvec_oct_wide_position(vec3 v, uint bits) {
     vec2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     vec2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     vec2 sum = vec2(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_HUGE));
-    float reciprocal = min(1.0 / sum.x, UNITVEC_HUGE);
+    float reciprocal = unitvec_reciprocal(sum.x);
 
     UnitvecOctWidePosition p;
     int x;

@@ -6,7 +6,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 5; Meyer et al. 2010, eqs. 6 and 7.
 //
@@ -119,7 +119,7 @@ vec3 unitvec_parallel_unit(vec3 v) {
     vec3 scaled = min(v * unitvec_scale_to_one(raised), UNITVEC_HUGE);
     float square = unitvec_dot(scaled, scaled);
     float off = min(square - 1.0, UNITVEC_HUGE);
-    float inverse = min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE);
+    float inverse = unitvec_inverse_root(square);
     vec3 n = min(scaled * (abs(off) <= 9.536743e-7 ? 1.0 : inverse), UNITVEC_HUGE);
     return n;
 }
@@ -127,8 +127,7 @@ vec3 unitvec_parallel_unit(vec3 v) {
 float unitvec_parallel_third(vec2 p) {
     float square =
         min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
-    float root = min(sqrt(max(square, 0.0)), UNITVEC_HUGE);
-    return root;
+    return unitvec_root(max(square, 0.0));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

@@ -5,7 +5,7 @@
 // Needs the text of hemioct.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: White 2017, "Signed Octahedron Normal Encoding"; Cigolle et al. 2014, listing 6.
 //
@@ -33,10 +33,10 @@ uint unitvec_soct_pair(vec3 v, float norm, uint bits) {
 // The direction of a point of [-m, m]^2 and the sign, in bit 31: unit length to within 2 ULP. z is the difference of two
 // numbers that both have the sign, since a sum of them may be 0, which has none.
 vec3 unitvec_soct_from_lattice(vec2 e, uint sign_bit, float m) {
-    float below = uintBitsToFloat(sign_bit & UNITVEC_SIGN_BIT);
+    uint below = sign_bit & UNITVEC_SIGN_BIT;
     float across = 2.0 * max(abs(e.x), abs(e.y));
     vec3 v = vec3(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
-        min(unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
+        min(unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below), UNITVEC_HUGE));
     return unitvec_normalize(v);
 }
 

@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2, "spherical".
 //
@@ -45,12 +45,12 @@ vec2 unitvec_spherical_lattice(vec3 v, float m, float half_turn) {
 // Direction of a pair of integers, unit length to within 2 ULP.
 vec3 unitvec_spherical_from_lattice(vec2 e, float m, float half_turn) {
     // The product of m is 1 exactly.
-    float latitude = min(abs(e.x) * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    float latitude = min(abs(e.x) * unitvec_reciprocal(m), UNITVEC_HUGE);
     float diagonal = min(latitude - 0.5, UNITVEC_HUGE);
     vec2 meridian = unitvec_from_diagonal(diagonal);
     float radius = min(meridian.x - meridian.y, UNITVEC_HUGE);
     float z = min(meridian.x + meridian.y, UNITVEC_HUGE);
-    float quarters = min(e.y * min(2.0 / half_turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    float quarters = min(e.y * unitvec_over(2.0, half_turn), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), latitude < 1.0 ? quarters : 0.0);
 }
 

@@ -5,7 +5,7 @@
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Meyer et al. 2010, table 1; Cigolle et al. 2014, section 2, "spherical". The mapping is that of spherical.glsl.
 //
@@ -100,8 +100,8 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     bool steep = y.x > x.x;
     vec2 longer = steep ? y : x;
     vec2 shorter = steep ? x : y;
-    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * min(0.25 / steps.size, UNITVEC_HUGE),
-        UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
+    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size), UNITVEC_HUGE)
+        + 0.5, UNITVEC_HUGE);
     int estimate = int(part);
 
     vec2 cosine;
@@ -110,11 +110,11 @@ int unitvec_spherical_wide_nearest(vec2 x, vec2 y, UnitvecSphericalWideSteps ste
     vec2 forth = unitvec_spherical_wide_product(shorter, cosine);
     vec2 back = unitvec_spherical_wide_product(longer, sine);
     float across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float root = min(sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
+    float square = min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float root = unitvec_root(square);
     float radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
-    float off = min(min(across / radians, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
+    float off = min(unitvec_signed_quotient(across, radians) + 0.5, UNITVEC_HUGE);
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -125,14 +125,14 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     float a = min(longer * longer, UNITVEC_HUGE);
     float b = min(shorter * shorter, UNITVEC_HUGE);
-    float first = min(sqrt(min(a + b, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float squares = min(a + b, UNITVEC_HUGE);
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     float square = min(root * root, UNITVEC_HUGE);
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
-    float low = min(min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root),
-        UNITVEC_HUGE);
-    return vec2(root, low);
+    float left = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE);
+    return vec2(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 uvec2 spherical48_encode(vec3 v) {

@@ -5,7 +5,7 @@
 // Include unitvec.metal, or the families that you need. All functions are inline.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -128,6 +128,138 @@ inline float3 unitvec_scaled_to_one(float3 v, float l1_norm) {
     return scaled;
 }
 
+// divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
+// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+
+constant uint UNITVEC_EXACT_BELOW = 32u;
+constant uint UNITVEC_EXACT_HIDDEN = 0x800000u;
+constant uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
+constant uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
+// The bits of 2^-1 and of 2^125.
+constant uint UNITVEC_EXACT_HALF = 0x3f000000u;
+constant uint UNITVEC_EXACT_2_125 = 0x7e000000u;
+
+inline uint unitvec_exact_significand(uint bits) {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+
+// The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
+inline uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
+    int excess = int(guess * divisor - dividend);
+    uint step_up = uint(int(float(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+
+// About -1 / significand of a number of this exponent.
+inline float unitvec_exact_minus_part(float inverse, uint exponent) {
+    return as_type<float>(as_type<uint>(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+
+// a / b, a of 0 or more and b positive.
+inline float unitvec_exact_quotient(float a, float b) {
+    uint dividend = unitvec_exact_significand(as_type<uint>(a));
+    uint divisor = unitvec_exact_significand(as_type<uint>(b));
+    uint less = dividend < divisor ? 1u : 0u;
+    uint exponent = as_type<uint>(b) & UNITVEC_EXACT_EXPONENT;
+    float inverse = 1.0f / b;
+    float rough = min(a * inverse, UNITVEC_HUGE);
+    // The bits of the power of two below the quotient, less the hidden one.
+    uint first = (as_type<uint>(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    uint guess = (as_type<uint>(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return rough < UNITVEC_NEGLIGIBLE ? 0.0f : as_type<float>(first + found);
+}
+
+// m / b, both positive and m a constant.
+inline float unitvec_exact_over(float m, float b) {
+    uint m_bits = as_type<uint>(m);
+    uint b_bits = as_type<uint>(b);
+    float inverse = 1.0f / b;
+    float rough = min(m * inverse, UNITVEC_HUGE);
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    uint shifted = unitvec_exact_significand(m_bits) << 23u;
+    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
+    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    uint guess = (as_type<uint>(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return as_type<float>(first - exponent + found);
+}
+
+// The reciprocal of the number of this significand and exponent, about `inverse`.
+inline float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
+    uint scaled = as_type<uint>(inverse) + exponent;
+    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return as_type<float>(UNITVEC_EXACT_2_125 - exponent + found);
+}
+
+// The exponent of the root of x.
+inline uint unitvec_exact_root_exponent(float x) {
+    return ((as_type<uint>(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+
+// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
+inline uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+    uint bits = as_type<uint>(x);
+    float rough = min(x * inverse, UNITVEC_HUGE);
+    uint guess =
+        (as_type<uint>(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
+    int remainder = int(square - guess * guess);
+    float half_part = as_type<float>(as_type<uint>(inverse) + exponent - (151u << 23u));
+    uint step_up = uint(int(float(remainder) * half_part));
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    int left = int(square - near * near);
+    return near + (left > int(near) ? 1u : 0u);
+}
+
+// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+inline float unitvec_quotient(float a, float b) {
+    return unitvec_exact_quotient(a, b);
+}
+
+// unitvec_quotient for numbers of either sign.
+inline float unitvec_signed_quotient(float a, float b) {
+    uint sign_bit = (as_type<uint>(a) ^ as_type<uint>(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+}
+
+// m / b, rounded to nearest, for positive b and a positive constant m.
+inline float unitvec_over(float m, float b) {
+    return unitvec_exact_over(m, b);
+}
+
+// 1 / b, rounded to nearest, for positive b.
+inline float unitvec_reciprocal(float b) {
+    float inverse = 1.0f / b;
+    uint bits = as_type<uint>(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+}
+
+// The square root of x, rounded to nearest; of denormals it may be 0.
+inline float unitvec_root(float x) {
+    uint exponent = unitvec_exact_root_exponent(x);
+    uint found = exponent + unitvec_exact_root_significand(x, rsqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return as_type<uint>(x) < UNITVEC_EXACT_HIDDEN ? 0.0f : as_type<float>(found);
+}
+
+// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+inline float unitvec_inverse_root(float x) {
+    uint exponent = unitvec_exact_root_exponent(x);
+    float inverse = rsqrt(x);
+    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+}
+
 // pack: integers in the low bits of words.
 
 // The low `bits` bits (1 to 31) set.
@@ -191,16 +323,9 @@ inline float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
-// takes two more operations instead.
+// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
 inline float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
-}
-
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
-// may otherwise divide once and multiply by the quotient.
-inline float3 unitvec_divisors(float x) {
-    return float3(x, min(x, 1e38f), max(x, 1e-38f));
 }
 
 // unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
@@ -341,15 +466,14 @@ inline float unitvec_dot(float3 a, float3 b) {
 
 // v at unit length, to within 2 ULP.
 inline float3 unitvec_normalize(float3 v) {
-    float3 n = min(v * min(1.0f / min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE), float3(UNITVEC_HUGE));
+    float3 n = min(v * unitvec_inverse_root(unitvec_dot(v, v)), float3(UNITVEC_HUGE));
     return n;
 }
 
 // Distance of v from the z axis.
 inline float unitvec_horizontal_length(float3 v) {
-    float distance_from_z =
-        min(sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    return distance_from_z;
+    float square = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    return unitvec_root(square);
 }
 
 // face: the faces of a cube, the one in a direction, and the components in its order.
@@ -433,7 +557,8 @@ inline float unitvec_coordinate(float x, float2 sum, float reciprocal, uint bits
 inline float3 unitvec_normalize_parts(float3 upper, float3 lower) {
     float squares = unitvec_dot(upper, upper);
     float other_squares = min(2.0f * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    float estimate = min(1.0f / min(sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(squares + other_squares, UNITVEC_HUGE);
+    float estimate = unitvec_inverse_root(square);
     float reciprocal = as_type<float>((as_type<uint>(estimate) + 0x800u) & 0xfffff000u);
 
     float scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -594,7 +719,7 @@ inline float unitvec_atan_octant(float r) {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 inline float unitvec_atan_octant_ratio(float y, float x) {
-    float divided = min(y / x, UNITVEC_HUGE);
+    float divided = unitvec_quotient(y, x);
     float quotient = y < x ? divided : 1.0f;
     return unitvec_atan_octant(y < UNITVEC_MIN_POSITIVE ? 0.0f : quotient);
 }
@@ -658,7 +783,7 @@ inline float unitvec_asin_small(float a) {
     float half_chord_squared = 0.5f * min(1.0f - a, UNITVEC_HUGE);
     float squared = min(a * a, UNITVEC_HUGE);
     float u = outer_part ? half_chord_squared : squared;
-    float root = min(sqrt(u), UNITVEC_HUGE);
+    float root = unitvec_root(u);
     float w = outer_part ? root : a;
     float low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3
         + min(u * min(UNITVEC_ASIN_4 + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
@@ -777,7 +902,7 @@ inline float3 unitvec_angles_scaled(float3 v, float norm) {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 inline float unitvec_angles_quarter(float y, float x) {
-    float q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
+    float q = unitvec_quotient(min(x, y), max(x, y));
     float part = unitvec_atan_quarter(q);
     float rest = min(1.0f - part, UNITVEC_HUGE);
     return y > x ? rest : part;

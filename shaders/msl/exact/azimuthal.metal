@@ -4,7 +4,7 @@
 // square or as it is, and one bit for the hemisphere.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2; Snyder 1987; Shirley and Chiu 1997; the ellipse map is the elliptical grid
 // map.
@@ -34,12 +34,18 @@ constant int UNITVEC_PLAIN = 0;
 constant int UNITVEC_CONCENTRIC = 1;
 constant int UNITVEC_ELLIPSE = 2;
 
+// a / b of each component.
+inline float2 unitvec_signed_quotients(float2 a, float2 b) {
+    return float2(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 inline float4 unitvec_stereo_to_disk(float3 v) {
-    float scale = min(1.0f / min(min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float sum = min(unitvec_root(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    float scale = unitvec_reciprocal(sum);
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     float rim = min(2.0f * v.z * scale, UNITVEC_HUGE);
@@ -48,24 +54,22 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = min(2.0f - rim, UNITVEC_HUGE);
-    float3 by = unitvec_divisors(sum);
-    float2 horizontal = min(2.0f * at / by.xy, float2(UNITVEC_HUGE));
-    float z = min(rim / by.z, UNITVEC_HUGE);
-    return float3(horizontal, z);
+    return float3(unitvec_signed_quotients(2.0f * at, float2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
-    float norm = min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE);
-    float scale =
-        min(1.0f / min(sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float norm = unitvec_root(unitvec_dot(v, v));
+    float product = min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float scale = unitvec_inverse_root(product);
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
-    float rim = min(v.z / norm, UNITVEC_HUGE);
+    float rim = unitvec_signed_quotient(v.z, norm);
     return float4(at, radius, rim);
 }
 
 inline float3 unitvec_disk_to_eqarea(float2 at, float rim) {
-    float scale = min(sqrt(min(1.0f + rim, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float square = min(1.0f + rim, UNITVEC_HUGE);
+    float scale = unitvec_root(square);
     float2 horizontal = min(at * scale, float2(UNITVEC_HUGE));
     return float3(horizontal, rim);
 }
@@ -80,7 +84,7 @@ inline float4 unitvec_eqdist_to_disk(float3 v) {
     float rest = min(1.0f - part, UNITVEC_HUGE);
     float radius = low ? rest : part;
     float inside = low ? part : rest;
-    float quotient = min(radius / rho, UNITVEC_HUGE);
+    float quotient = unitvec_quotient(radius, rho);
     float scale = rho > UNITVEC_NEGLIGIBLE ? quotient : 0.0f;
     float2 at = min(v.xy * scale, float2(UNITVEC_HUGE));
     float rim = min(inside * min(1.0f + radius, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -136,24 +140,24 @@ inline bool unitvec_plain_is_remote(float2 e, uint bits) {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 inline float2 unitvec_plain_settle(float2 e, uint bits) {
-    float2 slope = min(unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits), float2(UNITVEC_HUGE));
+    float2 slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     float2 settled = min(e - (slope.x > slope.y ? float2(1.0f, 0.0f) : float2(0.0f, 1.0f)), float2(UNITVEC_HUGE));
     return unitvec_plain_is_remote(e, bits) ? settled : e;
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 inline float2 unitvec_plain_move_to_rim(float2 p, float2 m, float excess) {
-    float2 slope = min(p / m, float2(UNITVEC_HUGE));
+    float2 slope = unitvec_signed_quotients(p, m);
     bool along_u = slope.x > slope.y;
     float steep = along_u ? slope.x : slope.y;
     float gentle = along_u ? slope.y : slope.x;
-    float alone = min(excess / steep, UNITVEC_HUGE);
-    float remainder =
-        min(min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle, UNITVEC_HUGE);
+    float alone = unitvec_signed_quotient(excess, steep);
+    float left = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE);
+    float remainder = unitvec_signed_quotient(left, gentle);
     float first = alone < UNITVEC_AZIMUTHAL_REACH ? alone : UNITVEC_AZIMUTHAL_REACH;
     float second = alone < UNITVEC_AZIMUTHAL_REACH ? 0.0f : remainder;
     float2 moved = along_u ? float2(first, second) : float2(second, first);
-    float2 on_rim = min(p - min(moved / m, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
+    float2 on_rim = min(p - unitvec_signed_quotients(moved, m), float2(UNITVEC_HUGE));
     return on_rim;
 }
 
@@ -174,7 +178,7 @@ inline float4 unitvec_plain_to_disk(float2 e, uint bits) {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 inline float4 unitvec_plain_square_to_disk(float2 s) {
     float square = min(min(s.x * s.x, UNITVEC_HUGE) + min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float2 on_rim = min(s * min(1.0f / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE), float2(UNITVEC_HUGE));
+    float2 on_rim = min(s * unitvec_inverse_root(square), float2(UNITVEC_HUGE));
     float rim = min(1.0f - square, UNITVEC_HUGE);
     return square < 1.0f ? float4(s, 0.0f, rim) : float4(on_rim, 0.0f, 0.0f);
 }
@@ -191,7 +195,7 @@ inline float4 unitvec_concentric_to_disk(float2 s) {
     bool steep = s.y > s.x;
     float shorter = steep ? s.x : s.y;
     float radius = steep ? s.y : s.x;
-    float quotient = min(shorter / radius, UNITVEC_HUGE);
+    float quotient = unitvec_quotient(shorter, radius);
     float octant = radius > 0.0f ? quotient : 0.0f;
     float angle = 0.25f * octant;
     float2 p = min(radius * unitvec_sin_cos_half_turns(angle), float2(UNITVEC_HUGE));
@@ -202,16 +206,16 @@ inline float4 unitvec_concentric_to_disk(float2 s) {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 inline float2 unitvec_ellipse_to_square(float4 disk) {
     float difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sum = min(2.0f + min(sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE)),
-        UNITVEC_HUGE), UNITVEC_HUGE);
-    float2 s = min(2.0f * disk.xy / float2(min(sqrt(min(sum + difference, UNITVEC_HUGE)), UNITVEC_HUGE),
-        min(sqrt(min(sum - difference, UNITVEC_HUGE)), UNITVEC_HUGE)), float2(UNITVEC_HUGE));
-    return s;
+    float square = min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE);
+    float sum = min(2.0f + unitvec_root(square), UNITVEC_HUGE);
+    float2 squares = float2(min(sum + difference, UNITVEC_HUGE), min(sum - difference, UNITVEC_HUGE));
+    return unitvec_signed_quotients(2.0f * disk.xy, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 inline float4 unitvec_ellipse_to_disk(float2 s) {
-    float2 root = float2(min(sqrt(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
-        min(sqrt(min(1.0f - min(0.5f * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
+    float2 squares = float2(min(1.0f - min(0.5f * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(1.0f - min(0.5f * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE));
+    float2 root = float2(unitvec_root(squares.x), unitvec_root(squares.y));
     float2 at = min(s * root, float2(UNITVEC_HUGE));
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     float factor = min(1.0f - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -226,7 +230,7 @@ inline float unitvec_azimuthal_signed(bool negative, float x) {
 
 // The place of the direction of v on the square, without signs.
 inline float2 unitvec_azimuthal_to_square(float3 v, int projection, int map) {
-    float3 octant = min(abs(v) * min(1.0f / unitvec_l1_norm(v), UNITVEC_HUGE), float3(UNITVEC_HUGE));
+    float3 octant = min(abs(v) * unitvec_reciprocal(unitvec_l1_norm(v)), float3(UNITVEC_HUGE));
     float4 disk = projection == UNITVEC_STEREO ? unitvec_stereo_to_disk(octant)
         : (projection == UNITVEC_EQAREA ? unitvec_eqarea_to_disk(octant) : unitvec_eqdist_to_disk(octant));
     return map == UNITVEC_PLAIN ? disk.xy : (map == UNITVEC_CONCENTRIC ? unitvec_concentric_to_square(disk)

@@ -3,7 +3,7 @@
 // unitvec: best fit codes: three snorm components of a vector whose length is chosen so that it points as it should.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light"; Cigolle et al. 2014, section 2.2.
 //
@@ -17,8 +17,8 @@
 // the table. They round by adding 1.5 2^23; without `precise` (see arith.metal) a compiler may undo that in the choice of a
 // length, which then is a cell's first.
 //
-// They look the lengths up, with the same result, where UNITVEC_BEST_FIT_TABLE(i) is defined before this file is included,
-// as an expression that gives word i of the table, i below 206080: `#define UNITVEC_BEST_FIT_TABLE(i) table.words[i]`.
+// They look the lengths up, with the same result, where a macro UNITVEC_BEST_FIT_TABLE(i) is defined before this file is
+// included, as an expression that gives word i of the table, i below 206080, such as table.words[i].
 //
 // The code functions take any v: length does not matter, and +Z stands in for vectors without a direction. Decoding
 // gives the components as stored, NOT NORMALISED. Layout: x in the low component, two's complement. "Length" here means
@@ -41,16 +41,16 @@ constant float UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT = 0.75f;
 constant float UNITVEC_BEST_FIT_LEAST_PART = 5.9604644775390625e-8f;
 
 inline float unitvec_best_fit_part(float a, float largest) {
-    float part = min(a / largest, UNITVEC_HUGE);
+    float part = unitvec_quotient(a, largest);
     return part < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : part;
 }
 
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 inline float3 unitvec_best_fit_on_cube(float3 v) {
     float3 a = abs(v);
-    float3 largest = unitvec_divisors(max(max(a.x, a.y), a.z));
-    return float3(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
-        unitvec_best_fit_part(a.z, largest.z));
+    float largest = max(max(a.x, a.y), a.z);
+    return float3(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
+        unitvec_best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
@@ -139,7 +139,7 @@ inline float3 unitvec_best_fit_parts_and_reciprocal(float3 v) {
     float3 a = abs(v);
     float low = min(a.x, a.y);
     float high = max(a.x, a.y);
-    float reciprocal = min(1.0f / max(high, a.z), UNITVEC_HUGE);
+    float reciprocal = unitvec_reciprocal(max(high, a.z));
     float mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
     float least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return float3(mid < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : mid, least < UNITVEC_BEST_FIT_LEAST_PART ? 0.0f : least,
@@ -193,19 +193,18 @@ inline float unitvec_best_fit_sine(float2 u, float size) {
     float2 p = min(u * size, float2(UNITVEC_HUGE));
     float2 d = min(unitvec_nearest_whole(p) - p, float2(UNITVEC_HUGE));
     float cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
-    float sine = min(sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0f / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
-    return sine;
+    float size_squared = min(size * size, UNITVEC_HUGE);
+    float square = min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * unitvec_reciprocal(size_squared), UNITVEC_HUGE);
+    return unitvec_root(square);
 }
 
 // `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 inline float unitvec_best_fit_sample_part(uint cell, int i) {
     float third = float(i);
-    float columns =
-        min(float(cell) + min(min(third + 0.5f, UNITVEC_HUGE) / max(third, 3.0f), UNITVEC_HUGE), UNITVEC_HUGE);
-    float part = min(columns / max(columns, UNITVEC_BEST_FIT_CELLS), UNITVEC_HUGE);
-    return part;
+    float middle = min(third + 0.5f, UNITVEC_HUGE);
+    float columns = min(float(cell) + unitvec_quotient(middle, max(third, 3.0f)), UNITVEC_HUGE);
+    return unitvec_quotient(columns, max(columns, UNITVEC_BEST_FIT_CELLS));
 }
 
 // One of the nine directions of a cell.
@@ -308,8 +307,9 @@ inline uint2 snorm16x3p_encode(float3 v) {
     float3 u = unitvec_best_fit_on_cube(v);
     float2 parts = unitvec_best_fit_by_size(u);
     float longest = unitvec_snorm_max(16u);
-    float unit = min(longest / min(sqrt(min(min(1.0f + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(min(1.0f + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float unit = unitvec_quotient(longest, unitvec_root(square));
     float3 best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     float3 q = unitvec_best_fit_at_scale(v, u, best.x);
     return uint2(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

@@ -3,7 +3,7 @@
 // unitvec: cylindrical coordinates in 16, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
@@ -25,7 +25,7 @@
 inline float2 unitvec_cylindrical_height(float3 v) {
     float norm = unitvec_l1_norm(v);
     float3 p = unitvec_angles_scaled(v, norm);
-    float magnitude = min(p.z * min(1.0f / min(sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float magnitude = min(p.z * unitvec_inverse_root(unitvec_dot(p, p)), UNITVEC_HUGE);
     float height = unitvec_with_sign(magnitude, v.z);
     return float2(unitvec_is_usable(norm) ? height : 1.0f, unitvec_angles_azimuth(v, p));
 }
@@ -42,9 +42,9 @@ inline float2 unitvec_cylindrical_lattice(float3 v, float m) {
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 inline float3 unitvec_cylindrical_from_lattice(float2 e, float m) {
-    float step_size = min(1.0f / m, UNITVEC_HUGE);
-    float radius = min(min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)),
-        UNITVEC_HUGE) * step_size, UNITVEC_HUGE);
+    float step_size = unitvec_reciprocal(m);
+    float square = min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = min(unitvec_root(square) * step_size, UNITVEC_HUGE);
     float z = min(e.y * step_size, UNITVEC_HUGE);
     float quarters = min(e.x * (2.0f * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, radius > 0.0f ? quarters : 0.0f);

@@ -3,7 +3,7 @@
 // unitvec: codes with subtractive dither, whose errors do not line up in bands.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
 //   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
@@ -202,7 +202,8 @@ inline float3 unitvec_dither_eaoct_direction(float2 e, float2 offset, float m) {
     bool past_equator = ring > m;
     float beyond_equator = min(2.0f * m - ring, UNITVEC_HUGE);
     float mirrored = past_equator ? beyond_equator : ring;
-    float turn = min(min(at.place - turned.y, UNITVEC_HUGE) / max(at.ring, 1.0f), UNITVEC_HUGE);
+    float place = min(at.place - turned.y, UNITVEC_HUGE);
+    float turn = unitvec_signed_quotient(place, max(at.ring, 1.0f));
     uint flip = turn < 0.0f ? UNITVEC_SIGN_BIT : 0u;
     float2 signs = float2(unitvec_flip_sign(unitvec_with_sign(1.0f, e.x), at.swapped ? flip : 0u),
         unitvec_flip_sign(unitvec_with_sign(1.0f, e.y), at.swapped ? 0u : flip));

@@ -3,7 +3,7 @@
 // unitvec: equal-area octahedral codes of 16, 20, 22, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD" (the map).
 //
@@ -44,10 +44,11 @@ inline UnitvecEaoctPolar unitvec_eaoct_polar(float3 v, float norm) {
     float b = min(x, y);
 
     float horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
-    float len = min(sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    float radius =
-        min(sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    float q = min(b / a, UNITVEC_HUGE);
+    float square = min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float len = unitvec_root(square);
+    float product = min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = unitvec_root(unitvec_quotient(horizontal, product));
+    float q = unitvec_quotient(b, a);
     UnitvecEaoctPolar polar = { radius, unitvec_atan_quarter(q), y > x };
     return polar;
 }
@@ -82,10 +83,11 @@ inline float3 unitvec_eaoct_candidate(UnitvecEaoctPolar p, float ring, float m) 
     float along = min(p.turn * ring, UNITVEC_HUGE);
     float place = floor(min(along + 0.5f, UNITVEC_HUGE));
     float across = min(ring - steps, UNITVEC_HUGE);
-    float q = min(min(along - place, UNITVEC_HUGE) / max(ring, 1.0f), UNITVEC_HUGE);
+    float beside = min(along - place, UNITVEC_HUGE);
+    float q = unitvec_signed_quotient(beside, max(ring, 1.0f));
 
     float c_squared = min(2.0f - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    float change = min(across * min(p.radius * min(1.0f / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float change = min(across * min(p.radius * unitvec_reciprocal(m), UNITVEC_HUGE), UNITVEC_HUGE);
     float turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
         UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE), UNITVEC_HUGE);
@@ -131,9 +133,10 @@ inline float3 unitvec_eaoct_from_ring(float2 e, float ring, float turn, bool swa
     float eighth = 0.5f * turn;
     float sine = unitvec_sin_eighth(eighth);
     float cosine = unitvec_cos_eighth(eighth);
-    float radius = min(ring * min(1.0f / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = min(ring * unitvec_reciprocal(m), UNITVEC_HUGE);
     float z = min(min(1.0f - radius, UNITVEC_HUGE) * min(1.0f + radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    float horizontal = min(radius * min(sqrt(min(1.0f + z, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    float from_below = min(1.0f + z, UNITVEC_HUGE);
+    float horizontal = min(radius * unitvec_root(from_below), UNITVEC_HUGE);
     float near_axis = min(horizontal * cosine, UNITVEC_HUGE);
     float off_axis = min(horizontal * sine, UNITVEC_HUGE);
     float x = swapped ? off_axis : near_axis;
@@ -145,7 +148,7 @@ inline float3 unitvec_eaoct_from_ring(float2 e, float ring, float turn, bool swa
 // Direction of a lattice point.
 inline float3 unitvec_eaoct_from_lattice(float2 e, float m) {
     UnitvecEaoctRing at = unitvec_eaoct_ring_of(e, m);
-    float turn = min(at.place / max(at.ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+    float turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -171,8 +174,9 @@ inline float3 eaoct_unorm_to_float32x3(float2 e) { return eaoct_to_float32x3(uni
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 inline float2 float32x3_to_eaoctn_precise(float3 v, int n) {
     float norm = unitvec_l1_norm(v);
-    float m = unitvec_snorm_max(uint(n / 2));
-    float2 e = min(unitvec_eaoct_lattice_precise(v, norm, m) / m, float2(UNITVEC_HUGE));
+    uint bits = uint(n / 2);
+    float2 e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return unitvec_is_usable(norm) ? e : float2(0.0f);
 }
 

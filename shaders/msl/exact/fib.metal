@@ -3,7 +3,7 @@
 // unitvec: spherical Fibonacci points, numbered, in 16, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Keinert, Innmann, Sänger and Stamminger 2015, "Spherical Fibonacci Mapping".
 //
@@ -96,7 +96,7 @@ inline uint unitvec_fib_split(float x, thread float& rest) {
 inline uint unitvec_fib_azimuth(float3 v, float3 scaled) {
     float x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     float y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    float quotient = min(min(x, y) / max(x, y), UNITVEC_HUGE);
+    float quotient = unitvec_quotient(min(x, y), max(x, y));
     float part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     uint octant = uint(int(part));
     uint quarter = y > x ? 0x40000000u - octant : octant;
@@ -119,11 +119,12 @@ inline float unitvec_fib_golden_power(uint k) {
 // Place of a vector with an L1 norm of 1 to 2.
 inline UnitvecFibPlace unitvec_fib_place(float3 v, uint bits) {
     float horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float reciprocal = min(1.0f / min(sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
-        UNITVEC_HUGE);
+    float square = min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float reciprocal = unitvec_inverse_root(square);
     float height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     float radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
-    float from_pole = min(radius_squared / min(1.0f + height, UNITVEC_HUGE), UNITVEC_HUGE);
+    float from_below = min(1.0f + height, UNITVEC_HUGE);
+    float from_pole = unitvec_quotient(radius_squared, from_below);
     float from_top = min(1.0f - height, UNITVEC_HUGE);
     bool is_polar = height > 0.5f;
 
@@ -146,7 +147,7 @@ inline UnitvecFibBasis unitvec_fib_basis(float radius_squared, uint bits) {
     float lower = floor(zone);
     uint k = unitvec_whole_to_u32(max(lower, 2.0f));
     float power = unitvec_fib_golden_power(k);
-    float turn = min(1.0f / power, UNITVEC_HUGE);
+    float turn = unitvec_reciprocal(power);
     float next_turn = min(turn * 0.618034f, UNITVEC_HUGE);
     float step_size = min(min(power * 0.4472136f, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
     float next_step = min(min(power * 0.7236068f, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
@@ -161,8 +162,9 @@ inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, 
     float signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     bool is_point = signed_depth > 0.0f;
     float depth = abs(signed_depth);
-    float radii = min(sqrt(min(place.radius_squared * min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
+    float squares =
+        min(place.radius_squared * min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float radii = unitvec_root(squares);
 
     float d = unitvec_fib_signed_turn(turn);
     float u = min(d * d, UNITVEC_HUGE);
@@ -171,8 +173,8 @@ inline UnitvecFibCandidate unitvec_fib_candidate(UnitvecFibPlace place, uint i, 
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE);
     float sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
-    float cost = min(min(min(difference * difference, UNITVEC_HUGE) / sum, UNITVEC_HUGE)
-        + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
+    float square = min(difference * difference, UNITVEC_HUGE);
+    float cost = min(unitvec_quotient(square, sum) + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     UnitvecFibCandidate candidate = { i, is_point ? cost : 4.0f };
     return candidate;
@@ -230,7 +232,8 @@ inline float3 unitvec_fib_point(uint i, uint bits) {
     float depth = min(min(float(int(from_pole)) + 0.5f, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
     float height =
         min(min(float(int(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5f, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
-    float radius = min(sqrt(min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    float square = min(depth * min(2.0f - depth, UNITVEC_HUGE), UNITVEC_HUGE);
+    float radius = unitvec_root(square);
 
     uint azimuth = unitvec_fib_turn(i);
     uint quarter = (azimuth + 0x20000000u) >> 30u;

@@ -3,7 +3,7 @@
 // unitvec: codes as the float or integer values that a Vulkan format stores exactly, and back.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: the Vulkan specification, "Fixed-Point Data Conversions"; IEEE 754 binary16.
 //

@@ -3,7 +3,7 @@
 // unitvec: tangent frames, a normal, a tangent and a handedness, in 32 and 64 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Sources: Duff et al. 2017 for the basis about the normal, Ong 2023 for the tangent's place in it; the normal is that
 // of oct.metal.
@@ -37,7 +37,8 @@ constant float UNITVEC_UNWARP_2 = 0.0392082f;
 // second, n).
 inline void unitvec_frame_basis(float3 n, thread float3& first, thread float3& second) {
     float s = unitvec_with_sign(1.0f, n.z);
-    float a = min(-1.0f / min(s + n.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    float beyond = min(s + n.z, UNITVEC_HUGE);
+    float a = unitvec_signed_quotient(-1.0f, beyond);
     float b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
     float3 e = float3(min(1.0f + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE), min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
@@ -62,8 +63,9 @@ inline float unitvec_frame_unwarp(float w, uint angle_bits) {
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if (angle_bits <= 9u) return v;
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    float nearer = min(v + min(min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395f,
-        UNITVEC_HUGE) / min(1.0f + u, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float missing = min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395f, UNITVEC_HUGE);
+    float slope = min(1.0f + u, UNITVEC_HUGE);
+    float nearer = min(v + unitvec_signed_quotient(missing, slope), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -84,7 +86,7 @@ inline uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, 
     uint below = as_type<uint>(y) & UNITVEC_SIGN_BIT;
     uint odd = (as_type<uint>(x) & UNITVEC_SIGN_BIT) ^ below;
     float difference = min(abs(y) - abs(x), UNITVEC_HUGE);
-    float w = min(unitvec_flip_sign(difference, odd) / sum, UNITVEC_HUGE);
+    float w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     float half_places = float(1u << (angle_bits - 3u));
     float place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0f, UNITVEC_HUGE), UNITVEC_HUGE)
@@ -98,8 +100,7 @@ inline uint unitvec_frame_angle_code(float3 n, float3 tangent, uint angle_bits, 
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 inline float2 unitvec_frame_diamond_point(uint code, uint angle_bits) {
     float place = float(code & unitvec_mask(angle_bits - 2u));
-    float v =
-        min(min(place * min(1.0f / float(1u << (angle_bits - 3u)), UNITVEC_HUGE), UNITVEC_HUGE) - 1.0f, UNITVEC_HUGE);
+    float v = min(min(place * unitvec_exp2(3 - int(angle_bits)), UNITVEC_HUGE) - 1.0f, UNITVEC_HUGE);
 
     uint odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     uint below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -127,7 +128,7 @@ inline uint unitvec_frame_handedness_code(float handedness) {
 
 // -1 where bit 31 of a code is set, else +1.
 inline float unitvec_frame_handedness(uint code) {
-    return unitvec_with_sign(1.0f, as_type<float>(code));
+    return unitvec_flip_sign(1.0f, code & UNITVEC_SIGN_BIT);
 }
 
 inline uint frame32_encode(float3 normal, float4 tangent) {

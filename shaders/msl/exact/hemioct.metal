@@ -3,7 +3,7 @@
 // unitvec: hemi-octahedral codes of 16, 24 and 32 bits, for directions with z >= 0.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, listing 6.
 //
@@ -22,7 +22,7 @@
 
 // The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 inline float2 unitvec_hemioct_position(float3 v, float norm, float m) {
-    float2 e = min(float2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
+    float2 e = min(float2(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * unitvec_over(m, norm),
         float2(UNITVEC_HUGE));
     return e;
 }

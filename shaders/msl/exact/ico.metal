@@ -3,7 +3,7 @@
 // unitvec: a triangular lattice on the faces of an icosahedron, warped to be even on the sphere, in 16, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: class I geodesic grids, Coxeter 1971; the warp, its inverse and the layout are this library's own.
 //
@@ -90,7 +90,7 @@ inline float unitvec_ico_sum(float3 v) {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 inline float3 unitvec_ico_nearest(float3 p, float p_sum, UnitvecIcoLattice lattice) {
     float n = float(lattice.n);
-    float3 t = min(p * min(1.0f / p_sum, UNITVEC_HUGE), float3(UNITVEC_HUGE));
+    float3 t = min(p * unitvec_reciprocal(p_sum), float3(UNITVEC_HUGE));
     float3 t_squared = min(t * t, float3(UNITVEC_HUGE));
     float squares = unitvec_ico_sum(t_squared);
     // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -114,9 +114,9 @@ inline float3 unitvec_ico_nearest(float3 p, float p_sum, UnitvecIcoLattice latti
     float3 turned = min(d * float3(min(min(t.y * w.z, UNITVEC_HUGE) - min(t.z * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.z * w.x, UNITVEC_HUGE) - min(t.x * w.z, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.x * w.y, UNITVEC_HUGE) - min(t.y * w.x, UNITVEC_HUGE), UNITVEC_HUGE)), float3(UNITVEC_HUGE));
-    float factor = min(1.0f / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE),
-        UNITVEC_HUGE), UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE);
+    float determinant = min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float factor = unitvec_reciprocal(determinant);
     float x = min(start.x + min(min(turned.z - turned.y, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
     float z = min(start.z + min(min(turned.y - turned.x, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
 
@@ -219,9 +219,9 @@ inline float3 unitvec_ico_decode(uint code, UnitvecIcoLattice lattice) {
     bool is_octant = code >= unitvec_ico_octants(lattice);
     uint first = is_octant ? unitvec_ico_octants(lattice) : 0u;
     uint row_length = is_octant ? lattice.n - 1u : lattice.n + 2u;
-    float per_length = is_octant ? 2.0f / (n - 1.0f) : 2.0f / (n + 2.0f);
+    float per_length = is_octant ? unitvec_over(2.0f, n - 1.0f) : unitvec_over(2.0f, n + 2.0f);
     float rows = is_octant ? n - 2.0f : n;
-    float per_rows = is_octant ? 1.0f / (n - 2.0f) : 1.0f / n;
+    float per_rows = is_octant ? unitvec_reciprocal(n - 2.0f) : unitvec_reciprocal(n);
 
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.

@@ -3,7 +3,7 @@
 // unitvec: numbered patches between circles of latitude, in 16, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, sections 2 and 2.3; Smith et al. 2012. Formulas stand in for their table.
 //
@@ -36,7 +36,7 @@ inline uint unitvec_latlong_grid_encode(float3 v, uint half_bits) {
 }
 
 inline float3 unitvec_latlong_grid_decode(uint code, uint half_bits) {
-    float step_size = 1.0f / float(1u << half_bits);
+    float step_size = unitvec_exp2(-int(half_bits));
     float ring = float(int((code >> half_bits) & unitvec_mask(half_bits)));
     float above = min(1.0f - min(min(ring + 0.5f, UNITVEC_HUGE) * (2.0f * step_size), UNITVEC_HUGE), UNITVEC_HUGE);
     float diagonal = min(0.5f - abs(above), UNITVEC_HUGE);
@@ -81,7 +81,7 @@ inline float unitvec_latlong_inverse(UnitvecLatlongRings rings, float index) {
     float high = rings.q_last != 0.0f ? both_high : rings.q.z;
     float whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     float factor = rings.q.z != 0.0f ? whole_factor : low;
-    float i = min(min(min(sqrt(index), UNITVEC_HUGE) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
+    float i = min(min(unitvec_root(index) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
     return i;
 }
 
@@ -140,10 +140,11 @@ inline float3 unitvec_latlong_patch_decode(uint code, UnitvecLatlongRings rings,
     float along = index_bits <= 24u ? from_high : from_both;
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    float divided = min(min(along - 0.5f * count, UNITVEC_HUGE) / count, UNITVEC_HUGE);
+    float beside = min(along - 0.5f * count, UNITVEC_HUGE);
+    float divided = unitvec_signed_quotient(beside, count);
     float2 equator = unitvec_from_diagonal(along > 0.0f ? divided : -0.5f);
     // At either end the product is 1/2 exactly.
-    float latitude = min(min(ring - 0.5f * rings.n, UNITVEC_HUGE) * min(1.0f / rings.n, UNITVEC_HUGE), UNITVEC_HUGE);
+    float latitude = min(min(ring - 0.5f * rings.n, UNITVEC_HUGE) * unitvec_reciprocal(rings.n), UNITVEC_HUGE);
     float2 meridian = unitvec_from_diagonal(latitude);
     float radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
 

@@ -3,7 +3,7 @@
 // unitvec: octahedral codes of 8, 12, 16, 18, 20, 22, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, listings 1 to 5; Meyer et al. 2010, section 5.
 //
@@ -47,7 +47,7 @@ inline float2 unitvec_oct_mirror(float3 v, float2 p) {
 // with s = m / norm, which is (|x| + |z|) s.
 inline float2 unitvec_oct_position(float3 v, float norm, float m) {
     float below = max(-v.z, 0.0f);
-    float2 p = min(min(abs(v.xy) + below, float2(UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE), float2(UNITVEC_HUGE));
+    float2 p = min(min(abs(v.xy) + below, float2(UNITVEC_HUGE)) * unitvec_over(m, norm), float2(UNITVEC_HUGE));
     return unitvec_oct_mirror(v, p);
 }
 
@@ -55,7 +55,7 @@ inline float2 unitvec_oct_position(float3 v, float norm, float m) {
 inline float2 unitvec_oct_projected(float2 q, float3 p, float2 middle, float m) {
     float missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
         - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float stretch = min(missing * min(1.0f / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    float stretch = min(missing * unitvec_reciprocal(m), UNITVEC_HUGE);
     float2 moved = min(q + min(stretch * p.xy, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return moved;
 }
@@ -69,7 +69,7 @@ inline float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 
     float n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(0.25f * z_squared + 0.5f, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
     float half_s = min(z_squared + min(0.5f + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
-    float u = min(n * min(min(1.5f / m, UNITVEC_HUGE) / half_s, UNITVEC_HUGE), UNITVEC_HUGE);
+    float u = min(n * unitvec_quotient(unitvec_over(1.5f, m), half_s), UNITVEC_HUGE);
     float2 moved =
         min(ab + min(u * min(at + minus_z, float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return moved;
@@ -78,7 +78,7 @@ inline float2 unitvec_oct_weighed(float2 ab, float cross_term, float2 q, float2 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 inline float2 unitvec_oct_approached(float2 q, float2 at, float m) {
-    float2 moved = min(q + min(at * min(0.3795f / m, UNITVEC_HUGE), float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
+    float2 moved = min(q + min(at * unitvec_over(0.3795f, m), float2(UNITVEC_HUGE)), float2(UNITVEC_HUGE));
     return moved;
 }
 
@@ -92,7 +92,7 @@ inline float2 unitvec_oct_approached(float2 q, float2 at, float m) {
 inline float2 unitvec_oct_nearest_corner(float3 p, float m) {
     float2 middle = min(floor(p.xy) + 0.5f, float2(UNITVEC_HUGE));
     float2 q = min(p.xy - middle, float2(UNITVEC_HUGE));
-    float2 at = min(min(p.xy * min(3.0f / m, UNITVEC_HUGE), float2(UNITVEC_HUGE)) - 1.0f, float2(UNITVEC_HUGE));
+    float2 at = min(min(p.xy * unitvec_over(3.0f, m), float2(UNITVEC_HUGE)) - 1.0f, float2(UNITVEC_HUGE));
     if (m >= 256.0f && m < 4096.0f) q = unitvec_oct_approached(q, at, m);
     if (m >= 65536.0f) q = unitvec_oct_projected(q, p, middle, m);
 
@@ -146,7 +146,7 @@ inline float2 unitvec_oct_searched_corner(float3 p, float m) {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 inline float2 unitvec_oct_precise_point(float3 v, float norm, float m) {
-    float3 p = min(abs(v) * min(m / norm, UNITVEC_HUGE), float3(UNITVEC_HUGE));
+    float3 p = min(abs(v) * unitvec_over(m, norm), float3(UNITVEC_HUGE));
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if (m >= 65536.0f) p = max(p, float3(m * 1.490116119384765625e-8f));
@@ -189,16 +189,16 @@ inline float3 oct_unorm_to_float32x3(float2 e) { return oct_to_float32x3(unitvec
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 inline float2 float32x3_to_octn_precise(float3 v, int n) {
-    float m = unitvec_snorm_max(uint(n / 2));
-    float2 e = min(unitvec_oct_lattice_precise(v, m) / m, float2(UNITVEC_HUGE));
-    return e;
+    uint bits = uint(n / 2);
+    float2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 inline float3 unitvec_oct_bytes(float2 f) {
     float2 u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0f, float2(UNITVEC_HUGE)) + 2047.5f, float2(UNITVEC_HUGE)));
-    float high = floor(u.x / 16.0f);
-    float carry = floor(u.y / 256.0f);
+    float high = floor(u.x * 0.0625f);
+    float carry = floor(u.y * 0.00390625f);
     float3 bytes = float3(high, min(min(u.x - high * 16.0f, UNITVEC_HUGE) * 16.0f + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0f, UNITVEC_HUGE));
     return bytes;
@@ -206,17 +206,16 @@ inline float3 unitvec_oct_bytes(float2 f) {
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 inline float2 unitvec_oct_from_bytes(float3 bytes) {
-    float high = floor(bytes.y / 16.0f);
+    float high = floor(bytes.y * 0.0625f);
     float2 biased = float2(min(bytes.x * 16.0f + high, UNITVEC_HUGE),
         min(min(bytes.y - high * 16.0f, UNITVEC_HUGE) * 256.0f + bytes.z, UNITVEC_HUGE));
-    float2 s = min(min(biased - 2047.0f, float2(UNITVEC_HUGE)) / 2047.0f, float2(UNITVEC_HUGE));
-    return min(s, float2(1.0f));
+    float2 e = min(biased - 2047.0f, float2(UNITVEC_HUGE));
+    return min(float2(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), float2(1.0f));
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 inline float3 snorm12x2_to_unorm8x3(float2 f) {
-    float3 parts = min(unitvec_oct_bytes(f) / 255.0f, float3(UNITVEC_HUGE));
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

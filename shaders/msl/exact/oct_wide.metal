@@ -3,7 +3,7 @@
 // unitvec: octahedral codes of 48 and 52 bits, finer than a float.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Meyer et al. 2010, section 5 and table 1. The mapping is that of oct.metal.
 //
@@ -41,7 +41,7 @@ inline UnitvecOctWidePosition unitvec_oct_wide_position(float3 v, uint bits) {
     float2 sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     float2 sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     float2 sum = float2(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_HUGE));
-    float reciprocal = min(1.0f / sum.x, UNITVEC_HUGE);
+    float reciprocal = unitvec_reciprocal(sum.x);
 
     UnitvecOctWidePosition p;
     int x;

@@ -4,7 +4,7 @@
 // 48 (sextants: the largest component reconstructed).
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 5; Meyer et al. 2010, eqs. 6 and 7.
 //
@@ -116,7 +116,7 @@ inline float3 unitvec_parallel_unit(float3 v) {
     float3 scaled = min(v * unitvec_scale_to_one(raised), float3(UNITVEC_HUGE));
     float square = unitvec_dot(scaled, scaled);
     float off = min(square - 1.0f, UNITVEC_HUGE);
-    float inverse = min(1.0f / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE);
+    float inverse = unitvec_inverse_root(square);
     float3 n = min(scaled * (abs(off) <= 9.536743e-7f ? 1.0f : inverse), float3(UNITVEC_HUGE));
     return n;
 }
@@ -124,8 +124,7 @@ inline float3 unitvec_parallel_unit(float3 v) {
 inline float unitvec_parallel_third(float2 p) {
     float square =
         min(1.0f - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
-    float root = min(sqrt(max(square, 0.0f)), UNITVEC_HUGE);
-    return root;
+    return unitvec_root(max(square, 0.0f));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

@@ -3,7 +3,7 @@
 // unitvec: spherical coordinates in 16, 20, 22, 24 and 32 bits.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2, "spherical".
 //
@@ -42,12 +42,12 @@ inline float2 unitvec_spherical_lattice(float3 v, float m, float half_turn) {
 // Direction of a pair of integers, unit length to within 2 ULP.
 inline float3 unitvec_spherical_from_lattice(float2 e, float m, float half_turn) {
     // The product of m is 1 exactly.
-    float latitude = min(abs(e.x) * min(1.0f / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    float latitude = min(abs(e.x) * unitvec_reciprocal(m), UNITVEC_HUGE);
     float diagonal = min(latitude - 0.5f, UNITVEC_HUGE);
     float2 meridian = unitvec_from_diagonal(diagonal);
     float radius = min(meridian.x - meridian.y, UNITVEC_HUGE);
     float z = min(meridian.x + meridian.y, UNITVEC_HUGE);
-    float quarters = min(e.y * min(2.0f / half_turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    float quarters = min(e.y * unitvec_over(2.0f, half_turn), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0f, z), latitude < 1.0f ? quarters : 0.0f);
 }
 

@@ -3,7 +3,7 @@
 // unitvec: spherical coordinates in 48 bits, finer than a float.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Meyer et al. 2010, table 1; Cigolle et al. 2014, section 2, "spherical". The mapping is that of spherical.metal.
 //
@@ -97,8 +97,8 @@ inline int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWi
     bool steep = y.x > x.x;
     float2 longer = steep ? y : x;
     float2 shorter = steep ? x : y;
-    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * min(0.25f / steps.size, UNITVEC_HUGE),
-        UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
+    float part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25f, steps.size), UNITVEC_HUGE)
+        + 0.5f, UNITVEC_HUGE);
     int estimate = int(part);
 
     float2 cosine;
@@ -107,11 +107,11 @@ inline int unitvec_spherical_wide_nearest(float2 x, float2 y, UnitvecSphericalWi
     float2 forth = unitvec_spherical_wide_product(shorter, cosine);
     float2 back = unitvec_spherical_wide_product(longer, sine);
     float across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    float root = min(sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
+    float square = min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    float root = unitvec_root(square);
     float radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
-    float off = min(min(across / radians, UNITVEC_HUGE) + 0.5f, UNITVEC_HUGE);
+    float off = min(unitvec_signed_quotient(across, radians) + 0.5f, UNITVEC_HUGE);
     int n = estimate + int(floor(off));
     return steep ? steps.in_quarter - n : n;
 }
@@ -122,14 +122,14 @@ inline float2 unitvec_spherical_wide_length(float x, float y) {
     float shorter = y > x ? x : y;
     float a = min(longer * longer, UNITVEC_HUGE);
     float b = min(shorter * shorter, UNITVEC_HUGE);
-    float first = min(sqrt(min(a + b, UNITVEC_HUGE)), UNITVEC_HUGE);
+    float squares = min(a + b, UNITVEC_HUGE);
+    float first = unitvec_root(squares);
     float root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     float square = min(root * root, UNITVEC_HUGE);
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
-    float low = min(min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0f * root),
-        UNITVEC_HUGE);
-    return float2(root, low);
+    float left = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE);
+    return float2(root, unitvec_signed_quotient(left, 2.0f * root));
 }
 
 inline uint2 spherical48_encode(float3 v) {

@@ -5,7 +5,7 @@
 // Include unitvec.metal, or the families that you need. All functions are inline.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 
 #include "arith.metal"
 #include "oct.metal"

@@ -2,10 +2,10 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// WGSL has no #include: join the texts of the files that you need, this one first, with your own.
+// WGSL cannot include files: join the texts of the files that you need, this one first, with your own.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   unitvec_unorm_encode(r, bits), unitvec_unorm_decode(code, bits)    normalised fixed point (Cigolle et al. 2014,
 //   unitvec_snorm_encode(r, bits), unitvec_snorm_decode(code, bits)    section 1.2)
@@ -119,6 +119,138 @@ fn unitvec_scaled_to_one(v: vec3f, l1_norm: f32) -> vec3f {
     return scaled;
 }
 
+// divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
+// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+
+const UNITVEC_EXACT_BELOW: u32 = 32u;
+const UNITVEC_EXACT_HIDDEN: u32 = 0x800000u;
+const UNITVEC_EXACT_EXPONENT: u32 = 0x7f800000u;
+const UNITVEC_EXACT_SIGNIFICAND: u32 = 0xffffffu;
+// The bits of 2^-1 and of 2^125.
+const UNITVEC_EXACT_HALF: u32 = 0x3f000000u;
+const UNITVEC_EXACT_2_125: u32 = 0x7e000000u;
+
+fn unitvec_exact_significand(bits: u32) -> u32 {
+    return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
+}
+
+// The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
+fn unitvec_exact_nearest(dividend: u32, guess: u32, divisor: u32, minus_part: f32) -> u32 {
+    let excess = i32(guess * divisor - dividend);
+    let step_up = u32(i32(f32(excess) * minus_part));
+    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
+    let near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    let rest = near * divisor - dividend;
+    return near + (((rest << 1u) + divisor) >> 31u);
+}
+
+// About -1 / significand of a number of this exponent.
+fn unitvec_exact_minus_part(inverse: f32, exponent: u32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
+}
+
+// a / b, a of 0 or more and b positive.
+fn unitvec_exact_quotient(a: f32, b: f32) -> f32 {
+    let dividend = unitvec_exact_significand(bitcast<u32>(a));
+    let divisor = unitvec_exact_significand(bitcast<u32>(b));
+    let less = select(0u, 1u, dividend < divisor);
+    let exponent = bitcast<u32>(b) & UNITVEC_EXACT_EXPONENT;
+    let inverse = 1.0 / b;
+    let rough = min(a * inverse, UNITVEC_HUGE);
+    // The bits of the power of two below the quotient, less the hidden one.
+    let first = (bitcast<u32>(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
+    let guess = (bitcast<u32>(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
+    let found =
+        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return select(bitcast<f32>(first + found), 0.0, rough < UNITVEC_NEGLIGIBLE);
+}
+
+// m / b, both positive and m a constant.
+fn unitvec_exact_over(m: f32, b: f32) -> f32 {
+    let m_bits = bitcast<u32>(m);
+    let b_bits = bitcast<u32>(b);
+    let inverse = 1.0 / b;
+    let rough = min(m * inverse, UNITVEC_HUGE);
+    // The exponent of b, or the next where its significand is above that of m: the sum carries.
+    let exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
+        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    // Constants of up to 15 bits leave nothing of it modulo 2^32.
+    let shifted = unitvec_exact_significand(m_bits) << 23u;
+    let dividend = select(shifted << (((exponent ^ b_bits) >> 23u) & 1u), 0u, shifted == 0u);
+    let first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
+    let guess = (bitcast<u32>(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    let found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
+        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
+    return bitcast<f32>(first - exponent + found);
+}
+
+// The reciprocal of the number of this significand and exponent, about `inverse`.
+fn unitvec_exact_inverted(divisor: u32, exponent: u32, inverse: f32) -> f32 {
+    let scaled = bitcast<u32>(inverse) + exponent;
+    let guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    // The dividend, 2^47, is 0 modulo 2^32.
+    let found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    return bitcast<f32>(UNITVEC_EXACT_2_125 - exponent + found);
+}
+
+// The exponent of the root of x.
+fn unitvec_exact_root_exponent(x: f32) -> u32 {
+    return ((bitcast<u32>(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+}
+
+// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
+fn unitvec_exact_root_significand(x: f32, inverse: f32, exponent: u32) -> u32 {
+    let bits = bitcast<u32>(x);
+    let rough = min(x * inverse, UNITVEC_HUGE);
+    let guess =
+        (bitcast<u32>(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
+    let square = bits << (24u - ((bits >> 23u) & 1u));
+    let remainder = i32(square - guess * guess);
+    let half_part = bitcast<f32>(bitcast<u32>(inverse) + exponent - (151u << 23u));
+    let step_up = u32(i32(f32(remainder) * half_part));
+    let near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    let left = i32(square - near * near);
+    return near + select(0u, 1u, left > i32(near));
+}
+
+// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+fn unitvec_quotient(a: f32, b: f32) -> f32 {
+    return unitvec_exact_quotient(a, b);
+}
+
+// unitvec_quotient for numbers of either sign.
+fn unitvec_signed_quotient(a: f32, b: f32) -> f32 {
+    let sign_bit = (bitcast<u32>(a) ^ bitcast<u32>(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+}
+
+// m / b, rounded to nearest, for positive b and a positive constant m.
+fn unitvec_over(m: f32, b: f32) -> f32 {
+    return unitvec_exact_over(m, b);
+}
+
+// 1 / b, rounded to nearest, for positive b.
+fn unitvec_reciprocal(b: f32) -> f32 {
+    let inverse = 1.0 / b;
+    let bits = bitcast<u32>(b);
+    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+}
+
+// The square root of x, rounded to nearest; of denormals it may be 0.
+fn unitvec_root(x: f32) -> f32 {
+    let exponent = unitvec_exact_root_exponent(x);
+    let found = exponent + unitvec_exact_root_significand(x, inverseSqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
+    return select(bitcast<f32>(found), 0.0, bitcast<u32>(x) < UNITVEC_EXACT_HIDDEN);
+}
+
+// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+fn unitvec_inverse_root(x: f32) -> f32 {
+    let exponent = unitvec_exact_root_exponent(x);
+    let inverse = inverseSqrt(x);
+    let divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
+    return unitvec_exact_inverted(divisor, exponent, inverse);
+}
+
 // pack: integers in the low bits of words.
 
 // The low `bits` bits (1 to 31) set.
@@ -182,16 +314,9 @@ fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Devices need not divide exactly: the exact edition (in GLSL: UNITVEC_EXACT defined)
-// takes two more operations instead.
+// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
 fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     return unitvec_snorm_part(x, bits);
-}
-
-// x three times, to divide numbers by, for x from 1e-38 to 1e38. The exact edition hides that they are equal: compilers
-// may otherwise divide once and multiply by the quotient.
-fn unitvec_divisors(x: f32) -> vec3f {
-    return vec3f(x, min(x, 1e38), max(x, 1e-38));
 }
 
 // unitvec_snorm_quotient for vectors, with xy_bits and z_bits.
@@ -332,15 +457,14 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
-    let n = min(v * min(1.0 / min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
+    let n = min(v * unitvec_inverse_root(unitvec_dot(v, v)), vec3f(UNITVEC_HUGE));
     return n;
 }
 
 // Distance of v from the z axis.
 fn unitvec_horizontal_length(v: vec3f) -> f32 {
-    let distance_from_z =
-        min(sqrt(min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    return distance_from_z;
+    let square = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    return unitvec_root(square);
 }
 
 // face: the faces of a cube, the one in a direction, and the components in its order.
@@ -424,7 +548,8 @@ fn unitvec_coordinate(x: f32, sum: vec2f, reciprocal: f32, bits: u32, integer: p
 fn unitvec_normalize_parts(upper: vec3f, lower: vec3f) -> vec3f {
     let squares = unitvec_dot(upper, upper);
     let other_squares = min(2.0 * unitvec_dot(upper, lower) + unitvec_dot(lower, lower), UNITVEC_HUGE);
-    let estimate = min(1.0 / min(sqrt(min(squares + other_squares, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    let square = min(squares + other_squares, UNITVEC_HUGE);
+    let estimate = unitvec_inverse_root(square);
     let reciprocal = bitcast<f32>((bitcast<u32>(estimate) + 0x800u) & 0xfffff000u);
 
     let scale = min(reciprocal * reciprocal, UNITVEC_HUGE);
@@ -585,7 +710,7 @@ fn unitvec_atan_octant(r: f32) -> f32 {
 
 // 4/pi atan(y/x), 0 <= y <= x. Both ends are exact on every device, however it divides.
 fn unitvec_atan_octant_ratio(y: f32, x: f32) -> f32 {
-    let divided = min(y / x, UNITVEC_HUGE);
+    let divided = unitvec_quotient(y, x);
     let quotient = select(1.0, divided, y < x);
     return unitvec_atan_octant(select(quotient, 0.0, y < UNITVEC_MIN_POSITIVE));
 }
@@ -652,7 +777,7 @@ fn unitvec_asin_small(a: f32) -> f32 {
     let half_chord_squared = 0.5 * min(1.0 - a, UNITVEC_HUGE);
     let squared = min(a * a, UNITVEC_HUGE);
     let u = select(squared, half_chord_squared, outer_part);
-    let root = min(sqrt(u), UNITVEC_HUGE);
+    let root = unitvec_root(u);
     let w = select(a, root, outer_part);
     let low = min(UNITVEC_ASIN_2 + min(u * min(UNITVEC_ASIN_3 + min(u * min(UNITVEC_ASIN_4
         + min(u * UNITVEC_ASIN_5, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
@@ -772,7 +897,7 @@ fn unitvec_angles_scaled(v: vec3f, norm: f32) -> vec3f {
 
 // The angle of (x, y) from +X in quarter turns, 0 to 1. Neither is negative, and not both are 0.
 fn unitvec_angles_quarter(y: f32, x: f32) -> f32 {
-    let q = min(min(x, y) / max(x, y), UNITVEC_HUGE);
+    let q = unitvec_quotient(min(x, y), max(x, y));
     let part = unitvec_atan_quarter(q);
     let rest = min(1.0 - part, UNITVEC_HUGE);
     return select(part, rest, y > x);

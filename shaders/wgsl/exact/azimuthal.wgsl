@@ -6,7 +6,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2; Snyder 1987; Shirley and Chiu 1997; the ellipse map is the elliptical grid
 // map.
@@ -31,12 +31,18 @@ const UNITVEC_PLAIN: i32 = 0;
 const UNITVEC_CONCENTRIC: i32 = 1;
 const UNITVEC_ELLIPSE: i32 = 2;
 
+// a / b of each component.
+fn unitvec_signed_quotients(a: vec2f, b: vec2f) -> vec2f {
+    return vec2f(unitvec_signed_quotient(a.x, b.x), unitvec_signed_quotient(a.y, b.y));
+}
+
 // A point of the unit disk is (x, y, radius, rim) with x, y >= 0 and rim = 1 - radius^2; `*_to_square` take it so,
 // `*_to_disk` of a square map leave the radius 0.
 
 // Disk point of v, whose components are not negative and have the sum 1.
 fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
-    let scale = min(1.0 / min(min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE) + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let sum = min(unitvec_root(unitvec_dot(v, v)) + v.z, UNITVEC_HUGE);
+    let scale = unitvec_reciprocal(sum);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
     let rim = min(2.0 * v.z * scale, UNITVEC_HUGE);
@@ -45,24 +51,22 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
     let sum = min(2.0 - rim, UNITVEC_HUGE);
-    let by = unitvec_divisors(sum);
-    let horizontal = min(2.0 * at / by.xy, vec2f(UNITVEC_HUGE));
-    let z = min(rim / by.z, UNITVEC_HUGE);
-    return vec3f(horizontal, z);
+    return vec3f(unitvec_signed_quotients(2.0 * at, vec2f(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
-    let norm = min(sqrt(unitvec_dot(v, v)), UNITVEC_HUGE);
-    let scale =
-        min(1.0 / min(sqrt(min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    let norm = unitvec_root(unitvec_dot(v, v));
+    let product = min(norm * min(norm + v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let scale = unitvec_inverse_root(product);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let radius = min(unitvec_horizontal_length(v) * scale, UNITVEC_HUGE);
-    let rim = min(v.z / norm, UNITVEC_HUGE);
+    let rim = unitvec_signed_quotient(v.z, norm);
     return vec4f(at, radius, rim);
 }
 
 fn unitvec_disk_to_eqarea(at: vec2f, rim: f32) -> vec3f {
-    let scale = min(sqrt(min(1.0 + rim, UNITVEC_HUGE)), UNITVEC_HUGE);
+    let square = min(1.0 + rim, UNITVEC_HUGE);
+    let scale = unitvec_root(square);
     let horizontal = min(at * scale, vec2f(UNITVEC_HUGE));
     return vec3f(horizontal, rim);
 }
@@ -77,7 +81,7 @@ fn unitvec_eqdist_to_disk(v: vec3f) -> vec4f {
     let rest = min(1.0 - part, UNITVEC_HUGE);
     let radius = select(part, rest, low);
     let inside = select(rest, part, low);
-    let quotient = min(radius / rho, UNITVEC_HUGE);
+    let quotient = unitvec_quotient(radius, rho);
     let scale = select(0.0, quotient, rho > UNITVEC_NEGLIGIBLE);
     let at = min(v.xy * scale, vec2f(UNITVEC_HUGE));
     let rim = min(inside * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -133,24 +137,24 @@ fn unitvec_plain_is_remote(e: vec2f, bits: u32) -> bool {
 
 // Lattice point to write for the one that rounding gave: a remote one goes a step inward.
 fn unitvec_plain_settle(e: vec2f, bits: u32) -> vec2f {
-    let slope = min(unitvec_azimuthal_parts(e, bits) / unitvec_azimuthal_largest(bits), vec2f(UNITVEC_HUGE));
+    let slope = unitvec_signed_quotients(unitvec_azimuthal_parts(e, bits), unitvec_azimuthal_largest(bits));
     let settled = min(e - select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), slope.x > slope.y), vec2f(UNITVEC_HUGE));
     return select(e, settled, unitvec_plain_is_remote(e, bits));
 }
 
 // Point on the rim for p beyond it, where excess is (|p|^2 - 1) / 2: within p's cell.
 fn unitvec_plain_move_to_rim(p: vec2f, m: vec2f, excess: f32) -> vec2f {
-    let slope = min(p / m, vec2f(UNITVEC_HUGE));
+    let slope = unitvec_signed_quotients(p, m);
     let along_u = slope.x > slope.y;
     let steep = select(slope.y, slope.x, along_u);
     let gentle = select(slope.x, slope.y, along_u);
-    let alone = min(excess / steep, UNITVEC_HUGE);
-    let remainder =
-        min(min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE) / gentle, UNITVEC_HUGE);
+    let alone = unitvec_signed_quotient(excess, steep);
+    let left = min(excess - min(UNITVEC_AZIMUTHAL_REACH * steep, UNITVEC_HUGE), UNITVEC_HUGE);
+    let remainder = unitvec_signed_quotient(left, gentle);
     let first = select(UNITVEC_AZIMUTHAL_REACH, alone, alone < UNITVEC_AZIMUTHAL_REACH);
     let second = select(remainder, 0.0, alone < UNITVEC_AZIMUTHAL_REACH);
     let moved = select(vec2f(second, first), vec2f(first, second), along_u);
-    let on_rim = min(p - min(moved / m, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
+    let on_rim = min(p - unitvec_signed_quotients(moved, m), vec2f(UNITVEC_HUGE));
     return on_rim;
 }
 
@@ -170,7 +174,7 @@ fn unitvec_plain_to_disk(e: vec2f, bits: u32) -> vec4f {
 // Disk point of a point on the square of the disk as it is; points beyond the rim are moved to it.
 fn unitvec_plain_square_to_disk(s: vec2f) -> vec4f {
     let square = min(min(s.x * s.x, UNITVEC_HUGE) + min(s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let on_rim = min(s * min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE), vec2f(UNITVEC_HUGE));
+    let on_rim = min(s * unitvec_inverse_root(square), vec2f(UNITVEC_HUGE));
     let rim = min(1.0 - square, UNITVEC_HUGE);
     return select(vec4f(on_rim, 0.0, 0.0), vec4f(s, 0.0, rim), square < 1.0);
 }
@@ -187,7 +191,7 @@ fn unitvec_concentric_to_disk(s: vec2f) -> vec4f {
     let steep = s.y > s.x;
     let shorter = select(s.y, s.x, steep);
     let radius = select(s.x, s.y, steep);
-    let quotient = min(shorter / radius, UNITVEC_HUGE);
+    let quotient = unitvec_quotient(shorter, radius);
     let octant = select(0.0, quotient, radius > 0.0);
     let angle = 0.25 * octant;
     let p = min(radius * unitvec_sin_cos_half_turns(angle), vec2f(UNITVEC_HUGE));
@@ -198,16 +202,16 @@ fn unitvec_concentric_to_disk(s: vec2f) -> vec4f {
 // s^2 = 4 x^2 / (2 + d + root), t^2 = 4 y^2 / (2 - d + root), d = x^2 - y^2, root^2 = d^2 + 4 rim: nothing cancels.
 fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
     let difference = min(min(disk.x - disk.y, UNITVEC_HUGE) * min(disk.x + disk.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let sum = min(2.0 + min(sqrt(min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE)),
-        UNITVEC_HUGE), UNITVEC_HUGE);
-    let s = min(2.0 * disk.xy / vec2f(min(sqrt(min(sum + difference, UNITVEC_HUGE)), UNITVEC_HUGE),
-        min(sqrt(min(sum - difference, UNITVEC_HUGE)), UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
-    return s;
+    let square = min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE);
+    let sum = min(2.0 + unitvec_root(square), UNITVEC_HUGE);
+    let squares = vec2f(min(sum + difference, UNITVEC_HUGE), min(sum - difference, UNITVEC_HUGE));
+    return unitvec_signed_quotients(2.0 * disk.xy, vec2f(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 fn unitvec_ellipse_to_disk(s: vec2f) -> vec4f {
-    let root = vec2f(min(sqrt(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE),
-        min(sqrt(min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE));
+    let squares = vec2f(min(1.0 - min(0.5 * s.y * s.y, UNITVEC_HUGE), UNITVEC_HUGE),
+        min(1.0 - min(0.5 * s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE));
+    let root = vec2f(unitvec_root(squares.x), unitvec_root(squares.y));
     let at = min(s * root, vec2f(UNITVEC_HUGE));
     // (1 - s^2) (1 - t^2), with one rounding less near the middle.
     let factor = min(1.0 - min(s.x * s.x, UNITVEC_HUGE), UNITVEC_HUGE);
@@ -222,7 +226,7 @@ fn unitvec_azimuthal_signed(negative: bool, x: f32) -> f32 {
 
 // The place of the direction of v on the square, without signs.
 fn unitvec_azimuthal_to_square(v: vec3f, projection: i32, map: i32) -> vec2f {
-    let octant = min(abs(v) * min(1.0 / unitvec_l1_norm(v), UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
+    let octant = min(abs(v) * unitvec_reciprocal(unitvec_l1_norm(v)), vec3f(UNITVEC_HUGE));
     let disk = select(select(unitvec_eqdist_to_disk(octant), unitvec_eqarea_to_disk(octant),
         projection == UNITVEC_EQAREA), unitvec_stereo_to_disk(octant), projection == UNITVEC_STEREO);
     return select(select(unitvec_ellipse_to_square(disk), unitvec_concentric_to_square(disk),

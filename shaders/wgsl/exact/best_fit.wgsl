@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light"; Cigolle et al. 2014, section 2.2.
 //
@@ -35,16 +35,16 @@ const UNITVEC_BEST_FIT_MIDDLE_OF_OCTANT: f32 = 0.75;
 const UNITVEC_BEST_FIT_LEAST_PART: f32 = 5.9604644775390625e-8;
 
 fn unitvec_best_fit_part(a: f32, largest: f32) -> f32 {
-    let part = min(a / largest, UNITVEC_HUGE);
+    let part = unitvec_quotient(a, largest);
     return select(part, 0.0, part < UNITVEC_BEST_FIT_LEAST_PART);
 }
 
 // Magnitudes of the components of v, which has a direction, over that of the largest one.
 fn unitvec_best_fit_on_cube(v: vec3f) -> vec3f {
     let a = abs(v);
-    let largest = unitvec_divisors(max(max(a.x, a.y), a.z));
-    return vec3f(unitvec_best_fit_part(a.x, largest.x), unitvec_best_fit_part(a.y, largest.y),
-        unitvec_best_fit_part(a.z, largest.z));
+    let largest = max(max(a.x, a.y), a.z);
+    return vec3f(unitvec_best_fit_part(a.x, largest), unitvec_best_fit_part(a.y, largest),
+        unitvec_best_fit_part(a.z, largest));
 }
 
 // The middle (x) and the least (y) of the magnitudes; the largest is 1.
@@ -134,7 +134,7 @@ fn unitvec_best_fit_parts_and_reciprocal(v: vec3f) -> vec3f {
     let a = abs(v);
     let low = min(a.x, a.y);
     let high = max(a.x, a.y);
-    let reciprocal = min(1.0 / max(high, a.z), UNITVEC_HUGE);
+    let reciprocal = unitvec_reciprocal(max(high, a.z));
     let mid = min(max(low, min(high, a.z)) * reciprocal, UNITVEC_HUGE);
     let least = min(min(low, a.z) * reciprocal, UNITVEC_HUGE);
     return vec3f(select(mid, 0.0, mid < UNITVEC_BEST_FIT_LEAST_PART),
@@ -188,18 +188,18 @@ fn unitvec_best_fit_sine(u: vec2f, size: f32) -> f32 {
     let p = min(u * size, vec2f(UNITVEC_HUGE));
     let d = min(unitvec_nearest_whole(p) - p, vec2f(UNITVEC_HUGE));
     let cx = min(min(d.x * u.y, UNITVEC_HUGE) - min(d.y * u.x, UNITVEC_HUGE), UNITVEC_HUGE);
-    let sine = min(sqrt(min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * min(1.0 / min(size * size, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
-    return sine;
+    let size_squared = min(size * size, UNITVEC_HUGE);
+    let square = min(min(min(min(cx * cx, UNITVEC_HUGE) + min(d.x * d.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(d.y * d.y, UNITVEC_HUGE), UNITVEC_HUGE) * unitvec_reciprocal(size_squared), UNITVEC_HUGE);
+    return unitvec_root(square);
 }
 
 // `max` with a number that is always less hides the constant divisor, which some compilers turn into a product.
 fn unitvec_best_fit_sample_part(cell: u32, i: i32) -> f32 {
     let third = f32(i);
-    let columns = min(f32(cell) + min(min(third + 0.5, UNITVEC_HUGE) / max(third, 3.0), UNITVEC_HUGE), UNITVEC_HUGE);
-    let part = min(columns / max(columns, UNITVEC_BEST_FIT_CELLS), UNITVEC_HUGE);
-    return part;
+    let middle = min(third + 0.5, UNITVEC_HUGE);
+    let columns = min(f32(cell) + unitvec_quotient(middle, max(third, 3.0)), UNITVEC_HUGE);
+    return unitvec_quotient(columns, max(columns, UNITVEC_BEST_FIT_CELLS));
 }
 
 // One of the nine directions of a cell.
@@ -302,8 +302,9 @@ fn snorm16x3p_encode(v_in: vec3f) -> vec2u {
     let u = unitvec_best_fit_on_cube(v);
     let parts = unitvec_best_fit_by_size(u);
     let longest = unitvec_snorm_max(16u);
-    let unit = min(longest / min(sqrt(min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
-        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    let square = min(min(1.0 + min(parts.x * parts.x, UNITVEC_HUGE), UNITVEC_HUGE)
+        + min(parts.y * parts.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let unit = unitvec_quotient(longest, unitvec_root(square));
     let best = unitvec_best_fit_scan(unitvec_best_fit_of_scale(parts, unit), parts, longest);
     let q = unitvec_best_fit_at_scale(v, u, best.x);
     return vec2u(unitvec_signed_code(q.x, 16u) | (unitvec_signed_code(q.y, 16u) << 16u), unitvec_signed_code(q.z, 16u));

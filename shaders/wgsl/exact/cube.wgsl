@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2; Meyer et al. 2010, eq. 8.
 //
@@ -33,7 +33,7 @@ fn unitvec_cube_encode_on_face(v_in: vec3f, bits: u32, warped: bool) -> u32 {
     v = unitvec_or_z(v);
     let face = unitvec_face_of(v);
     let p = unitvec_to_face(v, face);
-    let scale = min(1.0 / abs(p.z), UNITVEC_HUGE);
+    let scale = unitvec_reciprocal(abs(p.z));
     var t = min(abs(p.xy) * scale, vec2f(UNITVEC_HUGE));
     if warped { t = vec2f(unitvec_atan_octant(t.x), unitvec_atan_octant(t.y)); }
     let widths = unitvec_cube_widths(bits);
@@ -61,7 +61,7 @@ fn unitvec_cube_decode(code: u32, bits: u32) -> vec3f {
     let widths = unitvec_cube_widths(bits);
     // In steps of u, so that only v is rounded before the normalisation.
     let side = min(unitvec_snorm_max(widths.x) + 0.5, UNITVEC_HUGE);
-    let v_step = min(side / min(unitvec_snorm_max(widths.y) + 0.5, UNITVEC_HUGE), UNITVEC_HUGE);
+    let v_step = unitvec_over(side, unitvec_snorm_max(widths.y) + 0.5);
     let y = min(e.y * v_step, UNITVEC_HUGE);
     return unitvec_from_face(unitvec_normalize(vec3f(e.x, y, unitvec_negate_if((face & 1u) != 0u, side))), face);
 }
@@ -86,7 +86,7 @@ fn unitvec_warpedcube_decode(code: u32, bits: u32) -> vec3f {
 // Whole number nearest to (2^(bits-1) - 1/2) x / side, at most 2^(bits-1) - 1, 0 <= x <= side. Twice the factor of
 // x / side is 2^bits - 1.
 fn unitvec_cube_round_wide(x: f32, side: f32, bits: u32) -> i32 {
-    let reciprocal = min(1.0 / side, UNITVEC_HUGE);
+    let reciprocal = unitvec_reciprocal(side);
     var doubled: i32;
     var fraction: f32;
     unitvec_coordinate(x, vec2f(side, 0.0), reciprocal, bits + 1u, &doubled, &fraction);

@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: the pair (atan2(y, x) / pi, z) of K. Narkowicz's article on octahedron normals.
 //
@@ -22,7 +22,7 @@
 fn unitvec_cylindrical_height(v: vec3f) -> vec2f {
     let norm = unitvec_l1_norm(v);
     let p = unitvec_angles_scaled(v, norm);
-    let magnitude = min(p.z * min(1.0 / min(sqrt(unitvec_dot(p, p)), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let magnitude = min(p.z * unitvec_inverse_root(unitvec_dot(p, p)), UNITVEC_HUGE);
     let height = unitvec_with_sign(magnitude, v.z);
     return vec2f(select(1.0, height, unitvec_is_usable(norm)), unitvec_angles_azimuth(v, p));
 }
@@ -39,9 +39,9 @@ fn unitvec_cylindrical_lattice(v: vec3f, m: f32) -> vec2f {
 
 // Direction of a pair of snorm integers, unit length to within 2 ULP.
 fn unitvec_cylindrical_from_lattice(e: vec2f, m: f32) -> vec3f {
-    let step_size = min(1.0 / m, UNITVEC_HUGE);
-    let radius = min(min(sqrt(min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE)),
-        UNITVEC_HUGE) * step_size, UNITVEC_HUGE);
+    let step_size = unitvec_reciprocal(m);
+    let square = min(min(m - e.y, UNITVEC_HUGE) * min(m + e.y, UNITVEC_HUGE), UNITVEC_HUGE);
+    let radius = min(unitvec_root(square) * step_size, UNITVEC_HUGE);
     let z = min(e.y * step_size, UNITVEC_HUGE);
     let quarters = min(e.x * (2.0 * step_size), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, z, select(0.0, quarters, radius > 0.0));

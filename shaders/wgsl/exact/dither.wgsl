@@ -5,7 +5,7 @@
 // Needs the text of eaoct.wgsl and soct.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
 //   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
@@ -199,7 +199,8 @@ fn unitvec_dither_eaoct_direction(e: vec2f, offset: vec2f, m: f32) -> vec3f {
     let past_equator = ring > m;
     let beyond_equator = min(2.0 * m - ring, UNITVEC_HUGE);
     let mirrored = select(ring, beyond_equator, past_equator);
-    let turn = min(min(at.place - turned.y, UNITVEC_HUGE) / max(at.ring, 1.0), UNITVEC_HUGE);
+    let place = min(at.place - turned.y, UNITVEC_HUGE);
+    let turn = unitvec_signed_quotient(place, max(at.ring, 1.0));
     let flip = select(0u, UNITVEC_SIGN_BIT, turn < 0.0);
     let signs = vec2f(unitvec_flip_sign(unitvec_with_sign(1.0, e.x), select(0u, flip, at.swapped)),
         unitvec_flip_sign(unitvec_with_sign(1.0, e.y), select(flip, 0u, at.swapped)));

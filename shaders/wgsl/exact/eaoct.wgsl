@@ -5,7 +5,7 @@
 // Needs the text of oct.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Clarberg 2008, "Fast Equal-Area Mapping of the (Hemi)Sphere using SIMD" (the map).
 //
@@ -41,10 +41,11 @@ fn unitvec_eaoct_polar(v: vec3f, norm: f32) -> UnitvecEaoctPolar {
     let b = min(x, y);
 
     let horizontal = min(min(a * a, UNITVEC_HUGE) + min(b * b, UNITVEC_HUGE), UNITVEC_HUGE);
-    let len = min(sqrt(min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    let radius =
-        min(sqrt(min(horizontal / min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
-    let q = min(b / a, UNITVEC_HUGE);
+    let square = min(horizontal + min(p.z * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let len = unitvec_root(square);
+    let product = min(len * min(len + p.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let radius = unitvec_root(unitvec_quotient(horizontal, product));
+    let q = unitvec_quotient(b, a);
     let polar = UnitvecEaoctPolar(radius, unitvec_atan_quarter(q), y > x);
     return polar;
 }
@@ -79,10 +80,11 @@ fn unitvec_eaoct_candidate(p: UnitvecEaoctPolar, ring: f32, m: f32) -> vec3f {
     let along = min(p.turn * ring, UNITVEC_HUGE);
     let place = floor(min(along + 0.5, UNITVEC_HUGE));
     let across = min(ring - steps, UNITVEC_HUGE);
-    let q = min(min(along - place, UNITVEC_HUGE) / max(ring, 1.0), UNITVEC_HUGE);
+    let beside = min(along - place, UNITVEC_HUGE);
+    let q = unitvec_signed_quotient(beside, max(ring, 1.0));
 
     let c_squared = min(2.0 - min(p.radius * p.radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    let change = min(across * min(p.radius * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let change = min(across * min(p.radius * unitvec_reciprocal(m), UNITVEC_HUGE), UNITVEC_HUGE);
     let turned = min(min(min(steps * ring, UNITVEC_HUGE) * min(q * q, UNITVEC_HUGE),
         UNITVEC_HUGE) * min(PI_2_16 - min(PI_2_16_TIMES_PI_2_48 * min(q * q, UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE), UNITVEC_HUGE);
@@ -128,9 +130,10 @@ fn unitvec_eaoct_from_ring(e: vec2f, ring: f32, turn: f32, swapped: bool, above:
     let eighth = 0.5 * turn;
     let sine = unitvec_sin_eighth(eighth);
     let cosine = unitvec_cos_eighth(eighth);
-    let radius = min(ring * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    let radius = min(ring * unitvec_reciprocal(m), UNITVEC_HUGE);
     let z = min(min(1.0 - radius, UNITVEC_HUGE) * min(1.0 + radius, UNITVEC_HUGE), UNITVEC_HUGE);
-    let horizontal = min(radius * min(sqrt(min(1.0 + z, UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    let from_below = min(1.0 + z, UNITVEC_HUGE);
+    let horizontal = min(radius * unitvec_root(from_below), UNITVEC_HUGE);
     let near_axis = min(horizontal * cosine, UNITVEC_HUGE);
     let off_axis = min(horizontal * sine, UNITVEC_HUGE);
     let x = select(near_axis, off_axis, swapped);
@@ -142,7 +145,7 @@ fn unitvec_eaoct_from_ring(e: vec2f, ring: f32, turn: f32, swapped: bool, above:
 // Direction of a lattice point.
 fn unitvec_eaoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let at = unitvec_eaoct_ring_of(e, m);
-    let turn = min(at.place / max(at.ring, UNITVEC_MIN_POSITIVE), UNITVEC_HUGE);
+    let turn = unitvec_quotient(at.place, max(at.ring, UNITVEC_MIN_POSITIVE));
     return unitvec_eaoct_from_ring(e, at.ring, turn, at.swapped, at.above, m);
 }
 
@@ -168,8 +171,9 @@ fn eaoct_unorm_to_float32x3(e: vec2f) -> vec3f { return eaoct_to_float32x3(unitv
 // The precise code of n bits (even, 16 to 32) as a pair of snorm values on [-1, 1].
 fn float32x3_to_eaoctn_precise(v: vec3f, n: i32) -> vec2f {
     let norm = unitvec_l1_norm(v);
-    let m = unitvec_snorm_max(u32(n / 2));
-    let e = min(unitvec_eaoct_lattice_precise(v, norm, m) / m, vec2f(UNITVEC_HUGE));
+    let bits = u32(n / 2);
+    var e = unitvec_eaoct_lattice_precise(v, norm, unitvec_snorm_max(bits));
+    e = vec2f(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
     return select(vec2f(0.0), e, unitvec_is_usable(norm));
 }
 

@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Keinert, Innmann, Sänger and Stamminger 2015, "Spherical Fibonacci Mapping".
 //
@@ -93,7 +93,7 @@ fn unitvec_fib_split(x: f32, rest: ptr<function, f32>) -> u32 {
 fn unitvec_fib_azimuth(v: vec3f, scaled: vec3f) -> u32 {
     let x = max(abs(scaled.x), UNITVEC_ANGLES_LEAST_X);
     let y = max(abs(scaled.y), UNITVEC_ANGLES_LEAST_Y);
-    let quotient = min(min(x, y) / max(x, y), UNITVEC_HUGE);
+    let quotient = unitvec_quotient(min(x, y), max(x, y));
     let part = min(unitvec_atan_octant_of_normal(quotient) * unitvec_exp2(29), UNITVEC_HUGE);
     let octant = u32(i32(part));
     let quarter = select(octant, 0x40000000u - octant, y > x);
@@ -116,11 +116,12 @@ fn unitvec_fib_golden_power(k: u32) -> f32 {
 // Place of a vector with an L1 norm of 1 to 2.
 fn unitvec_fib_place(v: vec3f, bits: u32) -> UnitvecFibPlace {
     let horizontal = min(min(v.x * v.x, UNITVEC_HUGE) + min(v.y * v.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let reciprocal =
-        min(1.0 / min(sqrt(min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE), UNITVEC_HUGE);
+    let square = min(horizontal + min(v.z * v.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let reciprocal = unitvec_inverse_root(square);
     let height = min(abs(v.z) * reciprocal, UNITVEC_HUGE);
     let radius_squared = min(min(horizontal * reciprocal, UNITVEC_HUGE) * reciprocal, UNITVEC_HUGE);
-    let from_pole = min(radius_squared / min(1.0 + height, UNITVEC_HUGE), UNITVEC_HUGE);
+    let from_below = min(1.0 + height, UNITVEC_HUGE);
+    let from_pole = unitvec_quotient(radius_squared, from_below);
     let from_top = min(1.0 - height, UNITVEC_HUGE);
     let is_polar = height > 0.5;
 
@@ -143,7 +144,7 @@ fn unitvec_fib_basis(radius_squared: f32, bits: u32) -> UnitvecFibBasis {
     let lower = floor(zone);
     let k = unitvec_whole_to_u32(max(lower, 2.0));
     let power = unitvec_fib_golden_power(k);
-    let turn = min(1.0 / power, UNITVEC_HUGE);
+    let turn = unitvec_reciprocal(power);
     let next_turn = min(turn * 0.618034, UNITVEC_HUGE);
     let step_size = min(min(power * 0.4472136, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
     let next_step = min(min(power * 0.7236068, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
@@ -158,8 +159,8 @@ fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -
     let signed_depth = min(place.depth - difference, UNITVEC_HUGE);
     let is_point = signed_depth > 0.0;
     let depth = abs(signed_depth);
-    let radii = min(sqrt(min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
+    let squares = min(place.radius_squared * min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let radii = unitvec_root(squares);
 
     let d = unitvec_fib_signed_turn(turn);
     let u = min(d * d, UNITVEC_HUGE);
@@ -168,8 +169,8 @@ fn unitvec_fib_candidate(place: UnitvecFibPlace, i: u32, turn: u32, bits: u32) -
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         UNITVEC_HUGE);
     let sum = min(min(place.depth + min(depth * place.height, UNITVEC_HUGE), UNITVEC_HUGE) + radii, UNITVEC_HUGE);
-    let cost = min(min(min(difference * difference, UNITVEC_HUGE) / sum, UNITVEC_HUGE)
-        + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
+    let square = min(difference * difference, UNITVEC_HUGE);
+    let cost = min(unitvec_quotient(square, sum) + min(radii * chord, UNITVEC_HUGE), UNITVEC_HUGE);
     // More than any distance.
     let candidate = UnitvecFibCandidate(i, select(4.0, cost, is_point));
     return candidate;
@@ -227,7 +228,8 @@ fn unitvec_fib_point(i_in: u32, bits: u32) -> vec3f {
     let unit = unitvec_exp2(1 - i32(bits));
     let depth = min(min(f32(i32(from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
     let height = min(min(f32(i32(unitvec_fib_last(bits - 1u) - from_pole)) + 0.5, UNITVEC_HUGE) * unit, UNITVEC_HUGE);
-    let radius = min(sqrt(min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE)), UNITVEC_HUGE);
+    let square = min(depth * min(2.0 - depth, UNITVEC_HUGE), UNITVEC_HUGE);
+    let radius = unitvec_root(square);
 
     let azimuth = unitvec_fib_turn(i);
     let quarter = (azimuth + 0x20000000u) >> 30u;

@@ -5,7 +5,7 @@
 // Needs the text of oct.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Sources: Duff et al. 2017 for the basis about the normal, Ong 2023 for the tangent's place in it; the normal is that
 // of oct.wgsl.
@@ -34,7 +34,8 @@ const UNITVEC_UNWARP_2: f32 = 0.0392082;
 // second, n).
 fn unitvec_frame_basis(n: vec3f, first: ptr<function, vec3f>, second: ptr<function, vec3f>) {
     let s = unitvec_with_sign(1.0, n.z);
-    let a = min(-1.0 / min(s + n.z, UNITVEC_HUGE), UNITVEC_HUGE);
+    let beyond = min(s + n.z, UNITVEC_HUGE);
+    let a = unitvec_signed_quotient(-1.0, beyond);
     let b = min(min(n.x * n.y, UNITVEC_HUGE) * a, UNITVEC_HUGE);
     let e = vec3f(min(1.0 + min(s * min(min(n.x * n.x, UNITVEC_HUGE) * a, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),
         min(s * b, UNITVEC_HUGE), -min(s * n.x, UNITVEC_HUGE));
@@ -59,8 +60,9 @@ fn unitvec_frame_unwarp(w: f32, angle_bits: u32) -> f32 {
         UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
     if angle_bits <= 9u { return v; }
     // 4 / pi / (1 + u), the slope of the inverse but for 0.26 %.
-    let nearer = min(v + min(min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE) / min(1.0 + u,
-        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let missing = min(min(w - unitvec_frame_warp(v), UNITVEC_HUGE) * 1.2732395, UNITVEC_HUGE);
+    let slope = min(1.0 + u, UNITVEC_HUGE);
+    let nearer = min(v + unitvec_signed_quotient(missing, slope), UNITVEC_HUGE);
     return nearer;
 }
 
@@ -81,7 +83,7 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
     let below = bitcast<u32>(y) & UNITVEC_SIGN_BIT;
     let odd = (bitcast<u32>(x) & UNITVEC_SIGN_BIT) ^ below;
     let difference = min(abs(y) - abs(x), UNITVEC_HUGE);
-    let w = min(unitvec_flip_sign(difference, odd) / sum, UNITVEC_HUGE);
+    let w = unitvec_signed_quotient(unitvec_flip_sign(difference, odd), sum);
 
     let half_places = f32(1u << (angle_bits - 3u));
     let place = min(min(half_places * min(unitvec_frame_unwarp(w, angle_bits) + 1.0, UNITVEC_HUGE), UNITVEC_HUGE)
@@ -95,7 +97,7 @@ fn unitvec_frame_angle_code(n: vec3f, tangent: vec3f, angle_bits: u32, parallel:
 // Place of an angle's code in the plane of the basis: a point of the diamond |x| + |y| = 2.
 fn unitvec_frame_diamond_point(code: u32, angle_bits: u32) -> vec2f {
     let place = f32(code & unitvec_mask(angle_bits - 2u));
-    let v = min(min(place * min(1.0 / f32(1u << (angle_bits - 3u)), UNITVEC_HUGE), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
+    let v = min(min(place * unitvec_exp2(3 - i32(angle_bits)), UNITVEC_HUGE) - 1.0, UNITVEC_HUGE);
 
     let odd = (code << (33u - angle_bits)) & UNITVEC_SIGN_BIT;
     let below = (code << (32u - angle_bits)) & UNITVEC_SIGN_BIT;
@@ -122,7 +124,7 @@ fn unitvec_frame_handedness_code(handedness: f32) -> u32 {
 
 // -1 where bit 31 of a code is set, else +1.
 fn unitvec_frame_handedness(code: u32) -> f32 {
-    return unitvec_with_sign(1.0, bitcast<f32>(code));
+    return unitvec_flip_sign(1.0, code & UNITVEC_SIGN_BIT);
 }
 
 fn frame32_encode(normal: vec3f, tangent: vec4f) -> u32 {

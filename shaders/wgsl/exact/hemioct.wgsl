@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, listing 6.
 //
@@ -19,7 +19,7 @@
 
 // The place of (v.x, v.y) on the square [-m, m]^2 (listing 6); `norm` is the L1 norm of the vector with z >= 0.
 fn unitvec_hemioct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
-    let e = min(vec2f(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE),
+    let e = min(vec2f(min(v.x + v.y, UNITVEC_HUGE), min(v.x - v.y, UNITVEC_HUGE)) * unitvec_over(m, norm),
         vec2f(UNITVEC_HUGE));
     return e;
 }

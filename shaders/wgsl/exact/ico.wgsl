@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: class I geodesic grids, Coxeter 1971; the warp, its inverse and the layout are this library's own.
 //
@@ -89,7 +89,7 @@ fn unitvec_ico_sum(v: vec3f) -> f32 {
 // The lattice point nearest in angle to the direction of the weights p, of the sum p_sum, to rounding.
 fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3f {
     let n = f32(lattice.n);
-    let t = min(p * min(1.0 / p_sum, UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
+    let t = min(p * unitvec_reciprocal(p_sum), vec3f(UNITVEC_HUGE));
     let t_squared = min(t * t, vec3f(UNITVEC_HUGE));
     let squares = unitvec_ico_sum(t_squared);
     // The sum is 1, so that the cubes' sum is 3 times the product and 3/2 of the squares' sum, less 1/2.
@@ -113,8 +113,9 @@ fn unitvec_ico_nearest(p: vec3f, p_sum: f32, lattice: UnitvecIcoLattice) -> vec3
     let turned = min(d * vec3f(min(min(t.y * w.z, UNITVEC_HUGE) - min(t.z * w.y, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.z * w.x, UNITVEC_HUGE) - min(t.x * w.z, UNITVEC_HUGE), UNITVEC_HUGE),
         min(min(t.x * w.y, UNITVEC_HUGE) - min(t.y * w.x, UNITVEC_HUGE), UNITVEC_HUGE)), vec3f(UNITVEC_HUGE));
-    let factor = min(1.0 / min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
-        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let determinant = min(min(d.z * min(min(t.x * d.y, UNITVEC_HUGE) + min(t.y * d.x, UNITVEC_HUGE), UNITVEC_HUGE),
+        UNITVEC_HUGE) + min(t.z * min(d.x * d.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let factor = unitvec_reciprocal(determinant);
     let x = min(start.x + min(min(turned.z - turned.y, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
     let z = min(start.z + min(min(turned.y - turned.x, UNITVEC_HUGE) * factor, UNITVEC_HUGE), UNITVEC_HUGE);
 
@@ -218,9 +219,9 @@ fn unitvec_ico_decode(code_in: u32, lattice: UnitvecIcoLattice) -> vec3f {
     let is_octant = code >= unitvec_ico_octants(lattice);
     let first = select(0u, unitvec_ico_octants(lattice), is_octant);
     let row_length = select(lattice.n + 2u, lattice.n - 1u, is_octant);
-    let per_length = select(2.0 / (n + 2.0), 2.0 / (n - 1.0), is_octant);
+    let per_length = select(unitvec_over(2.0, n + 2.0), unitvec_over(2.0, n - 1.0), is_octant);
     let rows = select(n, n - 2.0, is_octant);
-    let per_rows = select(1.0 / n, 1.0 / (n - 2.0), is_octant);
+    let per_rows = select(unitvec_reciprocal(n), unitvec_reciprocal(n - 2.0), is_octant);
 
     // index / 2 fits a signed integer, which processors convert faster. The quotient is between 0.04 less and 0.03 more
     // than the exact one: so `line_number` is it or the next, and then the remainder wraps.

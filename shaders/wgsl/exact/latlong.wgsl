@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, sections 2 and 2.3; Smith et al. 2012. Formulas stand in for their table.
 //
@@ -33,7 +33,7 @@ fn unitvec_latlong_grid_encode(v: vec3f, half_bits: u32) -> u32 {
 }
 
 fn unitvec_latlong_grid_decode(code: u32, half_bits: u32) -> vec3f {
-    let step_size = 1.0 / f32(1u << half_bits);
+    let step_size = unitvec_exp2(-i32(half_bits));
     let ring = f32(i32((code >> half_bits) & unitvec_mask(half_bits)));
     let above = min(1.0 - min(min(ring + 0.5, UNITVEC_HUGE) * (2.0 * step_size), UNITVEC_HUGE), UNITVEC_HUGE);
     let diagonal = min(0.5 - abs(above), UNITVEC_HUGE);
@@ -80,7 +80,7 @@ fn unitvec_latlong_inverse(rings: UnitvecLatlongRings, index: f32) -> f32 {
     let high = select(rings.q.z, both_high, rings.q_last != 0.0);
     let whole_factor = min(low + min(min(index * index, UNITVEC_HUGE) * high, UNITVEC_HUGE), UNITVEC_HUGE);
     let factor = select(low, whole_factor, rings.q.z != 0.0);
-    let i = min(min(min(sqrt(index), UNITVEC_HUGE) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
+    let i = min(min(unitvec_root(index) * factor, UNITVEC_HUGE) + rings.offset, UNITVEC_HUGE);
     return i;
 }
 
@@ -139,10 +139,11 @@ fn unitvec_latlong_patch_decode(code: u32, rings: UnitvecLatlongRings, index_bit
     let along = select(from_both, from_high, index_bits <= 24u);
 
     // Both angles are taken from the middles of their quarter turns, about which the patches are symmetric.
-    let divided = min(min(along - 0.5 * count, UNITVEC_HUGE) / count, UNITVEC_HUGE);
+    let beside = min(along - 0.5 * count, UNITVEC_HUGE);
+    let divided = unitvec_signed_quotient(beside, count);
     let equator = unitvec_from_diagonal(select(-0.5, divided, along > 0.0));
     // At either end the product is 1/2 exactly.
-    let latitude = min(min(ring - 0.5 * rings.n, UNITVEC_HUGE) * min(1.0 / rings.n, UNITVEC_HUGE), UNITVEC_HUGE);
+    let latitude = min(min(ring - 0.5 * rings.n, UNITVEC_HUGE) * unitvec_reciprocal(rings.n), UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(latitude);
     let radius = min(meridian.x + meridian.y, UNITVEC_HUGE);
 

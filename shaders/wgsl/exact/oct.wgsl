@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, listings 1 to 5; Meyer et al. 2010, section 5.
 //
@@ -44,7 +44,7 @@ fn unitvec_oct_mirror(v: vec3f, p: vec2f) -> vec2f {
 // with s = m / norm, which is (|x| + |z|) s.
 fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
     let below = max(-v.z, 0.0);
-    let p = min(min(abs(v.xy) + below, vec2f(UNITVEC_HUGE)) * min(m / norm, UNITVEC_HUGE), vec2f(UNITVEC_HUGE));
+    let p = min(min(abs(v.xy) + below, vec2f(UNITVEC_HUGE)) * unitvec_over(m, norm), vec2f(UNITVEC_HUGE));
     return unitvec_oct_mirror(v, p);
 }
 
@@ -52,7 +52,7 @@ fn unitvec_oct_position(v: vec3f, norm: f32, m: f32) -> vec2f {
 fn unitvec_oct_projected(q: vec2f, p: vec3f, middle: vec2f, m: f32) -> vec2f {
     let missing = min(min(min(min(m - middle.x, UNITVEC_HUGE) - middle.y, UNITVEC_HUGE) - p.z, UNITVEC_HUGE)
         - min(q.x + q.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let stretch = min(missing * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    let stretch = min(missing * unitvec_reciprocal(m), UNITVEC_HUGE);
     let moved = min(q + min(stretch * p.xy, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
@@ -66,7 +66,7 @@ fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) 
     let n = min(min(min(min(ab.x * q.x, UNITVEC_HUGE) + min(ab.y * q.y, UNITVEC_HUGE), UNITVEC_HUGE)
         + min(0.25 * z_squared + 0.5, UNITVEC_HUGE), UNITVEC_HUGE) - over, UNITVEC_HUGE);
     let half_s = min(z_squared + min(0.5 + cross_term, UNITVEC_HUGE), UNITVEC_HUGE);
-    let u = min(n * min(min(1.5 / m, UNITVEC_HUGE) / half_s, UNITVEC_HUGE), UNITVEC_HUGE);
+    let u = min(n * unitvec_quotient(unitvec_over(1.5, m), half_s), UNITVEC_HUGE);
     let moved = min(ab + min(u * min(at + minus_z, vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
@@ -74,7 +74,7 @@ fn unitvec_oct_weighed(ab: vec2f, cross_term: f32, q: vec2f, at: vec2f, m: f32) 
 // q with the denominators taken into account for the most part: 0.1265 in place of N / (3 + X^2 + Y^2 + Z^2), which
 // leaves at most 0.2 / m of a step: for 20 bits and more.
 fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
-    let moved = min(q + min(at * min(0.3795 / m, UNITVEC_HUGE), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
+    let moved = min(q + min(at * unitvec_over(0.3795, m), vec2f(UNITVEC_HUGE)), vec2f(UNITVEC_HUGE));
     return moved;
 }
 
@@ -88,7 +88,7 @@ fn unitvec_oct_approached(q: vec2f, at: vec2f, m: f32) -> vec2f {
 fn unitvec_oct_nearest_corner(p: vec3f, m: f32) -> vec2f {
     let middle = min(floor(p.xy) + 0.5, vec2f(UNITVEC_HUGE));
     var q = min(p.xy - middle, vec2f(UNITVEC_HUGE));
-    let at = min(min(p.xy * min(3.0 / m, UNITVEC_HUGE), vec2f(UNITVEC_HUGE)) - 1.0, vec2f(UNITVEC_HUGE));
+    let at = min(min(p.xy * unitvec_over(3.0, m), vec2f(UNITVEC_HUGE)) - 1.0, vec2f(UNITVEC_HUGE));
     if m >= 256.0 && m < 4096.0 { q = unitvec_oct_approached(q, at, m); }
     if m >= 65536.0 { q = unitvec_oct_projected(q, p, middle, m); }
 
@@ -142,7 +142,7 @@ fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
 fn unitvec_oct_precise_point(v: vec3f, norm: f32, m: f32) -> vec2f {
-    var p = min(abs(v) * min(m / norm, UNITVEC_HUGE), vec3f(UNITVEC_HUGE));
+    var p = min(abs(v) * unitvec_over(m, norm), vec3f(UNITVEC_HUGE));
     // 2^-26 of the norm, more than any denormal. Some devices flush denormals, whose effect in unitvec_oct_projected
     // would break ties.
     if m >= 65536.0 { p = max(p, vec3f(m * 1.490116119384765625e-8)); }
@@ -185,16 +185,16 @@ fn oct_unorm_to_float32x3(e: vec2f) -> vec3f { return oct_to_float32x3(unitvec_u
 
 // Listing 3: the precise code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
 fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
-    let m = unitvec_snorm_max(u32(n / 2));
-    let e = min(unitvec_oct_lattice_precise(v, m) / m, vec2f(UNITVEC_HUGE));
-    return e;
+    let bits = u32(n / 2);
+    let e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2f(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.
 fn unitvec_oct_bytes(f: vec2f) -> vec3f {
     let u = floor(min(min(unitvec_snorm_clamp(f) * 2047.0, vec2f(UNITVEC_HUGE)) + 2047.5, vec2f(UNITVEC_HUGE)));
-    let high = floor(u.x / 16.0);
-    let carry = floor(u.y / 256.0);
+    let high = floor(u.x * 0.0625);
+    let carry = floor(u.y * 0.00390625);
     let bytes = vec3f(high, min(min(u.x - high * 16.0, UNITVEC_HUGE) * 16.0 + carry, UNITVEC_HUGE),
         min(u.y - carry * 256.0, UNITVEC_HUGE));
     return bytes;
@@ -202,17 +202,16 @@ fn unitvec_oct_bytes(f: vec2f) -> vec3f {
 
 // The inverse of unitvec_oct_bytes, for whole numbers up to 255.
 fn unitvec_oct_from_bytes(bytes: vec3f) -> vec2f {
-    let high = floor(bytes.y / 16.0);
+    let high = floor(bytes.y * 0.0625);
     let biased = vec2f(min(bytes.x * 16.0 + high, UNITVEC_HUGE),
         min(min(bytes.y - high * 16.0, UNITVEC_HUGE) * 256.0 + bytes.z, UNITVEC_HUGE));
-    let s = min(min(biased - 2047.0, vec2f(UNITVEC_HUGE)) / 2047.0, vec2f(UNITVEC_HUGE));
-    return min(s, vec2f(1.0));
+    let e = min(biased - 2047.0, vec2f(UNITVEC_HUGE));
+    return min(vec2f(unitvec_snorm_quotient(e.x, 12u), unitvec_snorm_quotient(e.y, 12u)), vec2f(1.0));
 }
 
 // Listing 5: a pair of snorm12 values on [-1, 1] as three unorm8 values on [0, 1], for an RGB8 target.
 fn snorm12x2_to_unorm8x3(f: vec2f) -> vec3f {
-    let parts = min(unitvec_oct_bytes(f) / 255.0, vec3f(UNITVEC_HUGE));
-    return parts;
+    return unitvec_snorm_quotients(unitvec_oct_bytes(f), 9u, 9u);
 }
 
 // Listing 5: the inverse, from unorm8 values as a texture fetch gives them.

@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Meyer et al. 2010, section 5 and table 1. The mapping is that of oct.wgsl.
 //
@@ -38,7 +38,7 @@ fn unitvec_oct_wide_position(v: vec3f, bits: u32) -> UnitvecOctWidePosition {
     let sum_xy = unitvec_two_sum(scaled.x, scaled.y);
     let sum_z = unitvec_two_sum(sum_xy.x, scaled.z);
     let sum = vec2f(sum_z.x, min(sum_xy.y + sum_z.y, UNITVEC_HUGE));
-    let reciprocal = min(1.0 / sum.x, UNITVEC_HUGE);
+    let reciprocal = unitvec_reciprocal(sum.x);
 
     var p: UnitvecOctWidePosition;
     var x: i32;

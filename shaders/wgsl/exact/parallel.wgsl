@@ -6,7 +6,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 5; Meyer et al. 2010, eqs. 6 and 7.
 //
@@ -113,7 +113,7 @@ fn unitvec_parallel_unit(v: vec3f) -> vec3f {
     let scaled = min(v * unitvec_scale_to_one(raised), vec3f(UNITVEC_HUGE));
     let square = unitvec_dot(scaled, scaled);
     let off = min(square - 1.0, UNITVEC_HUGE);
-    let inverse = min(1.0 / min(sqrt(square), UNITVEC_HUGE), UNITVEC_HUGE);
+    let inverse = unitvec_inverse_root(square);
     let n = min(scaled * select(inverse, 1.0, abs(off) <= 9.536743e-7), vec3f(UNITVEC_HUGE));
     return n;
 }
@@ -121,8 +121,7 @@ fn unitvec_parallel_unit(v: vec3f) -> vec3f {
 fn unitvec_parallel_third(p: vec2f) -> f32 {
     let square =
         min(1.0 - min(min(p.x * p.x, UNITVEC_HUGE) + min(p.y * p.y, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
-    let root = min(sqrt(max(square, 0.0)), UNITVEC_HUGE);
-    return root;
+    return unitvec_root(max(square, 0.0));
 }
 
 // Two's complement, in `bits` bits, of a whole number with a sign.

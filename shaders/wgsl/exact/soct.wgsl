@@ -5,7 +5,7 @@
 // Needs the text of hemioct.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: White 2017, "Signed Octahedron Normal Encoding"; Cigolle et al. 2014, listing 6.
 //
@@ -27,10 +27,10 @@ fn unitvec_soct_pair(v: vec3f, norm: f32, bits: u32) -> u32 {
 // The direction of a point of [-m, m]^2 and the sign, in bit 31: unit length to within 2 ULP. z is the difference of two
 // numbers that both have the sign, since a sum of them may be 0, which has none.
 fn unitvec_soct_from_lattice(e: vec2f, sign_bit: u32, m: f32) -> vec3f {
-    let below = bitcast<f32>(sign_bit & UNITVEC_SIGN_BIT);
+    let below = sign_bit & UNITVEC_SIGN_BIT;
     let across = 2.0 * max(abs(e.x), abs(e.y));
     let v = vec3f(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
-        min(unitvec_with_sign(2.0 * m, below) - unitvec_with_sign(across, below), UNITVEC_HUGE));
+        min(unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below), UNITVEC_HUGE));
     return unitvec_normalize(v);
 }
 

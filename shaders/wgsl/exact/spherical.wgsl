@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Cigolle et al. 2014, section 2, "spherical".
 //
@@ -39,12 +39,12 @@ fn unitvec_spherical_lattice(v: vec3f, m: f32, half_turn: f32) -> vec2f {
 // Direction of a pair of integers, unit length to within 2 ULP.
 fn unitvec_spherical_from_lattice(e: vec2f, m: f32, half_turn: f32) -> vec3f {
     // The product of m is 1 exactly.
-    let latitude = min(abs(e.x) * min(1.0 / m, UNITVEC_HUGE), UNITVEC_HUGE);
+    let latitude = min(abs(e.x) * unitvec_reciprocal(m), UNITVEC_HUGE);
     let diagonal = min(latitude - 0.5, UNITVEC_HUGE);
     let meridian = unitvec_from_diagonal(diagonal);
     let radius = min(meridian.x - meridian.y, UNITVEC_HUGE);
     let z = min(meridian.x + meridian.y, UNITVEC_HUGE);
-    let quarters = min(e.y * min(2.0 / half_turn, UNITVEC_HUGE), UNITVEC_HUGE);
+    let quarters = min(e.y * unitvec_over(2.0, half_turn), UNITVEC_HUGE);
     return unitvec_angles_around_z(radius, unitvec_negate_if(e.x > 0.0, z), select(0.0, quarters, latitude < 1.0));
 }
 

@@ -5,7 +5,7 @@
 // Needs the text of arith.wgsl, and of what that needs, before it.
 //
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
-// compilers do not fuse or reorder operations.
+// compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 // Source: Meyer et al. 2010, table 1; Cigolle et al. 2014, section 2, "spherical". The mapping is that of spherical.wgsl.
 //
@@ -96,8 +96,8 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let steep = y.x > x.x;
     let longer = select(x, y, steep);
     let shorter = select(y, x, steep);
-    let part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * min(0.25 / steps.size, UNITVEC_HUGE),
-        UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
+    let part = min(min(unitvec_atan_octant_ratio(shorter.x, longer.x) * unitvec_over(0.25, steps.size), UNITVEC_HUGE)
+        + 0.5, UNITVEC_HUGE);
     let estimate = i32(part);
 
     var cosine: vec2f;
@@ -106,11 +106,11 @@ fn unitvec_spherical_wide_nearest(x: vec2f, y: vec2f, steps: UnitvecSphericalWid
     let forth = unitvec_spherical_wide_product(shorter, cosine);
     let back = unitvec_spherical_wide_product(longer, sine);
     let across = min(min(forth.x - back.x, UNITVEC_HUGE) + min(forth.y - back.y, UNITVEC_HUGE), UNITVEC_HUGE);
-    let root = min(sqrt(min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE),
-        UNITVEC_HUGE)), UNITVEC_HUGE);
+    let square = min(min(longer.x * longer.x, UNITVEC_HUGE) + min(shorter.x * shorter.x, UNITVEC_HUGE), UNITVEC_HUGE);
+    let root = unitvec_root(square);
     let radians =
         min(max(root, UNITVEC_SPHERICAL_WIDE_POLAR) * min(UNITVEC_PI * steps.size, UNITVEC_HUGE), UNITVEC_HUGE);
-    let off = min(min(across / radians, UNITVEC_HUGE) + 0.5, UNITVEC_HUGE);
+    let off = min(unitvec_signed_quotient(across, radians) + 0.5, UNITVEC_HUGE);
     let n = estimate + i32(floor(off));
     return select(n, steps.in_quarter - n, steep);
 }
@@ -121,14 +121,14 @@ fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let shorter = select(y, x, y > x);
     let a = min(longer * longer, UNITVEC_HUGE);
     let b = min(shorter * shorter, UNITVEC_HUGE);
-    let first = min(sqrt(min(a + b, UNITVEC_HUGE)), UNITVEC_HUGE);
+    let squares = min(a + b, UNITVEC_HUGE);
+    let first = unitvec_root(squares);
     let root = max(first, UNITVEC_SPHERICAL_WIDE_POLAR);
     let square = min(root * root, UNITVEC_HUGE);
     let rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
-    let low = min(min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE) / (2.0 * root),
-        UNITVEC_HUGE);
-    return vec2f(root, low);
+    let left = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE);
+    return vec2f(root, unitvec_signed_quotient(left, 2.0 * root));
 }
 
 fn spherical48_encode(v_in: vec3f) -> vec2u {

@@ -68,6 +68,9 @@ impl fmt::Display for Model {
 /// spent already.
 pub const QUOTIENT_ULP: u32 = 2;
 
+/// ULP by which a reciprocal root is moved: the specification's bound, beside the roundings of root and quotient.
+pub const INVERSE_ROOT_ULP: u32 = 2;
+
 /// The bound for square roots whose significand is 1 or more. They may be off as `1 / inversesqrt(x)` is: by 2 ULP of
 /// the inverse and 2.5 ULP of the quotient. The inverse of a root with the significand s has the significand 2 / s, so
 /// that 2 ULP of the inverse change the root by s^2 ULP, which is 1 at least. Half a ULP is spent already.

@@ -90,7 +90,7 @@ impl<const BITS: u32> Codec for Cylindrical<BITS> {
         24 => 1.2665,
         32 => 0.316_53,
         _ => panic!("no constants for this width"),
-    } * (1.0 + snorm_max(BITS / 2) / 4_194_304.0);
+    } * (1.0 + snorm_max(BITS / 2) * (1.0 / 4_194_304.0));
     type Code = u32;
 
     #[inline(always)]

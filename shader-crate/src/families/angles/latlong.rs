@@ -237,7 +237,7 @@ impl<const BITS: u32> Codec for LatLong<BITS> {
     const EXACT_AXES: bool = false;
     /// `sqrt(5) pi / 2^(h+1)` radians in degrees, and the errors of rounding both angles and the decoded vector: at
     /// most 8e-7 radians.
-    const MAX_ERROR_DEG: f32 = 1.118_034 * 180.0 / (1 << (BITS / 2)) as f32 + 4.6e-5;
+    const MAX_ERROR_DEG: f32 = ratio(1.118_034 * 180.0, (1 << (BITS / 2)) as f32) + 4.6e-5;
     type Code = u32;
 
     #[inline(always)]

@@ -105,7 +105,7 @@ impl<const BITS: u32> Codec for Spherical<BITS> {
     const BITS: u32 = BITS;
     /// Half a step of phi times `sqrt(1 + (half_turn / 2m)^2)`, which is greatest at 16 bits, and the errors of
     /// rounding both angles and the decoded vector: at most 8e-7 radians.
-    const MAX_ERROR_DEG: f32 = 1.1199 * 90.0 / half_turn(BITS) + 4.6e-5;
+    const MAX_ERROR_DEG: f32 = ratio(1.1199 * 90.0, half_turn(BITS)) + 4.6e-5;
     type Code = u32;
 
     #[inline(always)]

@@ -40,7 +40,7 @@
 
 use crate::arith::{
     LEAST_X, LEAST_Y, atan_octant_of_normal, coefficients, cos_eighth, exp2, integer_part, inverse_root,
-    is_negative, mask, max, min, negate_if, quotient, reciprocal, root, scale_to_one, sin_eighth,
+    is_negative, mask, max, min, negate_if, quotient, ratio, reciprocal, root, scale_to_one, sin_eighth,
     small_floor, whole_to_i32, whole_to_u32,
 };
 use crate::codec::Codec;
@@ -313,7 +313,7 @@ impl<const BITS: u32> Codec for Fib<BITS> {
     const EXACT_AXES: bool = false;
     /// The distance of points 1, 2 and 4 from the middle of the circle through them, 156.3102 degrees over `sqrt(N)`,
     /// and the errors of rounding both directions: at most 4e-7 radians.
-    const MAX_ERROR_DEG: f32 = 156.310_5 / (1 << (BITS / 2)) as f32 + 2.4e-5;
+    const MAX_ERROR_DEG: f32 = ratio(156.310_5, (1 << (BITS / 2)) as f32) + 2.4e-5;
     type Code = u32;
 
     #[inline(always)]

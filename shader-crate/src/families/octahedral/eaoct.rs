@@ -233,7 +233,7 @@ pub(crate) fn from_ring(e: Vec2, Ring { ring, swapped, above, .. }: Ring, turn: 
 /// `radians_times_m` at this width in degrees, and the error of rounding in f32: at most `8 2^-24` in r, which is
 /// `16 2^-24` radians at the equator, `4 2^-24` in phi, 3/2 as much in radians, and 2^-22 for the decoded vector.
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
-    (radians_times_m / snorm_max(bits / 2) + 26.0 / 16_777_216.0).to_degrees()
+    (ratio(radians_times_m, snorm_max(bits / 2)) + 26.0 / 16_777_216.0).to_degrees()
 }
 
 /// Equal-area octahedral code of `BITS` bits (16, 20, 22, 24 or 32), fast encoder.

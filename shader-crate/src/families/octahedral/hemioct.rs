@@ -20,7 +20,7 @@
 //! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
 //!   where x or y is 0.
 
-use crate::arith::{max, nearest_pair, normalize, over, snorm_clamp, snorm_integers, snorm_max};
+use crate::arith::{max, nearest_pair, normalize, over, ratio, snorm_clamp, snorm_integers, snorm_max};
 use crate::codec::Codec;
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
@@ -76,7 +76,7 @@ unorm_projection!();
 /// `sqrt(3/2) / m` radians in degrees, and the error of rounding the position in f32 (at most 2^-21 of the square's
 /// half side). The snorms have half of `bits`, rounded down.
 pub(super) const fn error_bound(bits: u32) -> f32 {
-    (1.224_744_9 * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
+    (1.224_744_9 * (ratio(1.0, snorm_max(bits / 2)) + 1.0 / 2_097_152.0)).to_degrees()
 }
 
 /// Hemi-octahedral code of `BITS` bits (16, 24 or 32) for directions with z >= 0.

@@ -334,7 +334,7 @@ pub(super) fn unpack_bytes(code: u32) -> Vec2 {
 /// `radians_times_m` at this width in degrees, and the error of rounding the position in f32 (at most 2^-21 of the
 /// square's half side).
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
-    (radians_times_m * (1.0 / snorm_max(bits / 2) + 1.0 / 2_097_152.0)).to_degrees()
+    (radians_times_m * (ratio(1.0, snorm_max(bits / 2)) + 1.0 / 2_097_152.0)).to_degrees()
 }
 
 /// Octahedral code of `BITS` bits (even, 4 to 32), fast encoder.

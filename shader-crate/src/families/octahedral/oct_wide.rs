@@ -36,7 +36,7 @@
 //! have a code of its own in `oct52p`, whose lattice is finer than floats: it is not stable across devices.
 
 use crate::arith::{
-    Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, reciprocal,
+    Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, ratio, reciprocal,
     scaled_to_one, two_sum,
 };
 use crate::codec::Codec;
@@ -172,7 +172,8 @@ fn decode<const BITS: u32>([low, high]: [u32; 2]) -> Vec3 {
 /// The error in radians of a code that is `radians_times_m` off, with the decoded vector's rounding, at most `sqrt(3)
 /// 2^-25`, in degrees. The margin of 2^-8 covers the arithmetic: 2^-20 of a step, and 2^-33 per component.
 const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
-    ((radians_times_m / mask(bits / 2 - 1) as f32 + 1.732_050_8 * exp2(-25)) * (1.0 + exp2(-8))).to_degrees()
+    let lattice = ratio(radians_times_m, mask(bits / 2 - 1) as f32);
+    ((lattice + 1.732_050_8 * exp2(-25)) * (1.0 + exp2(-8))).to_degrees()
 }
 
 /// Octahedral code of `BITS` bits (48), fast encoder.

@@ -28,8 +28,8 @@
 
 use super::hemioct::{error_bound, position};
 use crate::arith::{
-    SIGN_BIT, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers, snorm_max,
-    with_sign,
+    SIGN_BIT, flip_sign, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers,
+    snorm_max,
 };
 use crate::codec::{Code, Codec};
 use crate::direction::{is_usable, l1_norm};
@@ -41,9 +41,9 @@ use glam::{Vec2, Vec3};
 /// z is the difference of two numbers that both have the sign: 0 has none then.
 #[inline(always)]
 pub(crate) fn from_lattice(e: Vec2, sign_bit: u32, m: f32) -> Vec3 {
-    let below = f32::from_bits(sign_bit & SIGN_BIT);
+    let below = sign_bit & SIGN_BIT;
     let across = 2.0 * max(e.x.abs(), e.y.abs());
-    let z = with_sign(2.0 * m, below) - with_sign(across, below);
+    let z = flip_sign(2.0 * m, below) - flip_sign(across, below);
     normalize(Vec3::new(e.x + e.y, e.x - e.y, z))
 }
 

@@ -2,7 +2,7 @@
 
 use super::globals::{Body, Type};
 use crate::imprecise::Model;
-use crate::imprecise::model::{QUOTIENT_ULP, ROOT_STEPS, ROOT_ULP};
+use crate::imprecise::model::{INVERSE_ROOT_ULP, QUOTIENT_ULP, ROOT_STEPS, ROOT_ULP};
 use rspirv::spirv::{GLOp, Op, Word};
 
 /// A function of floats that stands in for an operation.
@@ -12,6 +12,8 @@ pub enum Function {
     Divide,
     /// The square root.
     SquareRoot,
+    /// 1 over the square root.
+    InverseRoot,
     /// `a + b`
     Add,
     /// `a - b`
@@ -31,7 +33,7 @@ impl Function {
     pub fn parameters(self) -> &'static [Type] {
         match self {
             Self::Divide | Self::Add | Self::Subtract | Self::Multiply => &[Type::Float, Type::Float],
-            Self::SquareRoot | Self::Flush => &[Type::Float],
+            Self::SquareRoot | Self::InverseRoot | Self::Flush => &[Type::Float],
             Self::ConvertSigned => &[Type::Int],
             Self::ConvertUnsigned => &[Type::Uint],
         }
@@ -40,7 +42,7 @@ impl Function {
     /// True where the model has a function in the operation's place, flushing apart.
     pub fn is_changed_by(self, model: Model) -> bool {
         match self {
-            Self::Divide | Self::SquareRoot => !model.divides_exactly(),
+            Self::Divide | Self::SquareRoot | Self::InverseRoot => !model.divides_exactly(),
             Self::Add | Self::Subtract | Self::Multiply | Self::ConvertSigned | Self::ConvertUnsigned => {
                 !model.rounds_to_nearest()
             }
@@ -52,7 +54,11 @@ impl Function {
 /// Appends the instructions of a function to its body; the result is what it returns.
 pub fn build(function: Function, model: Model, seed: u32, parameters: &[Word], body: &Body<'_>) -> Word {
     match (function, parameters) {
-        (Function::Divide, &[a, b]) => quotient(body, model, seed, a, b),
+        (Function::Divide, &[a, b]) => quotient(body, model, seed, [a, b], QUOTIENT_ULP),
+        (Function::InverseRoot, &[x]) => {
+            let root = body.extended(Type::Float, GLOp::Sqrt, &[x]);
+            quotient(body, model, seed, [body.float_constant(1.0), root], INVERSE_ROOT_ULP)
+        }
         (Function::SquareRoot, &[x]) => square_root(body, model, seed, x),
         (Function::Add, &[a, b]) => truncated_sum(body, a, b),
         (Function::Subtract, &[a, b]) => truncated_sum(body, a, body.float(Op::FNegate, &[b])),
@@ -68,10 +74,10 @@ const EXPONENT: u32 = 0x7f80_0000;
 const SIGNIFICAND: u32 = 0x007f_ffff;
 const ONE: u32 = 0x3f80_0000;
 
-fn quotient(body: &Body<'_>, model: Model, seed: u32, a: Word, b: Word) -> Word {
+fn quotient(body: &Body<'_>, model: Model, seed: u32, [a, b]: [Word; 2], most: u32) -> Word {
     let is_down = matches!(model, Model::Down | Model::DownUp);
     let operands = [body.bits(a), body.bits(b)];
-    let ulp = ulp(body, model, is_down, seed, &operands, body.int_constant(QUOTIENT_ULP));
+    let ulp = ulp(body, model, is_down, seed, &operands, body.int_constant(most));
     moved(body, body.float(Op::FDiv, &[a, b]), ulp)
 }
 

@@ -196,6 +196,7 @@ fn meaning(instruction: &Instruction) -> Meaning {
 fn extended(instruction: &Instruction) -> Meaning {
     match extended_operation(instruction) {
         Some(GLOp::Sqrt) => Meaning::Arithmetic(Function::SquareRoot),
+        Some(GLOp::InverseSqrt) => Meaning::Arithmetic(Function::InverseRoot),
         Some(
             GLOp::FAbs
             | GLOp::Floor

@@ -65,7 +65,7 @@ mod table;
 pub use table::fill_table;
 pub use table::{TABLE_COLUMNS, TABLE_WORDS, table_word};
 
-use crate::arith::{quotient, root, signed_code, snorm_decode, snorm_max};
+use crate::arith::{quotient, ratio, root, signed_code, snorm_decode, snorm_max};
 use crate::codec::Codec;
 use crate::direction::or_z;
 use glam::Vec3;
@@ -117,7 +117,7 @@ impl EncodeByTable for CrytekBfn24 {
 /// the plane where the largest component is `length`. The angle is at most the distance over `length`. `rounding` is
 /// the distance that `f32` adds.
 const fn error_bound(length: f32, rounding: f32) -> f32 {
-    ((core::f32::consts::FRAC_1_SQRT_2 + rounding) / length).to_degrees()
+    ratio(core::f32::consts::FRAC_1_SQRT_2 + rounding, length).to_degrees()
 }
 
 /// Declares the codecs of three snorm8, each by the length whose bound it has and its encoder.

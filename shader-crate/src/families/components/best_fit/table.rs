@@ -2,7 +2,7 @@
 
 use super::scan::{LEAST_PART, Parts, SCANNED};
 use crate::arith::{
-    ONE_AND_A_HALF_2_23, integer_part, max, min, nearest_whole, reciprocal, root, whole_to_u32,
+    ONE_AND_A_HALF_2_23, integer_part, max, min, nearest_whole, quotient, reciprocal, root, whole_to_u32,
 };
 use glam::Vec3;
 
@@ -18,9 +18,8 @@ const CELLS: f32 = TABLE_COLUMNS as f32 - 1.0 / 1024.0;
 /// Lengths of a cell.
 const LENGTHS: usize = 4;
 
-/// A cell's directions along each side that its lengths are to fit, and in all.
-const SAMPLES_A_SIDE: usize = 3;
-const SAMPLES: usize = SAMPLES_A_SIDE * SAMPLES_A_SIDE;
+/// A cell's directions that its lengths are to fit: three along each side.
+const SAMPLES: usize = 9;
 
 /// A length counts as better than a longer one where it leaves less than this part of the error: else rounding would
 /// decide between lengths that fit alike, as all do beside an axis.
@@ -109,18 +108,18 @@ pub(super) fn sine(u: Parts, length: f32) -> f32 {
     let (y, z) = (u.mid * length, u.min * length);
     let (dy, dz) = (nearest_whole(y) - y, nearest_whole(z) - z);
     let cx = dy * u.min - dz * u.mid;
-    root(((cx * cx + dy * dy) + dz * dz) * (1.0 / (length * length)))
+    root(((cx * cx + dy * dy) + dz * dz) * reciprocal(length * length))
 }
 
 #[inline(always)]
 fn sample_part(cell: u32, i: usize) -> f32 {
-    (cell as f32 + (i as f32 + 0.5) / SAMPLES_A_SIDE as f32) / CELLS
+    quotient(cell as f32 + quotient(i as f32 + 0.5, 3.0), CELLS)
 }
 
 /// One of the nine directions of a cell.
 #[inline(always)]
 pub(super) fn sample(column: u32, row: u32, i: usize) -> Parts {
-    Parts { mid: sample_part(column, i / SAMPLES_A_SIDE), min: sample_part(row, i % SAMPLES_A_SIDE) }
+    Parts { mid: sample_part(column, i / 3), min: sample_part(row, i % 3) }
 }
 
 /// The lengths of a cell, each the one that leaves least of the mean error of those before it; the longest of equals.

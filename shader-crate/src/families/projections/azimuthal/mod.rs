@@ -101,8 +101,8 @@ pub use disk::*;
 pub use square::*;
 
 use crate::arith::{
-    SnormDivision, exp2, floor, is_negative, is_set, negate_if, reciprocal, signed_code, signed_integer,
-    snorm_clamp, snorm_integer, snorm_max,
+    SnormDivision, exp2, floor, is_negative, is_set, negate_if, ratio, reciprocal, signed_code,
+    signed_integer, snorm_clamp, snorm_integer, snorm_max,
 };
 use crate::codec::Codec;
 use crate::direction::or_z;
@@ -166,7 +166,7 @@ unorm_projection!(<P: Projection, S: SquareMap>);
 /// `stretch` steps of v in degrees, and the error of rounding the position in f32: at most 2^-21 per axis, of which
 /// four times the length of `k/2` and 1/2 are more than enough.
 const fn error_bound(stretch: f32, bits: u32) -> f32 {
-    (stretch * (1.0 / Lattice::new(bits).largest.y + 4.0 / 2_097_152.0)).to_degrees()
+    (stretch * (ratio(1.0, Lattice::new(bits).largest.y) + 4.0 / 2_097_152.0)).to_degrees()
 }
 
 /// Azimuthal code of `BITS` bits (16, 20, 22, 24 or 32): the projection `P`, laid on the square by `S`.

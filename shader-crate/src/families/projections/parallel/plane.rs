@@ -1,6 +1,6 @@
 //! The plane that the components are stored in, and the points outside its border.
 
-use crate::arith::{SnormDivision, floor, max, min, snorm_max};
+use crate::arith::{SnormDivision, floor, max, min, ratio, snorm_max};
 use glam::Vec2;
 
 /// The inset of points outside, when they are decoded, in steps.
@@ -66,7 +66,7 @@ impl Plane {
         let m = disk.m;
         Self {
             steps: Vec2::new(m.x * SQRT_2, m.y * SQRT_2),
-            step: Vec2::new((1.0 / m.x) * FRAC_1_SQRT_2, (1.0 / m.y) * FRAC_1_SQRT_2),
+            step: Vec2::new(ratio(1.0, m.x) * FRAC_1_SQRT_2, ratio(1.0, m.y) * FRAC_1_SQRT_2),
             limit: SEXTANT_LIMIT,
             sextant: true,
             ..disk
