@@ -14,11 +14,11 @@ use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, repla
 use unitvec_vulkan::{BufferPromise, Device, Division, Error, GROUP, Runner, SENTINEL};
 
 fn embedded() -> KernelSource {
-    KernelSource::Rust(Modules::open(None).unwrap())
+    KernelSource::Rust(Modules::open(None).unwrap(), Edition::Exact)
 }
 
 fn from_glsl() -> KernelSource {
-    KernelSource::Glsl(glsl::Compiler::new().unwrap())
+    KernelSource::Glsl(glsl::Compiler::of(Edition::Exact).unwrap())
 }
 
 fn backends(device: &Arc<Device>, rust: KernelSource) -> Backends {
@@ -339,7 +339,7 @@ fn a_kernel_that_computes_something_else_is_noticed() {
     let folder = tempfile::tempdir().unwrap();
     swap_kernels(folder.path());
     let device = lavapipe();
-    let source = KernelSource::Rust(Modules::open_trusted(folder.path()).unwrap());
+    let source = KernelSource::Rust(Modules::open_trusted(folder.path()).unwrap(), Edition::Exact);
     let options = options(10_000);
     let plan = Plan::new(find("oct16").unwrap(), &options);
     let row = plan.run(&mut backends(&device, source), &mut |_| ()).unwrap();

@@ -16,9 +16,10 @@ use unitvec_manifest::modules;
 use unitvec_manifest::modules::Modules;
 use unitvec_oracle::survey;
 use unitvec_run::backend::{BackendKind, KernelSource, decode_table};
+use unitvec_run::shader::Edition;
 use unitvec_run::{glsl, sampling};
 use unitvec_vulkan as vulkan;
-use unitvec_vulkan::{Device, DeviceInfo, Kernel, Runner, Table};
+use unitvec_vulkan::{BufferPromise, Device, DeviceInfo, Division, Kernel, Runner, Table};
 
 /// Times that a cost kernel encodes or decodes each vector, as the survey did (section 4.2).
 const REPETITIONS: u32 = 100;
@@ -122,7 +123,10 @@ impl Bench {
         let best_fit_table = runner.table(bytemuck::cast_slice(catalogue::best_fit_table()))?;
         let mut bench = Self {
             runner,
-            sources: [KernelSource::Rust(modules), KernelSource::Glsl(glsl::Compiler::new()?)],
+            sources: [
+                KernelSource::Rust(modules, Edition::Exact),
+                KernelSource::Glsl(glsl::Compiler::new()?),
+            ],
             compiler: glsl::Compiler::new()?,
             best_fit_table,
             references: HashMap::new(),
@@ -199,7 +203,10 @@ impl Bench {
             let function =
                 format.map_or_else(|| format!("baseline_{operation}"), |format| format.function(operation));
             let name = format!("{function}_cost");
-            return Ok(self.runner.kernel(&modules::cost_kernel(folder, &name)?, &name, table)?);
+            // Arithmetic is measured with the device's own division, as other libraries have it.
+            let module = modules::cost_kernel(folder, &name)?;
+            let promise = BufferPromise::ExactSize;
+            return Ok(self.runner.kernel_for(promise, Division::Device, &module, &name, table)?);
         }
         let module = self.compiler.cost_kernel(format, operation)?;
         Ok(self.runner.kernel(&module, glsl::ENTRY_POINT, table)?)

@@ -8,9 +8,10 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, Operation, best_fit_table};
+use unitvec_languages::Edition;
 use unitvec_manifest as manifest;
 use unitvec_manifest::modules::Modules;
-use unitvec_vulkan::{Device, Kernel, Runner, Table};
+use unitvec_vulkan::{BufferPromise, Device, Division, Kernel, Runner, Table};
 
 /// Vectors or frames that are processed at a time: 12 or 28 MiB, so that any amount of data streams through.
 pub const CHUNK: usize = 1 << 20;
@@ -116,9 +117,9 @@ impl Backend for Cpu {
 
 /// The source of a GPU backend's kernels.
 pub enum KernelSource {
-    /// SPIR-V that rust-gpu compiled from the crate.
-    Rust(Modules),
-    /// SPIR-V that glslang compiles from the GLSL now.
+    /// SPIR-V that rust-gpu compiled from the crate, and the edition to specialize it to.
+    Rust(Modules, Edition),
+    /// SPIR-V that glslang compiles from the GLSL now, in the compiler's edition.
     Glsl(glsl::Compiler),
 }
 
@@ -136,7 +137,22 @@ impl KernelSource {
     ) -> Result<Kernel> {
         let name = format.function(operation);
         let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
-        Ok(runner.kernel(&module, entry_point, table)?)
+        Ok(self.load(runner, &module, entry_point, table)?)
+    }
+
+    /// The module as a kernel of this source's edition.
+    fn load(
+        &self,
+        runner: &Runner,
+        module: &[u8],
+        entry_point: &str,
+        table: Option<&Table>,
+    ) -> Result<Kernel> {
+        let division = match self {
+            Self::Rust(_, Edition::Plain) => Division::Device,
+            Self::Rust(_, Edition::Exact) | Self::Glsl(_) => Division::Exact,
+        };
+        Ok(runner.kernel_for(BufferPromise::ExactSize, division, module, entry_point, table)?)
     }
 
     /// The kernel that decodes two-byte codes by `table`, which holds the vectors of all codes.
@@ -156,7 +172,7 @@ impl KernelSource {
         compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
     ) -> Result<(Cow<'static, [u8]>, &'a str)> {
         Ok(match self {
-            Self::Rust(modules) => (modules.load(name)?, name),
+            Self::Rust(modules, _) => (modules.load(name)?, name),
             Self::Glsl(compiler) => (Cow::Owned(compile(compiler)?), glsl::ENTRY_POINT),
         })
     }
@@ -230,7 +246,7 @@ impl Gpu {
                 let rewritten = (rewrite.module)(&module, &name, entry_point);
                 module = Cow::Owned(rewritten.map_err(Error::Rewrite)?);
             }
-            self.kernels.insert(key, runner.kernel(&module, entry_point, table)?);
+            self.kernels.insert(key, source.load(runner, &module, entry_point, table)?);
         }
         self.runner.run(&self.kernels[&key], count, input, output)?;
         Ok(())
@@ -242,7 +258,7 @@ impl Gpu {
             return Ok(table.clone());
         }
         let bytes = match &self.source {
-            KernelSource::Rust(modules) => modules.table(manifest::BEST_FIT_TABLE)?,
+            KernelSource::Rust(modules, _) => modules.table(manifest::BEST_FIT_TABLE)?,
             KernelSource::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
         };
         let table = self.runner.table(&bytes)?;

@@ -7,9 +7,10 @@ use std::collections::BTreeMap;
 use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::{Backend, BackendKind, CHUNK, Cpu, Gpu};
 use unitvec_run::sampling;
+use unitvec_run::shader::Edition;
 
-/// Kernels on a device, by their source.
-pub type Gpus = BTreeMap<BackendKind, Gpu>;
+/// Kernels on a device, by their edition and source.
+pub type Gpus = BTreeMap<(Edition, BackendKind), Gpu>;
 
 /// Runs one codec with all seeds.
 ///
@@ -23,16 +24,14 @@ pub fn run(
 ) -> Result<Row> {
     let mut rows = BTreeMap::new();
     let sources = gpus.len() as u64;
-    for (kind, gpu) in gpus {
-        let mut row = Row {
-            id: format.id.to_owned(),
-            elements: 0,
-            codes: 0,
-            models: options.models.iter().map(|model| (*model, Outcome::default())).collect(),
-            unstable: BTreeMap::new(),
-        };
+    for (&(edition, kind), gpu) in gpus {
+        let is_exact = edition == Edition::Exact;
+        let models: Vec<Model> =
+            options.models.iter().copied().filter(|model| is_exact || model.is_conformant()).collect();
+        let mut row = Row { id: format.id.to_owned(), ..Row::default() };
         for seed in &options.seeds {
-            let mut run = Run { format, options, seed: *seed, gpu, row: &mut row };
+            let (models, row) = (&*models, &mut row);
+            let mut run = Run { format, options, models, is_exact, seed: *seed, gpu, row };
             run.special_elements()?;
             let random = sampling::random_elements(format.element, format.domain, *seed);
             let floats = format.element.floats();
@@ -49,7 +48,10 @@ pub fn run(
             progress(options.work(format) / options.seeds.len() as u64 / sources);
         }
         gpu.forget_kernels();
-        rows.insert(*kind, row);
+        if is_exact {
+            row.exact = std::mem::take(&mut row.models);
+        }
+        rows.insert((edition, kind), row);
     }
     merged(rows).ok_or(Error::NoKernels)
 }
@@ -58,6 +60,8 @@ pub fn run(
 struct Run<'a> {
     format: &'static AnyCodec,
     options: &'a Options,
+    models: &'a [Model],
+    is_exact: bool,
     seed: u64,
     gpu: &'a mut Gpu,
     row: &'a mut Row,
@@ -91,7 +95,7 @@ impl Run<'_> {
         let mut expected = vec![0; elements.len() / format.element.floats() * format.bytes];
         Cpu.encode(format, elements, &mut expected)?;
         let mut codes = expected.clone();
-        for model in &self.options.models {
+        for model in self.models {
             self.device(Some(*model), &mut Cpu).encode(format, elements, &mut codes)?;
             let (differ, error) = of_codes(format, elements, &codes, &expected)?;
             self.row.models.entry(*model).or_default().add(outcome(differ, error));
@@ -108,13 +112,17 @@ impl Run<'_> {
         let mut expected = vec![0.0; codes.len() / format.bytes * floats];
         Cpu.decode(format, codes, &mut expected)?;
         let mut devices = vec![(None, expected.clone())];
-        for model in &self.options.models {
+        for model in self.models {
             let mut decoded = vec![0.0; expected.len()];
             self.device(Some(*model), &mut Cpu).decode(format, codes, &mut decoded)?;
             self.row.models.entry(*model).or_default().add(of_elements(format, &decoded, &expected));
             if model.rounds_to_nearest() {
                 devices.push((Some(*model), decoded));
             }
+        }
+        if self.is_exact {
+            // Equal codes come back from anywhere.
+            return Ok(());
         }
         self.stability(&devices, &expected, codes.len(), are_repeated)
     }
@@ -163,7 +171,7 @@ impl Run<'_> {
         let Some(model) = model else { return cpu };
         // Kernels of other models serve all seeds.
         let seed = if model == Model::Bits { self.seed as u32 } else { 0 };
-        self.gpu.rewrite_with(Some(model.rewrite(seed)));
+        self.gpu.rewrite_with((model != Model::Own).then(|| model.rewrite(seed)));
         self.gpu
     }
 }

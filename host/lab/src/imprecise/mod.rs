@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use unitvec_catalogue::AnyCodec;
 use unitvec_run::backend::BackendKind;
+use unitvec_run::shader::Edition;
 use unitvec_run::workers;
 
 /// The extent of the experiment.
@@ -48,7 +49,7 @@ impl Options {
 }
 
 /// The outcome for one codec: of all models, seeds and sources of kernels.
-#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Row {
     /// Codec.
     pub id: String,
@@ -56,8 +57,10 @@ pub struct Row {
     pub elements: u64,
     /// Codes that each device decoded.
     pub codes: u64,
-    /// Results of the devices of each model.
+    /// Results of plain kernels on the devices of each model.
     pub models: BTreeMap<Model, Outcome>,
+    /// Results of exact kernels, which are the CPU's wherever sums are rounded to nearest.
+    pub exact: BTreeMap<Model, Outcome>,
     /// Codes that do not come back, by the models of the devices that decode and encode; `exact` is the CPU. Devices that
     /// truncate sums are not among them.
     pub unstable: BTreeMap<String, u64>,
@@ -84,6 +87,11 @@ impl Outcome {
     /// Adds results for other elements.
     pub fn add(&mut self, other: Self) {
         self.merge(other, |count, other| count + other);
+    }
+
+    /// True where any code or vector is not the CPU's.
+    pub fn differs(&self) -> bool {
+        self.codes_differ + self.special_differ + self.elements_differ > 0
     }
 
     /// Merges results for the same elements: the worse of both.
@@ -114,7 +122,11 @@ impl Row {
             let pairs = self.unstable.len();
             format!("codes that do not come back, of {pairs} pairs of devices: {count} {pair}, the worst")
         });
-        outcomes.chain(unstable).collect()
+        let exact =
+            self.exact.iter().filter(|(model, outcome)| model.rounds_to_nearest() && outcome.differs());
+        let exact =
+            exact.map(|(model, outcome)| format!("{model}: exact kernels differ from the CPU: {outcome:?}"));
+        outcomes.chain(unstable).chain(exact).collect()
     }
 }
 
@@ -142,10 +154,13 @@ pub fn error_bound(format: &AnyCodec) -> f64 {
 }
 
 /// Merges rows of several sources of kernels: the worse of each.
-fn merged(rows: BTreeMap<BackendKind, Row>) -> Option<Row> {
+fn merged(rows: BTreeMap<(Edition, BackendKind), Row>) -> Option<Row> {
     rows.into_values().reduce(|mut all, row| {
         for (model, outcome) in row.models {
             all.models.entry(model).or_default().worse(outcome);
+        }
+        for (model, outcome) in row.exact {
+            all.exact.entry(model).or_default().worse(outcome);
         }
         for (pair, count) in row.unstable {
             let worst = all.unstable.entry(pair).or_default();

@@ -39,12 +39,30 @@ pub enum Model {
     Flush,
     /// Sums, products and conversions to float are rounded toward zero, which the specification allows as well.
     Truncate,
+    /// Quotients and reciprocal roots are 12 ULP too large, which the specification does not allow: exact kernels put as much
+    /// right.
+    Far,
+    /// The device as it is: kernels are not rewritten.
+    Own,
 }
 
 impl Model {
-    /// All models.
-    pub const ALL: [Self; 7] =
-        [Self::Up, Self::Down, Self::UpDown, Self::DownUp, Self::Bits, Self::Flush, Self::Truncate];
+    /// All models of rewritten kernels.
+    pub const ALL: [Self; 8] = [
+        Self::Up,
+        Self::Down,
+        Self::UpDown,
+        Self::DownUp,
+        Self::Bits,
+        Self::Flush,
+        Self::Truncate,
+        Self::Far,
+    ];
+
+    /// True where the specification allows such a device.
+    pub fn is_conformant(self) -> bool {
+        self != Self::Far
+    }
 
     /// True where sums are rounded to nearest, which encoders rely on: `unitvec conform` refuses a device that does not.
     pub fn rounds_to_nearest(self) -> bool {
@@ -53,7 +71,7 @@ impl Model {
 
     /// True for models that round quotients and square roots as the CPU does.
     pub fn divides_exactly(self) -> bool {
-        !matches!(self, Self::Up | Self::Down | Self::UpDown | Self::DownUp | Self::Bits)
+        matches!(self, Self::Flush | Self::Truncate)
     }
 }
 
@@ -63,6 +81,9 @@ impl fmt::Display for Model {
         f.write_str(self.to_possible_value().as_ref().map_or("", |value| value.get_name()))
     }
 }
+
+/// ULP by which [`Model::Far`] moves results.
+pub const FAR_ULP: u32 = 12;
 
 /// ULP by which [`Model::Up`] moves a quotient that is rounded to nearest: it may be off by 2.5 ULP, and half a ULP is
 /// spent already.

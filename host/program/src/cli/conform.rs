@@ -1,18 +1,24 @@
 use super::run::{Live, PERCENT, Run, Screen};
 use super::table::{Column, left, right};
-use super::{counted, counts, examples, write_separated};
+use super::{Vulkan, counted, counts, examples, to_json, write_separated};
 use clap::{Args, Subcommand};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::Arc;
 use unitvec_catalogue::AnyCodec;
 use unitvec_host::Result;
 use unitvec_host::input::Input;
+#[cfg(feature = "lab")]
+use unitvec_lab::imprecise::{self, Bounds, Model};
 use unitvec_mesh as mesh;
 use unitvec_run::backend::BackendKind;
 use unitvec_run::conform::{
-    self, Options, Plan, Report, Rounding, Roundings, Row, Summary, all_round_to_nearest as is_nearest,
+    self, Arithmetic, Options, Plain, Plan, Report, Rounding, Roundings, Row, Summary,
+    all_round_to_nearest as is_nearest,
 };
-use unitvec_vulkan::DeviceInfo;
+#[cfg(feature = "lab")]
+use unitvec_run::shader::Edition;
+use unitvec_vulkan::{Device, DeviceInfo};
 
 #[derive(Args)]
 #[command(args_conflicts_with_subcommands = true)]
@@ -78,6 +84,10 @@ struct Kernels {
     /// vectors, codes, mismatches.
     #[arg(long, value_name = "FILE")]
     summary: Option<PathBuf>,
+    /// Write what docs/devices.md tells of a device, to send it in: its name and driver, how it rounds, the verdict and the
+    /// counts, and nothing else.
+    #[arg(long, value_name = "FILE")]
+    share: Option<PathBuf>,
     #[command(flatten)]
     inputs: Inputs,
     /// Meshes whose normals are encoded too (obj, ply, gltf, glb); the Stanford bunny if none is given. A command stands
@@ -112,7 +122,7 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
         all_codes_up_to: all_codes_up_to(arguments.exhaustive),
     };
     let formats = arguments.inputs.formats()?;
-    let plans: Vec<Plan<'_>> = formats.into_iter().map(|format| Plan::new(format, &options)).collect();
+    let plans: Vec<Plan<'_>> = formats.iter().map(|format| Plan::new(format, &options)).collect();
     let live = Live::new(Some(plans.iter().map(Plan::work).sum()), PERCENT, run.json.is_to_stdout());
     let mut screen = Screen::new(columns(), &run.wide, live)?;
     let device = run.vulkan.device()?;
@@ -122,21 +132,63 @@ fn run_kernels(arguments: &Kernels) -> Result<ExitCode> {
         .iter_mut()
         .map(|(kind, backend)| Ok((*kind, Rounding::of(backend.as_mut())?)))
         .collect::<Result<Roundings>>()?;
-    screen.head(&legend(device.info(), &options, &rounding))?;
+    let arithmetic = Arithmetic::of(&device, &run.vulkan.modules()?)?;
+    screen.head(&legend(device.info(), &options, &rounding, &arithmetic))?;
     let mut rows = Vec::new();
     conform::run(plans, open, &mut |done| screen.live.advance(done), &mut |row| {
         screen.row(&row.id, || lines(&screen, &row))?;
         rows.push(row);
         Ok(())
     })?;
+    let plain = plain(formats, &options, &run.vulkan, &device)?;
     let device = screen.close(device);
 
-    let report = Report::new(device, &options, rounding, rows);
+    let report = Report::new(device, &options, rounding, arithmetic, plain, rows);
     run.json.write(&report)?;
+    if let Some(path) = &arguments.share {
+        unitvec_files::write_file(path, to_json(&report.shared()).as_bytes())?;
+    }
     if let Some(path) = &arguments.summary {
         write_separated(path, &[report.summary()], b'\t')?;
     }
     screen.verdict("conform", outcome(&report))
+}
+
+/// Random elements and codes of a codec for plain functions: differences are counted, not looked for in corners.
+#[cfg(feature = "lab")]
+const PLAIN_COUNT: usize = 1 << 12;
+
+/// Runs plain functions on the device as it is.
+#[cfg(feature = "lab")]
+fn plain(
+    formats: Vec<&'static AnyCodec>,
+    options: &Options,
+    vulkan: &Vulkan,
+    device: &Arc<Device>,
+) -> Result<Option<Plain>> {
+    let options = imprecise::Options {
+        count: options.count.min(PLAIN_COUNT),
+        seeds: vec![options.seed],
+        models: vec![Model::Own],
+        all_codes_up_to: 0,
+    };
+    let mut all = Plain::default();
+    let open = || vulkan.gpus(device, &[Edition::Plain]);
+    imprecise::run(formats, &options, open, &mut |_| {}, &mut |row: imprecise::Row| {
+        let bounds = Bounds::of(unitvec_catalogue::find(&row.id)?);
+        all.objections.extend(row.objections(&bounds).iter().map(|text| format!("{}: {text}", row.id)));
+        for outcome in row.models.values() {
+            all.codes_differ += outcome.codes_differ + outcome.special_differ;
+            all.elements_differ += outcome.elements_differ;
+        }
+        Ok::<(), unitvec_host::Error>(())
+    })?;
+    Ok(Some(all))
+}
+
+#[cfg(not(feature = "lab"))]
+fn plain(_: Vec<&'static AnyCodec>, _: &Options, _: &Vulkan, _: &Arc<Device>) -> Result<Option<Plain>> {
+    Ok(None)
 }
 
 fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
@@ -150,12 +202,13 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
     Ok(normals)
 }
 
-fn legend(device: &DeviceInfo, options: &Options, rounding: &Roundings) -> String {
+fn legend(device: &DeviceInfo, options: &Options, rounding: &Roundings, arithmetic: &Arithmetic) -> String {
     let sums = if is_nearest(rounding) { "rounded to nearest" } else { "not rounded to nearest" };
     format!(
         "device: {} ({:?}), driver {}, Vulkan {}\n\
          input of a codec: {} random vectors (seed {}), {} mesh normals, special vectors; {}\n\
          sums, by which encoders round: {sums}\n\
+         {arithmetic}\n\
          diff: codes and vectors that differ from the CPU's in any bit\n\n",
         device.name,
         device.kind,
@@ -220,8 +273,16 @@ pub fn compared_with_cpu(kinds: impl Iterator<Item = BackendKind>, with_glsl: bo
 fn outcome(report: &Report) -> Result<String, String> {
     let Summary { codecs, vectors, codes, .. } = report.summary();
     if report.agreed {
+        let plain = match &report.plain {
+            None => String::new(),
+            Some(Plain { codes_differ: 0, elements_differ: 0, .. }) => "; plain functions too".to_owned(),
+            Some(Plain { codes_differ, elements_differ, .. }) => format!(
+                "; plain functions keep within their bounds on this device ({codes_differ} codes and {elements_differ} vectors \
+                 differ)"
+            ),
+        };
         return Ok(format!(
-            "{} agree to the bit: {}, {vectors} vectors encoded, {codes} codes decoded ({})",
+            "{} agree to the bit: {}, {vectors} vectors encoded, {codes} codes decoded ({}){plain}",
             compared_with_cpu(BackendKind::of_devices(), report.glsl_compared),
             counted(codecs as u64, "codecs"),
             codes_covered(report.all_codes_up_to, report.random_directions),
@@ -230,6 +291,9 @@ fn outcome(report: &Report) -> Result<String, String> {
     if report.rounding.values().any(|rounding| *rounding == Rounding::Down) {
         return Err("this device rounds sums down, and encoders need them rounded to nearest: codes are up to a step off"
             .to_owned());
+    }
+    if let Some(objection) = report.arithmetic.objection() {
+        return Err(objection);
     }
     let failed: Vec<&str> =
         report.rows.iter().filter(|row| !row.agrees()).map(|row| row.id.as_str()).collect();
@@ -241,5 +305,7 @@ fn outcome(report: &Report) -> Result<String, String> {
         true => "",
         false => "; sums are not rounded to nearest",
     };
-    Err(differences + rounding)
+    let plain = report.plain.iter().flat_map(|plain| &plain.objections).next();
+    let plain = plain.map_or_else(String::new, |objection| format!("; plain functions: {objection}"));
+    Err(differences + rounding + &plain)
 }

@@ -13,6 +13,7 @@ use unitvec_host::Result;
 use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Gpus, Model, Options, Row, Summary};
 use unitvec_run::conform::Rounding;
+use unitvec_run::shader::Edition;
 use unitvec_vulkan::DeviceInfo;
 
 /// Random elements and codes of a codec and seed.
@@ -48,7 +49,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let work = formats.iter().map(|format| options.work(format)).sum();
     let mut screen = Screen::new(columns(), &run.wide, Live::new(Some(work), PERCENT, is_quiet))?;
     let device = run.vulkan.device()?;
-    let open = || run.vulkan.gpus(&device);
+    let open = || run.vulkan.gpus(&device, &[Edition::Plain, Edition::Exact]);
     let truncation_is_seen = truncation_is_seen(&options, open()?)?;
 
     screen.head(&legend(device.info(), &options))?;

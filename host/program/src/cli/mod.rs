@@ -222,21 +222,24 @@ impl Vulkan {
     }
 
     /// The whole kernels of a backend, from Rust or from GLSL; `None` for the others.
-    fn source(&self, kind: BackendKind) -> Result<Option<KernelSource>> {
+    fn source(&self, kind: BackendKind, edition: Edition) -> Result<Option<KernelSource>> {
         Ok(match kind {
-            BackendKind::Rust => Some(KernelSource::Rust(self.modules()?)),
-            BackendKind::Glsl => Some(KernelSource::Glsl(glsl::Compiler::new()?)),
+            BackendKind::Rust => Some(KernelSource::Rust(self.modules()?, edition)),
+            BackendKind::Glsl => Some(KernelSource::Glsl(glsl::Compiler::of(edition)?)),
             BackendKind::Cpu | BackendKind::Hlsl | BackendKind::Wgsl => None,
         })
     }
 
-    /// Kernels from Rust and, in a build with a GLSL compiler, from GLSL; what they fail to write cannot pass for their results.
+    /// Kernels from Rust and, in a build with a GLSL compiler, from GLSL, of these editions; what they fail to write cannot pass
+    /// for their results.
     #[cfg(feature = "lab")]
-    fn gpus(&self, device: &Arc<Device>) -> Result<Gpus> {
+    fn gpus(&self, device: &Arc<Device>, editions: &[Edition]) -> Result<Gpus> {
         let mut gpus = Gpus::new();
-        for kind in BackendKind::of_devices() {
-            if let Some(source) = self.source(kind)? {
-                gpus.insert(kind, Gpu::new(device, source, true)?);
+        for (kind, edition) in
+            BackendKind::of_devices().flat_map(|kind| editions.iter().map(move |edition| (kind, *edition)))
+        {
+            if let Some(source) = self.source(kind, edition)? {
+                gpus.insert((edition, kind), Gpu::new(device, source, true)?);
             }
         }
         Ok(gpus)
@@ -249,15 +252,15 @@ impl Vulkan {
         device: &Arc<Device>,
         fill_output: bool,
     ) -> Result<Box<dyn Backend>> {
-        if let Some(source) = self.source(kind)? {
+        if let Some(source) = self.source(kind, Edition::Exact)? {
             return Ok(Box::new(Gpu::new(device, source, fill_output)?));
         }
-        let (language, edition) = match kind {
-            BackendKind::Hlsl => (Language::Hlsl, Edition::Plain),
-            BackendKind::Wgsl => (Language::Wgsl, Edition::Exact),
+        let language = match kind {
+            BackendKind::Hlsl => Language::Hlsl,
+            BackendKind::Wgsl => Language::Wgsl,
             BackendKind::Cpu | BackendKind::Rust | BackendKind::Glsl => return Ok(Box::new(Cpu)),
         };
-        Ok(Box::new(LanguageGpu::new(device, language, edition)?))
+        Ok(Box::new(LanguageGpu::new(device, language, Edition::Exact)?))
     }
 
     /// All backends that this build has on a device, but the CPU.

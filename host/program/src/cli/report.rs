@@ -17,7 +17,7 @@ use unitvec_render::report;
 use unitvec_render::report::{Contents, Files, Machine};
 use unitvec_run::backend::BackendKind;
 use unitvec_run::conform;
-use unitvec_run::conform::{Backends, Plan, Rounding};
+use unitvec_run::conform::{Arithmetic, Backends, Plan, Rounding};
 use unitvec_vulkan as vulkan;
 use unitvec_vulkan::Device;
 
@@ -172,6 +172,7 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<co
     let backend = || rendering.vulkan.backend(BackendKind::Rust, &device, true);
     let open = || -> Result<Backends> { Ok([(BackendKind::Rust, backend()?)].into()) };
     let rounding = [(BackendKind::Rust, Rounding::of(backend()?.as_mut())?)].into();
+    let arithmetic = Arithmetic::of(&device, &rendering.vulkan.modules()?)?;
     let plans: Vec<Plan<'_>> = CODECS.iter().map(|format| Plan::new(format, &options)).collect();
     let live = Live::new(Some(plans.len() as u64), "agreement {wide_bar} {pos} of {len}", true);
     let mut rows = Vec::new();
@@ -183,5 +184,5 @@ fn short_conform(rendering: &Rendering, messages: &mut Vec<String>) -> Result<co
     live.finish();
     let (device, closing) = close(device);
     messages.extend(closing);
-    Ok(conform::Report::new(device, &options, rounding, rows))
+    Ok(conform::Report::new(device, &options, rounding, arithmetic, None, rows))
 }

@@ -49,10 +49,55 @@ pub struct Report {
     pub glsl_compared: bool,
     /// Each backend's rounding of sums, by which many encoders turn positions into codes.
     pub rounding: BTreeMap<BackendKind, Rounding>,
-    /// True if no row has a mismatch and all backends round sums to nearest.
+    /// The device's arithmetic.
+    pub arithmetic: Arithmetic,
+    /// Plain functions, which divide and take roots as the device does; none in a build that does not run them.
+    pub plain: Option<Plain>,
+    /// True if no row has a mismatch, all backends round sums to nearest, and plain functions keep within their bounds.
     pub agreed: bool,
     /// One row a codec.
     pub rows: Vec<Row>,
+}
+
+/// The outcome for plain functions of all codecs, from Rust and GLSL, the worse of both.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
+pub struct Plain {
+    /// Codes of random and special elements that differ from the CPU's.
+    pub codes_differ: u64,
+    /// Decoded elements that differ from the CPU's in any bit.
+    pub elements_differ: u64,
+    /// Differences above a bound, with the codec's name, and codes that do not come back.
+    pub objections: Vec<String>,
+}
+
+/// The outcome on a device, for the table in docs/devices.md: `unitvec conform --share`.
+#[derive(Clone, Debug, Serialize, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Shared {
+    /// Version of unitvec.
+    pub unitvec: String,
+    /// Device that ran the kernels.
+    pub device: String,
+    /// Its kind.
+    pub kind: unitvec_vulkan::DeviceKind,
+    /// Its driver.
+    pub driver: String,
+    /// Vulkan version that it implements.
+    pub vulkan: String,
+    /// The device's arithmetic.
+    pub arithmetic: Arithmetic,
+    /// True if the run ended in PASS.
+    pub agreed: bool,
+    /// Codecs.
+    pub codecs: usize,
+    /// Vectors and frames encoded by each backend.
+    pub vectors: u64,
+    /// Codes decoded by each backend.
+    pub codes: u64,
+    /// Codes and vectors of all backends that differ from the CPU's.
+    pub mismatches: u64,
+    /// Plain functions.
+    pub plain: Option<Plain>,
 }
 
 /// The outcome for one codec.
@@ -113,15 +158,47 @@ pub fn all_round_to_nearest(rounding: &Roundings) -> bool {
 
 impl Report {
     /// The report on a device. The backends agree where nothing differs and sums are rounded to nearest.
-    pub fn new(device: DeviceInfo, options: &Options, rounding: Roundings, rows: Vec<Row>) -> Self {
+    pub fn new(
+        device: DeviceInfo,
+        options: &Options,
+        rounding: Roundings,
+        arithmetic: Arithmetic,
+        plain: Option<Plain>,
+        rows: Vec<Row>,
+    ) -> Self {
+        let keeps_bounds = plain.as_ref().is_none_or(|plain| plain.objections.is_empty());
         Self {
             device,
             random_directions: options.count,
             all_codes_up_to: options.all_codes_up_to,
             glsl_compared: cfg!(feature = "glsl"),
-            agreed: rows.iter().all(Row::agrees) && all_round_to_nearest(&rounding),
+            agreed: rows.iter().all(Row::agrees)
+                && all_round_to_nearest(&rounding)
+                && arithmetic.objection().is_none()
+                && keeps_bounds,
+            arithmetic,
+            plain,
             rounding,
             rows,
+        }
+    }
+
+    /// The part of this report that says something about the device, and nothing about its user.
+    pub fn shared(&self) -> Shared {
+        let Summary { device, driver, vulkan, codecs, vectors, codes, mismatches } = self.summary();
+        Shared {
+            unitvec: env!("CARGO_PKG_VERSION").to_owned(),
+            device: device.to_owned(),
+            kind: self.device.kind,
+            driver: driver.to_owned(),
+            vulkan: vulkan.to_owned(),
+            arithmetic: self.arithmetic,
+            agreed: self.agreed,
+            codecs,
+            vectors,
+            codes,
+            mismatches,
+            plain: self.plain.clone(),
         }
     }
 
@@ -324,6 +401,8 @@ mod tests {
             all_codes_up_to: 16,
             glsl_compared: true,
             rounding: BTreeMap::new(),
+            arithmetic: Arithmetic::default(),
+            plain: None,
             agreed: false,
             rows: vec![row([1, 2, 4]), row([8, 0, 0]), row([0; 3])],
         };

@@ -1,4 +1,4 @@
-//! The choice of the device's own division, and quotients of constants.
+//! The choice of the device's own division, and arithmetic of constants.
 
 use super::globals::{Globals, operands};
 use anyhow::Result;
@@ -52,8 +52,8 @@ fn returned_constant(function: &mut Function) -> Option<&mut Word> {
     last.operands.first_mut()?.id_ref_any_mut()
 }
 
-/// Replaces quotients and bit patterns of constants by constants, and tells whether there were any. spirv-opt leaves both: the
-/// former since they must not be contracted.
+/// Replaces sums, products, quotients and bit patterns of constants by constants, and tells whether there were any. spirv-opt
+/// leaves them, since they must not be contracted; a device would divide.
 pub fn fold(module: &mut Module) -> Result<bool> {
     let mut any = false;
     Globals::pass(module, |functions, globals| {
@@ -71,9 +71,16 @@ pub fn fold(module: &mut Module) -> Result<bool> {
 
 fn folded(instruction: &Instruction, globals: &Globals) -> Option<u32> {
     match instruction.class.opcode {
-        Op::FDiv => {
+        opcode @ (Op::FAdd | Op::FSub | Op::FMul | Op::FDiv) => {
             let [a, b] = operands(instruction)?.map(|id| globals.value(id).map(f32::from_bits));
-            Some((a? / b?).to_bits())
+            let (a, b) = (a?, b?);
+            let result = match opcode {
+                Op::FAdd => a + b,
+                Op::FSub => a - b,
+                Op::FMul => a * b,
+                _ => a / b,
+            };
+            Some(result.to_bits())
         }
         Op::Bitcast => {
             let [bits] = operands(instruction)?;
@@ -131,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn quotients_and_patterns_of_constants_are_constants() {
+    fn arithmetic_of_constants_is_a_constant() {
         let mut module = snippet::module(
             "%10 = OpFDiv %float %f1 %f1
             %11 = OpFDiv %float %f1 %7

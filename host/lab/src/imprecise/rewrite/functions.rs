@@ -2,7 +2,7 @@
 
 use super::globals::{Body, Type};
 use crate::imprecise::Model;
-use crate::imprecise::model::{INVERSE_ROOT_ULP, QUOTIENT_ULP, ROOT_STEPS, ROOT_ULP};
+use crate::imprecise::model::{FAR_ULP, INVERSE_ROOT_ULP, QUOTIENT_ULP, ROOT_STEPS, ROOT_ULP};
 use rspirv::spirv::{GLOp, Op, Word};
 
 /// A function of floats that stands in for an operation.
@@ -42,6 +42,7 @@ impl Function {
     /// True where the model has a function in the operation's place, flushing apart.
     pub fn is_changed_by(self, model: Model) -> bool {
         match self {
+            Self::SquareRoot if model == Model::Far => false,
             Self::Divide | Self::SquareRoot | Self::InverseRoot => !model.divides_exactly(),
             Self::Add | Self::Subtract | Self::Multiply | Self::ConvertSigned | Self::ConvertUnsigned => {
                 !model.rounds_to_nearest()
@@ -77,6 +78,7 @@ const ONE: u32 = 0x3f80_0000;
 fn quotient(body: &Body<'_>, model: Model, seed: u32, [a, b]: [Word; 2], most: u32) -> Word {
     let is_down = matches!(model, Model::Down | Model::DownUp);
     let operands = [body.bits(a), body.bits(b)];
+    let most = if model == Model::Far { FAR_ULP } else { most };
     let ulp = ulp(body, model, is_down, seed, &operands, body.int_constant(most));
     moved(body, body.float(Op::FDiv, &[a, b]), ulp)
 }
