@@ -374,7 +374,8 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     UNITVEC_PRECISE float sum = 2.0 - rim;
-    return vec3(unitvec_signed_quotients(2.0 * at, vec2(sum)), unitvec_signed_quotient(rim, sum));
+    UNITVEC_PRECISE vec2 doubled = 2.0 * at;
+    return vec3(unitvec_signed_quotients(doubled, vec2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
@@ -524,7 +525,8 @@ vec2 unitvec_ellipse_to_square(vec4 disk) {
     UNITVEC_PRECISE float square = difference * difference + 4.0 * disk.w;
     UNITVEC_PRECISE float sum = 2.0 + unitvec_root(square);
     UNITVEC_PRECISE vec2 squares = vec2(sum + difference, sum - difference);
-    return unitvec_signed_quotients(2.0 * disk.xy, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
+    UNITVEC_PRECISE vec2 doubled = 2.0 * disk.xy;
+    return unitvec_signed_quotients(doubled, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 s) {

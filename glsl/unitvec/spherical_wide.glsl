@@ -126,7 +126,8 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
         (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
     UNITVEC_PRECISE float left = ((a - square) + b) + rests;
-    return vec2(root, unitvec_signed_quotient(left, 2.0 * root));
+    UNITVEC_PRECISE float doubled = 2.0 * root;
+    return vec2(root, unitvec_signed_quotient(left, doubled));
 }
 
 uvec2 spherical48_encode(vec3 v) {

@@ -51,7 +51,8 @@ float4 unitvec_stereo_to_disk(float3 v) {
 
 float3 unitvec_disk_to_stereo(float2 at, float rim) {
     precise float sum = 2.0 - rim;
-    return float3(unitvec_signed_quotients(2.0 * at, (float2)(sum)), unitvec_signed_quotient(rim, sum));
+    precise float2 doubled = 2.0 * at;
+    return float3(unitvec_signed_quotients(doubled, (float2)(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 float4 unitvec_eqarea_to_disk(float3 v) {
@@ -200,7 +201,8 @@ float2 unitvec_ellipse_to_square(float4 disk) {
     precise float square = difference * difference + 4.0 * disk.w;
     precise float sum = 2.0 + unitvec_root(square);
     precise float2 squares = float2(sum + difference, sum - difference);
-    return unitvec_signed_quotients(2.0 * disk.xy, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
+    precise float2 doubled = 2.0 * disk.xy;
+    return unitvec_signed_quotients(doubled, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 float4 unitvec_ellipse_to_disk(float2 s) {

@@ -120,7 +120,8 @@ float2 unitvec_spherical_wide_length(float x, float y) {
     precise float rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
     precise float left = ((a - square) + b) + rests;
-    return float2(root, unitvec_signed_quotient(left, 2.0 * root));
+    precise float doubled = 2.0 * root;
+    return float2(root, unitvec_signed_quotient(left, doubled));
 }
 
 uint2 spherical48_encode(float3 v) {

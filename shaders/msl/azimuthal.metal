@@ -51,7 +51,8 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = 2.0f - rim;
-    return float3(unitvec_signed_quotients(2.0f * at, float2(sum)), unitvec_signed_quotient(rim, sum));
+    float2 doubled = 2.0f * at;
+    return float3(unitvec_signed_quotients(doubled, float2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
@@ -200,7 +201,8 @@ inline float2 unitvec_ellipse_to_square(float4 disk) {
     float square = difference * difference + 4.0f * disk.w;
     float sum = 2.0f + unitvec_root(square);
     float2 squares = float2(sum + difference, sum - difference);
-    return unitvec_signed_quotients(2.0f * disk.xy, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
+    float2 doubled = 2.0f * disk.xy;
+    return unitvec_signed_quotients(doubled, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 inline float4 unitvec_ellipse_to_disk(float2 s) {

@@ -121,7 +121,8 @@ inline float2 unitvec_spherical_wide_length(float x, float y) {
     float rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
     float left = ((a - square) + b) + rests;
-    return float2(root, unitvec_signed_quotient(left, 2.0f * root));
+    float doubled = 2.0f * root;
+    return float2(root, unitvec_signed_quotient(left, doubled));
 }
 
 inline uint2 spherical48_encode(float3 v) {

@@ -120,7 +120,8 @@ fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let rests = (unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square))
         + unitvec_product_rest(shorter, shorter, b);
     let left = ((a - square) + b) + rests;
-    return vec2f(root, unitvec_signed_quotient(left, 2.0 * root));
+    let doubled = 2.0 * root;
+    return vec2f(root, unitvec_signed_quotient(left, doubled));
 }
 
 fn spherical48_encode(v_in: vec3f) -> vec2u {

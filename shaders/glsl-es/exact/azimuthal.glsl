@@ -57,7 +57,8 @@ vec4 unitvec_stereo_to_disk(vec3 v) {
 
 vec3 unitvec_disk_to_stereo(vec2 at, float rim) {
     float sum = min(2.0 - rim, UNITVEC_HUGE);
-    return vec3(unitvec_signed_quotients(2.0 * at, vec2(sum)), unitvec_signed_quotient(rim, sum));
+    vec2 doubled = 2.0 * at;
+    return vec3(unitvec_signed_quotients(doubled, vec2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 vec4 unitvec_eqarea_to_disk(vec3 v) {
@@ -211,7 +212,8 @@ vec2 unitvec_ellipse_to_square(vec4 disk) {
     float square = min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE);
     float sum = min(2.0 + unitvec_root(square), UNITVEC_HUGE);
     vec2 squares = vec2(min(sum + difference, UNITVEC_HUGE), min(sum - difference, UNITVEC_HUGE));
-    return unitvec_signed_quotients(2.0 * disk.xy, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
+    vec2 doubled = 2.0 * disk.xy;
+    return unitvec_signed_quotients(doubled, vec2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 vec4 unitvec_ellipse_to_disk(vec2 s) {

@@ -132,7 +132,8 @@ vec2 unitvec_spherical_wide_length(float x, float y) {
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
     float left = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE);
-    return vec2(root, unitvec_signed_quotient(left, 2.0 * root));
+    float doubled = 2.0 * root;
+    return vec2(root, unitvec_signed_quotient(left, doubled));
 }
 
 uvec2 spherical48_encode(vec3 v) {

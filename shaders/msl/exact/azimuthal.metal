@@ -54,7 +54,8 @@ inline float4 unitvec_stereo_to_disk(float3 v) {
 
 inline float3 unitvec_disk_to_stereo(float2 at, float rim) {
     float sum = min(2.0f - rim, UNITVEC_HUGE);
-    return float3(unitvec_signed_quotients(2.0f * at, float2(sum)), unitvec_signed_quotient(rim, sum));
+    float2 doubled = 2.0f * at;
+    return float3(unitvec_signed_quotients(doubled, float2(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 inline float4 unitvec_eqarea_to_disk(float3 v) {
@@ -209,7 +210,8 @@ inline float2 unitvec_ellipse_to_square(float4 disk) {
     float square = min(min(difference * difference, UNITVEC_HUGE) + 4.0f * disk.w, UNITVEC_HUGE);
     float sum = min(2.0f + unitvec_root(square), UNITVEC_HUGE);
     float2 squares = float2(min(sum + difference, UNITVEC_HUGE), min(sum - difference, UNITVEC_HUGE));
-    return unitvec_signed_quotients(2.0f * disk.xy, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
+    float2 doubled = 2.0f * disk.xy;
+    return unitvec_signed_quotients(doubled, float2(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 inline float4 unitvec_ellipse_to_disk(float2 s) {

@@ -129,7 +129,8 @@ inline float2 unitvec_spherical_wide_length(float x, float y) {
     float rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
     float left = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE);
-    return float2(root, unitvec_signed_quotient(left, 2.0f * root));
+    float doubled = 2.0f * root;
+    return float2(root, unitvec_signed_quotient(left, doubled));
 }
 
 inline uint2 spherical48_encode(float3 v) {

@@ -51,7 +51,8 @@ fn unitvec_stereo_to_disk(v: vec3f) -> vec4f {
 
 fn unitvec_disk_to_stereo(at: vec2f, rim: f32) -> vec3f {
     let sum = min(2.0 - rim, UNITVEC_HUGE);
-    return vec3f(unitvec_signed_quotients(2.0 * at, vec2f(sum)), unitvec_signed_quotient(rim, sum));
+    let doubled = 2.0 * at;
+    return vec3f(unitvec_signed_quotients(doubled, vec2f(sum)), unitvec_signed_quotient(rim, sum));
 }
 
 fn unitvec_eqarea_to_disk(v: vec3f) -> vec4f {
@@ -205,7 +206,8 @@ fn unitvec_ellipse_to_square(disk: vec4f) -> vec2f {
     let square = min(min(difference * difference, UNITVEC_HUGE) + 4.0 * disk.w, UNITVEC_HUGE);
     let sum = min(2.0 + unitvec_root(square), UNITVEC_HUGE);
     let squares = vec2f(min(sum + difference, UNITVEC_HUGE), min(sum - difference, UNITVEC_HUGE));
-    return unitvec_signed_quotients(2.0 * disk.xy, vec2f(unitvec_root(squares.x), unitvec_root(squares.y)));
+    let doubled = 2.0 * disk.xy;
+    return unitvec_signed_quotients(doubled, vec2f(unitvec_root(squares.x), unitvec_root(squares.y)));
 }
 
 fn unitvec_ellipse_to_disk(s: vec2f) -> vec4f {

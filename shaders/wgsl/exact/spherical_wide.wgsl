@@ -128,7 +128,8 @@ fn unitvec_spherical_wide_length(x: f32, y: f32) -> vec2f {
     let rests = min(min(unitvec_product_rest(longer, longer, a) - unitvec_product_rest(root, root, square),
         UNITVEC_HUGE) + unitvec_product_rest(shorter, shorter, b), UNITVEC_HUGE);
     let left = min(min(min(a - square, UNITVEC_HUGE) + b, UNITVEC_HUGE) + rests, UNITVEC_HUGE);
-    return vec2f(root, unitvec_signed_quotient(left, 2.0 * root));
+    let doubled = 2.0 * root;
+    return vec2f(root, unitvec_signed_quotient(left, doubled));
 }
 
 fn spherical48_encode(v_in: vec3f) -> vec2u {
