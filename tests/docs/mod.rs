@@ -4,6 +4,7 @@
 
 pub mod accuracy;
 pub mod costs;
+mod devices;
 mod dither;
 mod drivers;
 mod engines;

@@ -2,8 +2,8 @@
 
 use super::accuracy::{self, Errors};
 use super::{
-    costs, dither, drivers, imprecise, languages, markdown_table, pictures, processors, projected, slices,
-    textbook,
+    costs, devices, dither, drivers, imprecise, languages, markdown_table, pictures, processors, projected,
+    slices, textbook,
 };
 use std::path::PathBuf;
 use unitvec_catalogue::{AnyCodec, CODECS, Domain, find, frames, vectors};
@@ -29,6 +29,7 @@ pub fn table(name: &str) -> Option<String> {
         "dither-costs" => dither::cost_table(),
         "dither-keys" => dither::key_table(),
         "dither-pictures" => pictures::dither(),
+        "devices" => devices::table(),
         "drivers" => drivers::table(),
         "imprecise" => imprecise::table(rest),
         "languages" => languages::table(),

@@ -107,11 +107,14 @@ impl Arithmetic {
 
 impl fmt::Display for Arithmetic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.divides_exactly() {
+            return f.write_str("quotients and roots: rounded correctly by the device itself");
+        }
         let Self { quotient_ulp, reciprocal_ulp, root_ulp, inverse_root_ulp, .. } = self;
         write!(
             f,
-            "the device's own quotients are within {quotient_ulp:.1} ULP, reciprocals {reciprocal_ulp:.1}, roots {root_ulp:.1}, inverse \
-             roots {inverse_root_ulp:.1}; exact kernels put them right"
+            "quotients: the device's own are within {quotient_ulp:.1} ULP, reciprocals {reciprocal_ulp:.1}, roots {root_ulp:.1}, \
+             inverse roots {inverse_root_ulp:.1}"
         )
     }
 }

@@ -1,0 +1,46 @@
+//! The devices whose users sent what `unitvec conform --share` wrote, in `docs/data/devices/`.
+
+use super::markdown_table;
+use unitvec_run::conform::{Arithmetic, Shared};
+use unitvec_tests::{files, repository};
+
+fn devices() -> Vec<Shared> {
+    let mut files = files(&repository().join("docs/data/devices"), &[".json"]);
+    files.sort();
+    files.iter().map(|file| serde_json::from_slice(&std::fs::read(file).unwrap()).unwrap()).collect()
+}
+
+pub fn table() -> String {
+    let rows = devices().into_iter().map(|of| {
+        let Arithmetic { quotient_ulp, root_ulp, .. } = of.arithmetic;
+        let plain = of
+            .plain
+            .map_or_else(String::new, |plain| format!("{} / {}", plain.codes_differ, plain.elements_differ));
+        format!(
+            "{} | {:?} | {} | {} | {quotient_ulp:.1} | {root_ulp:.1} | {} | {} | {} | {} | {} | {plain}",
+            of.device,
+            of.kind,
+            of.driver,
+            of.vulkan,
+            if of.agreed { "PASS" } else { "FAIL" },
+            of.codecs,
+            of.vectors,
+            of.codes,
+            of.mismatches,
+        )
+    });
+    let titles = "device | kind | driver | Vulkan | quotients, ULP | roots, ULP | verdict | codecs | vectors encoded | codes decoded \
+                  | mismatches | plain: codes / vectors";
+    markdown_table(titles, rows)
+}
+
+/// The page's claim that no GPU has run: it is to be changed when one has.
+#[test]
+fn all_devices_are_cpus() {
+    let devices = devices();
+    assert!(!devices.is_empty());
+    assert!(
+        devices.iter().all(|of| of.kind == unitvec_vulkan::DeviceKind::Software),
+        "docs/devices.md, README.md: a GPU has run"
+    );
+}
