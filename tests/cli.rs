@@ -490,7 +490,7 @@ fn conform_reports_in_words_and_json() {
     let text = printed(&line);
     assert!(text.contains("conform: PASS"), "{text}");
     let covered = "(all codes of up to 16 bits, 1000 random codes of more)";
-    assert!(text.trim_end().ends_with(covered), "{text}");
+    assert!(text.contains(covered), "{text}");
     let report = read_json(&json);
     assert_eq!(report["agreed"], true);
     assert_eq!((&report["all_codes_up_to"], &report["random_directions"]), (&16.into(), &1000.into()));

@@ -12,7 +12,8 @@ use unitvec_run::backend::{BackendKind, Gpu, KernelSource};
 use unitvec_run::glsl::Compiler;
 use unitvec_run::shader::Edition;
 use unitvec_tests::directions::Rng;
-use unitvec_tests::{assert_no_validation_messages, lavapipe};
+use unitvec_tests::program::{command, stdout};
+use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module};
 use unitvec_vulkan::{Device, Runner};
 
 /// Results for `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c`
@@ -264,6 +265,35 @@ fn codecs_keep_within_their_bounds_on_every_device() {
     assert!(oct.models[&Model::Truncate].codes_differ > oct.elements / 2, "{oct:?}");
     assert!(oct.exact[&Model::Truncate].differs(), "{oct:?}");
     assert_no_validation_messages(device);
+}
+
+/// The verdict of `conform` on a device whose own division is as loose as Vulkan allows, and on one that no kernel can put right:
+/// modules rewritten with these models, one after the other.
+fn verdict(models: &[Model]) -> (bool, String) {
+    let folder = tempfile::tempdir().unwrap();
+    copy_modules(folder.path());
+    for (file, entry_point) in
+        [("kernels/oct32.spv", "oct32_encode"), ("kernels/arithmetic.spv", "arithmetic")]
+    {
+        let mut module = std::fs::read(folder.path().join(file)).unwrap();
+        for model in models {
+            module = rewrite(&module, (entry_point, entry_point), *model, 5).unwrap();
+        }
+        replace_module(folder.path(), file, &module);
+    }
+    let mut command = command(["conform", "--codec", "oct32", "--count", "65536", "--trust", "--spirv"]);
+    let output = command.arg(folder.path()).output().unwrap();
+    (output.status.success(), stdout(&output))
+}
+
+/// Exact kernels pass on a loose device, plain ones within their bounds; a far device fails, with its reason.
+#[test]
+fn conform_tells_loose_devices_from_wrong_ones() {
+    let (passes, text) = verdict(&[Model::Bits]);
+    assert!(passes && text.contains("quotients: the device's own are within 2.5 ULP"), "{text}");
+    assert!(text.contains("plain functions keep within their bounds on this device"), "{text}");
+    let (passes, text) = verdict(&[Model::Far, Model::Far]);
+    assert!(!passes && text.contains("ULP off, more than 14 that can be put right"), "{text}");
 }
 
 /// Numbers above a bound are objections that name the model and the number.

@@ -279,19 +279,22 @@ fn entry_points_are_as_the_manifest_says() {
     }
 }
 
-/// The constants of an entry point's interface, with their defaults: `whole_groups`.
+/// The constants of an entry point's interface, with their defaults: `whole_groups`, and `fast` where anything is divided.
 #[test]
 fn specialization_constants_are_those_of_the_manifest() {
     let interfaces = manifest().interfaces;
     for (module, spirv) in all_modules() {
-        let lines = spirv.types_global_values.iter().filter(|line| line.class.opcode == Op::SpecConstant);
+        let of = |opcode| spirv.types_global_values.iter().filter(move |line| line.class.opcode == opcode);
+        let (lines, of_bool) = (of(Op::SpecConstant), of(Op::SpecConstantFalse));
         let number = |line: &Instruction| decorated(&spirv, line.result_id.unwrap(), Decoration::SpecId);
         let of_module: Vec<_> = lines.map(|line| (number(line), line.operands.clone())).collect();
         assert_eq!(of_module, [(Some(0), vec![Operand::LiteralBit32(0)])], "{}", module.file);
+        let of_bool: Vec<_> = of_bool.map(number).collect();
+        assert!(of_bool.iter().all(|number| *number == Some(1)) && of_bool.len() <= 1, "{}", module.file);
         for entry in &module.entry_points {
             let listed = &interfaces[&entry.interface].specialization_constants;
             let listed = listed.iter().map(|constant| (constant.id, constant.default));
-            assert_eq!(listed.collect::<Vec<_>>(), [(0, 0)], "{}", entry.name);
+            assert_eq!(listed.collect::<Vec<_>>(), [(0, 0), (1, 0)], "{}", entry.name);
         }
     }
 }

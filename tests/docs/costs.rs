@@ -121,6 +121,26 @@ pub fn vector_instructions(id: &str, operation: Operation) -> Option<f64> {
     rdna2().row(id, operation, Source::Glsl)?.vector_instructions
 }
 
+/// The price of exact kernels on RDNA 2, beside plain ones, both from Rust: vector instructions of a vector, and T.
+pub fn exact() -> String {
+    let shown = CODECS.iter().map(|format| format.id).filter(|id| is_shown("recommended", id)).map(|id| {
+        let row = |operation, source| rdna2().row(id, operation, source);
+        let instructions = |source| pair(1, |operation| row(operation, source)?.vector_instructions);
+        let throughput =
+            |source| pair(0, |operation| Some(row(operation, source)?.inverse_throughput? as f64));
+        let [plain, exact] = [Source::Rust, Source::Exact];
+        format!(
+            "`{id}` | {} | {} | {} | {}",
+            instructions(plain),
+            instructions(exact),
+            throughput(plain),
+            throughput(exact)
+        )
+    });
+    let titles = "codec: encode / decode | vector / v, plain | vector / v, exact | T, plain | T, exact";
+    markdown_table(titles, shown)
+}
+
 /// The compilers of the figures.
 pub fn compilers() -> String {
     let rows = compiled().iter().map(|(generation, report)| {

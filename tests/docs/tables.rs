@@ -25,6 +25,7 @@ pub fn table(name: &str) -> Option<String> {
         "costs" => costs::table(rest),
         "costs-device" => costs::device(),
         "costs-compilers" => costs::compilers(),
+        "costs-exact" => costs::exact(),
         "dither" => dither::table(),
         "dither-costs" => dither::cost_table(),
         "dither-keys" => dither::key_table(),

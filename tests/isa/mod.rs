@@ -32,7 +32,7 @@ fn costs_are_complete() {
         assert!(report.device.name.to_lowercase().contains(generation.gpu), "{}", report.device.name);
         assert!(report.device.driver.contains("Mesa"), "{}", report.device.driver);
         for (format, operation) in kernels() {
-            for source in [Source::Rust, Source::Glsl] {
+            for source in [Source::Rust, Source::Exact, Source::Glsl] {
                 let row = report.row(format.id, operation, source);
                 let is_whole = row.is_some_and(|row| {
                     row.instructions.is_some()
