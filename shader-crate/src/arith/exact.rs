@@ -10,8 +10,8 @@
 //! of 24 elsewhere, `T = A 2^k / B` lies from 2^23 to below 2^24: it is the quotient in its own last places, and the float
 //! nearest to `a / b` has the significand `Q`, the whole number nearest to `T`.
 //!
-//! 1. No tie, no carry. `T = n + 1/2` would make `B` a multiple of 2^(k+1) > 2^23 after division by odd factors of `A`,
-//!    which is too large. `T` is at most `2^24 (B - 1) / B < 2^24 - 1` where `A < B`, and at most `A` elsewhere.
+//! 1. No tie, no carry. With `T = n + 1/2`, `A 2^(k+1)` would be `(2 n + 1) B`, so that 2^(k+1), 2^24 at least, would divide
+//!    `B`, which is less. `T` is at most `2^24 (B - 1) / B < 2^24 - 1` where `A < B`, and at most `A` elsewhere.
 //! 2. The start. A reciprocal that is `E` ULP off, multiplied by `a` and rounded either way, is at most `2 E + 1` last places
 //!    from `T`. Floats' bits count last places, beyond the next power of two as well. So with `E <= 15` the guess
 //!    `G`, which begins [`BELOW`] places lower, has `1 <= T - G < 64`, and `(T - G) B = A 2^k - G B` lies between 0 and 2^30:
