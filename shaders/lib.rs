@@ -9,7 +9,7 @@
 //! let oct: &str = unitvec_shaders::glsl("unitvec/oct.glsl").ok_or("no such file")?;
 //! assert!(oct.contains("uint oct16_encode("));
 //!
-//! // The same in another language. The files in `exact/` keep compilers from fusing and reordering operations.
+//! // The same in another language. The files in `exact/` give the CPU's bits on all devices.
 //! let in_wgsl: &str = unitvec_shaders::shader("wgsl/exact/oct.wgsl").ok_or("no such file")?;
 //! assert!(in_wgsl.contains("fn oct16_encode(v: vec3f) -> u32"));
 //!

@@ -40,9 +40,9 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// True where the directions of the axes (those of the codec's domain) come back exactly.
     const EXACT_AXES: bool = true;
 
-    /// True where a vector decoded on any device encodes on any other to a code of the same vector, to the bit,
-    /// although Vulkan lets devices divide and take square roots inexactly. The family's docs say why where it is
-    /// false.
+    /// True where a vector decoded on any device encodes on any other to a code of the same vector, to the bit, even by
+    /// plain shaders, for which Vulkan lets devices divide and take square roots inexactly. The family's docs say why
+    /// where it is false.
     const STABLE_ACROSS_DEVICES: bool = true;
 
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.

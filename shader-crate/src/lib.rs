@@ -1,9 +1,9 @@
 //! Unit-vector codecs: normals, tangents and light directions in 8 to 52 bits, tangent frames in 32 or 64.
 //!
 //! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs on the
-//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU. A device that rounds sums to nearest, and division and square
-//! root correctly, gives the CPU's bits. Vulkan allows both to be off by 2.5 ULP; then some codes differ:
-//! `docs/agreement.md` of the repository says which and by how much.
+//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU. There [`arith`] puts the device's division and square roots right.
+//! So the results are the CPU's, to the bit, where sums and products are rounded to nearest and none are fused; the modules
+//! in the repository's folder `spirv/` forbid fusing. `docs/agreement.md` there states the rules.
 //!
 //! ```
 //! use unitvec::{Codec, Oct16, Oct32, OctPrecise16, angle_deg};

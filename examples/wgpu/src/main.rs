@@ -15,7 +15,8 @@ use wgpu::ShaderSource;
 
 type Result<T, E = Box<dyn std::error::Error>> = std::result::Result<T, E>;
 
-/// The exact edition: no compiler fuses or reorders its operations, so that all devices give the same bits.
+/// The exact edition: no compiler fuses or reorders its operations, and its quotients and roots are put right, so that all
+/// devices give the same bits.
 const WGSL: [&str; 2] = [
     include_str!("../../../shaders/wgsl/exact/arith.wgsl"),
     include_str!("../../../shaders/wgsl/exact/oct.wgsl"),

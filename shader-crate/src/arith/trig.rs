@@ -7,8 +7,9 @@
 //! * Polynomials are minimax fits by the Remez exchange in `f64`, rounded to `f32`; the test `trig` fits them again and
 //!   compares. Each constant names its polynomial.
 //! * Errors are the greatest, measured against `f64` on the CPU over all floats from 2^-12 to 1 and a part of those
-//!   below; where a relative error stands, it holds near the function's zeros too. A GPU that divides or takes square
-//!   roots less exactly adds its own error to the functions that do: atan2, `atan_octant_ratio`, asin and acos.
+//!   below; where a relative error stands, it holds near the function's zeros too. In plain shaders the error of the
+//!   device's own division and square root adds to that of the functions that need them: atan2, `atan_octant_ratio`, asin
+//!   and acos.
 //! * Every function is total. Angles and ratios of less than 2^-100 count as 0, so that no result depends on whether
 //!   a device flushes denormals, and no result is -0 or denormal.
 

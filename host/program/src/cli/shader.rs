@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_host::{Error, Result};
 use unitvec_run::shader;
-use unitvec_run::shader::{Edition, Language, library, text};
+use unitvec_run::shader::{EXACT, Edition, Language, library, text};
 
 #[derive(Args)]
 pub struct Arguments {
@@ -18,8 +18,8 @@ pub struct Arguments {
     /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.
     #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
-    /// The exact edition, for languages without `precise`: compilers cannot fuse and reorder operations. It costs one more
-    /// operation for each that is rounded.
+    /// The exact edition: quotients and roots are put right, and compilers cannot fuse and reorder operations, so that results
+    /// are the CPU's. In HLSL the macro UNITVEC_EXACT, defined before the text, makes it exact.
     #[arg(long)]
     exact: bool,
     /// Write a folder, which -o names, with all codecs in a file each family, and the exact edition below it in exact/.
@@ -50,7 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let edition = if arguments.exact { Edition::Exact } else { Edition::Plain };
     if !language.editions().contains(&edition) {
         return Err(Error::Usage(format!(
-            "{language} has no exact edition, since `precise` keeps its plain one exact; leave --exact out"
+            "{language} has no exact edition of its own: the macro {EXACT}, defined before the text, makes it exact; leave --exact out"
         )));
     }
     let text = text(&chosen_formats(&arguments.codec)?, language, edition, &command(arguments, language))?;

@@ -6,7 +6,7 @@ mod text;
 
 pub use gpu::{LanguageGpu, compile};
 pub use text::text;
-pub use unitvec_languages::{Edition, Language, UnknownLanguage};
+pub use unitvec_languages::{EXACT, Edition, Language, UnknownLanguage};
 
 use std::sync::OnceLock;
 use unitvec_languages::Library;

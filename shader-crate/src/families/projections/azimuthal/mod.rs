@@ -31,8 +31,8 @@
 //!   diagonals, where its maxima lie. Codes of the equator come in pairs, one for each hemisphere.
 //!
 //! Not stable across devices: 32 bits without a map. Lattice points beyond the rim are moved by up to 31/64 of a step. That
-//! leaves 1/64 to the border of their cell, which is 8 2^-24, and encoding on a device that divides as badly as Vulkan allows
-//! is off by up to twice as much. Such a code may come back as its neighbour on the rim.
+//! leaves 1/64 to the border of their cell, which is 8 2^-24, and plain encoding on a device that divides as badly as Vulkan
+//! allows is off by up to twice as much. Such a code may come back as its neighbour on the rim.
 //!
 //! Why v is not an snorm: at 16 bits its steps would be 1/63, not 1/64, and the errors would be above the survey's,
 //! some means by more than a hundredth. As it is, all means agree with the published ones. A grid without zero
