@@ -137,7 +137,7 @@ impl KernelSource {
     ) -> Result<Kernel> {
         let name = format.function(operation);
         let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
-        Ok(self.load(runner, &module, entry_point, table)?)
+        self.load(runner, &module, entry_point, table)
     }
 
     /// The module as a kernel of this source's edition.

@@ -58,6 +58,8 @@ pub struct Arguments {
     command: Command,
 }
 
+// One value a run: its size does not matter.
+#[allow(clippy::large_enum_variant)]
 #[derive(Subcommand)]
 enum Command {
     /// List the codecs, of vectors and of tangent frames.
