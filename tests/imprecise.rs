@@ -214,9 +214,8 @@ fn unknown_operations_are_refused() {
 }
 
 /// A codec of each kind of arithmetic; `unitvec conform imprecise` takes all.
-const CODECS: [&str; 12] = [
+const CODECS: [&str; 11] = [
     "oct16",
-    "oct32p",
     "eaoct16p",
     "ico16",
     "frame32",
@@ -229,12 +228,15 @@ const CODECS: [&str; 12] = [
     "snorm8x3_nearest",
 ];
 
+/// Models for these: those that move quotients and roots to different sides are left to the command.
+const MODELS: [Model; 6] = [Model::Up, Model::Down, Model::Bits, Model::Flush, Model::Truncate, Model::Far];
+
 /// Plain kernels keep within their bounds; exact ones have the CPU's bits, of special input too, but where sums are truncated.
 #[test]
 fn codecs_keep_within_their_bounds_on_every_device() {
     let device = lavapipe();
     let formats = CODECS.map(|id| find(id).unwrap()).to_vec();
-    let options = Options { count: 4096, seeds: vec![3], models: Model::ALL.to_vec(), all_codes_up_to: 12 };
+    let options = Options { count: 4096, seeds: vec![3], models: MODELS.to_vec(), all_codes_up_to: 12 };
     let open = || {
         let gpu = |source| Gpu::new(&device, source, true).unwrap();
         let of = |edition| {
@@ -254,7 +256,7 @@ fn codecs_keep_within_their_bounds_on_every_device() {
     assert_eq!(work, formats.iter().map(|format| options.work(format)).sum::<u64>());
     for (row, format) in rows.iter().zip(&formats) {
         assert_eq!(row.objections(&Bounds::of(format)), [""; 0], "{}", row.id);
-        assert_eq!((row.models.len(), row.exact.len()), (Model::ALL.len() - 1, Model::ALL.len()));
+        assert_eq!((row.models.len(), row.exact.len()), (MODELS.len() - 1, MODELS.len()));
         assert!(row.codes > row.elements, "{row:?}");
     }
     // Best fit loses codes, which shows that loss is counted.
