@@ -75,7 +75,8 @@ mod tests {
         };
         let json = format!(
             r#"{{{DEVICE}, "random_directions": 5, "all_codes_up_to": 8, "glsl_compared": false, "agreed": false,
-            "rounding": {{"rust": "down"}}, "rows": [{}, {}]}}"#,
+            "rounding": {{"rust": "down"}}, "arithmetic": {}, "rows": [{}, {}]}}"#,
+            serde_json::to_string(&unitvec_run::conform::Arithmetic::default()).unwrap(),
             row("oct16", [2, 1]),
             row("oct32", [0, 0])
         );
