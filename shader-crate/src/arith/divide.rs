@@ -3,9 +3,9 @@
 //! The CPU rounds correctly. A GPU need not: there the results are put right, which `exact` derives. Divisions of constants
 //! by constants are constants: [`ratio`].
 
-use super::sqrt;
 #[cfg(target_arch = "spirv")]
-use super::{SIGN_BIT, exact, flip_sign};
+use super::{SIGN_BIT, SnormDivision, exact, flip_sign};
+use super::{snorm_max, sqrt};
 
 /// True where a kernel is to take the device's own division and roots.
 ///
@@ -53,6 +53,15 @@ pub fn over(m: f32, b: f32) -> f32 {
 #[inline(always)]
 pub fn reciprocal(b: f32) -> f32 {
     exactly!(1.0 / b, exact::reciprocal(b, 1.0 / b))
+}
+
+/// `x / snorm_max(bits)`, rounded to nearest, for whole `x` up to that and constant `bits`: by [`SnormDivision`], which is
+/// cheaper than [`signed_quotient`].
+///
+/// [`SnormDivision`]: super::SnormDivision
+#[inline(always)]
+pub(crate) fn snorm_quotient(x: f32, bits: u32) -> f32 {
+    exactly!(x / snorm_max(bits), SnormDivision::new(bits).of(x))
 }
 
 /// `a / b` of constants: the build of the modules leaves its result.

@@ -30,6 +30,7 @@ mod trig;
 mod two_float;
 mod vector;
 
+pub(crate) use divide::snorm_quotient;
 pub use divide::{inverse_root, over, quotient, ratio, reciprocal, root, signed_quotient};
 use elementary::sqrt;
 pub use elementary::{floor, max, min};

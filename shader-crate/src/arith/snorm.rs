@@ -4,8 +4,8 @@
 //! leave the rounding of ties open; here ties go to the even integer.
 
 use super::{
-    SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, quotient, ratio, signed_integer, signed_integer_at,
-    signed_quotient,
+    SIGN_BIT, TWO_23, exp2, mask, max, min, nearest_code, ratio, signed_integer, signed_integer_at,
+    snorm_quotient,
 };
 use glam::Vec2;
 
@@ -39,7 +39,7 @@ pub fn unorm_code(r: f32, bits: u32) -> u32 {
 /// ignored.
 #[inline(always)]
 pub fn unorm_decode(code: u32, bits: u32) -> f32 {
-    quotient((code & mask(bits)) as f32, unorm_max(bits))
+    snorm_quotient((code & mask(bits)) as f32, bits + 1)
 }
 
 /// The snorm code of `r`: `round(clamp(r, -1, 1) (2^(bits-1) - 1))`, in two's complement. `bits` is 2 to 22. The
@@ -65,7 +65,7 @@ pub fn snorm_code(r: f32, bits: u32) -> u32 {
 /// ignored.
 #[inline(always)]
 pub fn snorm_decode(code: u32, bits: u32) -> f32 {
-    signed_quotient(snorm_integer(code, bits), snorm_max(bits))
+    snorm_quotient(snorm_integer(code, bits), bits)
 }
 
 /// The integer of an snorm code as a float, with `-2^(bits-1)` taken as `-(2^(bits-1) - 1)`: both stand for -1.

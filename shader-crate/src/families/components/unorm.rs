@@ -16,7 +16,7 @@
 //!   bits and has a fraction of the error.
 //! * It cannot hold 0, which becomes 1/255: no axis round-trips exactly, each is off by `sqrt(2)/255` radians.
 
-use crate::arith::{SnormDivision, mask, unorm_code};
+use crate::arith::{mask, snorm_quotient, unorm_code};
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
@@ -33,8 +33,8 @@ const Z_CODE: u32 = 0xff_8080;
 /// The component of the low byte of `code`: one rounding, and the same magnitude for `i` and `255 - i`.
 #[inline(always)]
 fn decode_component(code: u32) -> f32 {
-    const BY_255: SnormDivision = SnormDivision::new(9);
-    BY_255.of(2.0 * (code & mask(8)) as f32 - 255.0)
+    // 255 is the largest integer of an snorm of 9 bits.
+    snorm_quotient(2.0 * (code & mask(8)) as f32 - 255.0, 9)
 }
 
 /// Raw components as scaled and biased unorm8: a VK_FORMAT_R8G8B8_UNORM.
