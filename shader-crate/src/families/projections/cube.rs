@@ -135,7 +135,7 @@ impl<const BITS: u32> Codec for Cube<BITS> {
 #[inline(always)]
 fn round_wide(x: f32, side: f32, bits: u32) -> i32 {
     // Twice the factor of `x / side` is `2^bits - 1`.
-    let (doubled, _) = coordinate(x, side, 0.0, ratio(1.0, side), bits + 1);
+    let (doubled, _) = coordinate(x, side, 0.0, reciprocal(side), bits + 1);
     let rounded = (doubled.whole + 1) >> 1;
     let m = mask(bits - 1) as i32;
     if rounded > m { m } else { rounded }
