@@ -156,11 +156,10 @@ pub fn error_bound(format: &AnyCodec) -> f64 {
 /// Merges rows of several sources of kernels: the worse of each.
 fn merged(rows: BTreeMap<(Edition, BackendKind), Row>) -> Option<Row> {
     rows.into_values().reduce(|mut all, row| {
-        for (model, outcome) in row.models {
-            all.models.entry(model).or_default().worse(outcome);
-        }
-        for (model, outcome) in row.exact {
-            all.exact.entry(model).or_default().worse(outcome);
+        for (worst, of_row) in [(&mut all.models, row.models), (&mut all.exact, row.exact)] {
+            for (model, outcome) in of_row {
+                worst.entry(model).or_default().worse(outcome);
+            }
         }
         for (pair, count) in row.unstable {
             let worst = all.unstable.entry(pair).or_default();

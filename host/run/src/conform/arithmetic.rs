@@ -1,7 +1,7 @@
 //! A device's rounding of what codecs compute, measured against float64.
 
-use crate::Result;
 use crate::backend::CHUNK;
+use crate::{Result, sampling};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use std::sync::Arc;
@@ -129,22 +129,14 @@ fn ulp(found: f32, exact: f64) -> f64 {
 /// Pairs of operands, from 2^-20 to 2^20: random ones, and every second time such that `a / b` lies next to the middle between
 /// two floats, or nearly.
 fn operands() -> Vec<[f32; 2]> {
-    let mut state = 0x2545_f491_4f6c_dd1d_u64;
-    let mut random = || {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        state
-    };
     let float = |bits: u32| f32::from_bits((bits & 0x7f_ffff) | ((107 + (bits >> 23) % 41) << 23));
-    let mut pair = |hard: bool| {
-        let bits = random();
+    let pair = |(index, bits): (usize, u64)| {
         let [a, b] = [float(bits as u32), float((bits >> 32) as u32)];
         // The middle above the float next to the quotient, times the divisor, rounded.
         let middle = f64::from(a / b) * (1.0 + 2f64.powi(-24));
-        [if hard { (middle * f64::from(b)) as f32 } else { a }, b]
+        [if index % 2 == 1 { (middle * f64::from(b)) as f32 } else { a }, b]
     };
-    (0..CHUNK).map(|index| pair(index % 2 == 1)).collect()
+    sampling::random_codes(1).enumerate().take(CHUNK).map(pair).collect()
 }
 
 #[cfg(test)]
