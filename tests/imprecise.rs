@@ -10,7 +10,7 @@ use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
 use unitvec_manifest::modules::Modules;
 use unitvec_run::backend::{BackendKind, Gpu, KernelSource};
 use unitvec_run::glsl::Compiler;
-use unitvec_run::shader::Edition;
+use unitvec_run::shader::{Edition, Language};
 use unitvec_tests::directions::Rng;
 use unitvec_tests::program::{command, stdout};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module};
@@ -231,20 +231,24 @@ const CODECS: [&str; 11] = [
 /// Models for these: those that move quotients and roots to different sides are left to the command.
 const MODELS: [Model; 6] = [Model::Up, Model::Down, Model::Bits, Model::Flush, Model::Truncate, Model::Far];
 
-/// Plain kernels keep within their bounds; exact ones have the CPU's bits, of special input too, but where sums are truncated.
+/// Plain kernels keep within their bounds; exact ones, from every source, have the CPU's bits, of special input too, but where
+/// sums are truncated.
 #[test]
 fn codecs_keep_within_their_bounds_on_every_device() {
     let device = lavapipe();
     let formats = CODECS.map(|id| find(id).unwrap()).to_vec();
     let options = Options { count: 4096, seeds: vec![3], models: MODELS.to_vec(), all_codes_up_to: 12 };
     let open = || {
-        let gpu = |source| Gpu::new(&device, source, true).unwrap();
         let of = |edition| {
             let rust = KernelSource::Rust(Modules::open(None).unwrap(), edition);
             let glsl = KernelSource::Glsl(Compiler::of(edition).unwrap());
-            [((edition, BackendKind::Rust), gpu(rust)), ((edition, BackendKind::Glsl), gpu(glsl))]
+            [(edition, BackendKind::Rust, rust), (edition, BackendKind::Glsl, glsl)]
         };
-        Ok([Edition::Plain, Edition::Exact].into_iter().flat_map(of).collect::<Gpus>())
+        let text = [(BackendKind::Hlsl, Language::Hlsl), (BackendKind::Wgsl, Language::Wgsl)]
+            .map(|(kind, language)| (Edition::Exact, kind, KernelSource::Language(language, Edition::Exact)));
+        let sources = [Edition::Plain, Edition::Exact].into_iter().flat_map(of).chain(text);
+        let gpu = |source| Gpu::new(&device, source, true).unwrap();
+        Ok(sources.map(|(edition, kind, source)| ((edition, kind), gpu(source))).collect::<Gpus>())
     };
     let (mut work, mut rows) = (0, Vec::new());
     imprecise::run(formats.clone(), &options, open, &mut |done| work += done, &mut |row| {
