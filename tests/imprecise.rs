@@ -9,6 +9,7 @@ use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
 use unitvec_manifest::modules::Modules;
 use unitvec_run::backend::{BackendKind, Gpu, KernelSource};
+use unitvec_run::conform::Shared;
 use unitvec_run::glsl::Compiler;
 use unitvec_run::shader::{Edition, Language};
 use unitvec_tests::directions::Rng;
@@ -274,8 +275,8 @@ fn codecs_keep_within_their_bounds_on_every_device() {
 }
 
 /// The verdict of `conform` on a device whose own division is as loose as Vulkan allows, and on one that no kernel can put right:
-/// modules rewritten with these models, one after the other.
-fn verdict(models: &[Model]) -> (bool, String) {
+/// modules rewritten with these models, one after the other; and whether it flushes denormals.
+fn verdict(models: &[Model]) -> (bool, String, bool) {
     let folder = tempfile::tempdir().unwrap();
     copy_modules(folder.path());
     for (file, entry_point) in
@@ -287,18 +288,21 @@ fn verdict(models: &[Model]) -> (bool, String) {
         }
         replace_module(folder.path(), file, &module);
     }
+    let share = folder.path().join("device.json");
     let mut command = command(["conform", "--codec", "oct32", "--count", "65536", "--trust", "--spirv"]);
-    let output = command.arg(folder.path()).output().unwrap();
-    (output.status.success(), stdout(&output))
+    let output = command.arg(folder.path()).arg("--share").arg(&share).output().unwrap();
+    let shared: Shared = serde_json::from_slice(&std::fs::read(share).unwrap()).unwrap();
+    (output.status.success(), stdout(&output), shared.arithmetic.flushes_denormals)
 }
 
 /// Exact kernels pass on a loose device, plain ones within their bounds; a far device fails, with its reason.
 #[test]
 fn conform_tells_loose_devices_from_wrong_ones() {
-    let (passes, text) = verdict(&[Model::Bits]);
-    assert!(passes && text.contains("quotients: the device's own are within 2.5 ULP"), "{text}");
+    let (passes, text, flushes) = verdict(&[Model::Bits]);
+    assert!(passes && !flushes && text.contains("quotients: the device's own are within 2.5 ULP"), "{text}");
     assert!(text.contains("plain functions keep within their bounds on this device"), "{text}");
-    let (passes, text) = verdict(&[Model::Far, Model::Far]);
+    assert!(matches!(verdict(&[Model::Flush]), (true, _, true)));
+    let (passes, text, _) = verdict(&[Model::Far, Model::Far]);
     assert!(!passes && text.contains("ULP off, more than 14 that can be put right"), "{text}");
 }
 
