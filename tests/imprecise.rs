@@ -85,7 +85,18 @@ fn inputs() -> Vec<[u32; 3]> {
 
 /// The results of a device of this model for inputs, seven each.
 fn computed(device: &Arc<Device>, model: Model, seed: u32, inputs: &[[u32; 3]]) -> Vec<[f32; 7]> {
-    let spirv = Compiler::new().unwrap().compile("arithmetic.comp", ARITHMETIC, &[]).unwrap();
+    computed_by(ARITHMETIC, device, model, seed, inputs)
+}
+
+/// [`computed`], by a kernel of this text.
+fn computed_by(
+    text: &str,
+    device: &Arc<Device>,
+    model: Model,
+    seed: u32,
+    inputs: &[[u32; 3]],
+) -> Vec<[f32; 7]> {
+    let spirv = Compiler::new().unwrap().compile("arithmetic.comp", text, &[]).unwrap();
     let rewritten = rewrite(&spirv, ("arithmetic", "main"), model, seed).unwrap();
     let mut runner = Runner::new(device, inputs.len(), true).unwrap();
     let kernel = runner.kernel(&rewritten, "main", None).unwrap();
@@ -141,6 +152,29 @@ fn quotients_and_roots_are_off_by_what_vulkan_allows() {
                 rest.iter().all(|computed| computed.found == computed.exact as f32),
                 "{model} {input:x?}"
             );
+        }
+    }
+    assert_no_validation_messages(device);
+}
+
+/// Inverse roots, with which exact text starts, go where quotients go; beside the move are the roundings of a root and a quotient.
+#[test]
+fn inverse_roots_are_off_as_quotients_are() {
+    let (device, inputs) = (lavapipe(), inputs());
+    let text = ARITHMETIC.replace("sqrt(a)", "inversesqrt(a)");
+    // From a power of two down, a ULP is half of one above it.
+    let (up, down, far) = (0.5..=3.5, -3.5..=0.0, 10.5..=13.5);
+    for (model, ulp) in [
+        (Model::Up, &up),
+        (Model::UpDown, &up),
+        (Model::Down, &down),
+        (Model::DownUp, &down),
+        (Model::Far, &far),
+    ] {
+        for (input, results) in inputs.iter().zip(computed_by(&text, &device, model, 0, &inputs)) {
+            let exact = 1.0 / f64::from(f32::from_bits(input[0])).sqrt();
+            let inverse = Computed { found: results[2], exact };
+            assert!(ulp.contains(&inverse.ulp()) || inverse.is_power_of_two(), "{model} {input:x?}");
         }
     }
     assert_no_validation_messages(device);

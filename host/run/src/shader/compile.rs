@@ -73,3 +73,22 @@ fn compile_wgsl(text: &str) -> Result<Vec<u8>, String> {
         naga::back::spv::write_vec(&module, &info, &options, None).map_err(|error| error.to_string())?;
     Ok(words.into_iter().flat_map(u32::to_le_bytes).collect())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn codes_are_words_and_bits_above_them_are_refused() {
+        let format = unitvec_catalogue::find("oct24").unwrap();
+        let mut codes = [1, 2, 3, 4, 5, 6];
+        let mut words = words_of(format, &codes);
+        assert_eq!(words, [1, 2, 3, 0, 4, 5, 6, 0]);
+        words[4] = 9;
+        store_words(Language::Wgsl, format, &words, &mut codes).unwrap();
+        assert_eq!(codes, [1, 2, 3, 9, 5, 6]);
+        words[7] = 1;
+        let error = store_words(Language::Wgsl, format, &words, &mut codes).unwrap_err();
+        assert!(error.to_string().contains("oct24_encode in WGSL"), "{error}");
+    }
+}
