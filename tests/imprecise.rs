@@ -237,6 +237,20 @@ fn denormals_are_flushed_before_and_after_operations() {
     }
 }
 
+/// Drivers may fold what is not decorated, SwiftShader a quotient by a constant: flushed operations stay decorated.
+#[test]
+fn flushed_operations_may_not_be_contracted() {
+    let spirv = Modules::open(None).unwrap().load("snorm8x3_decode").unwrap();
+    let flushed = rewrite(&spirv, ("snorm8x3_decode", "snorm8x3_decode"), Model::Flush, 0).unwrap();
+    let decorated = |spirv: &[u8]| {
+        let words: Vec<u32> = spirv.chunks_exact(4).map(bytemuck::pod_read_unaligned).collect();
+        // OpDecorate, of three words, with NoContraction.
+        words.windows(3).filter(|words| words[0] == 3 << 16 | 71 && words[2] == 42).count()
+    };
+    assert_eq!(decorated(&flushed), decorated(&spirv));
+    assert!(decorated(&spirv) > 3);
+}
+
 /// An operation whose error no model knows is an error.
 #[test]
 fn unknown_operations_are_refused() {

@@ -12,7 +12,7 @@ use globals::{Globals, Type};
 use rspirv::binary::Assemble;
 use rspirv::dr::{Block, Instruction, Module, Operand};
 use rspirv::spirv::{Decoration, GLOp, Op, Word};
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 use unitvec_run::backend::Rewrite;
 use unitvec_vulkan::check_spirv;
@@ -57,7 +57,7 @@ pub fn rewrite(
     let mut module = rspirv::dr::load_bytes(spirv).map_err(|error| not_spirv(format!("{error:?}")))?;
     let mut functions = std::mem::take(&mut module.functions);
     let types = Types::of(&module);
-    let mut rewriter = Rewriter { globals: Globals::new(module), types, model, seed, calls: HashSet::new() };
+    let mut rewriter = Rewriter { globals: Globals::new(module), types, model, seed, calls: HashMap::new() };
     for function in &mut functions {
         rewriter.types.add(function.parameters.iter());
         for block in &mut function.blocks {
@@ -67,11 +67,16 @@ pub fn rewrite(
         }
     }
     let Rewriter { mut globals, calls, .. } = rewriter;
-    // The decoration is one of arithmetic instructions alone.
-    globals.annotations().retain(|annotation| {
-        let is_of_call =
-            annotation.operands.first().and_then(Operand::id_ref_any).is_some_and(|id| calls.contains(&id));
-        !(is_of_call && annotation.operands.get(1) == Some(&Operand::Decoration(Decoration::NoContraction)))
+    // The decoration is one of arithmetic instructions alone: it goes with them.
+    globals.annotations().retain_mut(|annotation| {
+        let [Operand::IdRef(id), Operand::Decoration(Decoration::NoContraction)] =
+            &mut annotation.operands[..]
+        else {
+            return true;
+        };
+        let Some(arithmetic) = calls.get(id) else { return true };
+        *id = arithmetic.unwrap_or(*id);
+        arithmetic.is_some()
     });
     let module = globals.with_functions(functions);
     Ok(module.assemble().iter().flat_map(|word| word.to_le_bytes()).collect())
@@ -245,8 +250,8 @@ struct Rewriter {
     types: Types,
     model: Model,
     seed: u32,
-    /// Results that came from arithmetic and come from calls.
-    calls: HashSet<Word>,
+    /// Results that came from arithmetic and come from calls, with the arithmetic's new result where it is left.
+    calls: HashMap<Word, Option<Word>>,
 }
 
 impl Rewriter {
@@ -292,6 +297,7 @@ impl Rewriter {
             let raw = self.globals.fresh();
             instruction.result_id = Some(raw);
             self.types.of_values.insert(raw, of_type);
+            self.calls.insert(result.1, Some(raw));
             block.push(instruction);
             self.each_component(Function::Flush, result, &[self.types.operand(raw)], block);
         } else {
@@ -321,7 +327,7 @@ impl Rewriter {
         operands: &[Value],
         block: &mut Vec<Instruction>,
     ) {
-        self.calls.insert(result);
+        self.calls.entry(result).or_default();
         let callee = self.globals.function(function, self.model, self.seed);
         let float = self.globals.of_type(Type::Float);
         let mut parts = Vec::with_capacity(components as usize);
