@@ -8,7 +8,7 @@ use unitvec_mesh as mesh;
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Mismatches, Options, Plan, widest_of_each_series};
-use unitvec_run::shader::{Edition, Language, LanguageGpu};
+use unitvec_run::shader::{Edition, Language};
 use unitvec_run::{glsl, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
 use unitvec_vulkan::{BufferPromise, Device, Division, Error, GROUP, Runner, SENTINEL};
@@ -249,9 +249,7 @@ fn kernels_write_nothing_by_a_short_table() {
 fn backends_refuse_wrong_lengths() {
     let device = lavapipe();
     let gpu = |source| -> Box<dyn Backend> { Box::new(Gpu::new(&device, source, true).unwrap()) };
-    let translated = |language| -> Box<dyn Backend> {
-        Box::new(LanguageGpu::new(&device, language, Edition::Plain).unwrap())
-    };
+    let translated = |language| gpu(KernelSource::Language(language, Edition::Plain));
     let [hlsl, wgsl] = [Language::Hlsl, Language::Wgsl].map(translated);
     for mut backend in [Box::new(Cpu), gpu(embedded()), gpu(from_glsl()), hlsl, wgsl] {
         let none = find("oct48p").unwrap();

@@ -9,8 +9,9 @@ use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
 use unitvec_manifest::modules::Modules;
 use unitvec_run::backend::{BackendKind, Gpu, KernelSource};
+use unitvec_run::conform::Shared;
 use unitvec_run::glsl::Compiler;
-use unitvec_run::shader::Edition;
+use unitvec_run::shader::{Edition, Language};
 use unitvec_tests::directions::Rng;
 use unitvec_tests::program::{command, stdout};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module};
@@ -231,20 +232,24 @@ const CODECS: [&str; 11] = [
 /// Models for these: those that move quotients and roots to different sides are left to the command.
 const MODELS: [Model; 6] = [Model::Up, Model::Down, Model::Bits, Model::Flush, Model::Truncate, Model::Far];
 
-/// Plain kernels keep within their bounds; exact ones have the CPU's bits, of special input too, but where sums are truncated.
+/// Plain kernels keep within their bounds; exact ones, from every source, have the CPU's bits, of special input too, but where
+/// sums are truncated.
 #[test]
 fn codecs_keep_within_their_bounds_on_every_device() {
     let device = lavapipe();
     let formats = CODECS.map(|id| find(id).unwrap()).to_vec();
     let options = Options { count: 4096, seeds: vec![3], models: MODELS.to_vec(), all_codes_up_to: 12 };
     let open = || {
-        let gpu = |source| Gpu::new(&device, source, true).unwrap();
         let of = |edition| {
             let rust = KernelSource::Rust(Modules::open(None).unwrap(), edition);
             let glsl = KernelSource::Glsl(Compiler::of(edition).unwrap());
-            [((edition, BackendKind::Rust), gpu(rust)), ((edition, BackendKind::Glsl), gpu(glsl))]
+            [(edition, BackendKind::Rust, rust), (edition, BackendKind::Glsl, glsl)]
         };
-        Ok([Edition::Plain, Edition::Exact].into_iter().flat_map(of).collect::<Gpus>())
+        let text = [(BackendKind::Hlsl, Language::Hlsl), (BackendKind::Wgsl, Language::Wgsl)]
+            .map(|(kind, language)| (Edition::Exact, kind, KernelSource::Language(language, Edition::Exact)));
+        let sources = [Edition::Plain, Edition::Exact].into_iter().flat_map(of).chain(text);
+        let gpu = |source| Gpu::new(&device, source, true).unwrap();
+        Ok(sources.map(|(edition, kind, source)| ((edition, kind), gpu(source))).collect::<Gpus>())
     };
     let (mut work, mut rows) = (0, Vec::new());
     imprecise::run(formats.clone(), &options, open, &mut |done| work += done, &mut |row| {
@@ -270,8 +275,8 @@ fn codecs_keep_within_their_bounds_on_every_device() {
 }
 
 /// The verdict of `conform` on a device whose own division is as loose as Vulkan allows, and on one that no kernel can put right:
-/// modules rewritten with these models, one after the other.
-fn verdict(models: &[Model]) -> (bool, String) {
+/// modules rewritten with these models, one after the other; and whether it flushes denormals.
+fn verdict(models: &[Model]) -> (bool, String, bool) {
     let folder = tempfile::tempdir().unwrap();
     copy_modules(folder.path());
     for (file, entry_point) in
@@ -283,18 +288,21 @@ fn verdict(models: &[Model]) -> (bool, String) {
         }
         replace_module(folder.path(), file, &module);
     }
+    let share = folder.path().join("device.json");
     let mut command = command(["conform", "--codec", "oct32", "--count", "65536", "--trust", "--spirv"]);
-    let output = command.arg(folder.path()).output().unwrap();
-    (output.status.success(), stdout(&output))
+    let output = command.arg(folder.path()).arg("--share").arg(&share).output().unwrap();
+    let shared: Shared = serde_json::from_slice(&std::fs::read(share).unwrap()).unwrap();
+    (output.status.success(), stdout(&output), shared.arithmetic.flushes_denormals)
 }
 
 /// Exact kernels pass on a loose device, plain ones within their bounds; a far device fails, with its reason.
 #[test]
 fn conform_tells_loose_devices_from_wrong_ones() {
-    let (passes, text) = verdict(&[Model::Bits]);
-    assert!(passes && text.contains("quotients: the device's own are within 2.5 ULP"), "{text}");
+    let (passes, text, flushes) = verdict(&[Model::Bits]);
+    assert!(passes && !flushes && text.contains("quotients: the device's own are within 2.5 ULP"), "{text}");
     assert!(text.contains("plain functions keep within their bounds on this device"), "{text}");
-    let (passes, text) = verdict(&[Model::Far, Model::Far]);
+    assert!(matches!(verdict(&[Model::Flush]), (true, _, true)));
+    let (passes, text, _) = verdict(&[Model::Far, Model::Far]);
     assert!(!passes && text.contains("ULP off, more than 14 that can be put right"), "{text}");
 }
 

@@ -5,7 +5,7 @@ use unitvec_run::backend::{Backend, BackendKind, Gpu, KernelSource};
 use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Options, Plan, widest_of_each_series};
 use unitvec_run::glsl::Compiler;
-use unitvec_run::shader::{Edition, Language, LanguageGpu, compile, kernel, library, text};
+use unitvec_run::shader::{Edition, Language, compile, kernel, library, text};
 use unitvec_tests::program::{refusal, run, stderr, stdout};
 use unitvec_tests::{assert_no_validation_messages, lavapipe};
 
@@ -26,12 +26,11 @@ fn exact_editions_and_hlsl_agree_to_the_bit() {
         let plans: Vec<Plan<'_>> = formats.iter().map(|format| Plan::new(format, &options)).collect();
         let mut codecs = 0;
         let open = || {
-            let gpu: Box<dyn Backend> = if kind == BackendKind::Glsl {
-                let source = KernelSource::Glsl(Compiler::of(edition).unwrap());
-                Box::new(Gpu::new(&device, source, true).unwrap())
-            } else {
-                Box::new(LanguageGpu::new(&device, language, edition).unwrap())
+            let source = match kind {
+                BackendKind::Glsl => KernelSource::Glsl(Compiler::of(edition).unwrap()),
+                _ => KernelSource::Language(language, edition),
             };
+            let gpu: Box<dyn Backend> = Box::new(Gpu::new(&device, source, true).unwrap());
             Ok(Backends::from([(kind, gpu)]))
         };
         conform::run(plans, open, &mut |_| {}, &mut |row| {

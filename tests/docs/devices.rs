@@ -12,16 +12,17 @@ fn devices() -> Vec<Shared> {
 
 pub fn table() -> String {
     let rows = devices().into_iter().map(|of| {
-        let Arithmetic { quotient_ulp, root_ulp, .. } = of.arithmetic;
+        let Arithmetic { quotient_ulp, root_ulp, flushes_denormals, .. } = of.arithmetic;
         let plain = of
             .plain
             .map_or_else(String::new, |plain| format!("{} / {}", plain.codes_differ, plain.elements_differ));
         format!(
-            "{} | {:?} | {} | {} | {quotient_ulp:.1} | {root_ulp:.1} | {} | {} | {} | {} | {} | {plain}",
+            "{} | {:?} | {} | {} | {quotient_ulp:.1} | {root_ulp:.1} | {} | {} | {} | {} | {} | {} | {plain}",
             of.device,
             of.kind,
             of.driver,
             of.vulkan,
+            if flushes_denormals { "flushed" } else { "kept" },
             if of.agreed { "PASS" } else { "FAIL" },
             of.codecs,
             of.vectors,
@@ -29,7 +30,7 @@ pub fn table() -> String {
             of.mismatches,
         )
     });
-    let titles = "device | kind | driver | Vulkan | quotients, ULP | roots, ULP | verdict | codecs | vectors encoded | codes decoded \
+    let titles = "device | kind | driver | Vulkan | quotients, ULP | roots, ULP | denormals | verdict | codecs | vectors encoded | codes decoded \
                   | mismatches | plain: codes / vectors";
     markdown_table(titles, rows)
 }

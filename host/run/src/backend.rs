@@ -1,6 +1,6 @@
 //! The ways to run a codec: on the CPU, and on a Vulkan device with SPIR-V from Rust, GLSL, HLSL or WGSL.
 
-use crate::{Error, Result, glsl, sampling};
+use crate::{Error, Result, glsl, sampling, shader};
 use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -8,7 +8,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, Operation, best_fit_table};
-use unitvec_languages::Edition;
+use unitvec_languages::{Edition, Language};
 use unitvec_manifest as manifest;
 use unitvec_manifest::modules::Modules;
 use unitvec_vulkan::{BufferPromise, Device, Division, Kernel, Runner, Table};
@@ -121,6 +121,8 @@ pub enum KernelSource {
     Rust(Modules, Edition),
     /// SPIR-V that glslang compiles from the GLSL now, in the compiler's edition.
     Glsl(glsl::Compiler),
+    /// SPIR-V that glslang makes of HLSL now, or naga of WGSL. Its kernels take and give codes as whole words.
+    Language(Language, Edition),
 }
 
 impl KernelSource {
@@ -136,7 +138,7 @@ impl KernelSource {
         table: Option<&Table>,
     ) -> Result<Kernel> {
         let name = format.function(operation);
-        let (module, entry_point) = self.module(&name, |compiler| compiler.kernel(format, operation))?;
+        let (module, entry_point) = self.module(&name, Some((format, operation)))?;
         self.load(runner, &module, entry_point, table)
     }
 
@@ -150,7 +152,7 @@ impl KernelSource {
     ) -> Result<Kernel> {
         let division = match self {
             Self::Rust(_, Edition::Plain) => Division::Device,
-            Self::Rust(_, Edition::Exact) | Self::Glsl(_) => Division::Exact,
+            Self::Rust(_, Edition::Exact) | Self::Glsl(_) | Self::Language(..) => Division::Exact,
         };
         Ok(runner.kernel_for(BufferPromise::ExactSize, division, module, entry_point, table)?)
     }
@@ -160,21 +162,28 @@ impl KernelSource {
     /// # Errors
     /// Any error of loading, compiling or Vulkan.
     pub fn decode_by_table(&self, runner: &Runner, table: &Table) -> Result<Kernel> {
-        let compile = glsl::Compiler::decode_by_table;
-        let (module, entry_point) = self.module(manifest::DECODE_BY_TABLE, compile)?;
+        let (module, entry_point) = self.module(manifest::DECODE_BY_TABLE, None)?;
         Ok(runner.kernel(&module, entry_point, Some(table))?)
     }
 
-    /// The module of the kernel with this name, among those shipped or as it is compiled now, and its entry point.
+    /// The module of the kernel with this name, among those shipped or as it is compiled now, and its entry point: a codec's,
+    /// or without one that which decodes by a table.
     fn module<'a>(
         &self,
         name: &'a str,
-        compile: impl FnOnce(&glsl::Compiler) -> Result<Vec<u8>, glsl::Error>,
+        codec: Option<(&AnyCodec, Operation)>,
     ) -> Result<(Cow<'static, [u8]>, &'a str)> {
-        Ok(match self {
-            Self::Rust(modules, _) => (modules.load(name)?, name),
-            Self::Glsl(compiler) => (Cow::Owned(compile(compiler)?), glsl::ENTRY_POINT),
-        })
+        let module = match (self, codec) {
+            (Self::Rust(modules, _), _) => return Ok((modules.load(name)?, name)),
+            (Self::Glsl(compiler), Some((format, operation))) => compiler.kernel(format, operation)?,
+            (Self::Glsl(compiler), None) => compiler.decode_by_table()?,
+            (Self::Language(language, edition), Some((format, operation))) => {
+                shader::module(*language, *edition, format, operation)?
+            }
+            (Self::Language(language, _), None) => return Err(shader::Error::NoTable(*language).into()),
+        };
+        // Both compilers' kernels are named alike.
+        Ok((Cow::Owned(module), glsl::ENTRY_POINT))
     }
 }
 
@@ -236,12 +245,12 @@ impl Gpu {
         }
         let key = (format.id, operation, self.rewrite.as_ref().map(|rewrite| rewrite.key));
         if !self.kernels.contains_key(&key) {
-            let by_table = operation == Operation::Encode && format.encodes_by_table;
+            let takes_table = format.encodes_by_table && !matches!(self.source, KernelSource::Language(..));
+            let by_table = operation == Operation::Encode && takes_table;
             let table = if by_table { Some(self.best_fit_table()?) } else { None };
             let (source, runner, table) = (&self.source, &self.runner, table.as_ref());
             let name = format.function(operation);
-            let (mut module, entry_point) =
-                source.module(&name, |compiler| compiler.kernel(format, operation))?;
+            let (mut module, entry_point) = source.module(&name, Some((format, operation)))?;
             if let Some(rewrite) = &self.rewrite {
                 let rewritten = (rewrite.module)(&module, &name, entry_point);
                 module = Cow::Owned(rewritten.map_err(Error::Rewrite)?);
@@ -259,7 +268,9 @@ impl Gpu {
         }
         let bytes = match &self.source {
             KernelSource::Rust(modules, _) => modules.table(manifest::BEST_FIT_TABLE)?,
-            KernelSource::Glsl(_) => Cow::Borrowed(bytemuck::cast_slice(best_fit_table())),
+            KernelSource::Glsl(_) | KernelSource::Language(..) => {
+                Cow::Borrowed(bytemuck::cast_slice(best_fit_table()))
+            }
         };
         let table = self.runner.table(&bytes)?;
         Ok(self.best_fit_table.insert(table).clone())
@@ -269,12 +280,22 @@ impl Gpu {
 impl Backend for Gpu {
     fn encode(&mut self, format: &AnyCodec, elements: &[f32], codes: &mut [u8]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
-        self.run(format, Operation::Encode, count, bytemuck::cast_slice(elements), codes)
+        let input = bytemuck::cast_slice(elements);
+        let KernelSource::Language(language, _) = self.source else {
+            return self.run(format, Operation::Encode, count, input, codes);
+        };
+        let mut words = shader::words_of(format, codes);
+        self.run(format, Operation::Encode, count, input, &mut words)?;
+        shader::store_words(language, format, &words, codes)
     }
 
     fn decode(&mut self, format: &AnyCodec, codes: &[u8], elements: &mut [f32]) -> Result<()> {
         let count = format.count(elements.len(), codes.len())?;
-        self.run(format, Operation::Decode, count, codes, bytemuck::cast_slice_mut(elements))
+        let words = match self.source {
+            KernelSource::Language(..) => Cow::Owned(shader::words_of(format, codes)),
+            KernelSource::Rust(..) | KernelSource::Glsl(_) => Cow::Borrowed(codes),
+        };
+        self.run(format, Operation::Decode, count, &words, bytemuck::cast_slice_mut(elements))
     }
 }
 

@@ -24,7 +24,7 @@ pub fn run(
 ) -> Result<Row> {
     let mut rows = BTreeMap::new();
     let sources = gpus.len() as u64;
-    for (&(edition, kind), gpu) in gpus {
+    for (index, (&(edition, kind), gpu)) in (0..).zip(gpus) {
         let is_exact = edition == Edition::Exact;
         let models: Vec<Model> =
             options.models.iter().copied().filter(|model| is_exact || model.is_conformant()).collect();
@@ -45,8 +45,9 @@ pub fn run(
                 Box::new(sampling::random_codes(*seed))
             };
             sampling::in_chunks(codes, count, CHUNK, |codes| run.codes(codes))?;
-            progress(options.work(format) / options.seeds.len() as u64 / sources);
         }
+        let done = |sources_done: u64| options.work(format) * sources_done / sources;
+        progress(done(index + 1) - done(index));
         gpu.forget_kernels();
         if is_exact {
             row.exact = std::mem::take(&mut row.models);

@@ -66,7 +66,7 @@ pub struct Row {
     pub unstable: BTreeMap<String, u64>,
 }
 
-/// Results of one model's devices compared with the CPU: the worse of both where kernels from Rust and GLSL differ.
+/// Results of one model's devices compared with the CPU: the worst where kernels from several sources differ.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 pub struct Outcome {
     /// Random elements with another code than the CPU's.

@@ -28,6 +28,8 @@ pub struct Arithmetic {
     pub contracted: u64,
     /// Operands for which a quotient, reciprocal, root or inverse root of the exact kernels is not the CPU's.
     pub inexact: u64,
+    /// True where the device takes denormals for zero, as operands or as results. No codec depends on it.
+    pub flushes_denormals: bool,
 }
 
 /// An error of a correctly rounded result, and of the float64 beside it.
@@ -44,15 +46,18 @@ impl Arithmetic {
     pub fn of(device: &Arc<Device>, modules: &Modules) -> Result<Self> {
         let mut runner = Runner::new(device, CHUNK, false)?;
         let module = modules.load(ARITHMETIC)?;
-        let operands = operands();
-        let mut results = |division| -> Result<Vec<[f32; 7]>> {
+        let mut results = |operands: &[[f32; 2]], division| -> Result<Vec<[f32; 7]>> {
             let kernel = runner.kernel_for(BufferPromise::ExactSize, division, &module, ARITHMETIC, None)?;
             let mut results = vec![[0.0f32; 7]; operands.len()];
             let bytes = bytemuck::cast_slice_mut(results.as_flattened_mut());
             runner.run(&kernel, operands.len(), bytemuck::cast_slice(operands.as_flattened()), bytes)?;
             Ok(results)
         };
-        Ok(Self::measured(&operands, &results(Division::Device)?, &results(Division::Exact)?))
+        let operands = operands();
+        let [of_device, exact] =
+            [Division::Device, Division::Exact].map(|division| results(&operands, division));
+        let flushes_denormals = flushes(&results(&DENORMALS, Division::Device)?);
+        Ok(Self { flushes_denormals, ..Self::measured(&operands, &of_device?, &exact?) })
     }
 
     fn measured(operands: &[[f32; 2]], of_device: &[[f32; 7]], exact: &[[f32; 7]]) -> Self {
@@ -126,6 +131,14 @@ fn ulp(found: f32, exact: f64) -> f64 {
     if distance.is_nan() { f64::INFINITY } else { distance }
 }
 
+/// Operands that the kernel takes, whose product is denormal, and one that is; with the other, `a b + a` and `a + b` are normal.
+const DENORMALS: [[f32; 2]; 2] = [[f32::MIN_POSITIVE, 0.5], [f32::MIN_POSITIVE / 2.0, f32::MIN_POSITIVE]];
+
+/// True where a denormal is missing in the results of [`DENORMALS`].
+fn flushes(results: &[[f32; 7]]) -> bool {
+    [results[0][5], results[1][4]] != [1.5 * f32::MIN_POSITIVE; 2]
+}
+
 /// Pairs of operands, from 2^-20 to 2^20: random ones, and every second time such that `a / b` lies next to the middle between
 /// two floats, or nearly.
 fn operands() -> Vec<[f32; 2]> {
@@ -179,5 +192,10 @@ mod tests {
             .collect();
         let found = Arithmetic::measured(&operands, &fused, &exact);
         assert!(found.objection().unwrap().contains("NoContraction"), "{found:?}");
+        // The CPU keeps denormals; a device may lose those that go in, or those that come out.
+        let kept = results(&DENORMALS, 0);
+        let [mut goes_in, mut comes_out] = [kept.clone(), kept.clone()];
+        (goes_in[1][4], comes_out[0][5]) = (DENORMALS[1][1], DENORMALS[0][0]);
+        assert_eq!([kept, goes_in, comes_out].map(|results| flushes(&results)), [false, true, true]);
     }
 }

@@ -1,10 +1,10 @@
-//! The codecs in shading languages: their text, and its backend.
+//! The codecs in shading languages: their text, and kernels from it.
 
-mod gpu;
+mod compile;
 pub mod kernel;
 mod text;
 
-pub use gpu::{LanguageGpu, compile};
+pub use compile::{compile, module, store_words, words_of};
 pub use text::text;
 pub use unitvec_languages::{EXACT, Edition, Language, UnknownLanguage};
 
@@ -38,6 +38,9 @@ pub enum Error {
     /// No compiler for this language is part of the program.
     #[error("this program has no compiler for {0}; it has glslang for HLSL and naga for WGSL")]
     NoCompiler(Language),
+    /// The kernel that decodes by a table is not written in this language.
+    #[error("no kernel in {0} decodes by a table; take one from Rust or GLSL")]
+    NoTable(Language),
 }
 
 /// The includes that are part of the program, parsed once.
