@@ -277,11 +277,13 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/languages.csv docs/data/barriers.csv")],
         from: "`shaders/` by the compilers of all languages",
         inputs: &[&[
-            Code("shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs"),
+            Code(
+                "shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs tests/languages/src/*.c",
+            ),
             Versions(languages::versions),
         ]],
         minutes: 20,
-        needs: "Debian 12 on amd64, and 500 MB of compilers, which it fetches",
+        needs: "Debian 12 on amd64, and 550 MB of compilers, which it fetches",
         renew: || languages::run(&["--languages".to_owned(), "--record".to_owned()]),
         ..RUN
     },
