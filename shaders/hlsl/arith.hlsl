@@ -2,7 +2,7 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need.
+// For shader model 5 and later, tested with DXC, FXC and glslang. Include unitvec.hlsl, or the families that you need.
 //
 // `precise` keeps compilers from fusing and reordering operations. Where UNITVEC_EXACT is defined, quotients and roots
 // are put right.

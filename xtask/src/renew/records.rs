@@ -253,9 +253,9 @@ pub static RECORDS: &[Record] = &[
     Record {
         name: "imprecise",
         outputs: &[Bytes("docs/data/imprecise.csv")],
-        from: "the modules and the GLSL, rewritten for devices that round badly",
-        inputs: &[KERNELS, GLSL, &[Code("host/lab/src/imprecise/*.rs")]],
-        minutes: 6,
+        from: "the modules, GLSL, HLSL and WGSL, rewritten for devices that round badly",
+        inputs: &[KERNELS, GLSL, &[Code("shaders/*/* host/lab/src/imprecise/*.rs")]],
+        minutes: 25,
         renew: || {
             let file = repository().join("docs/data/imprecise.csv").display().to_string();
             conform(&["imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))

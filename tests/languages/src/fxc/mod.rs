@@ -43,13 +43,13 @@ impl Fxc {
         let (library, folder) = (whole(library)?, whole(folder)?);
         let mut compiler = Command::new("x86_64-w64-mingw32-gcc");
         compiler.args(["-O1", "-Wall", "-Wextra", "-Werror", "-o"]).arg(folder.join("run.exe"));
-        tool::output(compiler.args([SOURCE, "-ld3d11"]))?;
+        tool::output(compiler.args([SOURCE, "-ld3d11"])).map_err(with_packages)?;
         let mut screen = Command::new("Xvfb")
             .args(["-displayfd", "1"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
-            .map_err(|error| format!("Xvfb cannot be started: {error}"))?;
+            .map_err(|error| with_packages(format!("Xvfb cannot be started: {error}")))?;
         let mut number = String::new();
         if let Some(output) = screen.stdout.take() {
             BufReader::new(output).read_line(&mut number).map_err(told)?;
@@ -60,7 +60,7 @@ impl Fxc {
         let fxc = Self { library, folder, screen, display: format!(":{}", number.trim()) };
         // Makes the prefix where there is none, which is not silent.
         let output = fxc.wine("wine").args(["wineboot", "--init"]).output();
-        output.map(|_| fxc).map_err(|error| format!("wine cannot be started: {error}"))
+        output.map(|_| fxc).map_err(|error| with_packages(format!("wine cannot be started: {error}")))
     }
 
     /// A program of Wine's.
@@ -116,6 +116,11 @@ impl Drop for Fxc {
         let _ = self.screen.kill();
         let _ = self.screen.wait();
     }
+}
+
+/// An error, and the packages whose lack is its likely cause.
+fn with_packages(error: String) -> String {
+    format!("{error}; FXC needs the packages wine64, wine, xvfb and gcc-mingw-w64-x86-64")
 }
 
 /// A path for Windows: Wine's drive Z has all files.
