@@ -16,7 +16,7 @@
 precision highp float;
 precision highp int;
 
-// `precise` keeps compilers from fusing and reordering, so that all devices agree on the codes.
+// `precise` keeps compilers from fusing and reordering: devices then differ by their divisions and roots alone.
 #ifndef UNITVEC_PRECISE
 #if __VERSION__ < 320 || (__VERSION__ < 400 && !defined(GL_ES))
 #define UNITVEC_PRECISE
@@ -52,20 +52,15 @@ const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
 const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
 const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
 const uint UNITVEC_EXACT_HALF = 0x3f000000u;
-const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
 uint unitvec_exact_significand(uint bits) {
     return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
 }
 uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
     uint step_up = uint(int(float(excess) * minus_part));
-    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
-}
-float unitvec_exact_minus_part(float inverse, uint exponent) {
-    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
 }
 float unitvec_exact_quotient(float a, float b) {
     uint dividend = unitvec_exact_significand(floatBitsToUint(a));
@@ -77,32 +72,44 @@ float unitvec_exact_quotient(float a, float b) {
     // The bits of the power of two below the quotient, less the hidden one.
     uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
     uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found =
-        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    // About -1 over the divisor.
+    uint minus_part = floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u));
+    uint found = unitvec_exact_nearest(dividend << (23u + less), guess, divisor, uintBitsToFloat(minus_part));
     return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
 }
-float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
-    uint scaled = floatBitsToUint(inverse) + exponent;
-    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    // The dividend, 2^47, is 0 modulo 2^32.
-    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
-    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
+float unitvec_exact_next_if(float near, uint remainder) {
+    return uintBitsToFloat(floatBitsToUint(near) + (remainder >> 31u));
 }
-uint unitvec_exact_root_exponent(float x) {
-    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+float unitvec_exact_over(float m, float b, float inverse) {
+    uint m_bits = floatBitsToUint(m);
+    uint b_bits = floatBitsToUint(b);
+    if ((unitvec_exact_significand(m_bits) << 23u) != 0u) return unitvec_exact_quotient(m, b);
+    // A part of 2^-18 more, so that the start is above the result.
+    UNITVEC_PRECISE float rough = (m * 1.000003814697265625) * inverse;
+    uint divisor = unitvec_exact_significand(b_bits);
+    float excess = float(int(unitvec_exact_significand(floatBitsToUint(rough)) * divisor));
+    // The exponents of b and of the start add up to that of m, or to one less.
+    uint is_even = (m_bits ^ b_bits ^ floatBitsToUint(rough)) & UNITVEC_EXACT_HIDDEN;
+    // A part of 2^-8 more than it is: so one comparison is enough.
+    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
+    UNITVEC_PRECISE float near = rough + (excess * uintBitsToFloat(minus_step)) * inverse;
+    uint rest = unitvec_exact_significand(floatBitsToUint(near)) * divisor;
+    return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
-uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+float unitvec_exact_root(float x, float inverse) {
     uint bits = floatBitsToUint(x);
+    uint exponent = ((bits + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
     UNITVEC_PRECISE float rough = x * inverse;
     uint guess =
         (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint square = bits << (24u - ((bits >> 23u) & 1u));
     int remainder = int(square - guess * guess);
     float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
     uint step_up = uint(int(float(remainder) * half_part));
     uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
-    return near + (left > int(near) ? 1u : 0u);
+    uint found = near + (left > int(near) ? 1u : 0u);
+    return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
 float unitvec_quotient(float a, float b) {
 #ifdef UNITVEC_EXACT
@@ -115,18 +122,15 @@ float unitvec_quotient(float a, float b) {
 float unitvec_reciprocal(float b) {
     UNITVEC_PRECISE float inverse = 1.0 / b;
 #ifdef UNITVEC_EXACT
-    uint bits = floatBitsToUint(b);
-    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+    return unitvec_exact_over(1.0, b, inverse);
 #else
     return inverse;
 #endif
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
-    uint exponent = unitvec_exact_root_exponent(x);
     float inverse = inversesqrt(x);
-    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
-    return unitvec_exact_inverted(divisor, exponent, inverse);
+    return unitvec_exact_over(1.0, unitvec_exact_root(x, inverse), inverse);
 #else
     UNITVEC_PRECISE float inverse = 1.0 / sqrt(x);
     return inverse;
@@ -172,9 +176,7 @@ float unitvec_scale_to_one(float l1_norm) {
 #define UNITVEC_HAS_ROOT
 float unitvec_root(float x) {
 #ifdef UNITVEC_EXACT
-    uint exponent = unitvec_exact_root_exponent(x);
-    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
-    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : unitvec_exact_root(x, inversesqrt(x));
 #else
     UNITVEC_PRECISE float found = sqrt(x);
     return found;

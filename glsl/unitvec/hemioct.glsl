@@ -44,7 +44,7 @@ bool unitvec_hemioct_is_usable(vec2 norms) {
 vec3 unitvec_hemioct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE vec2 p = vec2(e.x + e.y, e.x - e.y);
     UNITVEC_PRECISE float z = 2.0 * (m - max(abs(e.x), abs(e.y)));
-    return unitvec_normalize(vec3(p, z));
+    return unitvec_normalize_octahedral(vec3(p, z), m, m + 1.0);
 }
 
 // Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one

@@ -61,7 +61,10 @@ vec2 unitvec_spherical_wide_polynomial(float base, float low, float slope, float
 
 // Cosine and sine of n steps, up to an eighth of a turn.
 void unitvec_spherical_wide_octant(int n, UnitvecSphericalWideSteps steps, out vec2 cosine, out vec2 sine) {
-    UNITVEC_PRECISE float r = float(n) * steps.size;
+    // Two products, both exact: Microsoft's FXC takes a whole number times 1e-6 or less for a whole number, and where it
+    // is at most 1, its square for itself.
+    UNITVEC_PRECISE float scaled = float(n) * (steps.size * 4096.0);
+    UNITVEC_PRECISE float r = scaled * 0.000244140625;
     UNITVEC_PRECISE float u = r * r;
     UNITVEC_PRECISE float cosine_rest =
         (u * u) * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));

@@ -137,7 +137,7 @@ float unitvec_signed_quotient(float a, float b) {
     return quotient;
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 float unitvec_over(float m, float b) {
     float quotient = m / b;
     return quotient;
@@ -368,6 +368,14 @@ float unitvec_dot(vec3 a, vec3 b) {
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
     vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
+    float square = unitvec_dot(v, v);
+    vec3 n = v * unitvec_inverse_root(square);
     return n;
 }
 

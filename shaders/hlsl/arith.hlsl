@@ -2,7 +2,7 @@
 //
 // unitvec: the arithmetic that the codecs share, in one file, so that a shader needs no other than a codec's own.
 //
-// For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need.
+// For shader model 5 and later, tested with DXC, FXC and glslang. Include unitvec.hlsl, or the families that you need.
 //
 // `precise` keeps compilers from fusing and reordering operations. Where UNITVEC_EXACT is defined, quotients and roots
 // are put right.
@@ -125,9 +125,8 @@ static const uint UNITVEC_EXACT_BELOW = 32u;
 static const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
 static const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
 static const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
-// The bits of 2^-1 and of 2^125.
+// The bits of 2^-1.
 static const uint UNITVEC_EXACT_HALF = 0x3f000000u;
-static const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
 
 uint unitvec_exact_significand(uint bits) {
     return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
@@ -137,15 +136,9 @@ uint unitvec_exact_significand(uint bits) {
 uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
     uint step_up = uint(int(float(excess) * minus_part));
-    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
-}
-
-// About -1 / significand of a number of this exponent.
-float unitvec_exact_minus_part(float inverse, uint exponent) {
-    return asfloat(asuint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
 }
 
 // a / b, a of 0 or more and b positive.
@@ -159,56 +152,70 @@ float unitvec_exact_quotient(float a, float b) {
     // The bits of the power of two below the quotient, less the hidden one.
     uint first = (asuint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
     uint guess = (asuint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found =
-        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    // About -1 over the divisor.
+    uint minus_part = asuint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u));
+    uint found = unitvec_exact_nearest(dividend << (23u + less), guess, divisor, asfloat(minus_part));
     return rough < UNITVEC_NEGLIGIBLE ? 0.0 : asfloat(first + found);
 }
 
-// m / b, both positive and m a constant.
-float unitvec_exact_over(float m, float b) {
+// `near`, or the next float where the top bit of remainder is set.
+float unitvec_exact_next_if(float near, uint remainder) {
+    return asfloat(asuint(near) + (remainder >> 31u));
+}
+
+// m / b, both positive and m a constant, from about 1 / b.
+float unitvec_exact_over(float m, float b, float inverse) {
     uint m_bits = asuint(m);
     uint b_bits = asuint(b);
-    precise float inverse = 1.0 / b;
-    precise float rough = m * inverse;
-    // The exponent of b, or the next where its significand is above that of m: the sum carries.
-    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
-        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-    // Constants of up to 15 bits leave nothing of it modulo 2^32.
-    uint shifted = unitvec_exact_significand(m_bits) << 23u;
-    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
-    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
-    uint guess = (asuint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
-        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
-    return asfloat(first - exponent + found);
+    if ((unitvec_exact_significand(m_bits) << 23u) != 0u) return unitvec_exact_quotient(m, b);
+    // A part of 2^-18 more, so that the start is above the result.
+    precise float rough = (m * 1.000003814697265625) * inverse;
+    uint divisor = unitvec_exact_significand(b_bits);
+    float excess = float(int(unitvec_exact_significand(asuint(rough)) * divisor));
+    // The exponents of b and of the start add up to that of m, or to one less.
+    uint is_even = (m_bits ^ b_bits ^ asuint(rough)) & UNITVEC_EXACT_HIDDEN;
+    // A part of 2^-8 more than it is: so one comparison is enough.
+    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
+    precise float near = rough + (excess * asfloat(minus_step)) * inverse;
+    uint rest = unitvec_exact_significand(asuint(near)) * divisor;
+    return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
 
-// The reciprocal of the number of this significand and exponent, about `inverse`.
-float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
-    uint scaled = asuint(inverse) + exponent;
-    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    // The dividend, 2^47, is 0 modulo 2^32.
-    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
-    return asfloat(UNITVEC_EXACT_2_125 - exponent + found);
-}
-
-// The exponent of the root of x.
-uint unitvec_exact_root_exponent(float x) {
-    return ((asuint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-}
-
-// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
-uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+// The root of normal x, from about 1 / sqrt(x).
+float unitvec_exact_root(float x, float inverse) {
     uint bits = asuint(x);
+    uint exponent = ((bits + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
     precise float rough = x * inverse;
     uint guess = (asuint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint square = bits << (24u - ((bits >> 23u) & 1u));
     int remainder = int(square - guess * guess);
     float half_part = asfloat(asuint(inverse) + exponent - (151u << 23u));
     uint step_up = uint(int(float(remainder) * half_part));
     uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
-    return near + (left > int(near) ? 1u : 0u);
+    uint found = near + (left > int(near) ? 1u : 0u);
+    return asfloat(exponent + found - UNITVEC_EXACT_HIDDEN);
+}
+
+// 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
+float unitvec_exact_inverse_root_near(float x, float unit) {
+    const float HALF_PLACES = 7.105427357601002e-15;
+    uint bits = asuint(x);
+    // The significand of x times 2^23, or 2^24 in the upper half of the range.
+    uint square = bits << (((bits >> 23u) - (2u * (asuint(unit) >> 23u) - 150u)) & 31u);
+    float inverse = rsqrt(x);
+    precise float rough = x * inverse;
+    uint guess = unitvec_exact_significand(asuint(rough));
+    float excess = float(int(guess * guess + (guess - square)));
+    precise float near = rough - excess * (inverse * (unit * unit * HALF_PLACES));
+    guess = unitvec_exact_significand(asuint(near));
+    float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
+
+    uint divisor = unitvec_exact_significand(asuint(root));
+    excess = float(int(unitvec_exact_significand(asuint(inverse)) * divisor + (divisor >> 1u)));
+    precise float result = inverse - excess * (inverse * HALF_PLACES);
+    guess = unitvec_exact_significand(asuint(result));
+    return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
 // a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
@@ -232,10 +239,11 @@ float unitvec_signed_quotient(float a, float b) {
 #endif
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(m, b);
+    precise float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
     precise float quotient = m / b;
     return quotient;
@@ -246,8 +254,7 @@ float unitvec_over(float m, float b) {
 float unitvec_reciprocal(float b) {
     precise float inverse = 1.0 / b;
 #ifdef UNITVEC_EXACT
-    uint bits = asuint(b);
-    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+    return unitvec_exact_over(1.0, b, inverse);
 #else
     return inverse;
 #endif
@@ -256,9 +263,7 @@ float unitvec_reciprocal(float b) {
 // The square root of x, rounded to nearest; of denormals it may be 0.
 float unitvec_root(float x) {
 #ifdef UNITVEC_EXACT
-    uint exponent = unitvec_exact_root_exponent(x);
-    uint found = exponent + unitvec_exact_root_significand(x, rsqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
-    return asuint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : asfloat(found);
+    return asuint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : unitvec_exact_root(x, rsqrt(x));
 #else
     precise float found = sqrt(x);
     return found;
@@ -268,10 +273,8 @@ float unitvec_root(float x) {
 // 1 / unitvec_root(x) for normal x: two roundings to nearest.
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
-    uint exponent = unitvec_exact_root_exponent(x);
     float inverse = rsqrt(x);
-    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
-    return unitvec_exact_inverted(divisor, exponent, inverse);
+    return unitvec_exact_over(1.0, unitvec_exact_root(x, inverse), inverse);
 #else
     precise float inverse = 1.0 / sqrt(x);
     return inverse;
@@ -490,6 +493,21 @@ float unitvec_dot(float3 a, float3 b) {
 float3 unitvec_normalize(float3 v) {
     precise float3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
     return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
+    float square = unitvec_dot(v, v);
+#ifdef UNITVEC_EXACT
+    // From 3 to 17 bits, the length is between unit and its double.
+    bool is_near = m >= 7.0 && m < 131072.0;
+    precise float3 n = v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));
+    return n;
+#else
+    precise float3 n = v * unitvec_inverse_root(square);
+    return n;
+#endif
 }
 
 // Distance of v from the z axis.

@@ -159,7 +159,7 @@ float3 unitvec_oct_from_lattice(float2 e, float m) {
     float below = max(-z, 0.0);
     precise float x = e.x - unitvec_with_sign(below, e.x);
     precise float y = e.y - unitvec_with_sign(below, e.y);
-    return unitvec_normalize(float3(x, y, z));
+    return unitvec_normalize_octahedral(float3(x, y, z), m, 0.5 * (m + 1.0));
 }
 
 // Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.

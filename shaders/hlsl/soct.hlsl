@@ -31,7 +31,7 @@ float3 unitvec_soct_from_lattice(float2 e, uint sign_bit, float m) {
     float across = 2.0 * max(abs(e.x), abs(e.y));
     precise float3 v =
         float3(e.x + e.y, e.x - e.y, unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below));
-    return unitvec_normalize(v);
+    return unitvec_normalize_octahedral(v, m, m + 1.0);
 }
 
 // The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31.

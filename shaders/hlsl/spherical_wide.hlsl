@@ -57,7 +57,10 @@ float2 unitvec_spherical_wide_polynomial(float base, float low, float slope, flo
 
 // Cosine and sine of n steps, up to an eighth of a turn.
 void unitvec_spherical_wide_octant(int n, UnitvecSphericalWideSteps steps, out float2 cosine, out float2 sine) {
-    precise float r = float(n) * steps.size;
+    // Two products, both exact: Microsoft's FXC takes a whole number times 1e-6 or less for a whole number, and where it
+    // is at most 1, its square for itself.
+    precise float scaled = float(n) * (steps.size * 4096.0);
+    precise float r = scaled * 0.000244140625;
     precise float u = r * r;
     precise float cosine_rest = (u * u) * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
     precise float sine_rest = (u * u) * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3);

@@ -2,7 +2,7 @@
 //
 // unitvec: all codec families, in the order of the list of codecs, formats and dither. See the family's file for its functions.
 //
-// For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need.
+// For shader model 5 and later, tested with DXC, FXC and glslang. Include unitvec.hlsl, or the families that you need.
 
 #include "arith.hlsl"
 #include "oct.hlsl"

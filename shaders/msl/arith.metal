@@ -139,7 +139,7 @@ inline float unitvec_signed_quotient(float a, float b) {
     return quotient;
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 inline float unitvec_over(float m, float b) {
     float quotient = m / b;
     return quotient;
@@ -370,6 +370,14 @@ inline float unitvec_dot(float3 a, float3 b) {
 // v at unit length, to within 2 ULP.
 inline float3 unitvec_normalize(float3 v) {
     float3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+inline float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
+    float square = unitvec_dot(v, v);
+    float3 n = v * unitvec_inverse_root(square);
     return n;
 }
 

@@ -58,7 +58,10 @@ inline float2 unitvec_spherical_wide_polynomial(float base, float low, float slo
 // Cosine and sine of n steps, up to an eighth of a turn.
 inline void unitvec_spherical_wide_octant(int n, UnitvecSphericalWideSteps steps, thread float2& cosine,
     thread float2& sine) {
-    float r = float(n) * steps.size;
+    // Two products, both exact: Microsoft's FXC takes a whole number times 1e-6 or less for a whole number, and where it
+    // is at most 1, its square for itself.
+    float scaled = float(n) * (steps.size * 4096.0f);
+    float r = scaled * 0.000244140625f;
     float u = r * r;
     float cosine_rest = (u * u) * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
     float sine_rest = (u * u) * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3);

@@ -130,7 +130,7 @@ fn unitvec_signed_quotient(a: f32, b: f32) -> f32 {
     return quotient;
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 fn unitvec_over(m: f32, b: f32) -> f32 {
     let quotient = m / b;
     return quotient;
@@ -361,6 +361,14 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
     let n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
+    let square = unitvec_dot(v, v);
+    let n = v * unitvec_inverse_root(square);
     return n;
 }
 

@@ -38,7 +38,7 @@ fn unitvec_hemioct_is_usable(norms: vec2f) -> bool {
 fn unitvec_hemioct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let p = vec2f(e.x + e.y, e.x - e.y);
     let z = 2.0 * (m - max(abs(e.x), abs(e.y)));
-    return unitvec_normalize(vec3f(p, z));
+    return unitvec_normalize_octahedral(vec3f(p, z), m, m + 1.0);
 }
 
 // Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one

@@ -156,7 +156,7 @@ fn unitvec_oct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let below = max(-z, 0.0);
     let x = e.x - unitvec_with_sign(below, e.x);
     let y = e.y - unitvec_with_sign(below, e.y);
-    return unitvec_normalize(vec3f(x, y, z));
+    return unitvec_normalize_octahedral(vec3f(x, y, z), m, 0.5 * (m + 1.0));
 }
 
 // Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.

@@ -27,7 +27,7 @@ fn unitvec_soct_from_lattice(e: vec2f, sign_bit: u32, m: f32) -> vec3f {
     let below = sign_bit & UNITVEC_SIGN_BIT;
     let across = 2.0 * max(abs(e.x), abs(e.y));
     let v = vec3f(e.x + e.y, e.x - e.y, unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below));
-    return unitvec_normalize(v);
+    return unitvec_normalize_octahedral(v, m, m + 1.0);
 }
 
 // The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31.

@@ -56,7 +56,10 @@ fn unitvec_spherical_wide_polynomial(base: f32, low: f32, slope: f32, u: f32, re
 // Cosine and sine of n steps, up to an eighth of a turn.
 fn unitvec_spherical_wide_octant(n: i32, steps: UnitvecSphericalWideSteps, cosine: ptr<function, vec2f>,
     sine: ptr<function, vec2f>) {
-    let r = f32(n) * steps.size;
+    // Two products, both exact: Microsoft's FXC takes a whole number times 1e-6 or less for a whole number, and where it
+    // is at most 1, its square for itself.
+    let scaled = f32(n) * (steps.size * 4096.0);
+    let r = scaled * 0.000244140625;
     let u = r * r;
     let cosine_rest = (u * u) * (UNITVEC_COS_1 + u * (UNITVEC_COS_2 + u * UNITVEC_COS_3));
     let sine_rest = (u * u) * (UNITVEC_SIN_2 + u * UNITVEC_SIN_3);

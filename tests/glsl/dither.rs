@@ -30,17 +30,31 @@ fn case<C: Dithered + Listed>() -> Case {
     }
 }
 
-/// All cases.
+/// The cases of all codecs of the four dithered families.
 pub fn cases() -> Vec<Case> {
-    macro_rules! cases_of {
-        ($($codec:ident)*) => { vec![$(case::<$codec>()),*] };
+    macro_rules! case_of {
+        (oct $codec:ident) => {
+            Some(case::<$codec>())
+        };
+        (hemioct $codec:ident) => {
+            Some(case::<$codec>())
+        };
+        (soct $codec:ident) => {
+            Some(case::<$codec>())
+        };
+        (eaoct $codec:ident) => {
+            Some(case::<$codec>())
+        };
+        ($family:ident $codec:ident) => {
+            None
+        };
     }
-    cases_of!(
-        Oct8 OctPrecise8 Oct12 OctPrecise12 Oct16 OctPrecise16 Oct18 OctPrecise18 Oct20 OctPrecise20 Oct22
-        OctPrecise22 Oct24 OctPrecise24 Oct32 OctPrecise32 HemiOct16 HemiOct24 HemiOct32 SOct17 SOct25 SOct33
-        EaOct16 EaOctPrecise16 EaOct20 EaOctPrecise20 EaOct22 EaOctPrecise22 EaOct24 EaOctPrecise24 EaOct32
-        EaOctPrecise32
-    )
+    macro_rules! cases_of {
+        ($([$id:ident $codec:ident $(($by:ident))? = $family:ident :: $($rest:tt)*])*) => {
+            [$(case_of!($family $codec)),*].into_iter().flatten().collect()
+        };
+    }
+    for_each_codec!(cases_of)
 }
 
 /// The names of the public functions of dither.glsl.

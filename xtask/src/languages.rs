@@ -41,6 +41,18 @@ const DXC: Archive = Archive {
     file: "compushady-0.17.5/compushady/backends/libdxcompiler_x86_64.so.3.7",
 };
 
+/// The compiler of HLSL for Direct3D 11, a library for Windows. Qt hands it on.
+const FXC: Archive = Archive {
+    name: "PyQt5_Qt5-5.15.2",
+    url: "https://files.pythonhosted.org/packages/37/97/5d3b222b924fa2ed4c2488925155cd0b03fd5d09ee1cfcf7c553c11c9f66/PyQt5_Qt5-5.15.2-py3-none-win_amd64.whl",
+    sha256: "750b78e4dba6bdf1607febedc08738e318ea09e9b10aea9ff0d73073f11f6962",
+    members: "PyQt5/Qt5/bin/d3dcompiler_47.dll",
+    file: "PyQt5/Qt5/bin/d3dcompiler_47.dll",
+};
+
+/// The packages that run it, and build the program that calls it.
+const FOR_FXC: [&str; 5] = ["wine64", "wine", "xvfb", "gcc-mingw-w64-x86-64", "libgl1-mesa-dri"];
+
 /// The compiler of Slang. Its library serves any Python.
 const SLANG: Archive = Archive {
     name: "slangpy-0.43.1",
@@ -61,7 +73,7 @@ const DAWN: Archive = Archive {
 
 /// The fetched compilers, for the hash of the record's inputs.
 pub fn versions() -> String {
-    format!("{:?}", (DXC, SLANG, DAWN, CHROMIUM, PACKAGED, GPU))
+    format!("{:?}", (DXC, FXC, SLANG, DAWN, CHROMIUM, PACKAGED, GPU))
 }
 
 /// Takes the files that match a pattern out of an archive, of whatever kind.
@@ -147,6 +159,7 @@ impl Found {
         let mut found = Self::default();
         found.missing.extend(setup::packages(&["curl", "ca-certificates", "python3"]).err());
         found.add("DXC", "--dxc", DXC.fetch(languages));
+        found.add("FXC", "--fxc", setup::packages(&FOR_FXC).and_then(|()| FXC.fetch(languages)));
         found.add("Slang", "--slang", SLANG.fetch(languages));
         if let Err(reason) = setup::packages(&["clang"]) {
             found.missing.push(format!("clang: {reason}"));
@@ -226,7 +239,7 @@ mod tests {
 
     #[test]
     fn archives_are_pinned() {
-        for archive in [&DXC, &SLANG, &DAWN] {
+        for archive in [&DXC, &FXC, &SLANG, &DAWN] {
             let Archive { name, url, sha256, .. } = archive;
             assert!(url.starts_with("https://") && url.contains(name), "{url}");
             assert!(sha256.len() == 64 && sha256.chars().all(|c| c.is_ascii_hexdigit()), "{sha256}");

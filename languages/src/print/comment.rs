@@ -106,7 +106,7 @@ impl Printer<'_> {
         Some(match self.asked {
             Language::Glsl => return None,
             Language::Hlsl => {
-                "For shader model 5 and later, tested with DXC and glslang. Include unitvec.hlsl, or the families that you need."
+                "For shader model 5 and later, tested with DXC, FXC and glslang. Include unitvec.hlsl, or the families that you need."
             }
             Language::Wgsl => {
                 "WGSL cannot include files: join the texts of the files that you need, this one first, with your own."

@@ -43,7 +43,8 @@ pub fn signed_quotient(a: f32, b: f32) -> f32 {
     })
 }
 
-/// `m / b`, rounded to nearest, for positive `b` and a positive constant `m`; cheaper than [`quotient`].
+/// `m / b`, rounded to nearest, for positive `b` and a positive constant `m`; cheaper than [`quotient`] where `m` has up to
+/// 15 bits.
 #[inline(always)]
 pub fn over(m: f32, b: f32) -> f32 {
     exactly!(m / b, exact::over(m, b, 1.0 / b))
@@ -80,4 +81,12 @@ pub fn root(x: f32) -> f32 {
 #[inline(always)]
 pub fn inverse_root(x: f32) -> f32 {
     exactly!(1.0 / sqrt(x), exact::inverse_root(x, 1.0 / sqrt(x)))
+}
+
+/// [`inverse_root`], cheaper, of an `x` whose root is from `1 + 2^-17` to `2 - 2^-16` times `unit`, a constant power of
+/// two from 2^-32 to 2^62.
+#[inline(always)]
+#[cfg_attr(not(target_arch = "spirv"), expect(unused_variables, reason = "the CPU needs no start"))]
+pub(crate) fn inverse_root_near(x: f32, unit: f32) -> f32 {
+    exactly!(1.0 / sqrt(x), exact::inverse_root_near(x, unit, 1.0 / sqrt(x)))
 }

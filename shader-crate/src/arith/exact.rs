@@ -20,6 +20,19 @@
 //!    so its integer part added to `G` gives a `near` with `-1/8 < T - near < 9/8`. `Q` is `near`, or `near + 1` where
 //!    `2 (A 2^k - near B) > B`: one comparison of numbers below 2^26 settles it.
 //!
+//! # Quotients of constants
+//!
+//! Where `A` has 15 bits and 9 zeros below them, `A 2^k` is 0 modulo 2^32 for any `k` that occurs: the remainder of a float
+//! `q` is the product of its own significand `G` with `B`, whichever power of two `q` lies above. So the step can be a sum
+//! of floats, in cheaper instructions.
+//!
+//! 1. The start is raised by [`ABOVE`]. It lies above the quotient by 16 to 48 parts of 2^-23, so by 15 to 96 last places,
+//!    and `G B - A 2^k` between 0 and 2^31. `q b` is about `a`, not less, so that the sum of the two exponents is that of `a`
+//!    (`k` is 23) or one less (24), as its parity says.
+//! 2. The step down is `G B - A 2^k` last places of `a` at `2^-k`, over `b`, and longer by [`MORE`]. `near` is the sum, to
+//!    nearest, with `T - near` from `1/16 - 1/2` to `3/8 + 1/2`, and errors of 2^-10. Should `near` lie below a power of
+//!    two, and `T` above it, it is from `1/8 - 1/2` to `3/4 + 1/2` in the places of `near`. The comparison is as above.
+//!
 //! # Roots
 //!
 //! The significand of the root of `x` is the whole number nearest to `T = sqrt(N)`, where `N` is `x`'s significand times
@@ -28,13 +41,23 @@
 //! `(T - G)^2 / 2 T < 2^-12`, and `T > near + 1/2` where `N > near^2 + near`. The reciprocal of the root starts
 //! from the same float: it is a ULP off the exact start at most.
 //!
-//! Sums and products of floats must be rounded in some way, no more; the compiler may reorder the start as it likes.
+//! Where the root is so far from powers of two that none lies between it and the start, nor between their reciprocals, all
+//! exponents are known beforehand, and the steps are sums of floats: from a start that is up to 30 places off on either
+//! side, `G^2 + G - N` and `G B + B / 2` lead to the middle of the two candidates for `near`, half a place below `T`.
+//!
+//! The start may be rounded in any way, and the compiler may reorder it as it likes. The sums of floats are to nearest.
 
-use super::{NEGLIGIBLE, SIGN_BIT, integer_part};
+use super::{NEGLIGIBLE, SIGN_BIT, exp2, integer_part};
 
 /// How far below the start the search begins: so far that the start, 31 places off at most, is never above the result, and
 /// no remainder is negative.
 const BELOW: u32 = 32;
+
+/// Raises the start of a quotient of a constant: by twice what it can be off, so that it is above the result.
+const ABOVE: f32 = 1.0 + 1.0 / 262_144.0;
+
+/// Lengthens the step down from there: by 1/16 to 3/8 of a place, so that one comparison is enough.
+const MORE: f32 = 1.0 + 1.0 / 256.0;
 
 /// 2^23, the least significand: the part of a float that its bits leave out.
 const HIDDEN: u32 = 0x80_0000;
@@ -48,26 +71,12 @@ const SIGNIFICAND: u32 = 0xff_ffff;
 
 /// The bits of a power of two.
 const fn power(exponent: i32) -> u32 {
-    ((127 + exponent) as u32) << 23
+    exp2(exponent).to_bits()
 }
 
 #[inline(always)]
 fn significand(bits: u32) -> u32 {
     bits & (HIDDEN - 1) | HIDDEN
-}
-
-/// The whole number nearest to `dividend / divisor`, from a guess that is 1 to 64 less; `dividend` is modulo 2^32.
-/// `minus_part` is about `-1 / divisor`.
-#[inline(always)]
-fn nearest(dividend: u32, guess: u32, divisor: u32, minus_part: f32) -> u32 {
-    let excess = guess.wrapping_mul(divisor).wrapping_sub(dividend) as i32;
-    let step = integer_part(excess as f32 * minus_part) as u32;
-    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    let near = guess.wrapping_add(step);
-    // `Ord::min` needs a capability in SPIR-V.
-    let near = if near < SIGNIFICAND { near } else { SIGNIFICAND };
-    let rest = near.wrapping_mul(divisor).wrapping_sub(dividend);
-    near + ((rest << 1).wrapping_add(divisor) >> 31)
 }
 
 /// `a / b` for `a` of 0 or more and positive `b`, both normal; 0 where that is below 2^-100. `inverse` is the device's `1 / b`.
@@ -81,82 +90,100 @@ pub(super) fn quotient(a: f32, b: f32, inverse: f32) -> f32 {
     // The bits of the power of two below the quotient, less the hidden one.
     let first = (a_bits & EXPONENT).wrapping_add(power(-1) - (less << 23)).wrapping_sub(exponent);
     let guess = rough.to_bits().wrapping_sub(first).wrapping_sub(BELOW) & SIGNIFICAND;
-    let found = nearest(dividend << (23 + less), guess, divisor, minus_part(inverse, exponent));
+    // About -1 over the divisor.
+    let minus_part = inverse.to_bits().wrapping_add(exponent).wrapping_add(SIGN_BIT.wrapping_sub(150 << 23));
+    let found = nearest(dividend << (23 + less), guess, divisor, f32::from_bits(minus_part));
     if rough < NEGLIGIBLE { 0.0 } else { f32::from_bits(first.wrapping_add(found)) }
 }
 
-/// About `-1 / significand` of a number of this exponent.
+/// The whole number nearest to `dividend / divisor`, from a guess that is 1 to 64 less; `dividend` is modulo 2^32.
+/// `minus_part` is about `-1 / divisor`.
 #[inline(always)]
-fn minus_part(inverse: f32, exponent: u32) -> f32 {
-    f32::from_bits(inverse.to_bits().wrapping_add(exponent).wrapping_add(SIGN_BIT.wrapping_sub(150 << 23)))
+fn nearest(dividend: u32, guess: u32, divisor: u32, minus_part: f32) -> u32 {
+    let excess = guess.wrapping_mul(divisor).wrapping_sub(dividend) as i32;
+    let step = integer_part(excess as f32 * minus_part) as u32;
+    let near = guess.wrapping_add(step) & SIGNIFICAND;
+    let rest = near.wrapping_mul(divisor).wrapping_sub(dividend);
+    near + ((rest << 1).wrapping_add(divisor) >> 31)
 }
 
-/// `m / b` for a positive constant `m` and positive `b`: [`quotient`] without a comparison. `inverse` is the device's `1 / b`.
+/// `m / b` for a positive constant `m` and positive `b`; `inverse` is the device's `1 / b`.
 #[inline(always)]
 pub(super) fn over(m: f32, b: f32, inverse: f32) -> f32 {
     let (m_bits, b_bits) = (m.to_bits(), b.to_bits());
-    // The exponent of `b`, or the next where its significand is above that of `m`: the sum carries.
-    let exponent = b_bits.wrapping_add((HIDDEN - 1) - (m_bits & (HIDDEN - 1))) & (EXPONENT | SIGN_BIT);
-    // Constants of up to 15 bits leave nothing of it modulo 2^32.
-    let shifted = significand(m_bits) << 23;
-    let dividend = if shifted == 0 { 0 } else { shifted << ((exponent ^ b_bits) >> 23 & 1) };
-    let first = (m_bits & EXPONENT).wrapping_add(power(-1));
-    let rough = m * inverse;
-    let guess = rough.to_bits().wrapping_add(exponent).wrapping_sub(first.wrapping_add(BELOW)) & SIGNIFICAND;
-    let found = nearest(dividend, guess, significand(b_bits), minus_part(inverse, b_bits & EXPONENT));
-    f32::from_bits(first.wrapping_sub(exponent).wrapping_add(found))
+    if significand(m_bits) << 23 != 0 {
+        return quotient(m, b, inverse);
+    }
+    let rough = m * ABOVE * inverse;
+    let divisor = significand(b_bits);
+    let excess = significand(rough.to_bits()).wrapping_mul(divisor) as i32 as f32;
+    // The exponents of `b` and of the start add up to that of `m`, or to one less.
+    let is_even = (m_bits ^ b_bits ^ rough.to_bits()) & HIDDEN;
+    // For a divisor from 1 to 2.
+    let minus_step = (m_bits & EXPONENT).wrapping_add((-MORE).to_bits() - (174 << 23)).wrapping_add(is_even);
+    let near = rough + (excess * f32::from_bits(minus_step)) * inverse;
+    let rest = significand(near.to_bits()).wrapping_mul(divisor);
+    next_if(near, (rest << 1).wrapping_add(divisor))
+}
+
+/// `near`, or the next float where the top bit of `remainder` is set.
+#[inline(always)]
+fn next_if(near: f32, remainder: u32) -> f32 {
+    f32::from_bits(near.to_bits().wrapping_add(remainder >> 31))
 }
 
 /// `1 / b` for positive `b`; `inverse` is the device's.
 #[inline(always)]
 pub(super) fn reciprocal(b: f32, inverse: f32) -> f32 {
-    inverted(significand(b.to_bits()), b.to_bits() & EXPONENT, inverse)
-}
-
-/// The reciprocal of the number of this significand and exponent, about `inverse`.
-#[inline(always)]
-fn inverted(divisor: u32, exponent: u32, inverse: f32) -> f32 {
-    let scaled = inverse.to_bits().wrapping_add(exponent);
-    let guess = scaled.wrapping_sub(power(125) + BELOW) & SIGNIFICAND;
-    // The dividend, 2^47, is 0 modulo 2^32.
-    let found = nearest(0, guess, divisor, minus_part(inverse, exponent));
-    f32::from_bits(power(125).wrapping_sub(exponent).wrapping_add(found))
-}
-
-/// The exponent of the root of `x`.
-#[inline(always)]
-fn root_exponent(x: f32) -> u32 {
-    x.to_bits().wrapping_add(power(0)) >> 1 & (EXPONENT | SIGN_BIT)
-}
-
-/// The significand of the root of `x`, which has this exponent; `inverse` is about `1 / sqrt(x)`.
-#[inline(always)]
-fn root_significand(x: f32, inverse: f32, exponent: u32) -> u32 {
-    let bits = x.to_bits();
-    let rough = (x * inverse).to_bits();
-    let guess = rough.wrapping_sub(exponent).wrapping_add(HIDDEN - BELOW) & SIGNIFICAND;
-    let square = bits << (24 - (bits >> 23 & 1));
-    let remainder = square.wrapping_sub(guess.wrapping_mul(guess)) as i32;
-    let half_part = f32::from_bits(inverse.to_bits().wrapping_add(exponent).wrapping_sub(151 << 23));
-    let step = integer_part(remainder as f32 * half_part) as u32;
-    let near = guess.wrapping_add(step) & SIGNIFICAND;
-    let left = square.wrapping_sub(near.wrapping_mul(near)) as i32;
-    near + if left > near as i32 { 1 } else { 0 }
+    over(1.0, b, inverse)
 }
 
 /// The root of `x`, which is normal, or 0 and denormal: 0. `inverse` is about `1 / sqrt(x)`.
 #[inline(always)]
 pub(super) fn root(x: f32, inverse: f32) -> f32 {
-    let exponent = root_exponent(x);
-    let found = exponent.wrapping_add(root_significand(x, inverse, exponent)).wrapping_sub(HIDDEN);
-    if x.to_bits() < HIDDEN { 0.0 } else { f32::from_bits(found) }
+    if x.to_bits() < HIDDEN { 0.0 } else { root_of_normal(x, inverse) }
+}
+
+#[inline(always)]
+fn root_of_normal(x: f32, inverse: f32) -> f32 {
+    let bits = x.to_bits();
+    let exponent = bits.wrapping_add(power(0)) >> 1 & (EXPONENT | SIGN_BIT);
+    let square = bits << (24 - (bits >> 23 & 1));
+    let rough = (x * inverse).to_bits();
+    let guess = rough.wrapping_sub(exponent).wrapping_add(HIDDEN - BELOW) & SIGNIFICAND;
+    let remainder = square.wrapping_sub(guess.wrapping_mul(guess)) as i32;
+    let half_part = f32::from_bits(inverse.to_bits().wrapping_add(exponent).wrapping_sub(151 << 23));
+    let step = integer_part(remainder as f32 * half_part) as u32;
+    let near = guess.wrapping_add(step) & SIGNIFICAND;
+    let left = square.wrapping_sub(near.wrapping_mul(near)) as i32;
+    let found = near + if left > near as i32 { 1 } else { 0 };
+    f32::from_bits(exponent.wrapping_add(found).wrapping_sub(HIDDEN))
 }
 
 /// `1 / root(x)` for normal `x`, rounded twice: as the root, and as the quotient. `inverse` is about that.
 #[inline(always)]
 pub(super) fn inverse_root(x: f32, inverse: f32) -> f32 {
-    let exponent = root_exponent(x);
-    inverted(root_significand(x, inverse, exponent) & SIGNIFICAND, exponent, inverse)
+    reciprocal(root_of_normal(x, inverse), inverse)
+}
+
+/// [`inverse_root`] of an `x` whose root is from `1 + 2^-17` to `2 - 2^-16` times `unit`, a power of two from 2^-32 to
+/// 2^62: cheaper, since no number on the way changes its exponent.
+#[inline(always)]
+pub(super) fn inverse_root_near(x: f32, unit: f32, inverse: f32) -> f32 {
+    const HALF_PLACES: f32 = 1.0 / 140_737_488_355_328.0;
+    let rough = x * inverse;
+    // The significand of `x` times 2^23, or 2^24 in the upper half of the range.
+    let square = x.to_bits().wrapping_shl((x.to_bits() >> 23).wrapping_sub(2 * (unit.to_bits() >> 23) - 150));
+    let above_middle = |s: u32| s.wrapping_mul(s).wrapping_add(s.wrapping_sub(square));
+    let excess = above_middle(significand(rough.to_bits())) as i32 as f32;
+    let near = rough - excess * (inverse * (unit * unit * HALF_PLACES));
+    let root = next_if(near, above_middle(significand(near.to_bits())));
+
+    let divisor = significand(root.to_bits());
+    let above_middle = |s: u32| s.wrapping_mul(divisor).wrapping_add(divisor >> 1);
+    let excess = above_middle(significand(inverse.to_bits())) as i32 as f32;
+    let near = inverse - excess * (inverse * HALF_PLACES);
+    next_if(near, above_middle(significand(near.to_bits())))
 }
 
 #[cfg(test)]
@@ -188,11 +215,16 @@ mod tests {
     #[test]
     fn roots_are_exact() {
         for bits in 0..1u32 << 24 {
-            for exponent in [1, 63, 127, 251] {
-                let x = f32::from_bits(bits + (exponent << 23));
+            for exponent in [1i32, 63, 127, 251] {
+                let x = f32::from_bits(bits + ((exponent as u32) << 23));
                 let inverse = moved(1.0 / x.sqrt(), bits, MOST - 1);
                 assert_eq!(root(x, inverse), x.sqrt(), "{x:e}");
                 assert_eq!(inverse_root(x, inverse), 1.0 / x.sqrt(), "{x:e}");
+                let unit = exp2((exponent - 127).div_euclid(2));
+                let part = x.sqrt() / unit - 1.0;
+                if exponent > 1 && part >= exp2(-17) && part <= 1.0 - exp2(-16) {
+                    assert_eq!(inverse_root_near(x, unit, inverse), 1.0 / x.sqrt(), "{x:e}");
+                }
             }
         }
         assert_eq!([0.0, 1e-40].map(|x: f32| root(x, 1.0 / x.sqrt())), [0.0; 2]);
@@ -205,7 +237,7 @@ mod tests {
         let integers = (3..=24).map(|bits| ((1u32 << bits) - 1) as f32);
         let constants: Vec<f32> = integers.chain([1.0, 2.0, 3.0, 4097.0, 1.224_744_9, 0.3795]).collect();
         for bits in 0..1u32 << 23 {
-            for exponent in [63, 126, 190] {
+            for exponent in [27, 126, 220] {
                 let b = f32::from_bits(bits + (exponent << 23));
                 let inverse = moved(1.0 / b, bits, MOST);
                 assert_eq!(reciprocal(b, inverse), 1.0 / b, "{b:e}");

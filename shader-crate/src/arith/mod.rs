@@ -30,8 +30,8 @@ mod trig;
 mod two_float;
 mod vector;
 
-pub(crate) use divide::snorm_quotient;
 pub use divide::{inverse_root, over, quotient, ratio, reciprocal, root, signed_quotient};
+pub(crate) use divide::{inverse_root_near, snorm_quotient};
 use elementary::sqrt;
 pub use elementary::{floor, max, min};
 pub use face::{face_of, from_face, to_face};
@@ -51,4 +51,5 @@ pub use snorm::{
 pub(crate) use snorm::{biased, is_nan, is_set, snorm_clamp, unbiased};
 pub use trig::*;
 pub(crate) use two_float::{Coordinate, coordinate, normalize_parts, product_rest, two_sum};
+pub(crate) use vector::normalize_octahedral;
 pub use vector::{dot, horizontal_length, normalize};

@@ -132,9 +132,8 @@ const uint UNITVEC_EXACT_BELOW = 32u;
 const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
 const uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
 const uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
-// The bits of 2^-1 and of 2^125.
+// The bits of 2^-1.
 const uint UNITVEC_EXACT_HALF = 0x3f000000u;
-const uint UNITVEC_EXACT_2_125 = 0x7e000000u;
 
 uint unitvec_exact_significand(uint bits) {
     return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
@@ -144,15 +143,9 @@ uint unitvec_exact_significand(uint bits) {
 uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
     uint step_up = uint(int(float(excess) * minus_part));
-    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
-}
-
-// About -1 / significand of a number of this exponent.
-float unitvec_exact_minus_part(float inverse, uint exponent) {
-    return uintBitsToFloat(floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
 }
 
 // a / b, a of 0 or more and b positive.
@@ -166,57 +159,73 @@ float unitvec_exact_quotient(float a, float b) {
     // The bits of the power of two below the quotient, less the hidden one.
     uint first = (floatBitsToUint(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
     uint guess = (floatBitsToUint(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found =
-        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    // About -1 over the divisor.
+    uint minus_part = floatBitsToUint(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u));
+    uint found = unitvec_exact_nearest(dividend << (23u + less), guess, divisor, uintBitsToFloat(minus_part));
     return rough < UNITVEC_NEGLIGIBLE ? 0.0 : uintBitsToFloat(first + found);
 }
 
-// m / b, both positive and m a constant.
-float unitvec_exact_over(float m, float b) {
+// `near`, or the next float where the top bit of remainder is set.
+float unitvec_exact_next_if(float near, uint remainder) {
+    return uintBitsToFloat(floatBitsToUint(near) + (remainder >> 31u));
+}
+
+// m / b, both positive and m a constant, from about 1 / b.
+float unitvec_exact_over(float m, float b, float inverse) {
     uint m_bits = floatBitsToUint(m);
     uint b_bits = floatBitsToUint(b);
-    float inverse = 1.0 / b;
-    float rough = min(m * inverse, UNITVEC_HUGE);
-    // The exponent of b, or the next where its significand is above that of m: the sum carries.
-    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
-        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-    // Constants of up to 15 bits leave nothing of it modulo 2^32.
-    uint shifted = unitvec_exact_significand(m_bits) << 23u;
-    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
-    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
-    uint guess = (floatBitsToUint(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
-        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
-    return uintBitsToFloat(first - exponent + found);
+    if ((unitvec_exact_significand(m_bits) << 23u) != 0u) return unitvec_exact_quotient(m, b);
+    // A part of 2^-18 more, so that the start is above the result.
+    float rough = min(min(m * 1.000003814697265625, UNITVEC_HUGE) * inverse, UNITVEC_HUGE);
+    uint divisor = unitvec_exact_significand(b_bits);
+    float excess = float(int(unitvec_exact_significand(floatBitsToUint(rough)) * divisor));
+    // The exponents of b and of the start add up to that of m, or to one less.
+    uint is_even = (m_bits ^ b_bits ^ floatBitsToUint(rough)) & UNITVEC_EXACT_HIDDEN;
+    // A part of 2^-8 more than it is: so one comparison is enough.
+    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
+    float near = min(rough + min(min(excess * uintBitsToFloat(minus_step), UNITVEC_HUGE) * inverse, UNITVEC_HUGE),
+        UNITVEC_HUGE);
+    uint rest = unitvec_exact_significand(floatBitsToUint(near)) * divisor;
+    return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
 
-// The reciprocal of the number of this significand and exponent, about `inverse`.
-float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
-    uint scaled = floatBitsToUint(inverse) + exponent;
-    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    // The dividend, 2^47, is 0 modulo 2^32.
-    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
-    return uintBitsToFloat(UNITVEC_EXACT_2_125 - exponent + found);
-}
-
-// The exponent of the root of x.
-uint unitvec_exact_root_exponent(float x) {
-    return ((floatBitsToUint(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-}
-
-// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
-uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+// The root of normal x, from about 1 / sqrt(x).
+float unitvec_exact_root(float x, float inverse) {
     uint bits = floatBitsToUint(x);
+    uint exponent = ((bits + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
     float rough = min(x * inverse, UNITVEC_HUGE);
     uint guess =
         (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint square = bits << (24u - ((bits >> 23u) & 1u));
     int remainder = int(square - guess * guess);
     float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
     uint step_up = uint(int(float(remainder) * half_part));
     uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
-    return near + (left > int(near) ? 1u : 0u);
+    uint found = near + (left > int(near) ? 1u : 0u);
+    return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
+}
+
+// 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
+float unitvec_exact_inverse_root_near(float x, float unit) {
+    const float HALF_PLACES = 7.105427357601002e-15;
+    uint bits = floatBitsToUint(x);
+    // The significand of x times 2^23, or 2^24 in the upper half of the range.
+    uint square = bits << (((bits >> 23u) - (2u * (floatBitsToUint(unit) >> 23u) - 150u)) & 31u);
+    float inverse = inversesqrt(x);
+    float rough = min(x * inverse, UNITVEC_HUGE);
+    uint guess = unitvec_exact_significand(floatBitsToUint(rough));
+    float excess = float(int(guess * guess + (guess - square)));
+    float near = min(rough - min(excess * min(inverse * min(min(unit * unit, UNITVEC_HUGE) * HALF_PLACES, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    guess = unitvec_exact_significand(floatBitsToUint(near));
+    float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
+
+    uint divisor = unitvec_exact_significand(floatBitsToUint(root));
+    excess = float(int(unitvec_exact_significand(floatBitsToUint(inverse)) * divisor + (divisor >> 1u)));
+    float result = min(inverse - min(excess * min(inverse * HALF_PLACES, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    guess = unitvec_exact_significand(floatBitsToUint(result));
+    return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
 // a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
@@ -230,31 +239,27 @@ float unitvec_signed_quotient(float a, float b) {
     return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 float unitvec_over(float m, float b) {
-    return unitvec_exact_over(m, b);
+    float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 }
 
 // 1 / b, rounded to nearest, for positive b.
 float unitvec_reciprocal(float b) {
     float inverse = 1.0 / b;
-    uint bits = floatBitsToUint(b);
-    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+    return unitvec_exact_over(1.0, b, inverse);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
 float unitvec_root(float x) {
-    uint exponent = unitvec_exact_root_exponent(x);
-    uint found = exponent + unitvec_exact_root_significand(x, inversesqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
-    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : uintBitsToFloat(found);
+    return floatBitsToUint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : unitvec_exact_root(x, inversesqrt(x));
 }
 
 // 1 / unitvec_root(x) for normal x: two roundings to nearest.
 float unitvec_inverse_root(float x) {
-    uint exponent = unitvec_exact_root_exponent(x);
     float inverse = inversesqrt(x);
-    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
-    return unitvec_exact_inverted(divisor, exponent, inverse);
+    return unitvec_exact_over(1.0, unitvec_exact_root(x, inverse), inverse);
 }
 
 // pack: integers in the low bits of words.
@@ -464,6 +469,17 @@ float unitvec_dot(vec3 a, vec3 b) {
 // v at unit length, to within 2 ULP.
 vec3 unitvec_normalize(vec3 v) {
     vec3 n = min(v * unitvec_inverse_root(unitvec_dot(v, v)), UNITVEC_HUGE);
+    return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
+    float square = unitvec_dot(v, v);
+    // From 3 to 17 bits, the length is between unit and its double.
+    bool is_near = m >= 7.0 && m < 131072.0;
+    vec3 n = min(v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square)),
+        UNITVEC_HUGE);
     return n;
 }
 

@@ -169,7 +169,7 @@ vec3 unitvec_oct_from_lattice(vec2 e, float m) {
     float below = max(-z, 0.0);
     float x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_HUGE);
     float y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_HUGE);
-    return unitvec_normalize(vec3(x, y, z));
+    return unitvec_normalize_octahedral(vec3(x, y, z), m, 0.5 * (m + 1.0));
 }
 
 // Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.

@@ -37,7 +37,7 @@ vec3 unitvec_soct_from_lattice(vec2 e, uint sign_bit, float m) {
     float across = 2.0 * max(abs(e.x), abs(e.y));
     vec3 v = vec3(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE),
         min(unitvec_flip_sign(2.0 * m, below) - unitvec_flip_sign(across, below), UNITVEC_HUGE));
-    return unitvec_normalize(v);
+    return unitvec_normalize_octahedral(v, m, m + 1.0);
 }
 
 // The direction of the code of u and v, of `bits` bits each, and the sign, in bit 31.

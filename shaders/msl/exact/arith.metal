@@ -135,9 +135,8 @@ constant uint UNITVEC_EXACT_BELOW = 32u;
 constant uint UNITVEC_EXACT_HIDDEN = 0x800000u;
 constant uint UNITVEC_EXACT_EXPONENT = 0x7f800000u;
 constant uint UNITVEC_EXACT_SIGNIFICAND = 0xffffffu;
-// The bits of 2^-1 and of 2^125.
+// The bits of 2^-1.
 constant uint UNITVEC_EXACT_HALF = 0x3f000000u;
-constant uint UNITVEC_EXACT_2_125 = 0x7e000000u;
 
 inline uint unitvec_exact_significand(uint bits) {
     return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
@@ -147,15 +146,9 @@ inline uint unitvec_exact_significand(uint bits) {
 inline uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
     uint step_up = uint(int(float(excess) * minus_part));
-    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    uint near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
-}
-
-// About -1 / significand of a number of this exponent.
-inline float unitvec_exact_minus_part(float inverse, uint exponent) {
-    return as_type<float>(as_type<uint>(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
 }
 
 // a / b, a of 0 or more and b positive.
@@ -169,57 +162,73 @@ inline float unitvec_exact_quotient(float a, float b) {
     // The bits of the power of two below the quotient, less the hidden one.
     uint first = (as_type<uint>(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
     uint guess = (as_type<uint>(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found =
-        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    // About -1 over the divisor.
+    uint minus_part = as_type<uint>(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u));
+    uint found = unitvec_exact_nearest(dividend << (23u + less), guess, divisor, as_type<float>(minus_part));
     return rough < UNITVEC_NEGLIGIBLE ? 0.0f : as_type<float>(first + found);
 }
 
-// m / b, both positive and m a constant.
-inline float unitvec_exact_over(float m, float b) {
+// `near`, or the next float where the top bit of remainder is set.
+inline float unitvec_exact_next_if(float near, uint remainder) {
+    return as_type<float>(as_type<uint>(near) + (remainder >> 31u));
+}
+
+// m / b, both positive and m a constant, from about 1 / b.
+inline float unitvec_exact_over(float m, float b, float inverse) {
     uint m_bits = as_type<uint>(m);
     uint b_bits = as_type<uint>(b);
-    float inverse = 1.0f / b;
-    float rough = min(m * inverse, UNITVEC_HUGE);
-    // The exponent of b, or the next where its significand is above that of m: the sum carries.
-    uint exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
-        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-    // Constants of up to 15 bits leave nothing of it modulo 2^32.
-    uint shifted = unitvec_exact_significand(m_bits) << 23u;
-    uint dividend = shifted == 0u ? 0u : shifted << (((exponent ^ b_bits) >> 23u) & 1u);
-    uint first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
-    uint guess = (as_type<uint>(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
-        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
-    return as_type<float>(first - exponent + found);
+    if ((unitvec_exact_significand(m_bits) << 23u) != 0u) return unitvec_exact_quotient(m, b);
+    // A part of 2^-18 more, so that the start is above the result.
+    float rough = min(min(m * 1.000003814697265625f, UNITVEC_HUGE) * inverse, UNITVEC_HUGE);
+    uint divisor = unitvec_exact_significand(b_bits);
+    float excess = float(int(unitvec_exact_significand(as_type<uint>(rough)) * divisor));
+    // The exponents of b and of the start add up to that of m, or to one less.
+    uint is_even = (m_bits ^ b_bits ^ as_type<uint>(rough)) & UNITVEC_EXACT_HIDDEN;
+    // A part of 2^-8 more than it is: so one comparison is enough.
+    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
+    float near =
+        min(rough + min(min(excess * as_type<float>(minus_step), UNITVEC_HUGE) * inverse, UNITVEC_HUGE), UNITVEC_HUGE);
+    uint rest = unitvec_exact_significand(as_type<uint>(near)) * divisor;
+    return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
 
-// The reciprocal of the number of this significand and exponent, about `inverse`.
-inline float unitvec_exact_inverted(uint divisor, uint exponent, float inverse) {
-    uint scaled = as_type<uint>(inverse) + exponent;
-    uint guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    // The dividend, 2^47, is 0 modulo 2^32.
-    uint found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
-    return as_type<float>(UNITVEC_EXACT_2_125 - exponent + found);
-}
-
-// The exponent of the root of x.
-inline uint unitvec_exact_root_exponent(float x) {
-    return ((as_type<uint>(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-}
-
-// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
-inline uint unitvec_exact_root_significand(float x, float inverse, uint exponent) {
+// The root of normal x, from about 1 / sqrt(x).
+inline float unitvec_exact_root(float x, float inverse) {
     uint bits = as_type<uint>(x);
+    uint exponent = ((bits + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    uint square = bits << (24u - ((bits >> 23u) & 1u));
     float rough = min(x * inverse, UNITVEC_HUGE);
     uint guess =
         (as_type<uint>(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    uint square = bits << (24u - ((bits >> 23u) & 1u));
     int remainder = int(square - guess * guess);
     float half_part = as_type<float>(as_type<uint>(inverse) + exponent - (151u << 23u));
     uint step_up = uint(int(float(remainder) * half_part));
     uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
-    return near + (left > int(near) ? 1u : 0u);
+    uint found = near + (left > int(near) ? 1u : 0u);
+    return as_type<float>(exponent + found - UNITVEC_EXACT_HIDDEN);
+}
+
+// 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
+inline float unitvec_exact_inverse_root_near(float x, float unit) {
+    const float HALF_PLACES = 7.105427357601002e-15f;
+    uint bits = as_type<uint>(x);
+    // The significand of x times 2^23, or 2^24 in the upper half of the range.
+    uint square = bits << (((bits >> 23u) - (2u * (as_type<uint>(unit) >> 23u) - 150u)) & 31u);
+    float inverse = rsqrt(x);
+    float rough = min(x * inverse, UNITVEC_HUGE);
+    uint guess = unitvec_exact_significand(as_type<uint>(rough));
+    float excess = float(int(guess * guess + (guess - square)));
+    float near = min(rough - min(excess * min(inverse * min(min(unit * unit, UNITVEC_HUGE) * HALF_PLACES, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    guess = unitvec_exact_significand(as_type<uint>(near));
+    float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
+
+    uint divisor = unitvec_exact_significand(as_type<uint>(root));
+    excess = float(int(unitvec_exact_significand(as_type<uint>(inverse)) * divisor + (divisor >> 1u)));
+    float result = min(inverse - min(excess * min(inverse * HALF_PLACES, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    guess = unitvec_exact_significand(as_type<uint>(result));
+    return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
 // a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
@@ -233,31 +242,27 @@ inline float unitvec_signed_quotient(float a, float b) {
     return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 inline float unitvec_over(float m, float b) {
-    return unitvec_exact_over(m, b);
+    float inverse = 1.0f / b;
+    return unitvec_exact_over(m, b, inverse);
 }
 
 // 1 / b, rounded to nearest, for positive b.
 inline float unitvec_reciprocal(float b) {
     float inverse = 1.0f / b;
-    uint bits = as_type<uint>(b);
-    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+    return unitvec_exact_over(1.0f, b, inverse);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
 inline float unitvec_root(float x) {
-    uint exponent = unitvec_exact_root_exponent(x);
-    uint found = exponent + unitvec_exact_root_significand(x, rsqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
-    return as_type<uint>(x) < UNITVEC_EXACT_HIDDEN ? 0.0f : as_type<float>(found);
+    return as_type<uint>(x) < UNITVEC_EXACT_HIDDEN ? 0.0f : unitvec_exact_root(x, rsqrt(x));
 }
 
 // 1 / unitvec_root(x) for normal x: two roundings to nearest.
 inline float unitvec_inverse_root(float x) {
-    uint exponent = unitvec_exact_root_exponent(x);
     float inverse = rsqrt(x);
-    uint divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
-    return unitvec_exact_inverted(divisor, exponent, inverse);
+    return unitvec_exact_over(1.0f, unitvec_exact_root(x, inverse), inverse);
 }
 
 // pack: integers in the low bits of words.
@@ -467,6 +472,17 @@ inline float unitvec_dot(float3 a, float3 b) {
 // v at unit length, to within 2 ULP.
 inline float3 unitvec_normalize(float3 v) {
     float3 n = min(v * unitvec_inverse_root(unitvec_dot(v, v)), float3(UNITVEC_HUGE));
+    return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+inline float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
+    float square = unitvec_dot(v, v);
+    // From 3 to 17 bits, the length is between unit and its double.
+    bool is_near = m >= 7.0f && m < 131072.0f;
+    float3 n = min(v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square)),
+        float3(UNITVEC_HUGE));
     return n;
 }
 

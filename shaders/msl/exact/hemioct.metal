@@ -45,7 +45,7 @@ inline bool unitvec_hemioct_is_usable(float2 norms) {
 inline float3 unitvec_hemioct_from_lattice(float2 e, float m) {
     float2 p = float2(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE));
     float z = 2.0f * min(m - max(abs(e.x), abs(e.y)), UNITVEC_HUGE);
-    return unitvec_normalize(float3(p, z));
+    return unitvec_normalize_octahedral(float3(p, z), m, m + 1.0f);
 }
 
 // Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one

@@ -61,7 +61,10 @@ inline float2 unitvec_spherical_wide_polynomial(float base, float low, float slo
 // Cosine and sine of n steps, up to an eighth of a turn.
 inline void unitvec_spherical_wide_octant(int n, UnitvecSphericalWideSteps steps, thread float2& cosine,
     thread float2& sine) {
-    float r = min(float(n) * steps.size, UNITVEC_HUGE);
+    // Two products, both exact: Microsoft's FXC takes a whole number times 1e-6 or less for a whole number, and where it
+    // is at most 1, its square for itself.
+    float scaled = min(float(n) * (steps.size * 4096.0f), UNITVEC_HUGE);
+    float r = scaled * 0.000244140625f;
     float u = min(r * r, UNITVEC_HUGE);
     float cosine_rest = min(min(u * u, UNITVEC_HUGE) * min(UNITVEC_COS_1
         + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),

@@ -126,9 +126,8 @@ const UNITVEC_EXACT_BELOW: u32 = 32u;
 const UNITVEC_EXACT_HIDDEN: u32 = 0x800000u;
 const UNITVEC_EXACT_EXPONENT: u32 = 0x7f800000u;
 const UNITVEC_EXACT_SIGNIFICAND: u32 = 0xffffffu;
-// The bits of 2^-1 and of 2^125.
+// The bits of 2^-1.
 const UNITVEC_EXACT_HALF: u32 = 0x3f000000u;
-const UNITVEC_EXACT_2_125: u32 = 0x7e000000u;
 
 fn unitvec_exact_significand(bits: u32) -> u32 {
     return (bits & (UNITVEC_EXACT_HIDDEN - 1u)) | UNITVEC_EXACT_HIDDEN;
@@ -138,15 +137,9 @@ fn unitvec_exact_significand(bits: u32) -> u32 {
 fn unitvec_exact_nearest(dividend: u32, guess: u32, divisor: u32, minus_part: f32) -> u32 {
     let excess = i32(guess * divisor - dividend);
     let step_up = u32(i32(f32(excess) * minus_part));
-    // Only 1 over a power of two reaches 2^24, which the comparison finds from below as well.
-    let near = min(guess + step_up, UNITVEC_EXACT_SIGNIFICAND);
+    let near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     let rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
-}
-
-// About -1 / significand of a number of this exponent.
-fn unitvec_exact_minus_part(inverse: f32, exponent: u32) -> f32 {
-    return bitcast<f32>(bitcast<u32>(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u)));
 }
 
 // a / b, a of 0 or more and b positive.
@@ -160,57 +153,73 @@ fn unitvec_exact_quotient(a: f32, b: f32) -> f32 {
     // The bits of the power of two below the quotient, less the hidden one.
     let first = (bitcast<u32>(a) & UNITVEC_EXACT_EXPONENT) + (UNITVEC_EXACT_HALF - (less << 23u)) - exponent;
     let guess = (bitcast<u32>(rough) - first - UNITVEC_EXACT_BELOW) & UNITVEC_EXACT_SIGNIFICAND;
-    let found =
-        unitvec_exact_nearest(dividend << (23u + less), guess, divisor, unitvec_exact_minus_part(inverse, exponent));
+    // About -1 over the divisor.
+    let minus_part = bitcast<u32>(inverse) + exponent + (UNITVEC_SIGN_BIT - (150u << 23u));
+    let found = unitvec_exact_nearest(dividend << (23u + less), guess, divisor, bitcast<f32>(minus_part));
     return select(bitcast<f32>(first + found), 0.0, rough < UNITVEC_NEGLIGIBLE);
 }
 
-// m / b, both positive and m a constant.
-fn unitvec_exact_over(m: f32, b: f32) -> f32 {
+// `near`, or the next float where the top bit of remainder is set.
+fn unitvec_exact_next_if(near: f32, remainder: u32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(near) + (remainder >> 31u));
+}
+
+// m / b, both positive and m a constant, from about 1 / b.
+fn unitvec_exact_over(m: f32, b: f32, inverse: f32) -> f32 {
     let m_bits = bitcast<u32>(m);
     let b_bits = bitcast<u32>(b);
-    let inverse = 1.0 / b;
-    let rough = min(m * inverse, UNITVEC_HUGE);
-    // The exponent of b, or the next where its significand is above that of m: the sum carries.
-    let exponent = (b_bits + ((UNITVEC_EXACT_HIDDEN - 1u) - (m_bits & (UNITVEC_EXACT_HIDDEN - 1u))))
-        & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-    // Constants of up to 15 bits leave nothing of it modulo 2^32.
-    let shifted = unitvec_exact_significand(m_bits) << 23u;
-    let dividend = select(shifted << (((exponent ^ b_bits) >> 23u) & 1u), 0u, shifted == 0u);
-    let first = (m_bits & UNITVEC_EXACT_EXPONENT) + UNITVEC_EXACT_HALF;
-    let guess = (bitcast<u32>(rough) + exponent - (first + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    let found = unitvec_exact_nearest(dividend, guess, unitvec_exact_significand(b_bits),
-        unitvec_exact_minus_part(inverse, b_bits & UNITVEC_EXACT_EXPONENT));
-    return bitcast<f32>(first - exponent + found);
+    if (unitvec_exact_significand(m_bits) << 23u) != 0u { return unitvec_exact_quotient(m, b); }
+    // A part of 2^-18 more, so that the start is above the result.
+    let rough = min(min(m * 1.000003814697265625, UNITVEC_HUGE) * inverse, UNITVEC_HUGE);
+    let divisor = unitvec_exact_significand(b_bits);
+    let excess = f32(i32(unitvec_exact_significand(bitcast<u32>(rough)) * divisor));
+    // The exponents of b and of the start add up to that of m, or to one less.
+    let is_even = (m_bits ^ b_bits ^ bitcast<u32>(rough)) & UNITVEC_EXACT_HIDDEN;
+    // A part of 2^-8 more than it is: so one comparison is enough.
+    let minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
+    let near =
+        min(rough + min(min(excess * bitcast<f32>(minus_step), UNITVEC_HUGE) * inverse, UNITVEC_HUGE), UNITVEC_HUGE);
+    let rest = unitvec_exact_significand(bitcast<u32>(near)) * divisor;
+    return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
 
-// The reciprocal of the number of this significand and exponent, about `inverse`.
-fn unitvec_exact_inverted(divisor: u32, exponent: u32, inverse: f32) -> f32 {
-    let scaled = bitcast<u32>(inverse) + exponent;
-    let guess = (scaled - (UNITVEC_EXACT_2_125 + UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    // The dividend, 2^47, is 0 modulo 2^32.
-    let found = unitvec_exact_nearest(0u, guess, divisor, unitvec_exact_minus_part(inverse, exponent));
-    return bitcast<f32>(UNITVEC_EXACT_2_125 - exponent + found);
-}
-
-// The exponent of the root of x.
-fn unitvec_exact_root_exponent(x: f32) -> u32 {
-    return ((bitcast<u32>(x) + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
-}
-
-// The significand of the root of x, which has this exponent; `inverse` is about 1 / sqrt(x).
-fn unitvec_exact_root_significand(x: f32, inverse: f32, exponent: u32) -> u32 {
+// The root of normal x, from about 1 / sqrt(x).
+fn unitvec_exact_root(x: f32, inverse: f32) -> f32 {
     let bits = bitcast<u32>(x);
+    let exponent = ((bits + 0x3f800000u) >> 1u) & (UNITVEC_EXACT_EXPONENT | UNITVEC_SIGN_BIT);
+    let square = bits << (24u - ((bits >> 23u) & 1u));
     let rough = min(x * inverse, UNITVEC_HUGE);
     let guess =
         (bitcast<u32>(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
-    let square = bits << (24u - ((bits >> 23u) & 1u));
     let remainder = i32(square - guess * guess);
     let half_part = bitcast<f32>(bitcast<u32>(inverse) + exponent - (151u << 23u));
     let step_up = u32(i32(f32(remainder) * half_part));
     let near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
     let left = i32(square - near * near);
-    return near + select(0u, 1u, left > i32(near));
+    let found = near + select(0u, 1u, left > i32(near));
+    return bitcast<f32>(exponent + found - UNITVEC_EXACT_HIDDEN);
+}
+
+// 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
+fn unitvec_exact_inverse_root_near(x: f32, unit: f32) -> f32 {
+    const HALF_PLACES: f32 = 7.105427357601002e-15;
+    let bits = bitcast<u32>(x);
+    // The significand of x times 2^23, or 2^24 in the upper half of the range.
+    let square = bits << (((bits >> 23u) - (2u * (bitcast<u32>(unit) >> 23u) - 150u)) & 31u);
+    let inverse = inverseSqrt(x);
+    let rough = min(x * inverse, UNITVEC_HUGE);
+    var guess = unitvec_exact_significand(bitcast<u32>(rough));
+    var excess = f32(i32(guess * guess + (guess - square)));
+    let near = min(rough - min(excess * min(inverse * min(min(unit * unit, UNITVEC_HUGE) * HALF_PLACES, UNITVEC_HUGE),
+        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    guess = unitvec_exact_significand(bitcast<u32>(near));
+    let root = unitvec_exact_next_if(near, guess * guess + (guess - square));
+
+    let divisor = unitvec_exact_significand(bitcast<u32>(root));
+    excess = f32(i32(unitvec_exact_significand(bitcast<u32>(inverse)) * divisor + (divisor >> 1u)));
+    let result = min(inverse - min(excess * min(inverse * HALF_PLACES, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    guess = unitvec_exact_significand(bitcast<u32>(result));
+    return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
 // a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
@@ -224,31 +233,27 @@ fn unitvec_signed_quotient(a: f32, b: f32) -> f32 {
     return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m.
+// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
 fn unitvec_over(m: f32, b: f32) -> f32 {
-    return unitvec_exact_over(m, b);
+    let inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 }
 
 // 1 / b, rounded to nearest, for positive b.
 fn unitvec_reciprocal(b: f32) -> f32 {
     let inverse = 1.0 / b;
-    let bits = bitcast<u32>(b);
-    return unitvec_exact_inverted(unitvec_exact_significand(bits), bits & UNITVEC_EXACT_EXPONENT, inverse);
+    return unitvec_exact_over(1.0, b, inverse);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
 fn unitvec_root(x: f32) -> f32 {
-    let exponent = unitvec_exact_root_exponent(x);
-    let found = exponent + unitvec_exact_root_significand(x, inverseSqrt(x), exponent) - UNITVEC_EXACT_HIDDEN;
-    return select(bitcast<f32>(found), 0.0, bitcast<u32>(x) < UNITVEC_EXACT_HIDDEN);
+    return select(unitvec_exact_root(x, inverseSqrt(x)), 0.0, bitcast<u32>(x) < UNITVEC_EXACT_HIDDEN);
 }
 
 // 1 / unitvec_root(x) for normal x: two roundings to nearest.
 fn unitvec_inverse_root(x: f32) -> f32 {
-    let exponent = unitvec_exact_root_exponent(x);
     let inverse = inverseSqrt(x);
-    let divisor = unitvec_exact_root_significand(x, inverse, exponent) & UNITVEC_EXACT_SIGNIFICAND;
-    return unitvec_exact_inverted(divisor, exponent, inverse);
+    return unitvec_exact_over(1.0, unitvec_exact_root(x, inverse), inverse);
 }
 
 // pack: integers in the low bits of words.
@@ -458,6 +463,17 @@ fn unitvec_dot(a: vec3f, b: vec3f) -> f32 {
 // v at unit length, to within 2 ULP.
 fn unitvec_normalize(v: vec3f) -> vec3f {
     let n = min(v * unitvec_inverse_root(unitvec_dot(v, v)), vec3f(UNITVEC_HUGE));
+    return n;
+}
+
+// unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
+// (m + 1) / 2, or both are doubled.
+fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
+    let square = unitvec_dot(v, v);
+    // From 3 to 17 bits, the length is between unit and its double.
+    let is_near = m >= 7.0 && m < 131072.0;
+    let n = min(v * select(unitvec_inverse_root(square), unitvec_exact_inverse_root_near(square, unit), is_near),
+        vec3f(UNITVEC_HUGE));
     return n;
 }
 

@@ -42,7 +42,7 @@ fn unitvec_hemioct_is_usable(norms: vec2f) -> bool {
 fn unitvec_hemioct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let p = vec2f(min(e.x + e.y, UNITVEC_HUGE), min(e.x - e.y, UNITVEC_HUGE));
     let z = 2.0 * min(m - max(abs(e.x), abs(e.y)), UNITVEC_HUGE);
-    return unitvec_normalize(vec3f(p, z));
+    return unitvec_normalize_octahedral(vec3f(p, z), m, m + 1.0);
 }
 
 // Listing 6: the projection, unquantised, on [-1, 1]^2. +Z stands in for vectors without a direction, or without one

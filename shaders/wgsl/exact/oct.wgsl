@@ -164,7 +164,7 @@ fn unitvec_oct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let below = max(-z, 0.0);
     let x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_HUGE);
     let y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_HUGE);
-    return unitvec_normalize(vec3f(x, y, z));
+    return unitvec_normalize_octahedral(vec3f(x, y, z), m, 0.5 * (m + 1.0));
 }
 
 // Listing 1: the octahedral projection, unquantised, on [-1, 1]^2.

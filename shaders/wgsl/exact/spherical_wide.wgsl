@@ -59,7 +59,10 @@ fn unitvec_spherical_wide_polynomial(base: f32, low: f32, slope: f32, u: f32, re
 // Cosine and sine of n steps, up to an eighth of a turn.
 fn unitvec_spherical_wide_octant(n: i32, steps: UnitvecSphericalWideSteps, cosine: ptr<function, vec2f>,
     sine: ptr<function, vec2f>) {
-    let r = min(f32(n) * steps.size, UNITVEC_HUGE);
+    // Two products, both exact: Microsoft's FXC takes a whole number times 1e-6 or less for a whole number, and where it
+    // is at most 1, its square for itself.
+    let scaled = min(f32(n) * (steps.size * 4096.0), UNITVEC_HUGE);
+    let r = scaled * 0.000244140625;
     let u = min(r * r, UNITVEC_HUGE);
     let cosine_rest = min(min(u * u, UNITVEC_HUGE) * min(UNITVEC_COS_1
         + min(u * min(UNITVEC_COS_2 + min(u * UNITVEC_COS_3, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE),

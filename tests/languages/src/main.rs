@@ -3,6 +3,7 @@
 
 mod barriers;
 mod cases;
+mod fxc;
 mod job;
 mod linked;
 mod metal;
@@ -47,6 +48,9 @@ struct Options {
     /// libdxcompiler.so
     #[arg(long)]
     dxc: Option<PathBuf>,
+    /// d3dcompiler_47.dll, which Wine runs
+    #[arg(long)]
+    fxc: Option<PathBuf>,
     /// libslang-compiler.so
     #[arg(long)]
     slang: Option<PathBuf>,
@@ -153,6 +157,9 @@ impl Rows<'_> {
         if let Some(library) = &options.dxc {
             self.hlsl(library);
         }
+        if let Some(library) = &options.fxc {
+            self.fxc(library, &options.scratch.join("fxc"));
+        }
         if let Some(library) = &options.slang {
             self.slang(library);
         }
@@ -193,6 +200,17 @@ impl Rows<'_> {
         // Optimised, the stubs would be gone.
         let linked = Subject::new(Language::Hlsl, Edition::Plain, "DXC").mode(Mode::Linked);
         self.library(linked, &dxc(library, &["-spirv", "-fcgl", "-fspv-target-env=vulkan1.1"]));
+    }
+
+    fn fxc(&self, library: &Path, folder: &Path) {
+        let fxc = fxc::Fxc::new(library, folder);
+        for edition in EDITIONS {
+            self.add(Subject::new(Language::Hlsl, edition, "FXC"), |subject, jobs, tally| {
+                let fxc = fxc.as_ref().map_err(Clone::clone)?;
+                (subject.compiler, subject.driver) = (fxc.name()?, fxc.driver()?);
+                fxc.run(jobs, tally)
+            });
+        }
     }
 
     fn slang(&self, library: &Path) {

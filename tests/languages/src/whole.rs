@@ -5,7 +5,7 @@ use std::fs;
 use std::path::PathBuf;
 use unitvec_catalogue::{AnyCodec, CODECS, Element, Operation};
 use unitvec_run::shader::kernel::code_words;
-use unitvec_run::shader::{Edition, Language, library};
+use unitvec_run::shader::{EXACT, Edition, Language, library};
 
 /// The file that includes the others.
 const ALL: &str = "unitvec.glsl";
@@ -19,6 +19,9 @@ pub fn folder(language: Language, edition: Edition) -> PathBuf {
 /// A text that has all files, and calls every codec's functions.
 pub fn text(language: Language, edition: Edition) -> Result<String> {
     let files = match language {
+        Language::Hlsl if edition == Edition::Exact => {
+            format!("#define {EXACT}\n#include \"unitvec.hlsl\"\n")
+        }
         Language::Hlsl | Language::Msl => format!("#include \"unitvec.{}\"\n", language.extension()),
         Language::Slang => "import unitvec;\n".to_owned(),
         _ => joined(language, edition)?,

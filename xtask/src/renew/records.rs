@@ -253,9 +253,9 @@ pub static RECORDS: &[Record] = &[
     Record {
         name: "imprecise",
         outputs: &[Bytes("docs/data/imprecise.csv")],
-        from: "the modules and the GLSL, rewritten for devices that round badly",
-        inputs: &[KERNELS, GLSL, &[Code("host/lab/src/imprecise/*.rs")]],
-        minutes: 6,
+        from: "the modules, GLSL, HLSL and WGSL, rewritten for devices that round badly",
+        inputs: &[KERNELS, GLSL, &[Code("shaders/*/* host/lab/src/imprecise/*.rs")]],
+        minutes: 25,
         renew: || {
             let file = repository().join("docs/data/imprecise.csv").display().to_string();
             conform(&["imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))
@@ -277,11 +277,13 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/languages.csv docs/data/barriers.csv")],
         from: "`shaders/` by the compilers of all languages",
         inputs: &[&[
-            Code("shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs"),
+            Code(
+                "shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs tests/languages/src/*.c",
+            ),
             Versions(languages::versions),
         ]],
         minutes: 20,
-        needs: "Debian 12 on amd64, and 500 MB of compilers, which it fetches",
+        needs: "Debian 12 on amd64, and 550 MB of compilers, which it fetches",
         renew: || languages::run(&["--languages".to_owned(), "--record".to_owned()]),
         ..RUN
     },

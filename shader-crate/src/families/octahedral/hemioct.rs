@@ -20,7 +20,9 @@
 //! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
 //!   where x or y is 0.
 
-use crate::arith::{max, nearest_pair, normalize, over, ratio, snorm_clamp, snorm_integers, snorm_max};
+use crate::arith::{
+    max, nearest_pair, normalize_octahedral, over, ratio, snorm_clamp, snorm_integers, snorm_max,
+};
 use crate::codec::Codec;
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
@@ -52,7 +54,7 @@ pub(crate) fn is_usable(whole: f32, upper: f32) -> bool {
 #[inline(always)]
 pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let (x, y) = (e.x + e.y, e.x - e.y);
-    normalize(Vec3::new(x, y, 2.0 * (m - max(e.x.abs(), e.y.abs()))))
+    normalize_octahedral(Vec3::new(x, y, 2.0 * (m - max(e.x.abs(), e.y.abs()))), m, m + 1.0)
 }
 
 /// Listing 6: the projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format, to which

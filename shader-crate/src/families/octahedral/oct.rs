@@ -40,8 +40,8 @@
 
 use super::{fold, unpack, usable_code};
 use crate::arith::{
-    SnormDivision, TWO_23, exp2, floor, is_nan, max, min, normalize, over, quotient, ratio, snorm_clamp,
-    snorm_max, whole_to_u32, with_sign,
+    SnormDivision, TWO_23, exp2, floor, is_nan, max, min, normalize_octahedral, over, quotient, ratio,
+    snorm_clamp, snorm_max, whole_to_u32, with_sign,
 };
 use crate::codec::Codec;
 use crate::direction::{is_usable, l1_norm};
@@ -94,7 +94,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let z = m - e.x.abs() - e.y.abs();
     let below = max(-z, 0.0);
     let (x, y) = (e.x - with_sign(below, e.x), e.y - with_sign(below, e.y));
-    normalize(Vec3::new(x, y, z))
+    normalize_octahedral(Vec3::new(x, y, z), m, 0.5 * (m + 1.0))
 }
 
 /// Listing 1: the octahedral projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format,

@@ -28,8 +28,8 @@
 
 use super::hemioct::{error_bound, position};
 use crate::arith::{
-    SIGN_BIT, flip_sign, is_negative, is_set, max, nearest_pair, normalize, snorm_clamp, snorm_integers,
-    snorm_max,
+    SIGN_BIT, flip_sign, is_negative, is_set, max, nearest_pair, normalize_octahedral, snorm_clamp,
+    snorm_integers, snorm_max,
 };
 use crate::codec::{Code, Codec};
 use crate::direction::{is_usable, l1_norm};
@@ -44,7 +44,7 @@ pub(crate) fn from_lattice(e: Vec2, sign_bit: u32, m: f32) -> Vec3 {
     let below = sign_bit & SIGN_BIT;
     let across = 2.0 * max(e.x.abs(), e.y.abs());
     let z = flip_sign(2.0 * m, below) - flip_sign(across, below);
-    normalize(Vec3::new(e.x + e.y, e.x - e.y, z))
+    normalize_octahedral(Vec3::new(e.x + e.y, e.x - e.y, z), m, m + 1.0)
 }
 
 /// The code, of `bits` bits, of the direction of `v`, of an L1 norm of `norm`, whose u and v are packed in `uv`. The code of
