@@ -1,8 +1,8 @@
 //! Division and square root, rounded as IEEE 754 says, from a device's own that are some last places off.
 //!
 //! Vulkan lets a quotient be 2.5 units in the last place (ULP) off, and a root about 5; GPUs multiply by an approximate
-//! reciprocal. Integers are exact everywhere: they put the result right, by two remainders modulo 2^32 and one comparison.
-//! Only the start is a float.
+//! reciprocal. Integers are exact everywhere. From the device's result, which is the start, a step leads to one of two
+//! neighbours, and integers choose: by two remainders modulo 2^32 and one comparison.
 //!
 //! # Quotients
 //!
@@ -30,8 +30,8 @@
 //!    and `G B - A 2^k` between 0 and 2^31. `q b` is about `a`, not less, so that the sum of the two exponents is that of `a`
 //!    (`k` is 23) or one less (24), as its parity says.
 //! 2. The step down is `G B - A 2^k` last places of `a` at `2^-k`, over `b`, and longer by [`MORE`]. `near` is the sum, to
-//!    nearest, with `T - near` from `1/16 - 1/2` to `3/8 + 1/2`, and errors of 2^-10. Should `near` lie below a power of
-//!    two, and `T` above it, it is from `1/8 - 1/2` to `3/4 + 1/2` in the places of `near`. The comparison is as above.
+//!    nearest, with `T - near` from `1/18 - 1/2` to `3/8 + 1/2`, and errors of 2^-10. Should `near` lie below a power of
+//!    two, and `T` above it, it is from `1/9 - 1/2` to `3/4 + 1/2` in the places of `near`. The comparison is as above.
 //!
 //! # Roots
 //!
@@ -45,7 +45,8 @@
 //! exponents are known beforehand, and the steps are sums of floats: from a start that is up to 30 places off on either
 //! side, `G^2 + G - N` and `G B + B / 2` lead to the middle of the two candidates for `near`, half a place below `T`.
 //!
-//! The start may be rounded in any way, and the compiler may reorder it as it likes. The sums of floats are to nearest.
+//! The start may be rounded in any way, and the compiler may reorder it as it likes. Steps that are sums of floats are
+//! rounded to nearest.
 
 use super::{NEGLIGIBLE, SIGN_BIT, exp2, integer_part};
 
@@ -56,7 +57,7 @@ const BELOW: u32 = 32;
 /// Raises the start of a quotient of a constant: by twice what it can be off, so that it is above the result.
 const ABOVE: f32 = 1.0 + 1.0 / 262_144.0;
 
-/// Lengthens the step down from there: by 1/16 to 3/8 of a place, so that one comparison is enough.
+/// Lengthens the step down from there: by 1/18 to 3/8 of a place, so that one comparison is enough.
 const MORE: f32 = 1.0 + 1.0 / 256.0;
 
 /// 2^23, the least significand: the part of a float that its bits leave out.
