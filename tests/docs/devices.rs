@@ -35,6 +35,15 @@ pub fn table() -> String {
     markdown_table(titles, rows)
 }
 
+/// The page's claim about denormals: devices that flush them pass, and devices that keep them.
+#[test]
+fn devices_agree_whether_they_flush_denormals_or_not() {
+    for flushes in [false, true] {
+        let mut alike = devices().into_iter().filter(|of| of.arithmetic.flushes_denormals == flushes);
+        assert!(alike.any(|of| of.agreed && of.mismatches == 0), "{flushes}");
+    }
+}
+
 /// The page's claim that no GPU has run: it is to be changed when one has.
 #[test]
 fn all_devices_are_cpus() {
