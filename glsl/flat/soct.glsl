@@ -248,7 +248,6 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
     float square = unitvec_dot(v, v);
 #ifdef UNITVEC_EXACT
-    // From 3 to 17 bits, the length is between unit and its double.
     bool is_near = m >= 7.0 && m < 131072.0;
     UNITVEC_PRECISE vec3 n =
         v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));

@@ -496,11 +496,10 @@ float3 unitvec_normalize(float3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled.
+// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
     float square = unitvec_dot(v, v);
 #ifdef UNITVEC_EXACT
-    // From 3 to 17 bits, the length is between unit and its double.
     bool is_near = m >= 7.0 && m < 131072.0;
     precise float3 n = v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));
     return n;

@@ -476,10 +476,9 @@ inline float3 unitvec_normalize(float3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled.
+// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 inline float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
     float square = unitvec_dot(v, v);
-    // From 3 to 17 bits, the length is between unit and its double.
     bool is_near = m >= 7.0f && m < 131072.0f;
     float3 n = min(v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square)),
         float3(UNITVEC_HUGE));

@@ -467,10 +467,9 @@ fn unitvec_normalize(v: vec3f) -> vec3f {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled.
+// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
     let square = unitvec_dot(v, v);
-    // From 3 to 17 bits, the length is between unit and its double.
     let is_near = m >= 7.0 && m < 131072.0;
     let n = min(v * select(unitvec_inverse_root(square), unitvec_exact_inverse_root_near(square, unit), is_near),
         vec3f(UNITVEC_HUGE));
