@@ -46,7 +46,8 @@
 //! side, `G^2 + G - N` and `G B + B / 2` lead to the middle of the two candidates for `near`, half a place below `T`.
 //!
 //! The start may be rounded in any way, and the compiler may reorder it as it likes. Steps that are sums of floats are
-//! rounded to nearest.
+//! rounded to nearest; powers of two join them by integers, so that a compiler that ignores NoContraction, as naga does,
+//! finds no common factor to take out, which would round twice.
 
 use super::{NEGLIGIBLE, SIGN_BIT, exp2, integer_part};
 
@@ -121,8 +122,8 @@ pub(super) fn over(m: f32, b: f32, inverse: f32) -> f32 {
     // The exponents of `b` and of the start add up to that of `m`, or to one less.
     let is_even = (m_bits ^ b_bits ^ rough.to_bits()) & HIDDEN;
     // For a divisor from 1 to 2.
-    let minus_step = (m_bits & EXPONENT).wrapping_add((-MORE).to_bits() - (174 << 23)).wrapping_add(is_even);
-    let near = rough + (excess * f32::from_bits(minus_step)) * inverse;
+    let minus_step = f32::from_bits((m_bits & EXPONENT).wrapping_add((-MORE).to_bits() - (174 << 23)));
+    let near = rough + (excess * minus_step) * f32::from_bits(inverse.to_bits().wrapping_add(is_even));
     let rest = significand(near.to_bits()).wrapping_mul(divisor);
     next_if(near, (rest << 1).wrapping_add(divisor))
 }
@@ -171,19 +172,21 @@ pub(super) fn inverse_root(x: f32, inverse: f32) -> f32 {
 /// 2^62: cheaper, since no number on the way changes its exponent.
 #[inline(always)]
 pub(super) fn inverse_root_near(x: f32, unit: f32, inverse: f32) -> f32 {
-    const HALF_PLACES: f32 = 1.0 / 140_737_488_355_328.0;
+    // The reciprocal times 2^-47.
+    let half_places = inverse.to_bits().wrapping_sub(47 << 23);
     let rough = x * inverse;
     // The significand of `x` times 2^23, or 2^24 in the upper half of the range.
     let square = x.to_bits().wrapping_shl((x.to_bits() >> 23).wrapping_sub(2 * (unit.to_bits() >> 23) - 150));
     let above_middle = |s: u32| s.wrapping_mul(s).wrapping_add(s.wrapping_sub(square));
     let excess = above_middle(significand(rough.to_bits())) as i32 as f32;
-    let near = rough - excess * (inverse * (unit * unit * HALF_PLACES));
+    let of_square = half_places.wrapping_add((unit * unit).to_bits()).wrapping_sub(power(0));
+    let near = rough - excess * f32::from_bits(of_square);
     let root = next_if(near, above_middle(significand(near.to_bits())));
 
     let divisor = significand(root.to_bits());
     let above_middle = |s: u32| s.wrapping_mul(divisor).wrapping_add(divisor >> 1);
     let excess = above_middle(significand(inverse.to_bits())) as i32 as f32;
-    let near = inverse - excess * (inverse * HALF_PLACES);
+    let near = inverse - excess * f32::from_bits(half_places);
     next_if(near, above_middle(significand(near.to_bits())))
 }
 
