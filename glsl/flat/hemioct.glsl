@@ -93,8 +93,8 @@ float unitvec_exact_over(float m, float b, float inverse) {
     // The exponents of b and of the start add up to that of m, or to one less.
     uint is_even = (m_bits ^ b_bits ^ floatBitsToUint(rough)) & UNITVEC_EXACT_HIDDEN;
     // A part of 2^-8 more than it is: so one comparison is enough.
-    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
-    UNITVEC_PRECISE float near = rough + (excess * uintBitsToFloat(minus_step)) * inverse;
+    float minus_step = uintBitsToFloat((m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)));
+    UNITVEC_PRECISE float near = rough + (excess * minus_step) * uintBitsToFloat(floatBitsToUint(inverse) + is_even);
     uint rest = unitvec_exact_significand(floatBitsToUint(near)) * divisor;
     return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
@@ -219,7 +219,6 @@ vec2 unitvec_snorm_integers(uint code, uint bits) {
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 float unitvec_exact_inverse_root_near(float x, float unit) {
-    const float HALF_PLACES = 7.105427357601002e-15;
     uint bits = floatBitsToUint(x);
     // The significand of x times 2^23, or 2^24 in the upper half of the range.
     uint square = bits << (((bits >> 23u) - (2u * (floatBitsToUint(unit) >> 23u) - 150u)) & 31u);
@@ -227,13 +226,16 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     UNITVEC_PRECISE float rough = x * inverse;
     uint guess = unitvec_exact_significand(floatBitsToUint(rough));
     float excess = float(int(guess * guess + (guess - square)));
-    UNITVEC_PRECISE float near = rough - excess * (inverse * (unit * unit * HALF_PLACES));
+    // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
+    uint half_places = floatBitsToUint(inverse) - (47u << 23u);
+    uint of_square = half_places + (floatBitsToUint(unit * unit) - 0x3f800000u);
+    UNITVEC_PRECISE float near = rough - excess * uintBitsToFloat(of_square);
     guess = unitvec_exact_significand(floatBitsToUint(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
 
     uint divisor = unitvec_exact_significand(floatBitsToUint(root));
     excess = float(int(unitvec_exact_significand(floatBitsToUint(inverse)) * divisor + (divisor >> 1u)));
-    UNITVEC_PRECISE float result = inverse - excess * (inverse * HALF_PLACES);
+    UNITVEC_PRECISE float result = inverse - excess * uintBitsToFloat(half_places);
     guess = unitvec_exact_significand(floatBitsToUint(result));
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }

@@ -95,8 +95,8 @@ float unitvec_exact_over(float m, float b, float inverse) {
     // The exponents of b and of the start add up to that of m, or to one less.
     uint is_even = (m_bits ^ b_bits ^ floatBitsToUint(rough)) & UNITVEC_EXACT_HIDDEN;
     // A part of 2^-8 more than it is: so one comparison is enough.
-    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
-    UNITVEC_PRECISE float near = rough + (excess * uintBitsToFloat(minus_step)) * inverse;
+    float minus_step = uintBitsToFloat((m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)));
+    UNITVEC_PRECISE float near = rough + (excess * minus_step) * uintBitsToFloat(floatBitsToUint(inverse) + is_even);
     uint rest = unitvec_exact_significand(floatBitsToUint(near)) * divisor;
     return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }

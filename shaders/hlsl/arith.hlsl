@@ -175,8 +175,8 @@ float unitvec_exact_over(float m, float b, float inverse) {
     // The exponents of b and of the start add up to that of m, or to one less.
     uint is_even = (m_bits ^ b_bits ^ asuint(rough)) & UNITVEC_EXACT_HIDDEN;
     // A part of 2^-8 more than it is: so one comparison is enough.
-    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
-    precise float near = rough + (excess * asfloat(minus_step)) * inverse;
+    float minus_step = asfloat((m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)));
+    precise float near = rough + (excess * minus_step) * asfloat(asuint(inverse) + is_even);
     uint rest = unitvec_exact_significand(asuint(near)) * divisor;
     return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
@@ -199,7 +199,6 @@ float unitvec_exact_root(float x, float inverse) {
 
 // 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
 float unitvec_exact_inverse_root_near(float x, float unit) {
-    const float HALF_PLACES = 7.105427357601002e-15;
     uint bits = asuint(x);
     // The significand of x times 2^23, or 2^24 in the upper half of the range.
     uint square = bits << (((bits >> 23u) - (2u * (asuint(unit) >> 23u) - 150u)) & 31u);
@@ -207,13 +206,16 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     precise float rough = x * inverse;
     uint guess = unitvec_exact_significand(asuint(rough));
     float excess = float(int(guess * guess + (guess - square)));
-    precise float near = rough - excess * (inverse * (unit * unit * HALF_PLACES));
+    // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
+    uint half_places = asuint(inverse) - (47u << 23u);
+    uint of_square = half_places + (asuint(unit * unit) - 0x3f800000u);
+    precise float near = rough - excess * asfloat(of_square);
     guess = unitvec_exact_significand(asuint(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
 
     uint divisor = unitvec_exact_significand(asuint(root));
     excess = float(int(unitvec_exact_significand(asuint(inverse)) * divisor + (divisor >> 1u)));
-    precise float result = inverse - excess * (inverse * HALF_PLACES);
+    precise float result = inverse - excess * asfloat(half_places);
     guess = unitvec_exact_significand(asuint(result));
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }

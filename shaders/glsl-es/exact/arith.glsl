@@ -182,9 +182,9 @@ float unitvec_exact_over(float m, float b, float inverse) {
     // The exponents of b and of the start add up to that of m, or to one less.
     uint is_even = (m_bits ^ b_bits ^ floatBitsToUint(rough)) & UNITVEC_EXACT_HIDDEN;
     // A part of 2^-8 more than it is: so one comparison is enough.
-    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
-    float near = min(rough + min(min(excess * uintBitsToFloat(minus_step), UNITVEC_HUGE) * inverse, UNITVEC_HUGE),
-        UNITVEC_HUGE);
+    float minus_step = uintBitsToFloat((m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)));
+    float near = min(rough + min(min(excess * minus_step, UNITVEC_HUGE) * uintBitsToFloat(floatBitsToUint(inverse)
+        + is_even), UNITVEC_HUGE), UNITVEC_HUGE);
     uint rest = unitvec_exact_significand(floatBitsToUint(near)) * divisor;
     return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
@@ -208,7 +208,6 @@ float unitvec_exact_root(float x, float inverse) {
 
 // 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
 float unitvec_exact_inverse_root_near(float x, float unit) {
-    const float HALF_PLACES = 7.105427357601002e-15;
     uint bits = floatBitsToUint(x);
     // The significand of x times 2^23, or 2^24 in the upper half of the range.
     uint square = bits << (((bits >> 23u) - (2u * (floatBitsToUint(unit) >> 23u) - 150u)) & 31u);
@@ -216,14 +215,16 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     float rough = min(x * inverse, UNITVEC_HUGE);
     uint guess = unitvec_exact_significand(floatBitsToUint(rough));
     float excess = float(int(guess * guess + (guess - square)));
-    float near = min(rough - min(excess * min(inverse * min(min(unit * unit, UNITVEC_HUGE) * HALF_PLACES, UNITVEC_HUGE),
-        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
+    uint half_places = floatBitsToUint(inverse) - (47u << 23u);
+    uint of_square = half_places + (floatBitsToUint(unit * unit) - 0x3f800000u);
+    float near = min(rough - min(excess * uintBitsToFloat(of_square), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(floatBitsToUint(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
 
     uint divisor = unitvec_exact_significand(floatBitsToUint(root));
     excess = float(int(unitvec_exact_significand(floatBitsToUint(inverse)) * divisor + (divisor >> 1u)));
-    float result = min(inverse - min(excess * min(inverse * HALF_PLACES, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float result = min(inverse - min(excess * uintBitsToFloat(half_places), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(floatBitsToUint(result));
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }

@@ -185,9 +185,9 @@ inline float unitvec_exact_over(float m, float b, float inverse) {
     // The exponents of b and of the start add up to that of m, or to one less.
     uint is_even = (m_bits ^ b_bits ^ as_type<uint>(rough)) & UNITVEC_EXACT_HIDDEN;
     // A part of 2^-8 more than it is: so one comparison is enough.
-    uint minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
-    float near =
-        min(rough + min(min(excess * as_type<float>(minus_step), UNITVEC_HUGE) * inverse, UNITVEC_HUGE), UNITVEC_HUGE);
+    float minus_step = as_type<float>((m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)));
+    float near = min(rough + min(min(excess * minus_step, UNITVEC_HUGE) * as_type<float>(as_type<uint>(inverse)
+        + is_even), UNITVEC_HUGE), UNITVEC_HUGE);
     uint rest = unitvec_exact_significand(as_type<uint>(near)) * divisor;
     return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
@@ -211,7 +211,6 @@ inline float unitvec_exact_root(float x, float inverse) {
 
 // 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
 inline float unitvec_exact_inverse_root_near(float x, float unit) {
-    const float HALF_PLACES = 7.105427357601002e-15f;
     uint bits = as_type<uint>(x);
     // The significand of x times 2^23, or 2^24 in the upper half of the range.
     uint square = bits << (((bits >> 23u) - (2u * (as_type<uint>(unit) >> 23u) - 150u)) & 31u);
@@ -219,14 +218,16 @@ inline float unitvec_exact_inverse_root_near(float x, float unit) {
     float rough = min(x * inverse, UNITVEC_HUGE);
     uint guess = unitvec_exact_significand(as_type<uint>(rough));
     float excess = float(int(guess * guess + (guess - square)));
-    float near = min(rough - min(excess * min(inverse * min(min(unit * unit, UNITVEC_HUGE) * HALF_PLACES, UNITVEC_HUGE),
-        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
+    uint half_places = as_type<uint>(inverse) - (47u << 23u);
+    uint of_square = half_places + (as_type<uint>(unit * unit) - 0x3f800000u);
+    float near = min(rough - min(excess * as_type<float>(of_square), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(as_type<uint>(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
 
     uint divisor = unitvec_exact_significand(as_type<uint>(root));
     excess = float(int(unitvec_exact_significand(as_type<uint>(inverse)) * divisor + (divisor >> 1u)));
-    float result = min(inverse - min(excess * min(inverse * HALF_PLACES, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    float result = min(inverse - min(excess * as_type<float>(half_places), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(as_type<uint>(result));
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }

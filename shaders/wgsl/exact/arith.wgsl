@@ -176,9 +176,9 @@ fn unitvec_exact_over(m: f32, b: f32, inverse: f32) -> f32 {
     // The exponents of b and of the start add up to that of m, or to one less.
     let is_even = (m_bits ^ b_bits ^ bitcast<u32>(rough)) & UNITVEC_EXACT_HIDDEN;
     // A part of 2^-8 more than it is: so one comparison is enough.
-    let minus_step = (m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)) + is_even;
-    let near =
-        min(rough + min(min(excess * bitcast<f32>(minus_step), UNITVEC_HUGE) * inverse, UNITVEC_HUGE), UNITVEC_HUGE);
+    let minus_step = bitcast<f32>((m_bits & UNITVEC_EXACT_EXPONENT) + (0xbf808000u - (174u << 23u)));
+    let near = min(rough + min(min(excess * minus_step, UNITVEC_HUGE) * bitcast<f32>(bitcast<u32>(inverse) + is_even),
+        UNITVEC_HUGE), UNITVEC_HUGE);
     let rest = unitvec_exact_significand(bitcast<u32>(near)) * divisor;
     return unitvec_exact_next_if(near, (rest << 1u) + divisor);
 }
@@ -202,7 +202,6 @@ fn unitvec_exact_root(x: f32, inverse: f32) -> f32 {
 
 // 1 over the root of x, which is from 1 + 2^-17 to 2 - 2^-16 times unit, a power of two.
 fn unitvec_exact_inverse_root_near(x: f32, unit: f32) -> f32 {
-    const HALF_PLACES: f32 = 7.105427357601002e-15;
     let bits = bitcast<u32>(x);
     // The significand of x times 2^23, or 2^24 in the upper half of the range.
     let square = bits << (((bits >> 23u) - (2u * (bitcast<u32>(unit) >> 23u) - 150u)) & 31u);
@@ -210,14 +209,16 @@ fn unitvec_exact_inverse_root_near(x: f32, unit: f32) -> f32 {
     let rough = min(x * inverse, UNITVEC_HUGE);
     var guess = unitvec_exact_significand(bitcast<u32>(rough));
     var excess = f32(i32(guess * guess + (guess - square)));
-    let near = min(rough - min(excess * min(inverse * min(min(unit * unit, UNITVEC_HUGE) * HALF_PLACES, UNITVEC_HUGE),
-        UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
+    let half_places = bitcast<u32>(inverse) - (47u << 23u);
+    let of_square = half_places + (bitcast<u32>(unit * unit) - 0x3f800000u);
+    let near = min(rough - min(excess * bitcast<f32>(of_square), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(bitcast<u32>(near));
     let root = unitvec_exact_next_if(near, guess * guess + (guess - square));
 
     let divisor = unitvec_exact_significand(bitcast<u32>(root));
     excess = f32(i32(unitvec_exact_significand(bitcast<u32>(inverse)) * divisor + (divisor >> 1u)));
-    let result = min(inverse - min(excess * min(inverse * HALF_PLACES, UNITVEC_HUGE), UNITVEC_HUGE), UNITVEC_HUGE);
+    let result = min(inverse - min(excess * bitcast<f32>(half_places), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(bitcast<u32>(result));
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
