@@ -127,13 +127,17 @@ float unitvec_quotient(float a, float b) {
     return quotient;
 #endif
 }
-float unitvec_reciprocal(float b) {
-    UNITVEC_PRECISE float inverse = 1.0 / b;
+float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
-    return inverse;
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
+}
+float unitvec_reciprocal(float b) {
+    return unitvec_over(1.0, b);
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT

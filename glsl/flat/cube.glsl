@@ -121,13 +121,17 @@ float unitvec_quotient(float a, float b) {
     return quotient;
 #endif
 }
-float unitvec_reciprocal(float b) {
-    UNITVEC_PRECISE float inverse = 1.0 / b;
+float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
-    return inverse;
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
+}
+float unitvec_reciprocal(float b) {
+    return unitvec_over(1.0, b);
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
@@ -174,18 +178,6 @@ float unitvec_scale_to_one(float l1_norm) {
     return uintBitsToFloat((254u << 23u) - (floatBitsToUint(l1_norm) & 0x7f800000u));
 }
 #endif
-#ifndef UNITVEC_HAS_OVER
-#define UNITVEC_HAS_OVER
-float unitvec_over(float m, float b) {
-#ifdef UNITVEC_EXACT
-    UNITVEC_PRECISE float inverse = 1.0 / b;
-    return unitvec_exact_over(m, b, inverse);
-#else
-    UNITVEC_PRECISE float quotient = m / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -199,6 +191,13 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_OR_Z
@@ -250,13 +249,6 @@ float unitvec_atan_octant_of_normal(float r) {
         UNITVEC_ATAN_0 + u * (UNITVEC_ATAN_1 + u * (UNITVEC_ATAN_2 + u * (UNITVEC_ATAN_3 + u * low)));
     UNITVEC_PRECISE float octants = r + r * ((1.0 - u) * polynomial);
     return octants;
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_UPPER_HALF

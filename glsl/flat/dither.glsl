@@ -124,13 +124,17 @@ float unitvec_quotient(float a, float b) {
     return quotient;
 #endif
 }
-float unitvec_reciprocal(float b) {
-    UNITVEC_PRECISE float inverse = 1.0 / b;
+float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
-    return inverse;
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
+}
+float unitvec_reciprocal(float b) {
+    return unitvec_over(1.0, b);
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
@@ -201,18 +205,6 @@ bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_OVER
-#define UNITVEC_HAS_OVER
-float unitvec_over(float m, float b) {
-#ifdef UNITVEC_EXACT
-    UNITVEC_PRECISE float inverse = 1.0 / b;
-    return unitvec_exact_over(m, b, inverse);
-#else
-    UNITVEC_PRECISE float quotient = m / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
@@ -223,6 +215,13 @@ float unitvec_with_sign(float magnitude, float y) {
 #define UNITVEC_HAS_FLIP_SIGN
 float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_2_23
@@ -274,15 +273,14 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
-    float square = unitvec_dot(v, v);
 #ifdef UNITVEC_EXACT
-    bool is_near = m >= 7.0 && m < 131072.0;
+    float square = unitvec_dot(v, v);
+    bool is_near = unitvec_is_within(m, 7.0, 131072.0);
     UNITVEC_PRECISE vec3 n =
         v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));
     return n;
 #else
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(square);
-    return n;
+    return unitvec_normalize(v);
 #endif
 }
 #endif
@@ -356,13 +354,6 @@ vec3 unitvec_without_denormals(vec3 v) {
 vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
     UNITVEC_PRECISE vec3 scaled = unitvec_without_denormals(v) * unitvec_scale_to_one(l1_norm);
     return scaled;
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_PACK_UNORM8X3

@@ -124,13 +124,17 @@ float unitvec_quotient(float a, float b) {
     return quotient;
 #endif
 }
-float unitvec_reciprocal(float b) {
-    UNITVEC_PRECISE float inverse = 1.0 / b;
+float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
-    return inverse;
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
+}
+float unitvec_reciprocal(float b) {
+    return unitvec_over(1.0, b);
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
@@ -171,18 +175,6 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_OVER
-#define UNITVEC_HAS_OVER
-float unitvec_over(float m, float b) {
-#ifdef UNITVEC_EXACT
-    UNITVEC_PRECISE float inverse = 1.0 / b;
-    return unitvec_exact_over(m, b, inverse);
-#else
-    UNITVEC_PRECISE float quotient = m / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
@@ -195,6 +187,13 @@ float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+#endif
 #ifndef UNITVEC_HAS_2_23
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
@@ -203,13 +202,6 @@ const float UNITVEC_2_23 = 8388608.0;
 #define UNITVEC_HAS_WHOLE_TO_U32
 uint unitvec_whole_to_u32(float whole) {
     return uint(int(whole));
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 

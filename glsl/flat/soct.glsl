@@ -123,13 +123,17 @@ float unitvec_quotient(float a, float b) {
     return quotient;
 #endif
 }
-float unitvec_reciprocal(float b) {
-    UNITVEC_PRECISE float inverse = 1.0 / b;
+float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
-    return inverse;
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
+}
+float unitvec_reciprocal(float b) {
+    return unitvec_over(1.0, b);
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
@@ -183,18 +187,6 @@ bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_OVER
-#define UNITVEC_HAS_OVER
-float unitvec_over(float m, float b) {
-#ifdef UNITVEC_EXACT
-    UNITVEC_PRECISE float inverse = 1.0 / b;
-    return unitvec_exact_over(m, b, inverse);
-#else
-    UNITVEC_PRECISE float quotient = m / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_FLIP_SIGN
 #define UNITVEC_HAS_FLIP_SIGN
 float unitvec_flip_sign(float x, uint sign_bit) {
@@ -213,6 +205,13 @@ vec2 unitvec_biased(vec2 e) {
 vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_NEAREST_PAIR
@@ -248,15 +247,14 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
-    float square = unitvec_dot(v, v);
 #ifdef UNITVEC_EXACT
-    bool is_near = m >= 7.0 && m < 131072.0;
+    float square = unitvec_dot(v, v);
+    bool is_near = unitvec_is_within(m, 7.0, 131072.0);
     UNITVEC_PRECISE vec3 n =
         v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));
     return n;
 #else
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(square);
-    return n;
+    return unitvec_normalize(v);
 #endif
 }
 #endif

@@ -123,13 +123,17 @@ float unitvec_quotient(float a, float b) {
     return quotient;
 #endif
 }
-float unitvec_reciprocal(float b) {
-    UNITVEC_PRECISE float inverse = 1.0 / b;
+float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
+    UNITVEC_PRECISE float inverse = 1.0 / b;
+    return unitvec_exact_over(m, b, inverse);
 #else
-    return inverse;
+    UNITVEC_PRECISE float quotient = m / b;
+    return quotient;
 #endif
+}
+float unitvec_reciprocal(float b) {
+    return unitvec_over(1.0, b);
 }
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
@@ -198,18 +202,6 @@ float unitvec_root(float x) {
 #define UNITVEC_HAS_IS_NAN
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
-#endif
-#ifndef UNITVEC_HAS_OVER
-#define UNITVEC_HAS_OVER
-float unitvec_over(float m, float b) {
-#ifdef UNITVEC_EXACT
-    UNITVEC_PRECISE float inverse = 1.0 / b;
-    return unitvec_exact_over(m, b, inverse);
-#else
-    UNITVEC_PRECISE float quotient = m / b;
-    return quotient;
-#endif
 }
 #endif
 #ifndef UNITVEC_HAS_WITH_SIGN

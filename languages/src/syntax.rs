@@ -260,11 +260,7 @@ impl ItemKind {
                 constant.value.add_names(&mut names);
             }
             Self::Struct(declared) => declared.fields.iter().for_each(|(ty, _)| ty.add_name(&mut names)),
-            Self::Function(function) => {
-                function.returns.add_name(&mut names);
-                function.parameters.iter().for_each(|parameter| parameter.ty.add_name(&mut names));
-                add_names(&function.body.statements, branch, &mut names);
-            }
+            Self::Function(function) => return function.names_used(branch),
             Self::Include { .. } | Self::Precise(_) | Self::Precision(_) => {}
         }
         names
@@ -281,6 +277,17 @@ impl ItemKind {
             }
             _ => {}
         }
+        names
+    }
+}
+
+impl Function {
+    /// [`ItemKind::names_used`].
+    pub fn names_used(&self, branch: &dyn Fn(&Condition) -> Branch) -> Vec<&str> {
+        let mut names = Vec::new();
+        self.returns.add_name(&mut names);
+        self.parameters.iter().for_each(|parameter| parameter.ty.add_name(&mut names));
+        add_names(&self.body.statements, branch, &mut names);
         names
     }
 }

@@ -145,8 +145,7 @@ float unitvec_over(float m, float b) {
 
 // 1 / b, rounded to nearest, for positive b.
 float unitvec_reciprocal(float b) {
-    float inverse = 1.0 / b;
-    return inverse;
+    return unitvec_over(1.0, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -374,9 +373,7 @@ vec3 unitvec_normalize(vec3 v) {
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
-    float square = unitvec_dot(v, v);
-    vec3 n = v * unitvec_inverse_root(square);
-    return n;
+    return unitvec_normalize(v);
 }
 
 // Distance of v from the z axis.

@@ -254,12 +254,7 @@ float unitvec_over(float m, float b) {
 
 // 1 / b, rounded to nearest, for positive b.
 float unitvec_reciprocal(float b) {
-    precise float inverse = 1.0 / b;
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_over(1.0, b, inverse);
-#else
-    return inverse;
-#endif
+    return unitvec_over(1.0, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -500,14 +495,13 @@ float3 unitvec_normalize(float3 v) {
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
-    float square = unitvec_dot(v, v);
 #ifdef UNITVEC_EXACT
-    bool is_near = m >= 7.0 && m < 131072.0;
+    float square = unitvec_dot(v, v);
+    bool is_near = unitvec_is_within(m, 7.0, 131072.0);
     precise float3 n = v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));
     return n;
 #else
-    precise float3 n = v * unitvec_inverse_root(square);
-    return n;
+    return unitvec_normalize(v);
 #endif
 }
 

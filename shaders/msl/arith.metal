@@ -147,8 +147,7 @@ inline float unitvec_over(float m, float b) {
 
 // 1 / b, rounded to nearest, for positive b.
 inline float unitvec_reciprocal(float b) {
-    float inverse = 1.0f / b;
-    return inverse;
+    return unitvec_over(1.0f, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -375,10 +374,8 @@ inline float3 unitvec_normalize(float3 v) {
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
-inline float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
-    float square = unitvec_dot(v, v);
-    float3 n = v * unitvec_inverse_root(square);
-    return n;
+inline float3 unitvec_normalize_octahedral(float3 v, float, float) {
+    return unitvec_normalize(v);
 }
 
 // Distance of v from the z axis.

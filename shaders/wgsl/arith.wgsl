@@ -138,8 +138,7 @@ fn unitvec_over(m: f32, b: f32) -> f32 {
 
 // 1 / b, rounded to nearest, for positive b.
 fn unitvec_reciprocal(b: f32) -> f32 {
-    let inverse = 1.0 / b;
-    return inverse;
+    return unitvec_over(1.0, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -367,9 +366,7 @@ fn unitvec_normalize(v: vec3f) -> vec3f {
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
-    let square = unitvec_dot(v, v);
-    let n = v * unitvec_inverse_root(square);
-    return n;
+    return unitvec_normalize(v);
 }
 
 // Distance of v from the z axis.

@@ -342,7 +342,9 @@ impl<'a> Printer<'a> {
     }
 
     fn function_head(&self, function: &Function, file: &File) -> String {
-        let parameters = joined(function.parameters.iter().map(|parameter| self.parameter(parameter)));
+        let used = function.names_used(&|condition| self.language.branch(self.edition, condition));
+        let parameter = |parameter| self.parameter(parameter, &used);
+        let parameters = joined(function.parameters.iter().map(parameter));
         let name = &function.name;
         let returns = self.type_name(&function.returns);
         match self.language {
@@ -356,7 +358,8 @@ impl<'a> Printer<'a> {
         }
     }
 
-    fn parameter(&self, parameter: &Parameter) -> String {
+    /// `used` are the names that the body uses: compilers of MSL warn of a parameter with a name and without a use.
+    fn parameter(&self, parameter: &Parameter, used: &[&str]) -> String {
         let Parameter { ty, name, is_out } = parameter;
         let ty = self.type_name(ty);
         match (self.language, is_out) {
@@ -364,6 +367,7 @@ impl<'a> Printer<'a> {
             (Language::Wgsl, false) if self.is_copied(parameter) => format!("{name}_in: {ty}"),
             (Language::Wgsl, false) => format!("{name}: {ty}"),
             (Language::Msl, true) => format!("thread {ty}& {name}"),
+            (Language::Msl, false) if !used.contains(&name.as_str()) => ty,
             (_, true) => format!("out {ty} {name}"),
             (_, false) => format!("{ty} {name}"),
         }

@@ -53,7 +53,7 @@ pub fn over(m: f32, b: f32) -> f32 {
 /// `1 / b`, rounded to nearest, for positive `b`.
 #[inline(always)]
 pub fn reciprocal(b: f32) -> f32 {
-    exactly!(1.0 / b, exact::reciprocal(b, 1.0 / b))
+    over(1.0, b)
 }
 
 /// `x / snorm_max(bits)`, rounded to nearest, for whole `x` up to that and constant `bits`: by [`SnormDivision`], which is

@@ -134,12 +134,6 @@ fn next_if(near: f32, remainder: u32) -> f32 {
     f32::from_bits(near.to_bits().wrapping_add(remainder >> 31))
 }
 
-/// `1 / b` for positive `b`; `inverse` is the device's.
-#[inline(always)]
-pub(super) fn reciprocal(b: f32, inverse: f32) -> f32 {
-    over(1.0, b, inverse)
-}
-
 /// The root of `x`, which is normal, or 0 and denormal: 0. `inverse` is about `1 / sqrt(x)`.
 #[inline(always)]
 pub(super) fn root(x: f32, inverse: f32) -> f32 {
@@ -165,7 +159,7 @@ fn root_of_normal(x: f32, inverse: f32) -> f32 {
 /// `1 / root(x)` for normal `x`, rounded twice: as the root, and as the quotient. `inverse` is about that.
 #[inline(always)]
 pub(super) fn inverse_root(x: f32, inverse: f32) -> f32 {
-    reciprocal(root_of_normal(x, inverse), inverse)
+    over(1.0, root_of_normal(x, inverse), inverse)
 }
 
 /// [`inverse_root`] of an `x` whose root is from `1 + 2^-17` to `2 - 2^-16` times `unit`, a power of two from 2^-32 to
@@ -244,7 +238,7 @@ mod tests {
             for exponent in [27, 126, 220] {
                 let b = f32::from_bits(bits + (exponent << 23));
                 let inverse = moved(1.0 / b, bits, MOST);
-                assert_eq!(reciprocal(b, inverse), 1.0 / b, "{b:e}");
+                assert_eq!(over(1.0, b, inverse), 1.0 / b, "{b:e}");
                 let m = constants[(bits.wrapping_mul(exponent) >> 3) as usize % constants.len()];
                 assert_eq!(over(m, b, inverse), m / b, "{m} / {b:e}");
             }

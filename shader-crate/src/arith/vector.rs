@@ -1,6 +1,6 @@
 //! Vectors, with sums in a stated order.
 
-use super::{inverse_root, inverse_root_near, root};
+use super::{inverse_root, inverse_root_near, is_within, root};
 use glam::Vec3;
 
 /// `a . b`, summed from x to z.
@@ -18,10 +18,9 @@ pub fn normalize(v: Vec3) -> Vec3 {
 /// [`normalize`] for a point of an octahedron's lattice, which is cheaper on GPUs: `v` has the L1 norm `m` and the constant `unit`
 /// is `(m + 1) / 2`, or both are doubled. For an `m` of `2^k - 1` from 7 to 2^17 the length is between `unit` and its double.
 #[inline(always)]
-#[expect(clippy::manual_range_contains, reason = "SPIR-V has no pointers for it that a constant folds")]
 pub(crate) fn normalize_octahedral(v: Vec3, m: f32, unit: f32) -> Vec3 {
     let square = dot(v, v);
-    v * if m >= 7.0 && m < 131_072.0 { inverse_root_near(square, unit) } else { inverse_root(square) }
+    v * if is_within(m, 7.0, 131_072.0) { inverse_root_near(square, unit) } else { inverse_root(square) }
 }
 
 /// The distance of `v` from the z axis. An underflow of `v.x^2 + v.y^2` does not matter beside `|v.z|` of about 1.

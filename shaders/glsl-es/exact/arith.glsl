@@ -248,8 +248,7 @@ float unitvec_over(float m, float b) {
 
 // 1 / b, rounded to nearest, for positive b.
 float unitvec_reciprocal(float b) {
-    float inverse = 1.0 / b;
-    return unitvec_exact_over(1.0, b, inverse);
+    return unitvec_over(1.0, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -477,7 +476,7 @@ vec3 unitvec_normalize(vec3 v) {
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
     float square = unitvec_dot(v, v);
-    bool is_near = m >= 7.0 && m < 131072.0;
+    bool is_near = unitvec_is_within(m, 7.0, 131072.0);
     vec3 n = min(v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square)),
         UNITVEC_HUGE);
     return n;

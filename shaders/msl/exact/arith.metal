@@ -251,8 +251,7 @@ inline float unitvec_over(float m, float b) {
 
 // 1 / b, rounded to nearest, for positive b.
 inline float unitvec_reciprocal(float b) {
-    float inverse = 1.0f / b;
-    return unitvec_exact_over(1.0f, b, inverse);
+    return unitvec_over(1.0f, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -480,7 +479,7 @@ inline float3 unitvec_normalize(float3 v) {
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 inline float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
     float square = unitvec_dot(v, v);
-    bool is_near = m >= 7.0f && m < 131072.0f;
+    bool is_near = unitvec_is_within(m, 7.0f, 131072.0f);
     float3 n = min(v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square)),
         float3(UNITVEC_HUGE));
     return n;

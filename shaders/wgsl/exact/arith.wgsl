@@ -242,8 +242,7 @@ fn unitvec_over(m: f32, b: f32) -> f32 {
 
 // 1 / b, rounded to nearest, for positive b.
 fn unitvec_reciprocal(b: f32) -> f32 {
-    let inverse = 1.0 / b;
-    return unitvec_exact_over(1.0, b, inverse);
+    return unitvec_over(1.0, b);
 }
 
 // The square root of x, rounded to nearest; of denormals it may be 0.
@@ -471,7 +470,7 @@ fn unitvec_normalize(v: vec3f) -> vec3f {
 // (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
 fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
     let square = unitvec_dot(v, v);
-    let is_near = m >= 7.0 && m < 131072.0;
+    let is_near = unitvec_is_within(m, 7.0, 131072.0);
     let n = min(v * select(unitvec_inverse_root(square), unitvec_exact_inverse_root_near(square, unit), is_near),
         vec3f(UNITVEC_HUGE));
     return n;

@@ -14,7 +14,7 @@ use unitvec_run::shader::{Edition, Language};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/src/metal");
 
-const ARGUMENTS: [&str; 9] = [
+const ARGUMENTS: [&str; 8] = [
     "-std=c++17",
     "-O2",
     "-fno-math-errno",
@@ -22,8 +22,6 @@ const ARGUMENTS: [&str; 9] = [
     "-Wextra",
     "-Werror",
     "-Wno-unknown-attributes",
-    // Both editions have the same parameters, some for the exact one alone.
-    "-Wno-unused-parameter",
     "-xc++",
 ];
 
