@@ -26,7 +26,7 @@ fn number(row: &Value, key: &str) -> f64 {
 /// The rows of Meyer's table, with float64 intermediates asked for.
 fn meyers() -> &'static [Value] {
     static ROWS: OnceLock<Vec<Value>> = OnceLock::new();
-    ROWS.get_or_init(|| rows(&["--table", "meyer", "--count", "1000", "--float64"]))
+    ROWS.get_or_init(|| rows(&["--table", "meyer", "--count", "200000", "--float64"]))
 }
 
 /// Rows come in the survey's order, and each carries its table and codec. Mean and maximum over 2 * 10^5 directions are

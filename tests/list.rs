@@ -11,14 +11,12 @@ use unitvec_lab::accuracy::{Table, beyond};
 use unitvec_manifest::modules::Modules;
 use unitvec_oracle::Reference;
 use unitvec_oracle::frame::Format;
-#[cfg(feature = "glsl")]
-use unitvec_run::glsl::Compiler;
 use unitvec_tests::repository;
 
 /// A test of whether a codec has something, by its identifier.
 type Has = Box<dyn Fn(&str) -> bool>;
 
-/// Every codec of vectors and of frames has its two SPIR-V kernels, GLSL functions, an oracle of as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named.
+/// Every codec of vectors and of frames has its two SPIR-V kernels, GLSL functions, an oracle of as many bits, a digest, a row of `unitvec accuracy`, and one of `docs/tables.md`. All that lacks is named. `modules` compiles the GLSL kernels.
 #[test]
 fn nothing_is_lacking() {
     let has: [(&str, Has); 5] = [
@@ -43,7 +41,6 @@ fn nothing_is_lacking() {
             lacking.push(format!("{}: an oracle of {} bits", format.id, format.bits));
         }
     }
-    lacking.extend(lacking_glsl());
     assert!(lacking.is_empty(), "lacking:\n{}", lacking.join("\n"));
 }
 
@@ -134,21 +131,4 @@ fn is_in_glsl(function: &str) -> bool {
         files.map(|file| std::fs::read_to_string(file.unwrap().path()).unwrap()).collect()
     });
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').any(|word| word == function)
-}
-
-/// The kernels over GLSL functions that do not compile, with the compiler's message: it names the missing function.
-#[cfg(feature = "glsl")]
-fn lacking_glsl() -> Vec<String> {
-    let compiler = Compiler::new().unwrap();
-    let kernels = CODECS.iter().flat_map(|format| Operation::ALL.map(|half| (format, half)));
-    let errors = kernels.filter_map(|(format, half)| {
-        let error = compiler.kernel(format, half).err()?;
-        Some(format!("{}: GLSL function {}: {error}", format.id, format.function(half)))
-    });
-    errors.collect()
-}
-
-#[cfg(not(feature = "glsl"))]
-fn lacking_glsl() -> Vec<String> {
-    Vec::new()
 }

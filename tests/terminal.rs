@@ -65,9 +65,12 @@ fn wide_prints_what_a_pipe_gets() {
         } else {
             assert!(words(&narrow) == words(&whole), "{arguments:?}: {narrow}");
         }
-        let roomy = printed(&arguments, Some(300));
-        assert!(roomy == whole || is_timed(&arguments), "{arguments:?}: {roomy}");
-        assert!(!whole.contains("--wide") && !roomy.contains("--wide"));
+        assert!(!whole.contains("--wide"));
+        // Others have nothing to leave out.
+        if widest(&whole) > 80 {
+            let roomy = printed(&arguments, Some(300));
+            assert!(roomy == whole || is_timed(&arguments), "{arguments:?}: {roomy}");
+        }
     }
 }
 

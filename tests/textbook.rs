@@ -100,7 +100,7 @@ fn figures(device: &Arc<Device>, textbook: &Textbook) -> Vec<String> {
     let mut max = errors.normal.max_deg();
     if format.element == Element::Vector {
         // NaN, where the search finds one, does not count here.
-        max = max.max(worst_error(backend, format, 1).unwrap().0);
+        max = max.max(worst_error(backend, format, 1_000_000, 1).unwrap().0);
     }
     let same = if has_same_codes(device, textbook) { "yes" } else { "no" };
     let mut figures = vec![same.into(), format!("{:.6e}", errors.normal.mean_deg()), format!("{max:.6e}")];

@@ -51,7 +51,7 @@ fn measure() {
         |id: &str, of: &str, mean: f64, max: f64| text += &format!("{id},{of},{mean:.6e},{max:.6e}\n");
     for codec in &CODECS {
         let worst = match codec.element {
-            Element::Vector => worst_error(&mut Cpu, codec, 1).unwrap().0,
+            Element::Vector => worst_error(&mut Cpu, codec, 1_000_000, 1).unwrap().0,
             Element::Frame => 0.0,
         };
         for (of, errors) in sampled(codec, COUNT, 1) {

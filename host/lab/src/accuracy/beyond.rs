@@ -32,7 +32,7 @@ fn best_published(bits: u32) -> Option<(f64, f64)> {
 /// Any error of the backend.
 pub fn measure_row(backend: &mut dyn Backend, codec: &AnyCodec, count: usize, seed: u64) -> Result<Row> {
     let errors = measure(backend, codec, codec.domain, count, seed)?.normal;
-    let (worst, _) = meyer::worst_error(backend, codec, seed)?;
+    let (worst, _) = meyer::worst_error(backend, codec, count, seed)?;
     let max_deg = errors.max_deg().max(worst);
     Ok(Row::new("beyond", "best of table 1", codec, &errors, max_deg, best_published(codec.bits).unzip()))
 }

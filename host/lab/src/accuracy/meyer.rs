@@ -66,9 +66,9 @@ impl Method {
     }
 }
 
-/// Random directions of the first step.
+/// Random directions of the first step, at most.
 const RANDOM: usize = 500_000;
-/// Directions around each known worst place.
+/// Directions around each known worst place, at most.
 const AROUND: usize = 20_000;
 /// Directions that the second step starts from.
 const STARTS: usize = 64;
@@ -80,18 +80,25 @@ const ROUNDS: i32 = 40;
 /// The largest error found, in degrees, and the direction that has it.
 ///
 /// The search tries random directions and those within a few cells of where a mapping is stretched most: octant
-/// middles, axes, face and edge middles of the cube, the equator. It then moves the worst by steps from two cells down.
+/// middles, axes, face and edge middles of the cube, the equator: `count` of each at most, so that who asks for few waits for
+/// few. It then moves the worst by steps from two cells down.
 ///
 /// # Errors
 /// Any error of the backend.
-pub fn worst_error(backend: &mut dyn Backend, codec: &AnyCodec, seed: u64) -> Result<(f64, [f32; 3])> {
+pub fn worst_error(
+    backend: &mut dyn Backend,
+    codec: &AnyCodec,
+    count: usize,
+    seed: u64,
+) -> Result<(f64, [f32; 3])> {
     let mut random = Pcg64Mcg::seed_from_u64(seed);
     // Side of a cell if all were equal.
     let cell = (4.0 * PI / 2f64.powi(codec.bits as i32)).sqrt();
-    let mut first: Vec<[f32; 3]> = sampling::random_directions(codec.domain, seed).take(RANDOM).collect();
+    let mut first: Vec<[f32; 3]> =
+        sampling::random_directions(codec.domain, seed).take(RANDOM.min(count)).collect();
     for place in known_places(&mut random) {
         let reach = (4.0 * cell).min(1.0);
-        first.extend((0..AROUND).map(|_| moved(place, reach, codec.domain, &mut random)));
+        first.extend((0..AROUND.min(count)).map(|_| moved(place, reach, codec.domain, &mut random)));
     }
     let mut best = errors(backend, codec, &first)?;
     keep_worst(&mut best);
@@ -185,7 +192,7 @@ mod tests {
     #[test]
     fn the_search_finds_the_worst_place_of_oct16p() {
         let method = METHODS.iter().find(|method| method.name == "ONV_range").unwrap();
-        let (found, _) = worst_error(&mut Cpu, method.codec(16).unwrap(), 1).unwrap();
+        let (found, _) = worst_error(&mut Cpu, method.codec(16).unwrap(), 1_000_000, 1).unwrap();
         // Meyer's cell is 2 2^(-b/2); ours, 1 / 127, is a little larger.
         let bound = (method.bound)(16.0).to_degrees() * 128.0 / 127.0;
         assert!(found > 0.995 * bound && found < bound, "{found} of {bound}");
