@@ -130,14 +130,15 @@ const RULE: &str = "GPUs round quotients and roots badly: call quotient, signed_
 
 /// The functions of GLSL that divide: those of the rule, of which some are only parts, quotients of snorms, which the exact
 /// edition multiplies, and one of integers.
-const DIVIDING: [&str; 7] = [
+const DIVIDING: [&str; 8] = [
     "unitvec_quotient",
     "unitvec_signed_quotient",
     "unitvec_over",
     "unitvec_reciprocal",
     "unitvec_root",
     "unitvec_inverse_root",
-    "unitvec_snorm_",
+    "unitvec_snorm_quotient",
+    "unitvec_snorm_reciprocal",
 ];
 
 /// True where a line of code takes a root, or divides other than as the rule allows.

@@ -59,8 +59,8 @@ uint unitvec_exact_significand(uint bits) {
 }
 uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
-    uint step_up = uint(int(float(excess) * minus_part));
-    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    UNITVEC_PRECISE float step_up = float(excess) * minus_part;
+    uint near = (guess + uint(int(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
 }
@@ -107,8 +107,8 @@ float unitvec_exact_root(float x, float inverse) {
         (floatBitsToUint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
     int remainder = int(square - guess * guess);
     float half_part = uintBitsToFloat(floatBitsToUint(inverse) + exponent - (151u << 23u));
-    uint step_up = uint(int(float(remainder) * half_part));
-    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    UNITVEC_PRECISE float step_up = float(remainder) * half_part;
+    uint near = (guess + uint(int(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
@@ -227,7 +227,8 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     float excess = float(int(guess * guess + (guess - square)));
     // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
     uint half_places = floatBitsToUint(inverse) - (47u << 23u);
-    uint of_square = half_places + (floatBitsToUint(unit * unit) - 0x3f800000u);
+    UNITVEC_PRECISE float unit_squared = unit * unit;
+    uint of_square = half_places + (floatBitsToUint(unit_squared) - 0x3f800000u);
     UNITVEC_PRECISE float near = rough - excess * uintBitsToFloat(of_square);
     guess = unitvec_exact_significand(floatBitsToUint(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));

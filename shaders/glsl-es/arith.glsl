@@ -123,9 +123,11 @@ vec3 unitvec_scaled_to_one(vec3 v, float l1_norm) {
 }
 
 // divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
-// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+// languages: in the exact edition), integers put them right: the results are rounded to nearest, elsewhere as the device
+// rounds. The Rust crate's arith/exact.rs derives how.
 
-// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+// a / b for a of 0 or more, positive b below 2^126, and a quotient below 2^127. Numbers are normal or 0; quotients below
+// 2^-100 may be 0.
 float unitvec_quotient(float a, float b) {
     float quotient = a / b;
     return quotient;
@@ -137,24 +139,24 @@ float unitvec_signed_quotient(float a, float b) {
     return quotient;
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
+// m / b, for b from 2^-100 to 2^94 and a positive constant m; cheaper where m has up to 15 bits.
 float unitvec_over(float m, float b) {
     float quotient = m / b;
     return quotient;
 }
 
-// 1 / b, rounded to nearest, for positive b.
+// 1 / b, for b from 2^-100 to 2^94.
 float unitvec_reciprocal(float b) {
     return unitvec_over(1.0, b);
 }
 
-// The square root of x, rounded to nearest; of denormals it may be 0.
+// The square root of x, +0 or positive and finite; of denormals it may be 0.
 float unitvec_root(float x) {
     float found = sqrt(x);
     return found;
 }
 
-// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+// 1 / unitvec_root(x) for positive normal x.
 float unitvec_inverse_root(float x) {
     float inverse = 1.0 / sqrt(x);
     return inverse;
@@ -223,7 +225,7 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
+// x / unitvec_snorm_max(bits), for whole x. The exact edition multiplies, which is cheaper than a quotient put right.
 float unitvec_snorm_quotient(float x, uint bits) {
     float quotient = x / unitvec_snorm_max(bits);
     return quotient;
@@ -371,7 +373,7 @@ vec3 unitvec_normalize(vec3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
+// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
     return unitvec_normalize(v);
 }

@@ -119,7 +119,8 @@ float3 unitvec_scaled_to_one(float3 v, float l1_norm) {
 }
 
 // divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
-// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+// languages: in the exact edition), integers put them right: the results are rounded to nearest, elsewhere as the device
+// rounds. The Rust crate's arith/exact.rs derives how.
 
 static const uint UNITVEC_EXACT_BELOW = 32u;
 static const uint UNITVEC_EXACT_HIDDEN = 0x800000u;
@@ -135,8 +136,8 @@ uint unitvec_exact_significand(uint bits) {
 // The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
 uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
-    uint step_up = uint(int(float(excess) * minus_part));
-    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    precise float step_up = float(excess) * minus_part;
+    uint near = (guess + uint(int(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
 }
@@ -190,8 +191,8 @@ float unitvec_exact_root(float x, float inverse) {
     uint guess = (asuint(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
     int remainder = int(square - guess * guess);
     float half_part = asfloat(asuint(inverse) + exponent - (151u << 23u));
-    uint step_up = uint(int(float(remainder) * half_part));
-    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    precise float step_up = float(remainder) * half_part;
+    uint near = (guess + uint(int(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
     uint found = near + (left > int(near) ? 1u : 0u);
     return asfloat(exponent + found - UNITVEC_EXACT_HIDDEN);
@@ -208,7 +209,8 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     float excess = float(int(guess * guess + (guess - square)));
     // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
     uint half_places = asuint(inverse) - (47u << 23u);
-    uint of_square = half_places + (asuint(unit * unit) - 0x3f800000u);
+    precise float unit_squared = unit * unit;
+    uint of_square = half_places + (asuint(unit_squared) - 0x3f800000u);
     precise float near = rough - excess * asfloat(of_square);
     guess = unitvec_exact_significand(asuint(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
@@ -220,7 +222,8 @@ float unitvec_exact_inverse_root_near(float x, float unit) {
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
-// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+// a / b for a of 0 or more, positive b below 2^126, and a quotient below 2^127. Numbers are normal or 0; quotients below
+// 2^-100 may be 0.
 float unitvec_quotient(float a, float b) {
 #ifdef UNITVEC_EXACT
     return unitvec_exact_quotient(a, b);
@@ -241,7 +244,7 @@ float unitvec_signed_quotient(float a, float b) {
 #endif
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
+// m / b, for b from 2^-100 to 2^94 and a positive constant m; cheaper where m has up to 15 bits.
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     precise float inverse = 1.0 / b;
@@ -252,12 +255,12 @@ float unitvec_over(float m, float b) {
 #endif
 }
 
-// 1 / b, rounded to nearest, for positive b.
+// 1 / b, for b from 2^-100 to 2^94.
 float unitvec_reciprocal(float b) {
     return unitvec_over(1.0, b);
 }
 
-// The square root of x, rounded to nearest; of denormals it may be 0.
+// The square root of x, +0 or positive and finite; of denormals it may be 0.
 float unitvec_root(float x) {
 #ifdef UNITVEC_EXACT
     return asuint(x) < UNITVEC_EXACT_HIDDEN ? 0.0 : unitvec_exact_root(x, rsqrt(x));
@@ -267,7 +270,7 @@ float unitvec_root(float x) {
 #endif
 }
 
-// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+// 1 / unitvec_root(x) for positive normal x.
 float unitvec_inverse_root(float x) {
 #ifdef UNITVEC_EXACT
     float inverse = rsqrt(x);
@@ -341,7 +344,7 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
+// x / unitvec_snorm_max(bits), for whole x. The exact edition multiplies, which is cheaper than a quotient put right.
 float unitvec_snorm_quotient(float x, uint bits) {
 #ifdef UNITVEC_EXACT
     return unitvec_snorm_part(x, bits);
@@ -493,7 +496,7 @@ float3 unitvec_normalize(float3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
+// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
 #ifdef UNITVEC_EXACT
     float square = unitvec_dot(v, v);

@@ -116,9 +116,11 @@ fn unitvec_scaled_to_one(v: vec3f, l1_norm: f32) -> vec3f {
 }
 
 // divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
-// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+// languages: in the exact edition), integers put them right: the results are rounded to nearest, elsewhere as the device
+// rounds. The Rust crate's arith/exact.rs derives how.
 
-// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+// a / b for a of 0 or more, positive b below 2^126, and a quotient below 2^127. Numbers are normal or 0; quotients below
+// 2^-100 may be 0.
 fn unitvec_quotient(a: f32, b: f32) -> f32 {
     let quotient = a / b;
     return quotient;
@@ -130,24 +132,24 @@ fn unitvec_signed_quotient(a: f32, b: f32) -> f32 {
     return quotient;
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
+// m / b, for b from 2^-100 to 2^94 and a positive constant m; cheaper where m has up to 15 bits.
 fn unitvec_over(m: f32, b: f32) -> f32 {
     let quotient = m / b;
     return quotient;
 }
 
-// 1 / b, rounded to nearest, for positive b.
+// 1 / b, for b from 2^-100 to 2^94.
 fn unitvec_reciprocal(b: f32) -> f32 {
     return unitvec_over(1.0, b);
 }
 
-// The square root of x, rounded to nearest; of denormals it may be 0.
+// The square root of x, +0 or positive and finite; of denormals it may be 0.
 fn unitvec_root(x: f32) -> f32 {
     let found = sqrt(x);
     return found;
 }
 
-// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+// 1 / unitvec_root(x) for positive normal x.
 fn unitvec_inverse_root(x: f32) -> f32 {
     let inverse = 1.0 / sqrt(x);
     return inverse;
@@ -216,7 +218,7 @@ fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
+// x / unitvec_snorm_max(bits), for whole x. The exact edition multiplies, which is cheaper than a quotient put right.
 fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     let quotient = x / unitvec_snorm_max(bits);
     return quotient;
@@ -364,7 +366,7 @@ fn unitvec_normalize(v: vec3f) -> vec3f {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
+// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
     return unitvec_normalize(v);
 }

@@ -1,7 +1,7 @@
-//! Division and square root: the only place of either, so that devices that round them badly give the CPU's bits.
+//! All divisions and square roots of the codecs.
 //!
-//! The CPU rounds correctly. A GPU need not: there the results are put right, which `exact` derives. Divisions of constants
-//! by constants are constants: [`ratio`].
+//! The CPU rounds them correctly. A GPU need not: there they are put right, which `exact` derives, so that all devices give the
+//! same bits. Divisions of constants by constants are constants: [`ratio`].
 
 #[cfg(target_arch = "spirv")]
 use super::{SIGN_BIT, SnormDivision, exact, flip_sign};
@@ -27,8 +27,8 @@ macro_rules! exactly {
     }};
 }
 
-/// `a / b`, rounded to nearest, for `a` of 0 or more and positive `b`. Numbers are normal or 0; quotients below 2^-100 may
-/// be 0.
+/// `a / b`, rounded to nearest, for `a` of 0 or more, positive `b` below 2^126, and a quotient below 2^127. Numbers are normal
+/// or 0; quotients below 2^-100 may be 0. Of other numbers, GPUs make anything.
 #[inline(always)]
 pub fn quotient(a: f32, b: f32) -> f32 {
     exactly!(a / b, exact::quotient(a, b, 1.0 / b))
@@ -43,14 +43,14 @@ pub fn signed_quotient(a: f32, b: f32) -> f32 {
     })
 }
 
-/// `m / b`, rounded to nearest, for positive `b` and a positive constant `m`; cheaper than [`quotient`] where `m` has up to
-/// 15 bits.
+/// `m / b`, rounded to nearest, for `b` from 2^-100 to 2^94 and a positive constant `m` from 1 to 2^24; cheaper than
+/// [`quotient`] where `m` has up to 15 bits.
 #[inline(always)]
 pub fn over(m: f32, b: f32) -> f32 {
     exactly!(m / b, exact::over(m, b, 1.0 / b))
 }
 
-/// `1 / b`, rounded to nearest, for positive `b`.
+/// `1 / b`, rounded to nearest, for `b` from 2^-100 to 2^94.
 #[inline(always)]
 pub fn reciprocal(b: f32) -> f32 {
     over(1.0, b)
@@ -71,13 +71,14 @@ pub const fn ratio(a: f32, b: f32) -> f32 {
     a / b
 }
 
-/// The square root of `x`, rounded to nearest; 0 for 0 and denormals on a GPU.
+/// The square root of `x`, rounded to nearest, for `x` of +0 or positive and finite; denormals may count as 0. Of other
+/// numbers, GPUs make anything.
 #[inline(always)]
 pub fn root(x: f32) -> f32 {
     exactly!(sqrt(x), exact::root(x, 1.0 / sqrt(x)))
 }
 
-/// `1 / root(x)`, for normal `x`: two roundings to nearest.
+/// `1 / root(x)`, for positive normal `x`: two roundings to nearest.
 #[inline(always)]
 pub fn inverse_root(x: f32) -> f32 {
     exactly!(1.0 / sqrt(x), exact::inverse_root(x, 1.0 / sqrt(x)))

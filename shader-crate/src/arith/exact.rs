@@ -266,6 +266,16 @@ mod tests {
             let (a, b) = (operand(), operand());
             assert!(quotient_is_exact(a, b), "{a:e} / {b:e}");
         }
+        // The ends of the range.
+        for _ in 0..1_000_000 {
+            let bits = next(&mut state);
+            let float =
+                |bits: u64, exponent: u32| f32::from_bits((bits as u32 & (HIDDEN - 1)) + (exponent << 23));
+            for [of_a, of_b] in [[252, 252], [253, 127], [28, 127], [253, 152], [1, 1], [1, 99]] {
+                let (a, b) = (float(bits, of_a), float(bits >> 32, of_b));
+                assert!(quotient_is_exact(a, b), "{a:e} / {b:e}");
+            }
+        }
         assert!(quotient_is_exact(0.0, 3.0) && quotient_is_exact(1.0, 1.0));
         assert_eq!(quotient(1e-30, 1e10, 1e-10), 0.0);
     }

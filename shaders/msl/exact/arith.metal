@@ -129,7 +129,8 @@ inline float3 unitvec_scaled_to_one(float3 v, float l1_norm) {
 }
 
 // divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
-// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+// languages: in the exact edition), integers put them right: the results are rounded to nearest, elsewhere as the device
+// rounds. The Rust crate's arith/exact.rs derives how.
 
 constant uint UNITVEC_EXACT_BELOW = 32u;
 constant uint UNITVEC_EXACT_HIDDEN = 0x800000u;
@@ -145,8 +146,8 @@ inline uint unitvec_exact_significand(uint bits) {
 // The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
 inline uint unitvec_exact_nearest(uint dividend, uint guess, uint divisor, float minus_part) {
     int excess = int(guess * divisor - dividend);
-    uint step_up = uint(int(float(excess) * minus_part));
-    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    float step_up = min(float(excess) * minus_part, UNITVEC_HUGE);
+    uint near = (guess + uint(int(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     uint rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
 }
@@ -202,8 +203,8 @@ inline float unitvec_exact_root(float x, float inverse) {
         (as_type<uint>(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
     int remainder = int(square - guess * guess);
     float half_part = as_type<float>(as_type<uint>(inverse) + exponent - (151u << 23u));
-    uint step_up = uint(int(float(remainder) * half_part));
-    uint near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    float step_up = min(float(remainder) * half_part, UNITVEC_HUGE);
+    uint near = (guess + uint(int(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     int left = int(square - near * near);
     uint found = near + (left > int(near) ? 1u : 0u);
     return as_type<float>(exponent + found - UNITVEC_EXACT_HIDDEN);
@@ -220,7 +221,8 @@ inline float unitvec_exact_inverse_root_near(float x, float unit) {
     float excess = float(int(guess * guess + (guess - square)));
     // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
     uint half_places = as_type<uint>(inverse) - (47u << 23u);
-    uint of_square = half_places + (as_type<uint>(unit * unit) - 0x3f800000u);
+    float unit_squared = min(unit * unit, UNITVEC_HUGE);
+    uint of_square = half_places + (as_type<uint>(unit_squared) - 0x3f800000u);
     float near = min(rough - min(excess * as_type<float>(of_square), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(as_type<uint>(near));
     float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
@@ -232,7 +234,8 @@ inline float unitvec_exact_inverse_root_near(float x, float unit) {
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
-// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+// a / b for a of 0 or more, positive b below 2^126, and a quotient below 2^127. Numbers are normal or 0; quotients below
+// 2^-100 may be 0.
 inline float unitvec_quotient(float a, float b) {
     return unitvec_exact_quotient(a, b);
 }
@@ -243,23 +246,23 @@ inline float unitvec_signed_quotient(float a, float b) {
     return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
+// m / b, for b from 2^-100 to 2^94 and a positive constant m; cheaper where m has up to 15 bits.
 inline float unitvec_over(float m, float b) {
     float inverse = 1.0f / b;
     return unitvec_exact_over(m, b, inverse);
 }
 
-// 1 / b, rounded to nearest, for positive b.
+// 1 / b, for b from 2^-100 to 2^94.
 inline float unitvec_reciprocal(float b) {
     return unitvec_over(1.0f, b);
 }
 
-// The square root of x, rounded to nearest; of denormals it may be 0.
+// The square root of x, +0 or positive and finite; of denormals it may be 0.
 inline float unitvec_root(float x) {
     return as_type<uint>(x) < UNITVEC_EXACT_HIDDEN ? 0.0f : unitvec_exact_root(x, rsqrt(x));
 }
 
-// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+// 1 / unitvec_root(x) for positive normal x.
 inline float unitvec_inverse_root(float x) {
     float inverse = rsqrt(x);
     return unitvec_exact_over(1.0f, unitvec_exact_root(x, inverse), inverse);
@@ -328,7 +331,7 @@ inline float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
+// x / unitvec_snorm_max(bits), for whole x. The exact edition multiplies, which is cheaper than a quotient put right.
 inline float unitvec_snorm_quotient(float x, uint bits) {
     return unitvec_snorm_part(x, bits);
 }
@@ -476,7 +479,7 @@ inline float3 unitvec_normalize(float3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
+// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 inline float3 unitvec_normalize_octahedral(float3 v, float m, float unit) {
     float square = unitvec_dot(v, v);
     bool is_near = unitvec_is_within(m, 7.0f, 131072.0f);

@@ -120,7 +120,8 @@ fn unitvec_scaled_to_one(v: vec3f, l1_norm: f32) -> vec3f {
 }
 
 // divide: the only divisions and square roots of floats. GPUs round them badly; where UNITVEC_EXACT is defined (in other
-// languages: in the exact edition), integers put them right. The Rust crate's arith/exact.rs derives how.
+// languages: in the exact edition), integers put them right: the results are rounded to nearest, elsewhere as the device
+// rounds. The Rust crate's arith/exact.rs derives how.
 
 const UNITVEC_EXACT_BELOW: u32 = 32u;
 const UNITVEC_EXACT_HIDDEN: u32 = 0x800000u;
@@ -136,8 +137,8 @@ fn unitvec_exact_significand(bits: u32) -> u32 {
 // The whole number nearest to dividend / divisor, from a guess that is 1 to 64 less; minus_part is about -1 / divisor.
 fn unitvec_exact_nearest(dividend: u32, guess: u32, divisor: u32, minus_part: f32) -> u32 {
     let excess = i32(guess * divisor - dividend);
-    let step_up = u32(i32(f32(excess) * minus_part));
-    let near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    let step_up = min(f32(excess) * minus_part, UNITVEC_HUGE);
+    let near = (guess + u32(i32(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     let rest = near * divisor - dividend;
     return near + (((rest << 1u) + divisor) >> 31u);
 }
@@ -193,8 +194,8 @@ fn unitvec_exact_root(x: f32, inverse: f32) -> f32 {
         (bitcast<u32>(rough) - exponent + (UNITVEC_EXACT_HIDDEN - UNITVEC_EXACT_BELOW)) & UNITVEC_EXACT_SIGNIFICAND;
     let remainder = i32(square - guess * guess);
     let half_part = bitcast<f32>(bitcast<u32>(inverse) + exponent - (151u << 23u));
-    let step_up = u32(i32(f32(remainder) * half_part));
-    let near = (guess + step_up) & UNITVEC_EXACT_SIGNIFICAND;
+    let step_up = min(f32(remainder) * half_part, UNITVEC_HUGE);
+    let near = (guess + u32(i32(step_up))) & UNITVEC_EXACT_SIGNIFICAND;
     let left = i32(square - near * near);
     let found = near + select(0u, 1u, left > i32(near));
     return bitcast<f32>(exponent + found - UNITVEC_EXACT_HIDDEN);
@@ -211,7 +212,8 @@ fn unitvec_exact_inverse_root_near(x: f32, unit: f32) -> f32 {
     var excess = f32(i32(guess * guess + (guess - square)));
     // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
     let half_places = bitcast<u32>(inverse) - (47u << 23u);
-    let of_square = half_places + (bitcast<u32>(unit * unit) - 0x3f800000u);
+    let unit_squared = min(unit * unit, UNITVEC_HUGE);
+    let of_square = half_places + (bitcast<u32>(unit_squared) - 0x3f800000u);
     let near = min(rough - min(excess * bitcast<f32>(of_square), UNITVEC_HUGE), UNITVEC_HUGE);
     guess = unitvec_exact_significand(bitcast<u32>(near));
     let root = unitvec_exact_next_if(near, guess * guess + (guess - square));
@@ -223,7 +225,8 @@ fn unitvec_exact_inverse_root_near(x: f32, unit: f32) -> f32 {
     return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
 }
 
-// a / b, rounded to nearest, for a of 0 or more and positive b. Numbers are normal or 0; quotients below 2^-100 may be 0.
+// a / b for a of 0 or more, positive b below 2^126, and a quotient below 2^127. Numbers are normal or 0; quotients below
+// 2^-100 may be 0.
 fn unitvec_quotient(a: f32, b: f32) -> f32 {
     return unitvec_exact_quotient(a, b);
 }
@@ -234,23 +237,23 @@ fn unitvec_signed_quotient(a: f32, b: f32) -> f32 {
     return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
 }
 
-// m / b, rounded to nearest, for positive b and a positive constant m, best of up to 15 bits.
+// m / b, for b from 2^-100 to 2^94 and a positive constant m; cheaper where m has up to 15 bits.
 fn unitvec_over(m: f32, b: f32) -> f32 {
     let inverse = 1.0 / b;
     return unitvec_exact_over(m, b, inverse);
 }
 
-// 1 / b, rounded to nearest, for positive b.
+// 1 / b, for b from 2^-100 to 2^94.
 fn unitvec_reciprocal(b: f32) -> f32 {
     return unitvec_over(1.0, b);
 }
 
-// The square root of x, rounded to nearest; of denormals it may be 0.
+// The square root of x, +0 or positive and finite; of denormals it may be 0.
 fn unitvec_root(x: f32) -> f32 {
     return select(unitvec_exact_root(x, inverseSqrt(x)), 0.0, bitcast<u32>(x) < UNITVEC_EXACT_HIDDEN);
 }
 
-// 1 / unitvec_root(x) for normal x: two roundings to nearest.
+// 1 / unitvec_root(x) for positive normal x.
 fn unitvec_inverse_root(x: f32) -> f32 {
     let inverse = inverseSqrt(x);
     return unitvec_exact_over(1.0, unitvec_exact_root(x, inverse), inverse);
@@ -319,7 +322,7 @@ fn unitvec_snorm_part(x: f32, bits: u32) -> f32 {
     return quotient;
 }
 
-// x / unitvec_snorm_max(bits), for whole x. Where divisions are put right, two products more than one are cheaper.
+// x / unitvec_snorm_max(bits), for whole x. The exact edition multiplies, which is cheaper than a quotient put right.
 fn unitvec_snorm_quotient(x: f32, bits: u32) -> f32 {
     return unitvec_snorm_part(x, bits);
 }
@@ -467,7 +470,7 @@ fn unitvec_normalize(v: vec3f) -> vec3f {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. From 3 to 17 bits, the length is between unit and its double.
+// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
     let square = unitvec_dot(v, v);
     let is_near = unitvec_is_within(m, 7.0, 131072.0);
