@@ -23,7 +23,11 @@ pub fn table() -> String {
             of.driver,
             of.vulkan,
             if flushes_denormals { "flushed" } else { "kept" },
-            if of.agreed { "PASS" } else { "FAIL" },
+            match (of.agreed, of.glsl_compared) {
+                (true, true) => "PASS",
+                (true, false) => "PASS, of Rust and WGSL",
+                (false, _) => "FAIL",
+            },
             of.codecs,
             of.vectors,
             of.codes,

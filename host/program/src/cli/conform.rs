@@ -274,7 +274,7 @@ fn outcome(report: &Report) -> Result<String, String> {
     let Summary { codecs, vectors, codes, .. } = report.summary();
     if report.agreed {
         let plain = match &report.plain {
-            None => String::new(),
+            None => "; plain functions were not run (this build lacks the feature `lab`)".to_owned(),
             Some(Plain { codes_differ: 0, elements_differ: 0, .. }) => "; plain functions too".to_owned(),
             Some(Plain { codes_differ, elements_differ, .. }) => format!(
                 "; plain functions keep within their bounds on this device ({codes_differ} codes and {elements_differ} vectors \

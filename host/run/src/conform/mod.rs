@@ -53,7 +53,8 @@ pub struct Report {
     pub arithmetic: Arithmetic,
     /// Plain functions, which divide and take roots as the device does; none in a build that does not run them.
     pub plain: Option<Plain>,
-    /// True if no row has a mismatch, all backends round sums to nearest, and plain functions keep within their bounds.
+    /// True if no row has a mismatch, all backends round sums to nearest, the device's arithmetic is good enough for exact kernels,
+    /// and plain functions keep within their bounds.
     pub agreed: bool,
     /// One row a codec.
     pub rows: Vec<Row>,
@@ -88,6 +89,8 @@ pub struct Shared {
     pub arithmetic: Arithmetic,
     /// True if the run ended in PASS.
     pub agreed: bool,
+    /// False where the build had no GLSL compiler, so that GLSL and HLSL were not compared with the CPU.
+    pub glsl_compared: bool,
     /// Codecs.
     pub codecs: usize,
     /// Vectors and frames encoded by each backend.
@@ -157,7 +160,7 @@ pub fn all_round_to_nearest(rounding: &Roundings) -> bool {
 }
 
 impl Report {
-    /// The report on a device. The backends agree where nothing differs and sums are rounded to nearest.
+    /// The report on a device, with the verdict.
     pub fn new(
         device: DeviceInfo,
         options: &Options,
@@ -194,6 +197,7 @@ impl Report {
             vulkan: vulkan.to_owned(),
             arithmetic: self.arithmetic,
             agreed: self.agreed,
+            glsl_compared: self.glsl_compared,
             codecs,
             vectors,
             codes,
