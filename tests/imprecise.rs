@@ -163,20 +163,26 @@ fn inverse_roots_are_off_as_quotients_are() {
     let (device, inputs) = (lavapipe(), inputs());
     let text = ARITHMETIC.replace("sqrt(a)", "inversesqrt(a)");
     // From a power of two down, a ULP is half of one above it.
-    let (up, down, far) = (0.5..=3.5, -3.5..=0.0, 10.5..=13.5);
-    for (model, ulp) in [
-        (Model::Up, &up),
-        (Model::UpDown, &up),
-        (Model::Down, &down),
-        (Model::DownUp, &down),
-        (Model::Far, &far),
-    ] {
+    let (up, down) = (0.5..=3.5, -3.5..=0.0);
+    let inverse = |input: &[u32; 3], results: [f32; 7]| {
+        let exact = 1.0 / f64::from(f32::from_bits(input[0])).sqrt();
+        Computed { found: results[2], exact }
+    };
+    for (model, ulp) in [(Model::Up, &up), (Model::UpDown, &up), (Model::Down, &down), (Model::DownUp, &down)]
+    {
         for (input, results) in inputs.iter().zip(computed_by(&text, &device, model, 0, &inputs)) {
-            let exact = 1.0 / f64::from(f32::from_bits(input[0])).sqrt();
-            let inverse = Computed { found: results[2], exact };
+            let inverse = inverse(input, results);
             assert!(ulp.contains(&inverse.ulp()) || inverse.is_power_of_two(), "{model} {input:x?}");
         }
     }
+    // The operands choose the side.
+    let mut sides = [0; 2];
+    for (input, results) in inputs.iter().zip(computed_by(&text, &device, Model::Far, 0, &inputs)) {
+        let inverse = inverse(input, results);
+        sides[usize::from(inverse.ulp() < 0.0)] += 1;
+        assert!((5.0..=13.5).contains(&inverse.ulp().abs()) || inverse.is_power_of_two(), "{input:x?}");
+    }
+    assert!(sides.iter().all(|count| *count > inputs.len() / 3), "{sides:?}");
     assert_no_validation_messages(device);
 }
 

@@ -104,7 +104,7 @@ impl Run<'_> {
         Ok(expected)
     }
 
-    /// Decodes codes on each device, and encodes each result on every device. Codes that another seed had are decoded
+    /// Decodes codes on each device, and encodes each result on every device. Codes that another seed had are encoded again
     /// only where the result depends on the seed.
     fn decode_on_all(&mut self, codes: &[u8], are_repeated: bool) -> Result<()> {
         let format = self.format;

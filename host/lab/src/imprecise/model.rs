@@ -39,8 +39,8 @@ pub enum Model {
     Flush,
     /// Sums, products and conversions to float are rounded toward zero, which the specification allows as well.
     Truncate,
-    /// Quotients and reciprocal roots are 12 ULP too large, which the specification does not allow: exact kernels put as much
-    /// right.
+    /// Quotients and reciprocal roots are 12 ULP off, to the side that the operands' bits choose. The specification does not
+    /// allow that: exact kernels put as much right.
     Far,
     /// The device as it is: kernels are not rewritten.
     Own,

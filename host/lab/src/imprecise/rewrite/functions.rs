@@ -108,6 +108,11 @@ fn ulp(body: &Body<'_>, model: Model, is_down: bool, seed: u32, operands: &[Word
             let scaled = body.int(Op::IMul, &[body.int(Op::Bitcast, &[half]), choices]);
             body.int(Op::ISub, &[body.int(Op::ShiftRightArithmetic, &[scaled, sixteen]), most])
         }
+        Model::Far => {
+            let is_down = body.int(Op::Bitcast, &[hash(body, seed, operands)]);
+            let is_down = body.bool(Op::SLessThan, &[is_down, body.int_constant(0)]);
+            body.int(Op::Select, &[is_down, body.int(Op::SNegate, &[most]), most])
+        }
         _ if is_down => body.int(Op::SNegate, &[most]),
         _ => most,
     }
