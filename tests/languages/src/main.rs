@@ -193,10 +193,12 @@ impl Rows<'_> {
     }
 
     fn hlsl(&self, library: &Path) {
-        self.library(Subject::new(Language::Hlsl, Edition::Plain, "DXC"), &dxc_to_spirv(library));
-        // Not validated: the library that does is Windows'.
-        let subject = Subject::new(Language::Hlsl, Edition::Plain, "DXC to DXIL").mode(Mode::Compiled);
-        self.library(subject, &dxc(library, &["-Vd"]));
+        for edition in EDITIONS {
+            self.library(Subject::new(Language::Hlsl, edition, "DXC"), &dxc_to_spirv(library));
+            // Not validated: the library that does is Windows'.
+            let subject = Subject::new(Language::Hlsl, edition, "DXC to DXIL").mode(Mode::Compiled);
+            self.library(subject, &dxc(library, &["-Vd"]));
+        }
         // Optimised, the stubs would be gone.
         let linked = Subject::new(Language::Hlsl, Edition::Plain, "DXC").mode(Mode::Linked);
         self.library(linked, &dxc(library, &["-spirv", "-fcgl", "-fspv-target-env=vulkan1.1"]));

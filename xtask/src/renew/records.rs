@@ -59,6 +59,9 @@ const CODECS: &[Source] = &[Code("shader-crate/src/*.rs")];
 /// The arithmetic on GPUs, as compiled. Code of the CPU that the modules do not have is left to conform and the digests, which
 /// hold both together on every run.
 const KERNELS: &[Source] = &[Bytes("spirv/kernels/*")];
+/// Kernels in other shading languages, and what compiles them in this program.
+const OTHER_LANGUAGES: &[Source] =
+    &[Code("shaders/*/* host/run/src/shader/*.rs"), Versions(|| locked(&["naga", "shaderc"]))];
 const GLSL: &[Source] = &[Code("glsl/unitvec/* glsl/kernels/*")];
 const RENDER: &[Source] = &[Bytes("host/render/shaders/rust/Cargo.*"), Code("host/render/shaders/rust/*.rs")];
 /// The programs that build and describe the modules. The comments of the manifest's types are in its schema.
@@ -245,7 +248,7 @@ pub static RECORDS: &[Record] = &[
     Record {
         name: "agreement",
         from: "CPU, modules, GLSL, HLSL and WGSL on lavapipe: a run of `conform --exhaustive`, which leaves no file",
-        inputs: &[CODECS, KERNELS, GLSL, &[Code("shaders/*/*")]],
+        inputs: &[CODECS, KERNELS, GLSL, OTHER_LANGUAGES],
         minutes: 5,
         renew: || conform(&["--exhaustive".to_owned()]),
         ..RUN
@@ -254,8 +257,8 @@ pub static RECORDS: &[Record] = &[
         name: "imprecise",
         outputs: &[Bytes("docs/data/imprecise.csv")],
         from: "the modules, GLSL, HLSL and WGSL, rewritten for devices that round badly",
-        inputs: &[KERNELS, GLSL, &[Code("shaders/*/* host/lab/src/imprecise/*.rs")]],
-        minutes: 25,
+        inputs: &[KERNELS, GLSL, OTHER_LANGUAGES, &[Code("host/lab/src/imprecise/*.rs")]],
+        minutes: 15,
         renew: || {
             let file = repository().join("docs/data/imprecise.csv").display().to_string();
             conform(&["imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))
@@ -276,13 +279,16 @@ pub static RECORDS: &[Record] = &[
         name: "languages",
         outputs: &[Bytes("docs/data/languages.csv docs/data/barriers.csv")],
         from: "`shaders/` by the compilers of all languages",
-        inputs: &[&[
-            Code(
-                "shaders/*/* host/run/src/shader/kernel.rs tests/languages/src/*.rs tests/languages/src/*.c",
-            ),
-            Versions(languages::versions),
-        ]],
-        minutes: 20,
+        inputs: &[
+            OTHER_LANGUAGES,
+            &[
+                Code("tests/languages/src/*.rs"),
+                Bytes("tests/languages/src/fxc/*.c tests/languages/src/metal/* tests/languages/src/python/*"),
+                Bytes("tests/languages/src/web/*"),
+                Versions(languages::versions),
+            ],
+        ],
+        minutes: 7,
         needs: "Debian 12 on amd64, and 550 MB of compilers, which it fetches",
         renew: || languages::run(&["--languages".to_owned(), "--record".to_owned()]),
         ..RUN

@@ -2,6 +2,7 @@
 
 use super::records::{Record, Source};
 use std::collections::{BTreeMap, BTreeSet};
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::{fmt, fs, str};
@@ -126,7 +127,11 @@ pub struct Lock(pub BTreeMap<String, Entry>);
 
 impl Lock {
     pub fn read(root: &Path) -> Result<Self, String> {
-        Self::parse(&fs::read_to_string(root.join(LOCK)).unwrap_or_default())
+        match fs::read_to_string(root.join(LOCK)) {
+            Ok(text) => Self::parse(&text),
+            Err(error) if error.kind() == ErrorKind::NotFound => Ok(Self::default()),
+            Err(error) => Err(format!("{LOCK}: {error}")),
+        }
     }
 
     pub fn parse(text: &str) -> Result<Self, String> {

@@ -44,23 +44,27 @@ impl Fxc {
         let mut compiler = Command::new("x86_64-w64-mingw32-gcc");
         compiler.args(["-O1", "-Wall", "-Wextra", "-Werror", "-o"]).arg(folder.join("run.exe"));
         tool::output(compiler.args([SOURCE, "-ld3d11"])).map_err(with_packages)?;
-        let mut screen = Command::new("Xvfb")
+        let screen = Command::new("Xvfb")
             .args(["-displayfd", "1"])
             .stdout(Stdio::piped())
             .stderr(Stdio::null())
             .spawn()
             .map_err(|error| with_packages(format!("Xvfb cannot be started: {error}")))?;
+        let mut fxc = Self { library, folder, screen, display: String::new() };
         let mut number = String::new();
-        if let Some(output) = screen.stdout.take() {
+        if let Some(output) = fxc.screen.stdout.take() {
             BufReader::new(output).read_line(&mut number).map_err(told)?;
         }
         if number.trim().is_empty() {
             return Err("Xvfb does not start: type `Xvfb -displayfd 1` to see why".to_owned());
         }
-        let fxc = Self { library, folder, screen, display: format!(":{}", number.trim()) };
+        fxc.display = format!(":{}", number.trim());
         // Makes the prefix where there is none, which is not silent.
         let output = fxc.wine("wine").args(["wineboot", "--init"]).output();
-        output.map(|_| fxc).map_err(|error| with_packages(format!("wine cannot be started: {error}")))
+        let output = output.map_err(|error| with_packages(format!("wine cannot be started: {error}")))?;
+        let failed =
+            || with_packages(format!("wineboot, which makes Wine's folder, ended with {}", output.status));
+        output.status.success().then_some(fxc).ok_or_else(failed)
     }
 
     /// A program of Wine's.
