@@ -38,6 +38,7 @@ mod oct;
 mod oct_wide;
 mod parallel;
 mod porting;
+mod recommended;
 #[cfg(feature = "glsl")]
 mod render;
 mod report;
@@ -54,6 +55,7 @@ mod textbook;
 mod trig;
 mod unoptimised;
 mod vectors;
+mod widths;
 
 /// Shown as ignored where the tests of the GLSL are not compiled.
 #[cfg(not(feature = "glsl"))]

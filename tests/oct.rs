@@ -57,7 +57,10 @@ fn error_deg(v: [f64; 3], code: u64, bits: u32) -> f64 {
 /// planes. The oracle's shorter search, on which `encodes_to_the_nearest` relies for more directions, finds as near a one.
 #[test]
 fn precise_is_the_nearest_of_all() {
-    fn check<const BITS: u32>() {
+    fn check<const BITS: u32>()
+    where
+        OctPrecise<BITS>: Codec<Code = u32>,
+    {
         let all = oct::all_directions(BITS);
         for v in sphere(19, 4000).chain(near_planes(20, 4000)).map(widen) {
             let ours = u64::from(OctPrecise::<BITS>::encode(narrow(v)));

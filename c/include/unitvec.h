@@ -53,7 +53,8 @@ typedef struct unitvec_vec3 {
 typedef struct unitvec_frame {
   /// The normal of the surface.
   struct unitvec_vec3 normal;
-  /// The direction of increasing u, perpendicular to the normal.
+  /// The direction of increasing u, perpendicular to the normal. Zero, or one along the normal, is encoded as angle 0:
+  /// +X where the normal is +Z.
   struct unitvec_vec3 tangent;
   /// +1 or -1: the bitangent is handedness * cross(normal, tangent), as with glTF's TANGENT.
   float handedness;

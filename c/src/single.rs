@@ -21,7 +21,8 @@ pub struct Vec3 {
 pub struct Frame {
     /// The normal of the surface.
     pub normal: Vec3,
-    /// The direction of increasing u, perpendicular to the normal.
+    /// The direction of increasing u, perpendicular to the normal. Zero, or one along the normal, is encoded as angle 0:
+    /// +X where the normal is +Z.
     pub tangent: Vec3,
     /// +1 or -1: the bitangent is handedness * cross(normal, tangent), as with glTF's TANGENT.
     pub handedness: f32,

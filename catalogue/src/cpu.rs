@@ -2,11 +2,11 @@
 
 use std::sync::OnceLock;
 use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
-use unitvec::codec::Code;
-use unitvec::frame::{decode_frames, encode_frames};
+use unitvec::codec::RawCode;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    DecodeAt, EncodeAt, LengthMismatch, decode_slice_at, encode_slice_at, encode_slice_with,
+    DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_slice_at, encode_frames, encode_slice_at,
+    encode_slice_with,
 };
 use unitvec::{Codec, Frame, FrameCodec};
 

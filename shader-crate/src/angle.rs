@@ -13,6 +13,7 @@
 ///
 /// assert_eq!(angle_deg([1.0, 0.0, 0.0], [0.0, 2.0, 0.0]), 90.0);
 /// ```
+#[must_use]
 pub fn angle_deg(a: impl Into<[f32; 3]>, b: impl Into<[f32; 3]>) -> f64 {
     let ([ax, ay, az], [bx, by, bz]) = (a.into().map(f64::from), b.into().map(f64::from));
     let cross = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx];

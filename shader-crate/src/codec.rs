@@ -46,13 +46,14 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     const STABLE_ACROSS_DEVICES: bool = true;
 
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
-    type Code: Code;
+    type Code: RawCode;
 
     /// The code of the direction of `v`. The length of `v` does not matter; a vector without a usable direction
     /// (see [`direction`](crate::direction)) gets the code of +Z.
     ///
     /// Raw component formats ([`IS_UNIT`](Self::IS_UNIT) is false), best fit apart, store the components, clamped to
     /// [-1, 1] (half floats to ±65504): normalise first. Vectors that round to zero there get the code of +Z.
+    #[must_use]
     #[inline(always)]
     fn encode<V: Into<[f32; 3]>>(v: V) -> Self::Code {
         Self::encode_vec3(Vec3::from_array(v.into()))
@@ -62,17 +63,35 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// pattern is valid.
     ///
     /// The result's type must be known: `let v: [f32; 3] = C::decode(code)`, or `C::decode::<[f32; 3]>(code)`.
+    #[must_use]
     #[inline(always)]
     fn decode<V: From<[f32; 3]>>(code: Self::Code) -> V {
         Self::decode_vec3(code).to_array().into()
     }
 
     /// [`encode`](Self::encode) for this crate's vector.
+    #[must_use]
     fn encode_vec3(v: Vec3) -> Self::Code;
 
     /// [`decode`](Self::decode) for this crate's vector.
+    #[must_use]
     fn decode_vec3(code: Self::Code) -> Vec3;
 }
+
+/// A type of codecs at a number of bits that it has. Only there it is a [`Codec`]: other numbers do not compile.
+///
+/// ```compile_fail,E0599
+/// use unitvec::Codec;
+/// unitvec::oct::Oct::<40>::encode([0.6, 0.0, -0.8]);
+/// ```
+///
+/// Every type on the [crate's page](crate#types) has it. So do [`Oct`](crate::oct::Oct) and
+/// [`OctPrecise`](crate::oct::OctPrecise) of all even numbers from 4 to 32.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a codec: its family has no such width",
+    label = "choose a type that `unitvec` has a name for, such as `unitvec::Oct32`"
+)]
+pub trait Width {}
 
 /// The directions that a codec is made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -84,7 +103,7 @@ pub enum Domain {
 }
 
 /// A code as a value, made of one or two 32-bit words.
-pub trait Code: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
+pub trait RawCode: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// The low and the high word; the latter is 0 for one-word codes.
     fn to_words(self) -> [u32; 2];
 
@@ -99,7 +118,7 @@ pub trait Code: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     }
 }
 
-impl Code for u32 {
+impl RawCode for u32 {
     #[inline(always)]
     fn to_words(self) -> [u32; 2] {
         [self, 0]
@@ -116,7 +135,7 @@ impl Code for u32 {
     }
 }
 
-impl Code for [u32; 2] {
+impl RawCode for [u32; 2] {
     #[inline(always)]
     fn to_words(self) -> [u32; 2] {
         self

@@ -72,12 +72,14 @@ macro_rules! formats {
         $to_values:ident($code:ident: $Code:ty) = $values_of:expr,
         $to_code:ident($values:ident: $Values:ty) = $code_of:expr;
     )*) => { $(
+        #[must_use]
         #[doc = concat!("Converts a code to the values to write to ", $format $(, ", or in the first three components of ", $with_fourth)?, ".")]
         #[inline(always)]
         pub fn $to_values($code: $Code) -> $Values {
             $values_of
         }
 
+        #[must_use]
         #[doc = concat!("Converts values read from ", $format, " to the code.")]
         #[inline(always)]
         pub fn $to_code($values: $Values) -> $Code {

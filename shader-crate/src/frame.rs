@@ -44,13 +44,9 @@ use crate::arith::{
     SIGN_BIT, TWO_23, coefficients, dot, exp2, flip_sign, mask, nearest_code, nearest_pair, normalize, ratio,
     signed_quotient, snorm_integer, snorm_max, with_sign,
 };
-use crate::codec::{Code, Codec, storage_bytes};
+use crate::codec::{Codec, RawCode, storage_bytes};
 use crate::direction::{is_usable, l1_norm};
 use crate::oct::{from_lattice, lattice_precise};
-#[cfg(not(target_arch = "spirv"))]
-use crate::slice::{
-    LengthMismatch, expect_length, machine::as_chunks, store_each, stored::Stored, stored::with_size,
-};
 use crate::{Oct22, OctPrecise22};
 use core::fmt::Debug;
 use core::hash::Hash;
@@ -58,10 +54,12 @@ use glam::{Vec2, Vec3};
 
 /// A tangent frame: the axes that a normal map is applied in.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[repr(C)]
 pub struct Frame {
     /// The surface's normal, of this crate's [`glam`]. [`to_gltf`](Self::to_gltf) gives vectors of any library.
     pub normal: Vec3,
-    /// The direction of increasing u, perpendicular to the normal.
+    /// The direction of increasing u, perpendicular to the normal. May be zero: see [`FrameCodec::encode`].
     pub tangent: Vec3,
     /// +1 or -1: the side on which the bitangent lies. It is the `w` of glTF's TANGENT.
     pub handedness: f32,
@@ -69,6 +67,7 @@ pub struct Frame {
 
 impl Frame {
     /// The frame of these vectors, of any library: as [`Codec::encode`] takes them.
+    #[must_use]
     #[inline(always)]
     pub fn new(normal: impl Into<[f32; 3]>, tangent: impl Into<[f32; 3]>, handedness: f32) -> Self {
         let (normal, tangent) = (normal.into(), tangent.into());
@@ -84,6 +83,7 @@ impl Frame {
     /// let (normal, tangent): ([f32; 3], [f32; 4]) = Frame32::decode(code).to_gltf();
     /// assert_eq!((normal, tangent), ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0, -1.0]));
     /// ```
+    #[must_use]
     #[inline(always)]
     pub fn from_gltf(normal: impl Into<[f32; 3]>, tangent: impl Into<[f32; 4]>) -> Self {
         let [x, y, z, handedness] = tangent.into();
@@ -91,6 +91,7 @@ impl Frame {
     }
 
     /// NORMAL and TANGENT, as [`from_gltf`](Self::from_gltf) takes them.
+    #[must_use]
     #[inline(always)]
     pub fn to_gltf<N: From<[f32; 3]>, T: From<[f32; 4]>>(self) -> (N, T) {
         let t = self.tangent;
@@ -98,12 +99,14 @@ impl Frame {
     }
 
     /// The frame of seven components: normal, tangent, handedness.
+    #[must_use]
     #[inline(always)]
     pub fn from_array([nx, ny, nz, tx, ty, tz, handedness]: [f32; 7]) -> Self {
         Self { normal: Vec3::new(nx, ny, nz), tangent: Vec3::new(tx, ty, tz), handedness }
     }
 
     /// Normal, tangent, handedness.
+    #[must_use]
     #[inline(always)]
     pub fn to_array(self) -> [f32; 7] {
         let (n, t) = (self.normal, self.tangent);
@@ -111,9 +114,24 @@ impl Frame {
     }
 
     /// The third axis, `handedness * cross(normal, tangent)`, as in glTF.
+    #[must_use]
     #[inline(always)]
     pub fn bitangent(self) -> Vec3 {
         self.normal.cross(self.tangent) * self.handedness
+    }
+}
+
+impl From<[f32; 7]> for Frame {
+    #[inline(always)]
+    fn from(components: [f32; 7]) -> Self {
+        Self::from_array(components)
+    }
+}
+
+impl From<Frame> for [f32; 7] {
+    #[inline(always)]
+    fn from(frame: Frame) -> Self {
+        frame.to_array()
     }
 }
 
@@ -133,7 +151,7 @@ pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static
     const MAX_TANGENT_ERROR_DEG: f32;
 
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
-    type Code: Code;
+    type Code: RawCode;
 
     /// The code of `frame`. Lengths do not matter.
     ///
@@ -143,10 +161,12 @@ pub trait FrameCodec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static
     ///   parallel within 0.16 degrees of the normal's line at 32 bits (up to 0.39, by direction), a thousandth of that
     ///   at 64: twice the greatest error of the decoded normal.
     /// * The handedness is -1 if below zero; zeros, denormals and NaN count as +1.
+    #[must_use]
     fn encode(frame: Frame) -> Self::Code;
 
     /// The frame that `code` stands for: vectors of unit length to within 2 ULP and perpendicular to within 4 ULP, the
     /// handedness +1 or -1. Any bit pattern is valid.
+    #[must_use]
     fn decode(code: Self::Code) -> Frame;
 }
 
@@ -272,6 +292,8 @@ const fn tangent_error_bound(normal_error_deg: f32, angle_bits: u32) -> f32 {
 }
 
 /// 32 bits: a normal of 22 ([`OctPrecise22`]), an angle of 9, the handedness.
+///
+#[doc = concat!("`frame32`: ", facts!(frame32), ".")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Frame32;
 
@@ -300,6 +322,8 @@ impl FrameCodec for Frame32 {
 ///
 /// Positions of 21 bits a component are rounded to 2^-5 of a step in `f32`, which costs the normal 0.02 % of its mean
 /// error and 1 % of its maximum: the two floats that [`oct_wide`](crate::oct_wide) takes for more bits would not pay.
+///
+#[doc = concat!("`frame64`: ", facts!(frame64), ".")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Frame64;
 
@@ -326,30 +350,4 @@ impl FrameCodec for Frame64 {
         let normal = from_lattice(e, snorm_max(21));
         Frame { normal, tangent: tangent::<21>(normal, high >> 10), handedness: handedness(high) }
     }
-}
-
-/// Encodes `frames` (normal, tangent, handedness) into `codes`: [`FrameCodec::BYTES`] little-endian bytes each, without
-/// gaps.
-///
-/// # Errors
-/// [`LengthMismatch`] unless `codes` has exactly `frames.len() * F::BYTES` bytes. Nothing is written then.
-#[cfg(not(target_arch = "spirv"))]
-pub fn encode_frames<F: FrameCodec>(frames: &[[f32; 7]], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-    store_each(frames, codes, F::BYTES, |frame| F::encode(Frame::from_array(*frame)).to_words())
-}
-
-/// Decodes `codes`, packed as by [`encode_frames`], into `frames`.
-///
-/// # Errors
-/// [`LengthMismatch`] unless `codes` has exactly `frames.len() * F::BYTES` bytes. Nothing is written then.
-#[cfg(not(target_arch = "spirv"))]
-pub fn decode_frames<F: FrameCodec>(codes: &[u8], frames: &mut [[f32; 7]]) -> Result<(), LengthMismatch> {
-    expect_length(codes.len(), frames.len() * F::BYTES)?;
-    with_size!(F::BYTES, SIZE => {
-        for (stored, frame) in as_chunks::<_, SIZE>(codes).0.iter().zip(frames) {
-            let (low, high) = stored.words();
-            *frame = F::decode(F::Code::from_low_high(low, high)).to_array();
-        }
-    });
-    Ok(())
 }

@@ -31,32 +31,33 @@
 //! # Which codec
 //!
 //! <!-- generated: which-type -->
-//! | for | codec | bits | mean / max error, degrees | cost: encode / decode |
-//! |---|---|---|---|---|
-//! | encoded often: G-buffers | [`Oct32`] | 32 | 0.00131 / 0.00373 | 1.0 / 1.0 |
-//! |  | [`Oct24`] | 24 | 0.0209 / 0.0594 | 1.3 / 1.3 |
-//! |  | [`Oct16`] | 16 | 0.337 / 0.957 | 1.0 / 1.0 |
-//! | encoded once: vertices, textures | [`OctPrecise32`] | 32 | 0.00122 / 0.00247 | 2.7 / 1.0 |
-//! |  | [`OctPrecise24`] | 24 | 0.0195 / 0.0396 | 3.2 / 1.3 |
-//! |  | [`OctPrecise16`] | 16 | 0.315 / 0.638 | 4.1 / 1.0 |
-//! | z >= 0: tangent-space normal maps | [`HemiOct16`] | 16 | 0.240 / 0.553 | 1.0 / 0.9 |
-//! |  | [`HemiOct24`] | 24 | 0.0149 / 0.0343 | 1.1 / 1.0 |
-//! | two snorms and a sign bit | [`SOct17`] | 17 | 0.240 / 0.553 | 1.0 / 1.1 |
-//! |  | [`SOct25`] | 25 | 0.0149 / 0.0343 | 1.1 / 1.1 |
-//! | least maximum error for the bytes | [`Ico16`] | 16 | 0.304 / 0.509 | 9.5 / 3.9 |
-//! |  | [`Ico24`] | 24 | 0.0188 / 0.0312 | 9.6 / 4.0 |
-//! |  | [`Ico32`] | 32 | 0.00117 / 0.00195 | 9.5 / 3.9 |
-//! | very few bits | [`OctPrecise8`] | 8 | 5.67 / 11.4 | 6.9 / 1.1 |
-//! |  | [`OctPrecise12`] | 12 | 1.29 / 2.61 | 6.9 / 1.1 |
-//! | finer than 32 bits | [`OctPrecise48`] | 48 | 4.80e-6 / 1.15e-5 | 9.0 / 4.5 |
-//! |  | [`OctPrecise52`] | 52 | 1.08e-6 / 4.09e-6 | 24.0 / 4.5 |
-//! | a normal with its tangent | [`Frame32`] | 32 | normal 0.0391 / 0.0787, tangent 0.180 / 0.359 | 7.2 / 3.5 |
-//! |  | [`Frame64`] | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | 8.5 / 3.6 |
+//! | for | codec | why | Vulkan format | bits | mean / max, degrees | on a mirror | cost: encode / decode |
+//! |---|---|---|---|---|---|---|---|
+//! | encoded often: G-buffers | [`Oct32`] | the usual choice | `R16G16_SNORM`, `R32_UINT` | 32 | 0.00131 / 0.00373 | nothing | 1.0 / 1.0 |
+//! |  | [`Oct24`] | leaves 8 bits for something else | `R32_UINT` | 24 | 0.0209 / 0.0594 | traces | 1.3 / 1.3 |
+//! |  | [`Oct16`] | where memory counts most | `R8G8_SNORM`, `R16_UINT` | 16 | 0.337 / 0.957 | bands | 1.0 / 1.0 |
+//! | encoded once: vertices | [`OctPrecise32`] | the usual choice | `R16G16_SNORM` | 32 | 0.00122 / 0.00247 | nothing | 2.7 / 1.0 |
+//! |  | [`OctPrecise24`] | leaves 8 bits for something else | `R32_UINT` | 24 | 0.0195 / 0.0396 | traces | 3.2 / 1.3 |
+//! |  | [`OctPrecise16`] | where memory counts most | `R8G8_SNORM` | 16 | 0.315 / 0.638 | bands | 4.1 / 1.0 |
+//! | z >= 0: tangent-space normal maps | [`HemiOct16`] | less error than oct16p, at less cost | `R8G8_SNORM` | 16 | 0.240 / 0.553 | bands | 1.0 / 0.9 |
+//! |  | [`HemiOct24`] | less error than oct24p, at less cost | `R32_UINT` | 24 | 0.0149 / 0.0343 | traces | 1.1 / 1.0 |
+//! | two snorms and a sign bit | [`SOct17`] | hemioct16's error over the whole sphere | `R32_UINT` | 17 | 0.240 / 0.553 | bands | 1.0 / 1.1 |
+//! |  | [`SOct25`] | hemioct24's error over the whole sphere | `R32_UINT` | 25 | 0.0149 / 0.0343 | traces | 1.1 / 1.1 |
+//! | files: least maximum error for the bytes | [`Ico16`] | in 2 bytes | `R16_UINT` | 16 | 0.304 / 0.509 | bands | 9.5 / 3.9 |
+//! |  | [`Ico24`] | in 3 bytes | `R32_UINT` | 24 | 0.0188 / 0.0312 | traces | 9.6 / 4.0 |
+//! |  | [`Ico32`] | in 4 bytes | `R32_UINT` | 32 | 0.00117 / 0.00195 | nothing | 9.5 / 3.9 |
+//! | very few bits | [`OctPrecise8`] | in 1 byte | `R8_UINT` | 8 | 5.67 / 11.4 | bands | 6.9 / 1.1 |
+//! |  | [`OctPrecise12`] | leaves 4 bits of 2 bytes | `R16_UINT` | 12 | 1.29 / 2.61 | bands | 6.9 / 1.1 |
+//! | finer than 32 bits | [`OctPrecise48`] | leaves 16 bits of 8 bytes | `R32G32_UINT` | 48 | 4.80e-6 / 1.15e-5 | nothing | 9.0 / 4.5 |
+//! |  | [`OctPrecise52`] | as fine as floats | `R32G32_UINT` | 52 | 1.08e-6 / 4.09e-6 | nothing | 24.0 / 4.5 |
+//! | a normal with its tangent | [`Frame32`] | 4 bytes instead of 28 | `R32_UINT` | 32 | normal 0.0391 / 0.0787, tangent 0.180 / 0.359 | traces | 7.2 / 3.5 |
+//! |  | [`Frame64`] | finer tangents | `R32G32_UINT` | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | nothing | 8.5 / 3.6 |
 //! <!-- end -->
 //!
 //! Cost is the inverse throughput of the code that a compiler for RDNA 2 GPUs makes, as a multiple of `oct32`'s. Types
 //! named `…Precise…` write the format of the fast ones: their encoder takes longer and finds the nearest code.
-//! `docs/codecs.md` of the repository lists all codecs, `docs/costs.md` says more on the choice.
+//! The [types](#types) below are all codecs, with bits, bytes, the bound of the error, and the format if there is one;
+//! `docs/costs.md` of the repository says more on the choice.
 //!
 //! A tangent frame (normal, tangent, handedness) takes 32 bits as [`Frame32`] or 64 as [`Frame64`]: see [`frame`].
 //! Whole slices and vertex buffers: see [`mod@slice`]. To choose a codec by its name at run time, take the crate
@@ -91,9 +92,10 @@
 //! # Features
 //!
 //! `std` (default) takes square root and floor from the standard library, and picks the instruction set of slices at run
-//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `kernels`, `cost-kernels` and
-//! `library` are for the SPIR-V build. For rust-gpu shaders take `default-features = false, features = ["libm"]`; slices
-//! and tables are for the CPU only. `examples/rust-gpu` of the repository is a whole shader.
+//! time; without it, turn on `libm`. `rayon` adds slice functions that use all cores. `serde` and `bytemuck` implement
+//! these crates' traits for [`Frame`] and [`Code`]. `kernels`, `cost-kernels` and `library` are internal, for the SPIR-V
+//! build. For rust-gpu shaders take `default-features = false, features = ["libm"]`; slices and tables are for the CPU
+//! only. `examples/rust-gpu` of the repository is a whole shader.
 //!
 //! # Sources
 //!
@@ -105,21 +107,23 @@
 #![cfg_attr(docsrs, feature(doc_cfg))]
 #![deny(unsafe_code)]
 
-#[cfg(not(any(feature = "std", feature = "libm")))]
-compile_error!("unitvec needs one of its features `std` and `libm` for square root and floor");
+include!("../facts.rs");
 
 #[cfg(not(target_arch = "spirv"))]
 mod angle;
+#[doc(hidden)]
 pub mod arith;
 pub mod codec;
+mod coded;
 pub mod direction;
 pub mod dither;
 mod families;
 pub mod formats;
 pub mod frame;
 #[cfg(any(feature = "kernels", feature = "cost-kernels", feature = "library"))]
+#[doc(hidden)]
 pub mod kernels;
-pub mod list;
+mod list;
 #[cfg(not(target_arch = "spirv"))]
 pub mod slice;
 #[cfg(not(target_arch = "spirv"))]
@@ -128,10 +132,27 @@ pub mod table;
 #[cfg(not(target_arch = "spirv"))]
 pub use angle::angle_deg;
 pub use codec::{Codec, Domain};
+pub use coded::Code;
 pub use families::{angles::*, components::*, lattices::*, octahedral::*, projections::*};
+#[doc(inline)]
 pub use frame::{Frame, Frame32, Frame64, FrameCodec};
 pub use glam;
 pub use list::*;
+
+/// The traits, frames, and the types of all codecs. Unlike the crate itself it has no modules, and no [`glam`]: with
+/// `use unitvec::*` the name is ambiguous in programs that use a glam of their own.
+///
+/// ```
+/// use glam::Vec3;
+/// use unitvec::prelude::*;
+///
+/// let code = Oct32::encode(Vec3::X);
+/// assert_eq!(Oct32::decode::<Vec3>(code), Vec3::X);
+/// ```
+pub mod prelude {
+    #[doc(no_inline)]
+    pub use crate::{Codec, Frame, Frame32, Frame64, FrameCodec, list::*};
+}
 
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]

@@ -17,13 +17,14 @@
 //! `(by_table)` after the name marks codecs that implement [`EncodeByTable`](crate::best_fit::EncodeByTable).
 
 use crate::azimuthal::{Concentric, Ellipse, Eqarea, Eqdist, Plain, Stereo};
-use crate::codec::{Codec, Domain};
+use crate::codec::{Codec, Domain, Width};
 use crate::frame::FrameCodec;
 
-/// Calls the macro `callback` with the rows of all codecs of vectors, by family and width: see [`list`](crate::list).
+/// Calls the macro `callback` with the rows of all codecs of vectors, by family and width.
 ///
 /// A callback that needs the first names only matches
 /// `$([$id:ident $codec:ident $(($by:ident))? = $($rest:tt)*])*`.
+#[doc(hidden)]
 #[macro_export]
 macro_rules! for_each_codec {
     ($callback:ident) => {
@@ -164,6 +165,7 @@ macro_rules! for_each_codec {
 }
 
 /// Calls the macro `callback` with the rows of all codecs of tangent frames: identifier, type, Vulkan format.
+#[doc(hidden)]
 #[macro_export]
 macro_rules! for_each_frame {
     ($callback:ident) => {
@@ -213,10 +215,14 @@ macro_rules! define {
         $id:ident $codec:ident $(($by:ident))? = $family:ident::$type:ident $(<$($parameter:tt),*>)?,
         $survey_name:literal, $domain:ident, $vk_format:expr
     ])*) => {$(
-        #[doc = concat!("The codec `", stringify!($id), "`, for directions of the [`Domain::", stringify!($domain),
-            "`]. Layout, errors and use: [`", stringify!($family), "`](mod@crate::", stringify!($family),
-            "); bits and the bound of its error: [`Codec`](crate::Codec)'s constants.")]
+        #[doc = concat!("`", stringify!($id), "`: ", facts!($id), ".")]
+        ///
+        #[doc = concat!("For directions of the [`Domain::", stringify!($domain), "`]; the bound of its error is ",
+            "[`Codec::MAX_ERROR_DEG`]. Layout, errors and use: [`", stringify!($family), "`](mod@crate::",
+            stringify!($family), ").")]
         pub type $codec = $crate::$family::$type$(<$($parameter),*>)?;
+
+        impl Width for $codec {}
 
         impl Listed for $codec {
             const NAME: &'static str = stringify!($id);

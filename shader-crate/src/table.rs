@@ -20,7 +20,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode};
 use crate::slice::block::BLOCK;
 use crate::slice::machine::{Level, Task, as_chunks, prefetch};
 use crate::slice::stored::{Stored, with_size};
@@ -30,6 +30,7 @@ use core::marker::PhantomData;
 
 /// The memory for a table is not of the table's size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct TableSizeMismatch {
     /// Entries of the table.
     pub expected: usize,
@@ -71,6 +72,7 @@ impl<'a, C: Codec> DecodeTable<'a, C> {
     }
 
     /// The vector of `code`, with the bits that [`Codec::decode`] gives. Bits above [`Codec::BITS`] are ignored.
+    #[must_use]
     #[inline(always)]
     pub fn decode<V: From<[f32; 3]>>(&self, code: C::Code) -> V {
         self.entry(code.to_words()[0]).into()

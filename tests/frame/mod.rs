@@ -5,7 +5,7 @@ mod oracle;
 
 use glam::Vec3;
 use std::f64::consts::TAU;
-use unitvec::codec::Code;
+use unitvec::codec::RawCode;
 use unitvec::{Frame, Frame32, Frame64, ListedFrame};
 use unitvec_oracle::frame::{self, Format};
 use unitvec_oracle::{angle_deg, dot, length, normalize};

@@ -7,7 +7,7 @@
 mod memory;
 mod mutate;
 mod program;
-mod seeds;
+pub mod seeds;
 
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 use std::cell::RefCell;

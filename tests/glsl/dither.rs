@@ -3,7 +3,7 @@
 use super::floats::vectors;
 use super::{assert_same_bits, assert_same_words};
 use std::collections::BTreeSet;
-use unitvec::codec::Code;
+use unitvec::codec::RawCode;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec::*;

@@ -4,9 +4,10 @@
 macro_rules! coefficients {
     ($($(#[$doc:meta])* $vis:vis $first:ident = $value:expr $(, $name:ident = $other:expr)*;)*) => { $(
         $(#[$doc])*
+        #[doc(hidden)]
         $vis const $first: f32 = $value;
         $(
-            #[doc = concat!("See [`", stringify!($first), "`].")]
+            #[doc(hidden)]
             $vis const $name: f32 = $other;
         )*
     )* };

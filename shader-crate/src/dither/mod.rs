@@ -39,10 +39,12 @@ use glam::{Vec2, Vec3};
 pub trait Dithered: Codec {
     /// The code of the direction of `v`, its lattice position moved by `offset` steps: components are clamped to
     /// \[-1/2, 1/2\], NaN is 0. A vector without a usable direction gets the code of +Z.
+    #[must_use]
     fn encode_dithered(v: Vec3, offset: Vec2) -> Self::Code;
 
     /// The direction that `code` stands for where it was encoded with this offset, to the bit: another adds up to a step
     /// of error. Any code is valid; the result has unit length to within 3 ULP.
+    #[must_use]
     fn decode_dithered(code: Self::Code, offset: Vec2) -> Vec3;
 }
 

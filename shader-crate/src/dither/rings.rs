@@ -4,6 +4,7 @@ use super::{Candidate, Dithered, unit, usable};
 use crate::arith::{
     SIGN_BIT, flip_sign, floor, is_negative, max, min, negate_if, signed_quotient, snorm_max, with_sign,
 };
+use crate::codec::Width;
 use crate::direction::l1_norm;
 use crate::eaoct::{self, EaOct, EaOctPrecise, Polar, Ring};
 use crate::families::octahedral::{unpack, usable_code};
@@ -63,7 +64,10 @@ fn direction(e: Vec2, offset: Vec2, m: f32) -> Vec3 {
     eaoct::from_ring(signs, moved, if beyond { 1.0 - turn.abs() } else { turn.abs() }, m)
 }
 
-impl<const BITS: u32> Dithered for EaOct<BITS> {
+impl<const BITS: u32> Dithered for EaOct<BITS>
+where
+    Self: Width,
+{
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
         let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
@@ -79,7 +83,10 @@ impl<const BITS: u32> Dithered for EaOct<BITS> {
     }
 }
 
-impl<const BITS: u32> Dithered for EaOctPrecise<BITS> {
+impl<const BITS: u32> Dithered for EaOctPrecise<BITS>
+where
+    EaOct<BITS>: Width,
+{
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
         let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));

@@ -2,7 +2,7 @@
 
 use super::{Candidate, Dithered, unit, usable};
 use crate::arith::{floor, max, min, nearest_pair, snorm_integers, snorm_max};
-use crate::codec::Code;
+use crate::codec::{RawCode, Width};
 use crate::direction::l1_norm;
 use crate::families::octahedral::{unpack, usable_code};
 use crate::hemioct::{self, HemiOct};
@@ -28,7 +28,10 @@ fn moved_back(point: Vec2, offset: Vec2, m: f32) -> Vec2 {
     within(point - usable(offset), m)
 }
 
-impl<const BITS: u32> Dithered for Oct<BITS> {
+impl<const BITS: u32> Dithered for Oct<BITS>
+where
+    Self: Width,
+{
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
         let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
@@ -42,7 +45,10 @@ impl<const BITS: u32> Dithered for Oct<BITS> {
     }
 }
 
-impl<const BITS: u32> Dithered for OctPrecise<BITS> {
+impl<const BITS: u32> Dithered for OctPrecise<BITS>
+where
+    Oct<BITS>: Width,
+{
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
         let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
@@ -63,7 +69,10 @@ impl<const BITS: u32> Dithered for OctPrecise<BITS> {
     }
 }
 
-impl<const BITS: u32> Dithered for HemiOct<BITS> {
+impl<const BITS: u32> Dithered for HemiOct<BITS>
+where
+    Self: Width,
+{
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
         let m = snorm_max(BITS / 2);
@@ -79,7 +88,10 @@ impl<const BITS: u32> Dithered for HemiOct<BITS> {
     }
 }
 
-impl<const BITS: u32, C: Code> Dithered for SOct<BITS, C> {
+impl<const BITS: u32, C: RawCode> Dithered for SOct<BITS, C>
+where
+    Self: Width,
+{
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> C {
         let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));

@@ -21,7 +21,7 @@ use super::words::{Codes, Element, GROUP, Words};
 use super::{CodeWords, element};
 use crate::arith::{inverse_root, quotient, reciprocal, root};
 use crate::best_fit::{EncodeByTable, TABLE_WORDS};
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode};
 use crate::frame::{Frame, FrameCodec};
 use crate::{for_each_codec, for_each_frame};
 use glam::Vec3;
@@ -62,7 +62,7 @@ impl Group {
 }
 
 #[inline(always)]
-fn encode<E: Element, W: Codes, C: Code>(
+fn encode<E: Element, W: Codes, C: RawCode>(
     group: Group,
     input: &[u32],
     output: &mut [u32],
@@ -161,7 +161,7 @@ macro_rules! kernels {
 
             kernel!("Decodes four codes." decode(group, input, output) {
                 super::decode::<_, FourCodes>(group, input, output, |words| {
-                    crate::$codec::$decode(Code::from_words(words))
+                    crate::$codec::$decode(RawCode::from_words(words))
                 });
             });
         }

@@ -6,7 +6,7 @@
 
 use super::{CodeWords, element};
 use crate::best_fit::{EncodeByTable, TABLE_WORDS};
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode};
 use crate::frame::{Frame, FrameCodec};
 use crate::{for_each_codec, for_each_frame};
 use glam::Vec3;
@@ -32,7 +32,7 @@ const STEP: u32 = 0x9e37_79b9;
 
 /// Sums the codes of a vector and its neighbours.
 #[inline(always)]
-fn encode<C: Code>(
+fn encode<C: RawCode>(
     index: usize,
     work: Work,
     input: &[[u32; 3]],
@@ -153,7 +153,7 @@ macro_rules! kernels {
             encode_kernel!($codec $($by)?);
 
             kernel!("Decodes a code and its successors." decode_cost = decode, |words| {
-                crate::$codec::decode_vec3(Code::from_words(words))
+                crate::$codec::decode_vec3(RawCode::from_words(words))
             });
         }
     )* };
@@ -175,7 +175,7 @@ macro_rules! frame_kernels {
                 }
             );
             kernel!("Decodes a code and its successors." decode_cost = decode, |words| {
-                let frame = crate::$codec::decode(Code::from_words(words));
+                let frame = crate::$codec::decode(RawCode::from_words(words));
                 frame.normal + frame.tangent * frame.handedness
             });
         }

@@ -2,14 +2,14 @@
 //! their outputs the result. They are vertex shaders because these read and write values as they are, integers too.
 //! (rust-gpu compiles entry points only: it has no linkage.)
 
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode};
 use crate::frame::{Frame, FrameCodec};
 use crate::{for_each_codec, for_each_frame};
 use glam::{UVec2, Vec3, Vec4};
 use spirv_std::spirv;
 
 /// A code as shaders pass it.
-pub trait Passed: Code {
+pub trait Passed: RawCode {
     /// `u32`, or a vector of two.
     type As: Copy + From<Self> + Into<Self>;
 }

@@ -10,7 +10,7 @@ use super::Vector;
 use super::machine::{as_chunks, as_chunks_mut};
 use super::stored::{Stored, with_size};
 use crate::arith::snorm_code;
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode};
 use glam::Vec3;
 
 /// Vectors of a block: enough for the loops to stay loops, few enough for the arrays to stay in the nearest cache.

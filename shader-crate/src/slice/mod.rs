@@ -7,13 +7,12 @@
 //!   much as 32: for single vectors take the functions of [`Codec`].
 //! * Vectors are those of any library: see [`Vector`].
 //! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
-//! * Frames have functions of their own: [`encode_frames`](crate::frame::encode_frames).
+//! * Frames have functions of their own: [`encode_frames`].
 //! * Slice functions are generic: they are compiled at the `opt-level` of the crate that calls them with a named codec.
 //!   The `opt-level` of `unitvec` chooses the loop: at 0, the development profile's, one vector at a time, else blocks.
 //!   For the speed of a release build raise both: `opt-level = 2` under `[profile.dev]`, or under
 //!   `[profile.dev.package.unitvec]` and the same for the library of yours that calls them.
-//! * With the feature `rayon`, `par_encode_slice` and `par_decode_slice` use all cores; strided data and frames have no
-//!   such functions.
+//! * With the feature `rayon`, functions that begin with `par_` use all cores; strided data have none.
 //!
 //! ```
 //! use unitvec::slice::{decode_slice, encode_slice};
@@ -29,6 +28,8 @@
 //! ```
 
 pub(crate) mod block;
+mod coded;
+mod frames;
 #[doc(hidden)]
 pub mod machine;
 #[cfg(feature = "rayon")]
@@ -36,24 +37,38 @@ mod parallel;
 pub(crate) mod stored;
 mod strided;
 
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode};
 use block::{BLOCK, Block, Floats, Snorms, Target};
 use core::fmt;
 use core::marker::PhantomData;
 use glam::Vec3;
 use machine::{Level, Task, as_chunks, as_chunks_mut, prefetch};
-use stored::{Stored, with_size};
+pub use stored::Stored;
+use stored::with_size;
 
+pub use coded::{decode_codes, encode_codes};
+pub use frames::{AnyFrame, decode_frames, decode_frames_strided, encode_frames, encode_frames_strided};
+#[cfg(feature = "rayon")]
+pub use frames::{par_decode_frames, par_encode_frames};
 pub use strided::{Side, StrideError, Strided, decode_strided, encode_strided};
 #[doc(hidden)]
-pub use strided::{decode_strided_at, encode_strided_at};
+pub use strided::{decode_strided_with, encode_strided_with};
 
 #[cfg(feature = "rayon")]
 #[doc(hidden)]
-pub use parallel::{DecodeAt, EncodeAt, par_decode_with, par_encode_with};
+pub use parallel::{par_decode_with, par_encode_with};
+
+/// A slice function: elements to codes, with the instructions of a level.
+#[doc(hidden)]
+pub type EncodeAt<T> = fn(Level, &[T], &mut [u8]) -> Result<(), LengthMismatch>;
+
+/// A slice function: codes to elements, with the instructions of a level.
+#[doc(hidden)]
+pub type DecodeAt<T> = fn(Level, &[u8], &mut [T]) -> Result<(), LengthMismatch>;
 
 /// The slice of codes has not [`BYTES`](Codec::BYTES) bytes for each vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct LengthMismatch {
     /// Bytes of codes for the elements of the input.
     pub expected: usize,
@@ -198,6 +213,7 @@ pub fn decode_slice_i16x4_at<C: Codec>(
 ///
 /// # Errors
 /// [`LengthMismatch`] with the two.
+#[doc(hidden)]
 pub fn expect_length(expected: usize, actual: usize) -> Result<(), LengthMismatch> {
     if expected == actual { Ok(()) } else { Err(LengthMismatch { expected, actual }) }
 }

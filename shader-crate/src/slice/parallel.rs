@@ -1,18 +1,12 @@
 //! Slices on all cores. A codec comes as a function pointer, so that rayon's machinery is compiled once for each type of
 //! element and not for each codec: in a program with all codecs that was a third of the build.
 
-use super::LengthMismatch;
 use super::machine::Level;
+use super::{DecodeAt, EncodeAt, LengthMismatch};
 use rayon::prelude::*;
 
 /// Elements that one core takes at a time: some ten microseconds.
 const PORTION: usize = 1 << 14;
-
-/// A slice function: elements to codes, with the instructions of a level.
-pub type EncodeAt<T> = fn(Level, &[T], &mut [u8]) -> Result<(), LengthMismatch>;
-
-/// A slice function: codes to elements, with the instructions of a level.
-pub type DecodeAt<T> = fn(Level, &[u8], &mut [T]) -> Result<(), LengthMismatch>;
 
 /// Encodes portions of `elements` into codes of `size` bytes. The slices fit each other.
 ///

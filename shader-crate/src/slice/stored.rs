@@ -1,7 +1,8 @@
-//! Codes as they are stored: as so many bytes, little endian.
+//! Codes as they are stored: as so many bytes, little endian, or as integers.
 
-/// A stored code: an array of as many bytes as [`Codec::BYTES`](crate::Codec::BYTES) says.
-pub trait Stored {
+/// A stored code: an array of as many bytes as [`Codec::BYTES`](crate::Codec::BYTES) says, or of integers, the low one
+/// first.
+pub trait Stored: Copy + Send + Sync {
     /// The low bytes of a code's two words.
     fn of_words(words: [u32; 2]) -> Self;
 
@@ -11,8 +12,8 @@ pub trait Stored {
 
 /// Implements [`Stored`].
 macro_rules! stored {
-    ($size:literal: $words:ident => $of_words:expr, $bytes:ident => $to_words:expr) => {
-        impl Stored for [u8; $size] {
+    ($stored:ty: $words:ident => $of_words:expr, $bytes:ident => $to_words:expr) => {
+        impl Stored for $stored {
             #[inline(always)]
             fn of_words($words: [u32; 2]) -> Self {
                 $of_words
@@ -29,17 +30,17 @@ macro_rules! stored {
 
 // Bytes are converted together where possible: without optimisation a word that is loaded just after its bytes were
 // stored one by one makes the processor wait.
-stored!(1: words => [words[0] as u8], bytes => (bytes[0] as u32, 0));
-stored!(2: words => (words[0] as u16).to_le_bytes(), bytes => (u16::from_le_bytes(bytes) as u32, 0));
-stored!(4: words => words[0].to_le_bytes(), bytes => (u32::from_le_bytes(bytes), 0));
-stored!(3:
+stored!([u8; 1]: words => [words[0] as u8], bytes => (bytes[0] as u32, 0));
+stored!([u8; 2]: words => (words[0] as u16).to_le_bytes(), bytes => (u16::from_le_bytes(bytes) as u32, 0));
+stored!([u8; 4]: words => words[0].to_le_bytes(), bytes => (u32::from_le_bytes(bytes), 0));
+stored!([u8; 3]:
     words => {
         let [a, b, c, _] = words[0].to_le_bytes();
         [a, b, c]
     },
     bytes => (bytes[0] as u32 | (bytes[1] as u32) << 8 | (bytes[2] as u32) << 16, 0)
 );
-stored!(6:
+stored!([u8; 6]:
     words => {
         let ([a, b, c, d], [e, f, ..]) = (words[0].to_le_bytes(), words[1].to_le_bytes());
         [a, b, c, d, e, f]
@@ -49,13 +50,18 @@ stored!(6:
         (u32::from_le_bytes([a, b, c, d]), u16::from_le_bytes([e, f]) as u32)
     }
 );
-stored!(8:
+stored!([u8; 8]:
     words => ((words[1] as u64) << 32 | words[0] as u64).to_le_bytes(),
     bytes => {
         let word = u64::from_le_bytes(bytes);
         (word as u32, (word >> 32) as u32)
     }
 );
+
+stored!(u16: words => words[0] as u16, code => (code as u32, 0));
+stored!(u32: words => words[0], code => (code, 0));
+stored!([i16; 2]: words => [words[0] as i16, (words[0] >> 16) as i16], code =>
+    (code[0] as u16 as u32 | (code[1] as u16 as u32) << 16, 0));
 
 /// `$call`, in which `$size` is the constant `$bytes`: a size of stored codes.
 macro_rules! with_size {

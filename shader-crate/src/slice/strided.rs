@@ -1,12 +1,11 @@
 //! Vectors and codes that lie among other fields, as those of vertices do.
 
-use super::block::{BLOCK, Floats};
-use super::machine::Level;
+use super::block::BLOCK;
+use super::machine::{Level, as_chunks, as_chunks_mut};
 use super::stored::with_size;
-use super::{Decode, Encode};
+use super::{DecodeAt, EncodeAt, decode_slice_at, encode_slice_at};
 use crate::codec::Codec;
 use core::fmt;
-use core::marker::PhantomData;
 
 /// One field of an array of structs, or one attribute of a vertex buffer: elements in `bytes`, the first at `offset`, the next
 /// ones `stride` bytes apart. Nothing needs to be aligned.
@@ -17,7 +16,7 @@ use core::marker::PhantomData;
 /// Only the element's bytes are written, [`Codec::BYTES`] of a code: check that the field is as large. An `Oct48` in a
 /// `u32` overwrites the bytes behind it, and an `Oct24` leaves its upper byte as it was.
 ///
-/// Vectors are three `f32` in native byte order; codes are [`Codec::BYTES`] bytes, little endian.
+/// Vectors are three `f32` in native byte order, frames seven; codes are [`Codec::BYTES`] bytes, little endian.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Strided<B> {
     /// `&[u8]`, or `&mut [u8]` to be written to.
@@ -31,8 +30,8 @@ pub struct Strided<B> {
 /// The argument that an error is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// The vectors.
-    Vectors,
+    /// The vectors or frames.
+    Elements,
     /// The codes.
     Codes,
 }
@@ -40,18 +39,19 @@ pub enum Side {
 impl fmt::Display for Side {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::Vectors => "vectors",
+            Self::Elements => "elements",
             Self::Codes => "codes",
         })
     }
 }
 
-/// Strided vectors and codes do not fit their bytes or each other.
+/// Strided elements and codes do not fit their bytes or each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
 pub enum StrideError {
     /// Elements would overlap.
     Stride {
-        /// The vectors or the codes.
+        /// The elements or the codes.
         side: Side,
         /// The stride.
         stride: usize,
@@ -60,17 +60,17 @@ pub enum StrideError {
     },
     /// The bytes end within an element, or before the first.
     Length {
-        /// The vectors or the codes.
+        /// The elements or the codes.
         side: Side,
         /// Bytes that there are.
         actual: usize,
         /// The least length: the end of the last element.
         expected: usize,
     },
-    /// There are not as many codes as vectors.
+    /// There are not as many codes as elements.
     Count {
-        /// The number of vectors.
-        vectors: usize,
+        /// The number of vectors or frames.
+        elements: usize,
         /// The number of codes.
         codes: usize,
     },
@@ -88,8 +88,8 @@ impl fmt::Display for StrideError {
                     "the {side} have {actual} bytes and one of them ends at {expected}: check offset and stride"
                 )
             }
-            Self::Count { vectors, codes } => {
-                write!(f, "{vectors} vectors and {codes} codes: give equally many")
+            Self::Count { elements, codes } => {
+                write!(f, "{elements} elements and {codes} codes: give equally many")
             }
         }
     }
@@ -134,7 +134,7 @@ pub fn encode_strided<C: Codec>(
     vectors: Strided<&[u8]>,
     codes: Strided<&mut [u8]>,
 ) -> Result<(), StrideError> {
-    encode_strided_at::<C>(Level::best(), vectors, codes)
+    encode_strided_with::<3>(Level::best(), vectors, codes, C::BYTES, encode_slice_at::<C>)
 }
 
 /// [`decode_slice`](super::decode_slice) from codes among other fields to vectors among other fields: the reverse of
@@ -149,61 +149,74 @@ pub fn decode_strided<C: Codec>(
     codes: Strided<&[u8]>,
     vectors: Strided<&mut [u8]>,
 ) -> Result<(), StrideError> {
-    decode_strided_at::<C>(Level::best(), codes, vectors)
+    decode_strided_with::<3>(Level::best(), codes, vectors, C::BYTES, decode_slice_at::<C>)
 }
 
-/// [`encode_strided`] with the instructions of a given level.
+/// Strided elements of `N` floats by a slice function, whose codes have `size` bytes.
+///
+/// # Errors
+/// The errors of [`encode_strided`].
 #[doc(hidden)]
-pub fn encode_strided_at<C: Codec>(
+pub fn encode_strided_with<const N: usize>(
     level: Level,
     from: Strided<&[u8]>,
     mut to: Strided<&mut [u8]>,
+    size: usize,
+    encode: EncodeAt<[f32; N]>,
 ) -> Result<(), StrideError> {
-    let count = expect_fit::<C>(from, to.shared())?;
-    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; PORTION], [0; PORTION * LARGEST_CODE]);
+    let count = expect_fit::<N>(from, to.shared(), size)?;
+    let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
     for start in (0..count).step_by(PORTION) {
-        let vectors = &mut some_vectors[..PORTION.min(count - start)];
-        let codes = &mut some_codes[..vectors.len() * C::BYTES];
-        load_vectors(from, start, vectors);
-        level.run(Encode { vectors, codes, codec: PhantomData::<C> });
-        with_size!(C::BYTES, SIZE => store_codes::<SIZE>(codes, &mut to, start));
+        let elements = &mut some_elements[..PORTION.min(count - start)];
+        let codes = &mut some_codes[..elements.len() * size];
+        load_elements(from, start, elements);
+        // There are as many codes as elements, so that this cannot fail.
+        let _ = encode(level, elements, codes);
+        with_size!(size, SIZE => store_codes::<SIZE>(codes, &mut to, start));
     }
     Ok(())
 }
 
-/// [`decode_strided`] with the instructions of a given level.
+/// The reverse of [`encode_strided_with`].
+///
+/// # Errors
+/// The errors of [`encode_strided`].
 #[doc(hidden)]
-pub fn decode_strided_at<C: Codec>(
+pub fn decode_strided_with<const N: usize>(
     level: Level,
     from: Strided<&[u8]>,
     mut to: Strided<&mut [u8]>,
+    size: usize,
+    decode: DecodeAt<[f32; N]>,
 ) -> Result<(), StrideError> {
-    let count = expect_fit::<C>(to.shared(), from)?;
-    let (mut some_vectors, mut some_codes) = ([[0.0; 3]; PORTION], [0; PORTION * LARGEST_CODE]);
+    let count = expect_fit::<N>(to.shared(), from, size)?;
+    let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
     for start in (0..count).step_by(PORTION) {
-        let vectors = &mut some_vectors[..PORTION.min(count - start)];
-        let codes = &mut some_codes[..vectors.len() * C::BYTES];
-        with_size!(C::BYTES, SIZE => load_codes::<SIZE>(from, start, codes));
-        level.run(Decode { codes, vectors: &mut *vectors, codec: PhantomData::<(C, Floats)> });
-        store_vectors(vectors, &mut to, start);
+        let elements = &mut some_elements[..PORTION.min(count - start)];
+        let codes = &mut some_codes[..elements.len() * size];
+        with_size!(size, SIZE => load_codes::<SIZE>(from, start, codes));
+        // There are as many codes as elements, so that this cannot fail.
+        let _ = decode(level, codes, elements);
+        store_elements(elements, &mut to, start);
     }
     Ok(())
 }
 
 /// The number of elements that are gathered at a time: whole blocks, which stay in the nearest cache.
-const PORTION: usize = 4 * BLOCK;
-
-/// Bytes of a vector.
-const VECTOR: usize = size_of::<[f32; 3]>();
+pub const PORTION: usize = 4 * BLOCK;
 
 /// Bytes of the largest code.
-const LARGEST_CODE: usize = size_of::<[u32; 2]>();
+pub const LARGEST_CODE: usize = size_of::<[u32; 2]>();
 
-/// The number of vectors and of codes, which must be the same.
-fn expect_fit<C: Codec>(vectors: Strided<&[u8]>, codes: Strided<&[u8]>) -> Result<usize, StrideError> {
-    let vectors = vectors.count(Side::Vectors, VECTOR)?;
-    let codes = codes.count(Side::Codes, C::BYTES)?;
-    if vectors == codes { Ok(vectors) } else { Err(StrideError::Count { vectors, codes }) }
+/// The number of elements of `N` floats and of codes of `size` bytes, which must be the same.
+fn expect_fit<const N: usize>(
+    elements: Strided<&[u8]>,
+    codes: Strided<&[u8]>,
+    size: usize,
+) -> Result<usize, StrideError> {
+    let elements = elements.count(Side::Elements, size_of::<[f32; N]>())?;
+    let codes = codes.count(Side::Codes, size)?;
+    if elements == codes { Ok(elements) } else { Err(StrideError::Count { elements, codes }) }
 }
 
 impl<'a> Strided<&'a [u8]> {
@@ -248,20 +261,19 @@ impl Strided<&mut [u8]> {
 
 // Element by element, by index: with iterators over chunks the loops take half as long again.
 
-fn load_vectors(from: Strided<&[u8]>, first: usize, vectors: &mut [[f32; 3]]) {
-    for (i, vector) in vectors.iter_mut().enumerate() {
-        let bytes = from.element(first + i, VECTOR);
-        let float = |at| f32::from_ne_bytes([bytes[at], bytes[at + 1], bytes[at + 2], bytes[at + 3]]);
-        *vector = [float(0), float(4), float(8)];
+fn load_elements<const N: usize>(from: Strided<&[u8]>, first: usize, elements: &mut [[f32; N]]) {
+    for (i, element) in elements.iter_mut().enumerate() {
+        let bytes = as_chunks(from.element(first + i, 4 * N)).0;
+        *element = core::array::from_fn(|component| f32::from_ne_bytes(bytes[component]));
     }
 }
 
-fn store_vectors(vectors: &[[f32; 3]], to: &mut Strided<&mut [u8]>, first: usize) {
-    for (i, vector) in vectors.iter().enumerate() {
-        let bytes = to.element_mut(first + i, VECTOR);
-        bytes[..4].copy_from_slice(&vector[0].to_ne_bytes());
-        bytes[4..8].copy_from_slice(&vector[1].to_ne_bytes());
-        bytes[8..].copy_from_slice(&vector[2].to_ne_bytes());
+fn store_elements<const N: usize>(elements: &[[f32; N]], to: &mut Strided<&mut [u8]>, first: usize) {
+    for (i, element) in elements.iter().enumerate() {
+        let bytes = as_chunks_mut(to.element_mut(first + i, 4 * N)).0;
+        for component in 0..N {
+            bytes[component] = element[component].to_ne_bytes();
+        }
     }
 }
 

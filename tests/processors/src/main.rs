@@ -3,10 +3,9 @@
 //! of the slice functions that this processor has. An argument gives the number of vectors and codes, instead of the
 //! number in the released digests.
 
-use unitvec::codec::Code;
-use unitvec::frame::{decode_frames, encode_frames};
+use unitvec::codec::RawCode;
 use unitvec::slice::machine::Level;
-use unitvec::slice::{decode_slice_at, encode_slice_at};
+use unitvec::slice::{decode_frames, decode_slice_at, encode_frames, encode_slice_at};
 use unitvec::{Frame, Listed, ListedFrame, for_each_codec, for_each_frame};
 use unitvec_processors::{COUNT, Coder, Decode, Encode, special_frames, special_vectors};
 

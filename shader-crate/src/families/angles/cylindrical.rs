@@ -26,7 +26,7 @@ use super::{around_z, azimuth, scaled};
 use crate::arith::{
     dot, inverse_root, max, min, nearest_code, ratio, root, snorm_clamp, snorm_integer, snorm_max, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
@@ -61,6 +61,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 
 /// The unquantised `phi / pi` and z of the direction of `v`, both on \[-1, 1\]: for an SNORM format, to which the
 /// hardware rounds. (0, 1), which is +Z, where `v` has no direction.
+#[must_use]
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let (height, quarters) = height_and_azimuth(v);
@@ -69,6 +70,7 @@ pub fn project(v: Vec3) -> Vec2 {
 }
 
 /// The direction of `phi / pi` and z, clamped to \[-1, 1\]; (0, 0), which is +X, where one is NaN.
+#[must_use]
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
@@ -80,7 +82,10 @@ unorm_projection!();
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Cylindrical<const BITS: u32>;
 
-impl<const BITS: u32> Codec for Cylindrical<BITS> {
+impl<const BITS: u32> Codec for Cylindrical<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const EXACT_AXES: bool = false;
     /// `acos(1 - 1 / 2m)`, and the error of rounding z in `f32`, at most 2^-22: the error goes with the square root of

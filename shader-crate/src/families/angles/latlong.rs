@@ -21,7 +21,7 @@
 //! middle.
 //!
 //! The survey calls its fast format "latlong", says that its patches are of near-equal area, and does not define them.
-//! This grid is inferred: it has the errors of the survey's table 1.
+//! This grid is inferred: its errors are within 1 % of the survey's table 1, or less.
 //!
 //! * Layout: the patch in the low half of the code, counted from +X towards +Y; the ring in the high half, counted from
 //!   +Z. Every code is a patch.
@@ -62,7 +62,7 @@ use crate::arith::{
     SIGN_BIT, exp2, flip_sign, floor, from_diagonal, horizontal_length, integer_part, is_negative, mask, max,
     min, ratio, root, signed_integer, signed_quotient, whole_to_u32, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
@@ -232,7 +232,10 @@ fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct LatLong<const BITS: u32>;
 
-impl<const BITS: u32> Codec for LatLong<BITS> {
+impl<const BITS: u32> Codec for LatLong<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const EXACT_AXES: bool = false;
     /// `sqrt(5) pi / 2^(h+1)` radians in degrees, and the errors of rounding both angles and the decoded vector: at
@@ -279,7 +282,10 @@ impl<const BITS: u32> LatLongD<BITS> {
     };
 }
 
-impl<const BITS: u32> Codec for LatLongD<BITS> {
+impl<const BITS: u32> Codec for LatLongD<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// The greatest distance from a patch's middle to its corners, 0.56671, 0.035146 and 0.0021951 degrees, and the
     /// errors of rounding both angles and the decoded vector: at most 8e-7 radians.

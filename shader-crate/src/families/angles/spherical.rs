@@ -34,7 +34,7 @@ use crate::arith::{
     exp2, from_diagonal, horizontal_length, nearest_code, negate_if, ratio, signed_integer, snorm_clamp,
     snorm_integer, snorm_max, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
@@ -73,6 +73,7 @@ pub fn from_lattice(e: Vec2, m: f32, half_turn: f32) -> Vec3 {
 /// The unquantised `2 theta / pi - 1` and `phi / pi` of the direction of `v`, both on \[-1, 1\]. (-1, 0), which is +Z,
 /// where `v` has no direction. An SNORM format that stores them holds another code than this family's, whose phi has a
 /// step more.
+#[must_use]
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let (latitude, quarters) = angles(v);
@@ -84,6 +85,7 @@ pub fn project(v: Vec3) -> Vec2 {
 const LEAST_LATITUDE: f32 = exp2(-26);
 
 /// The direction of `2 theta / pi - 1` and `phi / pi`, clamped to \[-1, 1\]; (0, 0), which is +X, where one is NaN.
+#[must_use]
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     let e = snorm_clamp(e);
@@ -101,7 +103,10 @@ const fn half_turn(bits: u32) -> f32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Spherical<const BITS: u32>;
 
-impl<const BITS: u32> Codec for Spherical<BITS> {
+impl<const BITS: u32> Codec for Spherical<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// Half a step of phi times `sqrt(1 + (half_turn / 2m)^2)`, which is greatest at 16 bits, and the errors of
     /// rounding both angles and the decoded vector: at most 8e-7 radians.

@@ -13,7 +13,8 @@
 //!   `j = round(phi / pi 2^23)` in bits 24 to 47, both in two's complement. A code is two words, low word first. -m is
 //!   +Z, m is -Z; the pattern -m - 1 counts as -m.
 //! * Error of the code: at most half the diagonal of a cell at the equator, 2.094e-7 radians, and the error of the
-//!   arithmetic: 1/16 of a step along each angle. Meyer's bound, for a layout that leaves a bit unused, is 3.74e-7.
+//!   arithmetic: 1/16 of a step along each angle. Meyer's eq. 5, for equal steps of both angles, gives 1.87e-7; his
+//!   table 1 prints twice that.
 //! * Error of the decoded vector: the rounding of its components adds up to `sqrt(3) 2^-25` radians.
 //! * The six axes round-trip exactly. Every j at theta 0 or pi is the pole, exactly; encoding writes j = 0 there.
 //! * Good for: angles that were measured, and comparison. Weakness: [`OctPrecise48`](crate::OctPrecise48) is more exact.

@@ -1,6 +1,6 @@
 //! Raw components as half floats, and the conversion to and from them.
 //!
-//! Source: Cigolle et al. 2014, section 3 (float x 3); IEEE 754 binary16. The error: Meyer et al. 2010, eq. 3.
+//! Source: Cigolle et al. 2014, section 2 (float x 3); IEEE 754 binary16. The error: Meyer et al. 2010, eq. 3.
 //!
 //! The conversion is all integer arithmetic: devices may round their own either way, and flush denormals.
 //!

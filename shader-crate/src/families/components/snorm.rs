@@ -1,6 +1,6 @@
 //! Raw snorm components: x, y and z each as a normalised signed integer.
 //!
-//! Source: Cigolle et al. 2014, sections 1.2 and 3 (snorm x 3).
+//! Source: Cigolle et al. 2014, sections 1.2 and 2 (snorm x 3).
 //!
 //! <!-- generated: errors snorm -->
 //! | degrees | mean | max | bound |
@@ -23,7 +23,7 @@
 //!   `encode` writes +Z where all components round to 0.
 
 use crate::arith::{mask, snorm_code, snorm_decode};
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
@@ -42,7 +42,10 @@ const fn z_code(bits: u32) -> u32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Snorm3<const BITS: u32>;
 
-impl<const BITS: u32> Codec for Snorm3<BITS> {
+impl<const BITS: u32> Codec for Snorm3<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const IS_UNIT: bool = false;
     /// The bound for unit vectors: `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.

@@ -43,7 +43,7 @@ use crate::arith::{
     is_negative, mask, max, min, negate_if, quotient, ratio, reciprocal, root, scale_to_one, sin_eighth,
     small_floor, whole_to_i32, whole_to_u32,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
@@ -308,7 +308,10 @@ pub fn point(i: u32, bits: u32) -> Vec3 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Fib<const BITS: u32>;
 
-impl<const BITS: u32> Codec for Fib<BITS> {
+impl<const BITS: u32> Codec for Fib<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const EXACT_AXES: bool = false;
     /// The distance of points 1, 2 and 4 from the middle of the circle through them, 156.3102 degrees over `sqrt(N)`,

@@ -77,7 +77,7 @@ use crate::arith::{
     SIGN_BIT, TWO_23, coefficients, flip_sign, floor, is_negative, mask, max, min, negate_if, normalize,
     ratio, reciprocal, whole_to_u32, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::Vec3;
 
@@ -381,7 +381,10 @@ impl<const BITS: u32> Ico<BITS> {
     };
 }
 
-impl<const BITS: u32> Codec for Ico<BITS> {
+impl<const BITS: u32> Codec for Ico<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// The radius of the largest circumcircle of neighbouring lattice points, 0.508532, 0.0312163 and 0.0019490
     /// degrees, and the errors of encoding and arithmetic: at most 3.0e-4, 5.5e-6 and 7.8e-6 over millions of

@@ -55,7 +55,7 @@ use crate::arith::{
     SnormDivision, atan_quarter, cos_eighth, exp2, floor, is_negative, max, min, negate_positive, quotient,
     ratio, root, scale_to_one, signed_quotient, sin_eighth, snorm_clamp, snorm_max, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
 
@@ -121,6 +121,7 @@ pub fn lattice(v: Vec3, norm: f32, m: f32) -> Vec2 {
 /// Clarberg's projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format, to which the
 /// hardware rounds. Its codes have a mean error 8 % and a maximum 43 % above those of [`lattice`]. (0, 0), which is +Z, where
 /// `v` has no direction.
+#[must_use]
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let norm = l1_norm(v);
@@ -130,6 +131,7 @@ pub fn project(v: Vec3) -> Vec2 {
 }
 
 /// The direction of a point of \[-1, 1\]<sup>2</sup>. Points beyond it are clamped; a point with NaN is +Z's.
+#[must_use]
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
@@ -137,11 +139,14 @@ pub fn unproject(e: Vec2) -> Vec3 {
 
 unorm_projection!();
 
-/// The precise code of `BITS` bits (even, 16 to 32) as values of an SNORM format of half as many bits, which stores them
+/// The precise code of `BITS` bits, those of [`EaOct`], as values of an SNORM format of half as many bits, which stores them
 /// exactly.
+#[must_use]
 #[inline(always)]
-pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
-    const { assert!(BITS % 2 == 0 && BITS >= 16 && BITS <= 32) };
+pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2
+where
+    EaOct<BITS>: Width,
+{
     let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
     let (e, by_m) = (lattice_precise(v, norm, m), const { SnormDivision::new(BITS / 2) });
     let e = Vec2::new(by_m.of(e.x), by_m.of(e.y));
@@ -240,7 +245,10 @@ const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct EaOct<const BITS: u32>;
 
-impl<const BITS: u32> Codec for EaOct<BITS> {
+impl<const BITS: u32> Codec for EaOct<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// Half a ring out from ring s, midway between two of its points, the nearest one is
     /// `sqrt(1/4 + 4 s (s + 1/2) sin^2(pi / 8 s))` rings away: most for s = 1, `sqrt(1/4 + 6 sin^2(pi/8))`. Rings are
@@ -265,7 +273,10 @@ impl<const BITS: u32> Codec for EaOct<BITS> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct EaOctPrecise<const BITS: u32>;
 
-impl<const BITS: u32> Codec for EaOctPrecise<BITS> {
+impl<const BITS: u32> Codec for EaOctPrecise<BITS>
+where
+    EaOct<BITS>: Width,
+{
     const BITS: u32 = BITS;
     /// Half the diagonal of a cell between two rings, `sqrt(1 / c^2 + pi^2 c^2 / 16) / m`, which is greatest for c =
     /// `sqrt(2)`, at a pole; as great only where the two rings' points lie opposite each other, next to y = 0 or x = 0.

@@ -17,13 +17,12 @@
 //! * Error: at most `sqrt(3/2) / m` radians (m the snorm's largest integer), in the middle of the octants.
 //! * Domain: z >= 0. A direction below the equator gets the code of its horizontal part, (x, y, 0); one without a
 //!   horizontal part, -Z, gets that of +Z.
-//! * Good for: tangent-space normal maps. The map is continuous, so that textures of codes can be filtered; it bends
-//!   where x or y is 0.
+//! * Good for: tangent-space normal maps. The map is continuous, and bends where x or y is 0.
 
 use crate::arith::{
     max, nearest_pair, normalize_octahedral, over, ratio, snorm_clamp, snorm_integers, snorm_max,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{MAX_NORM, MIN_NORM};
 use glam::{Vec2, Vec3};
 
@@ -59,6 +58,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 
 /// Listing 6: the projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format, to which
 /// the hardware rounds. (0, 0), which is +Z, where `v` has no direction above the equator or on it.
+#[must_use]
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let (whole, upper) = norms(v);
@@ -68,6 +68,7 @@ pub fn project(v: Vec3) -> Vec2 {
 
 /// Listing 6: the direction of a point of \[-1, 1\]<sup>2</sup>. Points beyond it are clamped; a point with NaN is
 /// +Z's.
+#[must_use]
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
@@ -85,7 +86,10 @@ pub(super) const fn error_bound(bits: u32) -> f32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct HemiOct<const BITS: u32>;
 
-impl<const BITS: u32> Codec for HemiOct<BITS> {
+impl<const BITS: u32> Codec for HemiOct<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// The bound for directions with z >= 0.
     const MAX_ERROR_DEG: f32 = error_bound(BITS);

@@ -43,7 +43,7 @@ use crate::arith::{
     SnormDivision, TWO_23, exp2, floor, is_nan, max, min, normalize_octahedral, over, quotient, ratio,
     snorm_clamp, snorm_max, whole_to_u32, with_sign,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::{UVec3, Vec2, Vec3};
 
@@ -99,6 +99,7 @@ pub fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 
 /// Listing 1: the octahedral projection of the direction of `v`, unquantised, on \[-1, 1\]<sup>2</sup>: for an SNORM format,
 /// to which the hardware rounds. (0, 0), which is +Z, where `v` has no direction.
+#[must_use]
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec2 {
     let norm = l1_norm(v);
@@ -108,6 +109,7 @@ pub fn project(v: Vec3) -> Vec2 {
 
 /// Listing 2: the direction of a point of \[-1, 1\]<sup>2</sup>. Points beyond it are clamped; a point with NaN is
 /// +Z's.
+#[must_use]
 #[inline(always)]
 pub fn unproject(e: Vec2) -> Vec3 {
     from_lattice(snorm_clamp(e), 1.0)
@@ -117,9 +119,12 @@ unorm_projection!();
 
 /// Listing 3: the precise code of `BITS` bits (even, 4 to 32) as values of an SNORM format of half as many bits, which stores
 /// them exactly.
+#[must_use]
 #[inline(always)]
-pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2 {
-    const { assert!(BITS % 2 == 0 && BITS >= 4 && BITS <= 32) };
+pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2
+where
+    Oct<BITS>: Width,
+{
     let (e, by_m) = (lattice_precise(v, snorm_max(BITS / 2)), const { SnormDivision::new(BITS / 2) });
     Vec2::new(by_m.of(e.x), by_m.of(e.y))
 }
@@ -337,11 +342,21 @@ const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
     (radians_times_m * (ratio(1.0, snorm_max(bits / 2)) + 1.0 / 2_097_152.0)).to_degrees()
 }
 
+/// Widths that are not in the list.
+macro_rules! widths {
+    ($($bits:literal)*) => { $(impl Width for Oct<$bits> {})* };
+}
+
+widths!(4 6 10 14 26 28 30);
+
 /// Octahedral code of `BITS` bits (even, 4 to 32), fast encoder.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Oct<const BITS: u32>;
 
-impl<const BITS: u32> Codec for Oct<BITS> {
+impl<const BITS: u32> Codec for Oct<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(3.0 * core::f32::consts::FRAC_1_SQRT_2, BITS);
     type Code = u32;
@@ -363,7 +378,10 @@ impl<const BITS: u32> Codec for Oct<BITS> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctPrecise<const BITS: u32>;
 
-impl<const BITS: u32> Codec for OctPrecise<BITS> {
+impl<const BITS: u32> Codec for OctPrecise<BITS>
+where
+    Oct<BITS>: Width,
+{
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(core::f32::consts::SQRT_2, BITS);
     type Code = u32;

@@ -39,7 +39,7 @@ use crate::arith::{
     Coordinate, coordinate, dot, exp2, is_negative, mask, negate_if, normalize_parts, ratio, reciprocal,
     scaled_to_one, two_sum,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::or_z;
 use glam::Vec3;
 
@@ -180,7 +180,10 @@ const fn error_bound(radians_times_m: f32, bits: u32) -> f32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctWide<const BITS: u32>;
 
-impl<const BITS: u32> Codec for OctWide<BITS> {
+impl<const BITS: u32> Codec for OctWide<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(3.0 * core::f32::consts::FRAC_1_SQRT_2, BITS);
     type Code = [u32; 2];
@@ -211,7 +214,10 @@ impl<const BITS: u32> Codec for OctWide<BITS> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctWidePrecise<const BITS: u32>;
 
-impl<const BITS: u32> Codec for OctWidePrecise<BITS> {
+impl<const BITS: u32> Codec for OctWidePrecise<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const STABLE_ACROSS_DEVICES: bool = BITS < 52;
     const MAX_ERROR_DEG: f32 = error_bound(core::f32::consts::SQRT_2, BITS);

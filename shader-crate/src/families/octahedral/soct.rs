@@ -31,7 +31,7 @@ use crate::arith::{
     SIGN_BIT, flip_sign, is_negative, is_set, max, nearest_pair, normalize_octahedral, snorm_clamp,
     snorm_integers, snorm_max,
 };
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode, Width};
 use crate::direction::{is_usable, l1_norm};
 use core::marker::PhantomData;
 use glam::{Vec2, Vec3};
@@ -50,7 +50,7 @@ pub(crate) fn from_lattice(e: Vec2, sign_bit: u32, m: f32) -> Vec3 {
 /// The code, of `bits` bits, of the direction of `v`, of an L1 norm of `norm`, whose u and v are packed in `uv`. The code of
 /// +Z where `v` has no direction.
 #[inline(always)]
-pub(crate) fn code<C: Code>(v: Vec3, norm: f32, uv: u32, bits: u32) -> C {
+pub(crate) fn code<C: RawCode>(v: Vec3, norm: f32, uv: u32, bits: u32) -> C {
     let sign = |bit: u32| if is_negative(v.z) { 1 << bit } else { 0 };
     let (low, high) = if bits <= 32 { (uv | sign(bits - 1), 0) } else { (uv, sign(0)) };
     let usable = is_usable(norm);
@@ -65,6 +65,7 @@ pub(crate) fn sign_bit([low, high]: [u32; 2], bits: u32) -> u32 {
 
 /// The unquantised projection of the direction of `v`: u and v on \[-1, 1\], for an SNORM format, and 1 for z < 0,
 /// else 0. (0, 0, 0), which is +Z, where `v` has no direction.
+#[must_use]
 #[inline(always)]
 pub fn project(v: Vec3) -> Vec3 {
     let norm = l1_norm(v);
@@ -74,6 +75,7 @@ pub fn project(v: Vec3) -> Vec3 {
 
 /// The direction of u and v, clamped to \[-1, 1\], below the equator where the third is 1/2 or more. +-Z where u or v is
 /// NaN.
+#[must_use]
 #[inline(always)]
 pub fn unproject(e: Vec3) -> Vec3 {
     let sign_bit = if is_set(e.z) { SIGN_BIT } else { 0 };
@@ -86,7 +88,10 @@ unorm_projection!(<>);
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct SOct<const BITS: u32, C = u32>(PhantomData<C>);
 
-impl<const BITS: u32, C: Code> Codec for SOct<BITS, C> {
+impl<const BITS: u32, C: RawCode> Codec for SOct<BITS, C>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(BITS);
     type Code = C;

@@ -45,7 +45,7 @@ use crate::arith::{
     normalize, normalize_parts, quotient, ratio, reciprocal, scaled_to_one, signed_code, snorm_integer,
     snorm_max, tan_octant, to_face,
 };
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::or_z;
 use glam::{Vec2, Vec3};
 
@@ -104,7 +104,10 @@ fn encode<const BITS: u32>(v: Vec3, along: impl Fn(f32) -> f32) -> u32 {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Cube<const BITS: u32>;
 
-impl<const BITS: u32> Codec for Cube<BITS> {
+impl<const BITS: u32> Codec for Cube<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// `sqrt(a^2 + b^2)` radians in degrees, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = match BITS {
@@ -203,7 +206,10 @@ impl Codec for CubeWide {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct WarpedCube<const BITS: u32>;
 
-impl<const BITS: u32> Codec for WarpedCube<BITS> {
+impl<const BITS: u32> Codec for WarpedCube<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// `pi/4 sqrt(8/9 (a^2 + a b + b^2))` radians in degrees, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = match BITS {

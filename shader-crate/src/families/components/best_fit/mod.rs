@@ -15,7 +15,7 @@
 //!   closest texels, and the vector as it is. For one direction in eleven there is a still better length.
 //! * [`SnormNearest8`] tries the 64, and a few scales in between: no whole vector points nearer.
 //! * [`SnormBest16`] (snorm16x3P) tries the 64 longest of the 16384 lengths, and the unit vector. The survey's tries
-//!   five lengths.
+//!   four, and the vector as it is.
 //!
 //! The first two work out the lengths of cells; [`EncodeByTable`] looks them up. Their codes are the same. The compute
 //! kernels and the `unitvec` program take the table.
@@ -45,8 +45,8 @@
 //! * The survey's CrytekBFN24 has a maximum of several degrees. That would be half a step of a length of 6; here no
 //!   length is under 64, since short ones gain nothing over their multiples.
 //! * Why that table: an encoder by table waits for the table half of its time, the longer the more of it is in use.
-//!   Four lengths that together fit a cell do as well as those of the four closest of 1024 x 1024 texels, and one read
-//!   has them all.
+//!   Four lengths that together fit a cell do as well as those of the four closest texels of 1024 x 1024, the size in
+//!   use, and one read has them all.
 //! * Weakness: around the axes nothing is gained. However long, whole vectors there are a step apart, and the error is
 //!   that of plain components, ten times the mean.
 //! * Cost: trying 64 lengths takes many times the operations of an octahedral encoder; by table it takes several times

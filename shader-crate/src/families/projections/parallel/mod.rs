@@ -47,7 +47,7 @@
 //!   own error is 5.2e-4. SPP's own error is 3.2e-7; along the sextants' borders, where the two largest components must
 //!   be told apart, points move up to three steps inwards.
 //! * Good for: tangent-space normal maps, whose normals keep near +Z. Points inside decode with one square root, from
-//!   snorm values that the hardware may convert and filter; these functions add the divisions and selections for points
+//!   snorm values that the hardware may convert; these functions add the divisions and selections for points
 //!   outside. For directions all over the sphere [`oct`](crate::oct) is more exact and cheaper.
 //! * Axes round-trip exactly, all six (XYOnly: the five of its domain). `xyonly32f` spends its bits around x = 0 and y
 //!   = 0, and has the largest steps at the equator, where the smallest are wanted: its errors are about those of
@@ -62,7 +62,7 @@ use crate::arith::{
     dot, face_of, from_face, inverse_root, is_negative, mask, max, negate_positive, root, scale_to_one,
     snorm_integer, to_face, whole_to_u32,
 };
-use crate::codec::{Code, Codec};
+use crate::codec::{Codec, RawCode, Width};
 use crate::direction::or_z;
 use core::marker::PhantomData;
 use glam::{Vec2, Vec3};
@@ -140,7 +140,10 @@ impl<const BITS: u32, C> Pp<BITS, C> {
     const PLANE: Plane = Plane::disk(BITS / 2, BITS / 2 - 1);
 }
 
-impl<const BITS: u32, C: Code> Codec for Pp<BITS, C> {
+impl<const BITS: u32, C: RawCode> Codec for Pp<BITS, C>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// The bound `arccos(1 - d)` and the rounding of `f32`, in degrees; at 48 bits `sqrt(2 d + 2^-20)`, rounded up: 2^-20 is
     /// the rounding of `f32`.
@@ -178,7 +181,10 @@ impl<const BITS: u32, C> Spp<BITS, C> {
     const PLANE: Plane = Plane::sextant(BITS / 2 - 1, BITS / 2 - 2);
 }
 
-impl<const BITS: u32, C: Code> Codec for Spp<BITS, C> {
+impl<const BITS: u32, C: RawCode> Codec for Spp<BITS, C>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// The bound `sqrt(a^2 + a b + b^2)`, plus its terms of higher order and the rounding of `f32`, in degrees: see the
     /// module's documentation.

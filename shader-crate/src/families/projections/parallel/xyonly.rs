@@ -3,7 +3,7 @@
 use super::plane::{INSET, Plane, onto_border};
 use super::{from_plane, pack, third, unit, unpack};
 use crate::arith::{half_decode_magnitude, half_encode_magnitude, is_negative, min, negate_positive};
-use crate::codec::Codec;
+use crate::codec::{Codec, Width};
 use crate::direction::upper_or_z;
 use glam::{Vec2, Vec3};
 
@@ -22,7 +22,10 @@ impl<const BITS: u32> XyOnly<BITS> {
     const PLANE: Plane = Plane::disk(BITS / 2, BITS / 2);
 }
 
-impl<const BITS: u32> Codec for XyOnly<BITS> {
+impl<const BITS: u32> Codec for XyOnly<BITS>
+where
+    Self: Width,
+{
     const BITS: u32 = BITS;
     /// The bound for directions with z >= 0: `arccos(1 - 1/(sqrt(2) m))` and the rounding of `f32`, in degrees.
     const MAX_ERROR_DEG: f32 = match BITS {
