@@ -102,8 +102,8 @@ fn number(figure: &Value, name: &str) -> f64 {
     found.unwrap_or_else(|| panic!("no {name}"))["value"].as_f64().unwrap()
 }
 
-/// The survey's findings in the committed figures 6 and 8, which tests of the docs draw again: Lambertian surfaces hardly differ,
-/// and mirrors do in the errors' order.
+/// The survey's finding in the committed figure 6, which tests of the docs draw again: Lambertian surfaces hardly differ. Ours in
+/// figure 8: mirrors do, nearly in the errors' order.
 #[test]
 fn pictures_bear_the_survey_out() {
     let file = std::fs::read(repository().join("docs/figures/figures.json")).unwrap();

@@ -4,8 +4,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{Domain, Element, find};
-use unitvec_choose::RECOMMENDED;
+use unitvec_catalogue::{Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_oracle::angle_deg;
 use unitvec_run::sampling;
 use unitvec_tests::program::{refusal, run, run_with_input, stderr, stdout};
@@ -184,7 +183,7 @@ fn the_table_has_the_recommended_codecs() {
         stdout(&run(arguments.collect::<Vec<PathBuf>>()))
     });
     let mut shown = 0;
-    for id in RECOMMENDED.iter().flat_map(|row| row.short()) {
+    for id in RECOMMENDED.iter().flat_map(Recommendation::short).map(|choice| choice.id) {
         let lines = |text: &str| text.lines().filter(|line| line.contains(&format!(" {id} "))).count();
         let is_shown = find(id).is_ok_and(|c| c.element == Element::Vector && c.domain == Domain::Sphere);
         assert_eq!((lines(&one), lines(&two)), if is_shown { (1, 3) } else { (0, 0) }, "{id}\n{one}\n{two}");

@@ -4,14 +4,18 @@ use bytemuck::{Pod, Zeroable};
 use std::collections::HashSet;
 use std::fmt::Debug;
 use std::mem::{offset_of, size_of};
+use unitvec::codec::RawCode;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
-    Side, StrideError, Strided, Vector, decode_slice, decode_strided, decode_strided_at, encode_slice,
-    encode_slice_with, encode_strided, encode_strided_at,
+    Side, Stored, StrideError, Strided, Vector, decode_codes, decode_frames, decode_frames_strided,
+    decode_slice, decode_slice_at, decode_strided, decode_strided_with, encode_codes, encode_frames,
+    encode_frames_strided, encode_slice, encode_slice_at, encode_slice_with, encode_strided,
+    encode_strided_with, par_decode_frames, par_encode_frames,
 };
 use unitvec::table::DecodeTable;
 use unitvec::{
-    Codec, Frame, Frame32, FrameCodec, Oct8, Oct16, Oct24, Oct32, Oct48, OctPrecise16, OctPrecise52,
+    Code, Codec, Frame, Frame32, Frame64, FrameCodec, Oct8, Oct16, Oct24, Oct32, Oct48, OctPrecise16,
+    OctPrecise52,
 };
 use unitvec_tests::directions::sphere;
 
@@ -119,7 +123,39 @@ fn generic_code_over_codecs() {
     }
     unitvec::for_each_codec!(check_all);
     check_generic_frames::<Frame32>();
-    check_generic_frames::<unitvec::Frame64>();
+    check_generic_frames::<Frame64>();
+}
+
+#[test]
+fn codes_in_integers() {
+    fn check<C: Codec, T: Stored + Debug + PartialEq>(zero: T, of: impl Fn(C::Code) -> T) {
+        let mut vectors = arrays(600);
+        let mut codes = vec![zero; vectors.len()];
+        assert!(encode_codes::<C>(&vectors[1..], &mut codes).is_err());
+        encode_codes::<C>(&vectors, &mut codes).unwrap();
+        let expected: Vec<C::Code> = vectors.iter().map(|&v| C::encode(v)).collect();
+        assert_eq!(codes, expected.iter().map(|&code| of(code)).collect::<Vec<T>>());
+        decode_codes::<C>(&codes, &mut vectors).unwrap();
+        assert!(vectors.iter().zip(&expected).all(|(&v, &code)| v == C::decode::<[f32; 3]>(code)));
+    }
+    check::<Oct8, _>(0u16, |code| code as u16);
+    check::<Oct16, _>(0u16, |code| code as u16);
+    check::<Oct24, _>(0u32, |code| code);
+    check::<Oct32, _>([0i16; 2], |code| [code as i16, (code >> 16) as i16]);
+}
+
+/// The features `serde` and `bytemuck`: codes are their integers, frames their seven floats.
+#[test]
+fn codes_and_frames_as_data() {
+    let codes = [Code::<Oct24>::encode([0.0, 1.0, 0.0])];
+    assert_eq!(serde_json::to_string(&codes).unwrap(), "[16711551]");
+    assert_eq!(serde_json::from_str::<[Code<Oct24>; 1]>("[16711551]").unwrap(), codes);
+    assert_eq!(bytemuck::cast_slice::<_, u32>(&codes), [0xfe_ff7f]);
+    let frame = Frame::new([1.0, 2.0, 3.0], [4.0, 5.0, 6.0], -1.0);
+    let json = r#"{"normal":[1.0,2.0,3.0],"tangent":[4.0,5.0,6.0],"handedness":-1.0}"#;
+    assert_eq!(serde_json::to_string(&frame).unwrap(), json);
+    assert_eq!(serde_json::from_str::<Frame>(json).unwrap(), frame);
+    assert_eq!(bytemuck::cast_slice::<_, f32>(&[frame]), frame.to_array());
 }
 
 /// A vertex as an engine has it.
@@ -199,13 +235,15 @@ fn check_strided<C: Codec>(arrays: &[[f32; 3]]) {
                 let rest = if offset + 12 <= stride && count > 0 { stride - offset - C::BYTES } else { 0 };
                 to.resize(to.len() + rest, 0xA5);
                 let strided = Strided { bytes: &mut to[..], offset, stride };
-                encode_strided_at::<C>(level, Strided { bytes: &from, offset, stride }, strided).unwrap();
+                let from = Strided { bytes: &from[..], offset, stride };
+                encode_strided_with(level, from, strided, C::BYTES, encode_slice_at::<C>).unwrap();
                 assert_eq!(to[..expected.len()], expected, "{level:?} {count} {offset} {stride}");
                 assert!(to[expected.len()..].iter().all(|&byte| byte == 0xA5));
 
                 let mut back = scattered(&vec![0; 12 * count], 12, offset, stride);
                 let strided = Strided { bytes: &mut back[..], offset, stride };
-                decode_strided_at::<C>(level, Strided { bytes: &to, offset, stride }, strided).unwrap();
+                let from = Strided { bytes: &to[..], offset, stride };
+                decode_strided_with(level, from, strided, C::BYTES, decode_slice_at::<C>).unwrap();
                 assert_eq!(back, expected_vectors, "{level:?} {count} {offset} {stride}");
             }
         }
@@ -216,6 +254,57 @@ fn check_strided<C: Codec>(arrays: &[[f32; 3]]) {
 fn strided_is_the_slice() {
     let arrays = arrays(600);
     for_each_size!(check_strided(&arrays));
+}
+
+/// A vertex with a frame between other fields.
+#[derive(Clone, Copy, Debug, PartialEq, Pod, Zeroable)]
+#[repr(C)]
+struct FrameVertex {
+    position: [f32; 3],
+    frame: [f32; 7],
+    uv: [f32; 2],
+}
+
+/// Slices of frames, of either kind, on all cores and among other fields have the codes and the frames of single ones.
+fn check_frames<F: FrameCodec>() {
+    let floats = arrays(50_000);
+    let floats: Vec<[f32; 7]> =
+        floats.as_flattened().chunks_exact(7).map(|components| components.try_into().unwrap()).collect();
+    let frames: Vec<Frame> = floats.iter().map(|&components| components.into()).collect();
+    let words = |frame: &Frame| {
+        F::encode(*frame).to_words().map(u32::to_le_bytes).as_flattened()[..F::BYTES].to_vec()
+    };
+    let codes: Vec<u8> = frames.iter().flat_map(words).collect();
+    let mut encoded = [(); 3].map(|()| vec![0; codes.len()]);
+    encode_frames::<F>(&floats, &mut encoded[0]).unwrap();
+    encode_frames::<F>(&frames, &mut encoded[1]).unwrap();
+    par_encode_frames::<F>(&frames, &mut encoded[2]).unwrap();
+    assert!(encoded.iter().all(|encoded| *encoded == codes));
+
+    let expected: Vec<Frame> = frames.iter().map(|frame| F::decode(F::encode(*frame))).collect();
+    let mut decoded = [(); 2].map(|()| frames.clone());
+    decode_frames::<F>(&codes, &mut decoded[0]).unwrap();
+    par_decode_frames::<F>(&codes, &mut decoded[1]).unwrap();
+    assert!(decoded.iter().all(|decoded| *decoded == expected));
+
+    let vertex = |frame| FrameVertex { position: [1.0; 3], frame, uv: [2.0; 2] };
+    fn fields<B>(bytes: B) -> Strided<B> {
+        Strided { bytes, offset: offset_of!(FrameVertex, frame), stride: size_of::<FrameVertex>() }
+    }
+    let mut vertices: Vec<FrameVertex> = floats.iter().map(|&frame| vertex(frame)).collect();
+    let mut strided = vec![0; codes.len()];
+    let to = Strided { bytes: &mut strided[..], offset: 0, stride: F::BYTES };
+    encode_frames_strided::<F>(fields(bytemuck::cast_slice(&vertices)), to).unwrap();
+    assert_eq!(strided, codes);
+    let from = Strided { bytes: &codes[..], offset: 0, stride: F::BYTES };
+    decode_frames_strided::<F>(from, fields(bytemuck::cast_slice_mut(&mut vertices))).unwrap();
+    assert!(vertices.iter().zip(&expected).all(|(actual, frame)| *actual == vertex(frame.to_array())));
+}
+
+#[test]
+fn slices_of_frames_are_the_single_functions() {
+    check_frames::<Frame32>();
+    check_frames::<Frame64>();
 }
 
 /// The error of both functions for vectors and codes of Oct32 in so many bytes, with this layout. All stays as it was.
@@ -238,16 +327,16 @@ fn strided_that_does_not_fit() {
     let good = [80, 0, 4];
     let length = |side, actual, expected| StrideError::Length { side, actual, expected };
     let stride = |side, stride, size| StrideError::Stride { side, stride, size };
-    assert_eq!(refused([240, 0, 11], good), stride(Side::Vectors, 11, 12));
-    assert_eq!(refused([240, 0, 0], good), stride(Side::Vectors, 0, 12));
+    assert_eq!(refused([240, 0, 11], good), stride(Side::Elements, 11, 12));
+    assert_eq!(refused([240, 0, 0], good), stride(Side::Elements, 0, 12));
     assert_eq!(refused([240, 0, 12], [80, 0, 3]), stride(Side::Codes, 3, 4));
-    assert_eq!(refused([239, 0, 12], good), length(Side::Vectors, 239, 240));
-    assert_eq!(refused([240, 1, 12], good), length(Side::Vectors, 240, 241));
-    assert_eq!(refused([240, 240, 12], good), length(Side::Vectors, 240, 252));
-    assert_eq!(refused([240, usize::MAX, 12], good), length(Side::Vectors, 240, usize::MAX));
+    assert_eq!(refused([239, 0, 12], good), length(Side::Elements, 239, 240));
+    assert_eq!(refused([240, 1, 12], good), length(Side::Elements, 240, 241));
+    assert_eq!(refused([240, 240, 12], good), length(Side::Elements, 240, 252));
+    assert_eq!(refused([240, usize::MAX, 12], good), length(Side::Elements, 240, usize::MAX));
     assert_eq!(refused([12, 0, usize::MAX], [3, 0, 4]), length(Side::Codes, 3, 4));
-    assert_eq!(refused([240, 0, 12], [76, 0, 4]), StrideError::Count { vectors: 20, codes: 19 });
-    assert_eq!(refused([0, 0, 12], [4, 0, 4]), StrideError::Count { vectors: 0, codes: 1 });
+    assert_eq!(refused([240, 0, 12], [76, 0, 4]), StrideError::Count { elements: 20, codes: 19 });
+    assert_eq!(refused([0, 0, 12], [4, 0, 4]), StrideError::Count { elements: 0, codes: 1 });
     let message = refused([240, 0, 11], good).to_string();
-    assert_eq!(message, "the stride of the vectors is 11 bytes: make it 12 at least");
+    assert_eq!(message, "the stride of the elements is 11 bytes: make it 12 at least");
 }

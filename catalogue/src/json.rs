@@ -46,7 +46,7 @@ struct OfVectors {
     /// True where a code that one device decodes comes back as a code of the same vector on any other.
     stable_across_devices: bool,
     /// Upper bound of the error, degrees.
-    max_error_deg: f32,
+    bound_deg: f32,
     /// The family, which codecs of other widths share.
     family: &'static str,
     /// True where the encoder reads a table.
@@ -58,9 +58,9 @@ struct OfVectors {
 #[cfg_attr(feature = "schemars", derive(schemars::JsonSchema))]
 struct OfFrames {
     /// Upper bound of the normal's error, degrees.
-    max_normal_error_deg: f32,
+    normal_bound_deg: f32,
     /// Upper bound of the tangent's error, degrees.
-    max_tangent_error_deg: f32,
+    tangent_bound_deg: f32,
 }
 
 impl Row {
@@ -71,7 +71,7 @@ impl Row {
             is_unit: codec.is_unit,
             exact_axes: codec.exact_axes,
             stable_across_devices: codec.stable_across_devices,
-            max_error_deg: codec.max_error_deg(),
+            bound_deg: codec.max_error_deg(),
             family: codec.family,
             encodes_by_table: codec.encodes_by_table,
         };
@@ -85,8 +85,8 @@ impl Row {
             vk_format: codec.vk_format,
             of_vectors: is_vector.then(of_vectors),
             of_frames: match *codec.max_errors_deg {
-                [max_normal_error_deg, max_tangent_error_deg] => {
-                    Some(OfFrames { max_normal_error_deg, max_tangent_error_deg })
+                [normal_bound_deg, tangent_bound_deg] => {
+                    Some(OfFrames { normal_bound_deg, tangent_bound_deg })
                 }
                 _ => None,
             },

@@ -19,6 +19,7 @@ mod cpu;
 #[cfg(feature = "serde")]
 mod json;
 mod list;
+mod recommended;
 
 use bytemuck::{cast_slice, cast_slice_mut};
 use cpu::{AnyFunctions, Functions, resized, with_functions};
@@ -31,6 +32,7 @@ use unitvec::{Listed, ListedFrame};
 
 pub use cpu::best_fit_table;
 pub use list::{CODECS, frames, vectors};
+pub use recommended::{Choice, FORMATS, Format, Measured, RECOMMENDED, Recommendation, Usage};
 pub use unitvec::Domain;
 
 /// A codec of vectors or of frames: its properties and its CPU functions. Two codecs with one identifier are equal.
@@ -132,6 +134,10 @@ impl AnyCodec {
     /// Upper bound of the error over the domain, in degrees; for frames the greater of the normal's and the tangent's.
     pub fn max_error_deg(&self) -> f32 {
         self.max_errors_deg.iter().copied().fold(0.0, f32::max)
+    }
+
+    fn is_named(&self, name: &str) -> bool {
+        [self.id, self.survey_name, self.rust_type].iter().any(|own| own.eq_ignore_ascii_case(name))
     }
 
     /// The GLSL include file with its functions: `oct.glsl`.
@@ -286,36 +292,50 @@ impl std::fmt::Display for Operation {
     }
 }
 
-/// No codec has this identifier.
+/// No codec has this name.
 #[derive(Clone, Debug, thiserror::Error)]
+#[non_exhaustive]
 #[error("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id))]
 pub struct UnknownCodec {
-    /// The identifier asked for.
+    /// The name asked for.
     pub id: String,
 }
 
-/// Codecs whose identifier or survey name is this one but for case, or else that begin with the same letters.
-fn suggestion(id: &str) -> String {
-    if frames().iter().any(|codec| codec.id == id) {
+/// Codecs that begin with the same letters.
+fn suggestion(name: &str) -> String {
+    if frames().iter().any(|codec| codec.is_named(name)) {
         return "it is a codec of tangent frames; ".to_owned();
     }
     let letters =
         |text: &str| text.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default().to_lowercase();
-    let close = |is_close: &dyn Fn(&AnyCodec) -> bool| -> Vec<&str> {
-        CODECS.iter().filter(|codec| is_close(codec)).map(|codec| codec.id).collect()
-    };
-    let mut found =
-        close(&|codec| [codec.id, codec.survey_name].iter().any(|name| name.eq_ignore_ascii_case(id)));
-    if found.is_empty() {
-        found = close(&|codec| letters(codec.id) == letters(id));
-    }
-    if found.is_empty() { String::new() } else { format!("did you mean {}? ", found.join(", ")) }
+    let close = CODECS.iter().map(|codec| codec.id).filter(|id| letters(id) == letters(name));
+    let close: Vec<&str> = close.collect();
+    if close.is_empty() { String::new() } else { format!("did you mean {}? ", close.join(", ")) }
 }
 
-/// The codec with this identifier.
+/// The codec of this name: its identifier, the survey's name, or the name of its type, in upper or lower case.
+///
+/// ```
+/// for name in ["oct24p", "oct24P", "OctPrecise24", "OCT24P"] {
+///     assert_eq!(unitvec_catalogue::find(name)?.id, "oct24p");
+/// }
+/// # Ok::<(), unitvec_catalogue::UnknownCodec>(())
+/// ```
 ///
 /// # Errors
 /// [`UnknownCodec`] if no codec has it.
-pub fn find(id: &str) -> Result<&'static AnyCodec, UnknownCodec> {
-    CODECS.iter().find(|codec| codec.id == id).ok_or_else(|| UnknownCodec { id: id.to_owned() })
+pub fn find(name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
+    find_among(&CODECS, name)
+}
+
+/// The codec of vectors of this name, as [`find`] takes it.
+///
+/// # Errors
+/// [`UnknownCodec`] if no codec of vectors has it.
+pub fn find_vector(name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
+    find_among(vectors(), name)
+}
+
+fn find_among(codecs: &'static [AnyCodec], name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
+    codecs.iter().find(|codec| codec.is_named(name)).ok_or_else(|| UnknownCodec { id: name.to_owned() })
 }

@@ -3,7 +3,7 @@
 
 use super::tables::is_shown;
 use super::{compare, markdown_table};
-use crate::isa::committed;
+use crate::isa::{committed, stages};
 use serde_json::Value;
 use std::sync::OnceLock;
 use unitvec_catalogue::CODECS;
@@ -139,6 +139,22 @@ pub fn exact() -> String {
     });
     let titles = "codec: encode / decode | vector / v, plain | vector / v, exact | T, plain | T, exact";
     markdown_table(titles, shown)
+}
+
+/// Costs in pixel and vertex shaders, unitvec's beside the textbook's.
+pub fn stages() -> String {
+    let report = stages::committed();
+    let rows = stages::WAYS.iter().map(|way| {
+        let stages::Way(place, format, ours, textbook) = way;
+        let pair = |figure: fn(&Row) -> Option<u64>| {
+            let of = |expression: &str| way.beyond_idle(&report, expression, figure).to_string();
+            format!("{} / {}", of(ours), textbook.map_or_else(|| "-".to_owned(), of))
+        };
+        let (instructions, throughput) = (pair(|row| row.instructions), pair(|row| row.inverse_throughput));
+        format!("{} | `{:?}` | `{ours}` | {instructions} | {throughput}", place, format.raw)
+    });
+    let titles = "shader | format | expression | instructions: unitvec / textbook | T: unitvec / textbook";
+    markdown_table(titles, rows)
 }
 
 /// The compilers of the figures.

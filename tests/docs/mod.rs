@@ -3,13 +3,17 @@
 //! `<!-- generated: NAME -->` begins a generated part, `<!-- end -->` ends it. `cargo xtask renew tables` writes them all again.
 
 pub mod accuracy;
+#[cfg(feature = "glsl")]
+mod commands;
 pub mod costs;
 mod devices;
 mod dither;
 mod drivers;
 mod engines;
+pub mod formats;
 mod imprecise;
 mod languages;
+mod papers;
 mod pictures;
 mod processors;
 mod projected;
@@ -18,6 +22,7 @@ mod slices;
 mod stubs;
 mod tables;
 pub mod textbook;
+mod torus;
 
 use serde::Deserialize;
 use std::path::{Path, PathBuf};
@@ -26,11 +31,11 @@ use unitvec_tests::{files, repository};
 const BEGIN: &str = "<!-- generated: ";
 const END: &str = "<!-- end -->";
 
-/// Compares a committed file with the expected text, or writes it where `BLESS` is set.
-pub fn compare(path: &Path, expected: &str) {
-    let committed = std::fs::read_to_string(path).unwrap_or_default();
+/// Compares a committed file with what is expected, or writes it where `BLESS` is set.
+pub fn compare(path: &Path, expected: &(impl AsRef<[u8]> + ?Sized)) {
+    let (committed, expected) = (std::fs::read(path).unwrap_or_default(), expected.as_ref());
     if std::env::var_os("BLESS").is_some() && committed != expected {
-        unitvec_files::write_file(path, expected.as_bytes()).unwrap();
+        unitvec_files::write_file(path, expected).unwrap();
     } else {
         assert!(committed == expected, "{} is stale: `cargo xtask renew` writes it again", path.display());
     }

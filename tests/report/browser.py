@@ -172,7 +172,7 @@ def check_choice(page, candidates):
     ids, shown = [codec["id"] for codec in candidates], page.run(SHOWN)
     if shown != ids:
         return [f"the page chooses {shown[:3]}, the program {ids[:3]}"]
-    means = zip(page.run(MEANS), (codec["mean_error_deg"] for codec in candidates), ids)
+    means = zip(page.run(MEANS), (codec["mean_deg"] for codec in candidates), ids)
     # The page has three digits.
     return [f"the page's mean of {id} is {mean}, the program's {exact}" for mean, exact, id in means if abs(mean - exact) > 0.006 * exact]
 

@@ -19,6 +19,8 @@ pub struct Generation {
     pub name: &'static str,
     /// The GPU's name in prose.
     pub title: &'static str,
+    /// The names under which such GPUs are sold.
+    pub series: &'static str,
     /// Code name of the GPU.
     pub gpu: &'static str,
     /// The first version of Mesa that was seen to compile for the generation.
@@ -32,21 +34,33 @@ pub const USUAL: &str = "rdna2";
 
 /// The generations whose costs ship with the program, the oldest first.
 pub const GENERATIONS: [Generation; 5] = [
-    generation("gcn4", "GCN 4", "polaris10", "22.3", include_bytes!("../data/costs_polaris10.json")),
-    generation("gcn5", "GCN 5", "vega10", "22.3", include_bytes!("../data/costs_vega10.json")),
-    generation("rdna2", "RDNA 2", "navi21", "22.3", include_bytes!("../data/costs_navi21.json")),
-    generation("rdna3", "RDNA 3", "navi31", "25.0", include_bytes!("../data/costs_navi31.json")),
-    generation("rdna4", "RDNA 4", "gfx1201", "25.0", include_bytes!("../data/costs_gfx1201.json")),
+    generation(
+        "gcn4",
+        ["GCN 4", "RX 400 and 500"],
+        "polaris10",
+        "22.3",
+        include_bytes!("../data/costs_polaris10.json"),
+    ),
+    generation("gcn5", ["GCN 5", "RX Vega"], "vega10", "22.3", include_bytes!("../data/costs_vega10.json")),
+    generation("rdna2", ["RDNA 2", "RX 6000"], "navi21", "22.3", include_bytes!("../data/costs_navi21.json")),
+    generation("rdna3", ["RDNA 3", "RX 7000"], "navi31", "25.0", include_bytes!("../data/costs_navi31.json")),
+    generation(
+        "rdna4",
+        ["RDNA 4", "RX 9000"],
+        "gfx1201",
+        "25.0",
+        include_bytes!("../data/costs_gfx1201.json"),
+    ),
 ];
 
 const fn generation(
     name: &'static str,
-    title: &'static str,
+    [title, series]: [&'static str; 2],
     gpu: &'static str,
     mesa: &'static str,
     costs: &'static [u8],
 ) -> Generation {
-    Generation { name, title, gpu, mesa, costs }
+    Generation { name, title, series, gpu, mesa, costs }
 }
 
 /// The generation of this name, or of a GPU of this code name: `rdna2`, `RDNA 2`, `navi21`.

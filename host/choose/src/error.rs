@@ -7,9 +7,6 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 /// An error of choosing. Each message is one line that names the thing and the remedy.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// The mean errors cannot be measured.
-    #[error(transparent)]
-    Run(#[from] unitvec_run::Error),
     /// No costs on this GPU ship with the program.
     #[error("{}", unknown(.0))]
     UnknownGpu(String),
@@ -23,12 +20,65 @@ pub enum Error {
     },
 }
 
+/// Words in the names of other makers' GPUs.
+const MAKERS: [(&str, &[&str]); 6] = [
+    ("NVIDIA", &["nvidia", "geforce", "rtx", "gtx", "quadro"]),
+    ("Intel", &["intel", "arc", "iris", "uhd"]),
+    ("Apple", &["apple", "m1", "m2", "m3", "m4", "m5"]),
+    ("Qualcomm", &["qualcomm", "adreno"]),
+    ("Arm", &["arm", "mali", "immortalis"]),
+    ("Imagination", &["imagination", "powervr"]),
+];
+
+/// The maker of a GPU, if it is not AMD.
+fn maker(name: &str) -> Option<&'static str> {
+    let name = name.to_lowercase();
+    let words: Vec<&str> = name.split(|c: char| !c.is_ascii_alphanumeric()).collect();
+    // `rtx4090` is a word of `rtx`.
+    let is_of = |(_, known): &&(_, &[&str])| {
+        let is_known = |word: &&str| {
+            known.contains(word) || known.contains(&word.trim_end_matches(|c: char| c.is_ascii_digit()))
+        };
+        words.iter().any(is_known)
+    };
+    MAKERS.iter().find(is_of).map(|(maker, _)| *maker)
+}
+
 fn unknown(name: &str) -> String {
-    let known = GENERATIONS.map(|generation| format!("{} ({})", generation.name, generation.gpu));
+    if let Some(maker) = maker(name) {
+        return format!(
+            "no costs of {maker}'s GPUs ship with the program, only AMD's and lavapipe's: leave --gpu out to go by RDNA 2's, or \
+             measure yours by `unitvec bench device --device NAME --json costs.json`, in a build with --features glsl, and name \
+             the file after --costs"
+        );
+    }
+    let known = GENERATIONS.map(|one| format!("{} ({}: {})", one.name, one.gpu, one.series));
     format!(
         "no costs of a GPU `{name}` ship with the program; --gpu takes {} or lavapipe; --costs takes a report of another AMD \
          GPU, by `unitvec bench compiler --gpu {name} --json FILE`, or of a GPU that is here, by `unitvec bench compiler --device \
          NAME --json FILE`",
         known.join(", ")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn other_makers_are_known_and_amd_is_none() {
+        for (name, of) in [
+            ("RTX 4090", Some("NVIDIA")),
+            ("rtx4090", Some("NVIDIA")),
+            ("intel arc a770", Some("Intel")),
+            ("Apple M2", Some("Apple")),
+            ("m3", Some("Apple")),
+            ("mali-g610", Some("Arm")),
+            ("Radeon RX 6800", None),
+            ("FirePro M4000", None),
+            ("vega10", None),
+        ] {
+            assert_eq!(maker(name), of, "{name}");
+        }
+    }
 }

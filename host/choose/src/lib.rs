@@ -9,53 +9,18 @@ pub use costs::REFERENCE;
 pub use error::{Error, Result};
 
 use serde::{Deserialize, Serialize};
+use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::path::Path;
-use unitvec_catalogue::{AnyCodec, Domain, Operation, vectors};
+use unitvec_catalogue::{AnyCodec, CODECS, Domain, Element, Measured, Operation};
 use unitvec_files::one_line;
-use unitvec_run::backend::{BackendKind, Cpu};
-use unitvec_run::measure::measure;
-
-/// The recommended codecs for one purpose.
-pub struct Recommendation {
-    /// The purpose.
-    pub purpose: &'static str,
-    /// Identifiers, the first choice first.
-    pub codecs: &'static [&'static str],
-    /// The number of codecs in the short table, which the README has.
-    pub in_short: usize,
-}
-
-/// The recommended codecs by purpose.
-pub const RECOMMENDED: [Recommendation; 8] = [
-    recommend("encoded often: G-buffers", &["oct32", "oct24", "oct16"], 1),
-    recommend("encoded once: vertices, textures", &["oct32p", "oct24p", "oct16p"], 3),
-    recommend("z >= 0: tangent-space normal maps", &["hemioct16", "hemioct24"], 2),
-    recommend("two snorms and a sign bit", &["soct17", "soct25"], 1),
-    recommend("least maximum error for the bytes", &["ico16", "ico24", "ico32"], 3),
-    recommend("very few bits", &["oct8p", "oct12p"], 1),
-    recommend("finer than 32 bits", &["oct48p", "oct52p"], 1),
-    recommend("a normal with its tangent", &["frame32", "frame64"], 2),
-];
-
-const fn recommend(
-    purpose: &'static str,
-    codecs: &'static [&'static str],
-    in_short: usize,
-) -> Recommendation {
-    Recommendation { purpose, codecs, in_short }
-}
-
-impl Recommendation {
-    /// The codecs in the short table.
-    pub fn short(&self) -> &'static [&'static str] {
-        &self.codecs[..self.in_short]
-    }
-}
+use unitvec_run::backend::BackendKind;
 
 /// The demands on a codec.
 #[derive(Clone, Copy, Debug)]
 pub struct Demand {
+    /// The kind of element to encode.
+    pub element: Element,
     /// The largest error that is allowed in any direction, in degrees; without it the least error is the choice.
     pub max_error_deg: Option<f64>,
     /// The largest mean error that is allowed, in degrees.
@@ -66,6 +31,8 @@ pub struct Demand {
     pub no_table: bool,
     /// True if all directions have z >= 0.
     pub hemisphere: bool,
+    /// Weights of encoding and of decoding in the cost.
+    pub weights: [f64; 2],
 }
 
 /// Costs of codecs, as multiples of `oct32`'s, for both operations.
@@ -162,7 +129,7 @@ impl Costs {
     }
 }
 
-/// A codec that satisfies the demand.
+/// A codec with all that a choice counts.
 #[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Candidate {
     /// Codec.
@@ -171,63 +138,173 @@ pub struct Candidate {
     pub bits: u32,
     /// Bytes of a stored code.
     pub bytes: usize,
-    /// Upper bound of the codec's error, in degrees.
-    pub max_error_deg: f64,
-    /// The codec's mean error, measured now, in degrees.
-    pub mean_error_deg: f64,
+    /// The error that no direction exceeds, in degrees; of frames, here and below, the greater of normal's and tangent's.
+    pub bound_deg: f64,
+    /// The largest error measured, in degrees.
+    pub max_deg: f64,
+    /// The mean error measured, in degrees.
+    pub mean_deg: f64,
     /// Cost of encoding as a multiple of `oct32`'s, where it is known.
     pub encode_cost: Option<f64>,
     /// Cost of decoding as a multiple of `oct32`'s, where it is known.
     pub decode_cost: Option<f64>,
+    /// The weighted sum of both costs, where it is known.
+    pub cost: Option<f64>,
+    /// True where the encoder reads a table.
+    pub reads_table: bool,
+    /// The uses that the codec is recommended for.
+    pub recommended_for: Vec<&'static str>,
 }
 
-/// Random directions that mean errors are measured over.
-pub const COUNT: usize = 100_000;
+/// A limit of a demand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Limit {
+    /// The error of any direction.
+    Bound,
+    /// The mean error.
+    Mean,
+    /// The bits of a code.
+    Bits,
+}
 
-/// The codecs that satisfy a demand, the best choice first: fewest bytes, then cheapest, decoding and encoding
-/// together, then least mean error. Among codecs of as many bytes, those without measured cost come last.
-///
-/// # Errors
-/// [`LengthMismatch`](unitvec::slice::LengthMismatch), which would be a fault of this crate.
-pub fn candidates(demand: &Demand, costs: &Costs) -> Result<Vec<Candidate>> {
-    let mut candidates = Vec::new();
-    for codec in vectors().iter().filter(|codec| meets(codec, demand)) {
-        let domain = if demand.hemisphere { Domain::Hemisphere } else { Domain::Sphere };
-        let mean_error_deg = measure(&mut Cpu, codec, domain, COUNT, 1)?.normal.mean_deg();
-        if demand.mean_error_deg.is_some_and(|limit| mean_error_deg > limit) {
-            continue;
+/// A codec that fails a demand, and by how much.
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+pub struct Miss {
+    /// The codec.
+    #[serde(flatten)]
+    pub candidate: Candidate,
+    /// The limit that it exceeds most.
+    pub exceeds: Limit,
+    /// The multiple of the limit that it has.
+    pub times: f64,
+}
+
+/// The codecs for a demand.
+#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+pub struct Answer {
+    /// The codecs that meet the demand, the best choice first.
+    pub candidates: Vec<Candidate>,
+    /// Codecs that would be a better choice, and fail the demand by little; where no codec meets it, the nearest.
+    pub misses: Vec<Miss>,
+}
+
+/// The multiple of a limit up to which a miss is near.
+const NEAR: f64 = 1.25;
+
+/// Most misses of an answer.
+const MISSES: usize = 3;
+
+/// Chooses codecs. The best has the fewest bytes where an error is demanded, else the least bound; then the least cost,
+/// then the least mean error. Codecs without known cost come last.
+pub fn choose(demand: &Demand, costs: &Costs) -> Answer {
+    let (mut candidates, mut misses) = (Vec::new(), Vec::new());
+    let suitable = CODECS.iter().filter(|codec| suits(codec, demand));
+    for candidate in suitable.filter_map(|codec| Candidate::new(codec, demand, costs)) {
+        match excess(&candidate, demand) {
+            None => candidates.push(candidate),
+            Some((exceeds, times)) => misses.push(Miss { candidate, exceeds, times }),
         }
-        candidates.push(Candidate {
-            id: codec.id,
-            bits: codec.bits,
-            bytes: codec.bytes,
-            max_error_deg: f64::from(codec.max_error_deg()),
-            mean_error_deg,
-            encode_cost: costs.of(codec.id, Operation::Encode),
-            decode_cost: costs.of(codec.id, Operation::Decode),
-        });
     }
-    candidates.sort_by(|a, b| {
-        let by_error = a.max_error_deg.total_cmp(&b.max_error_deg);
-        let by_demand = if demand.max_error_deg.is_some() { a.bytes.cmp(&b.bytes) } else { by_error };
-        by_demand.then(a.cost().total_cmp(&b.cost())).then(a.mean_error_deg.total_cmp(&b.mean_error_deg))
-    });
-    Ok(candidates)
+    candidates.sort_by(|a, b| order(demand, a, b));
+    let best = candidates.first();
+    let is_near =
+        |miss: &Miss, best| miss.times <= NEAR && order(demand, &miss.candidate, best) == Ordering::Less;
+    misses.retain(|miss| best.is_none_or(|best| is_near(miss, best)));
+    misses.sort_by(|a, b| a.times.total_cmp(&b.times).then(order(demand, &a.candidate, &b.candidate)));
+    misses.truncate(MISSES);
+    Answer { candidates, misses }
 }
 
 impl Candidate {
-    /// The cost of both operations; infinite where it was not measured.
-    pub fn cost(&self) -> f64 {
-        self.encode_cost.zip(self.decode_cost).map_or(f64::INFINITY, |(encode, decode)| encode + decode)
+    /// `None` where the errors of a codec were not measured yet.
+    fn new(codec: &AnyCodec, demand: &Demand, costs: &Costs) -> Option<Self> {
+        let Measured { mean_deg, max_deg } = measured(codec, demand.hemisphere)?;
+        let both = Operation::ALL.map(|operation| costs.of(codec.id, operation));
+        // What does not count may be unknown.
+        let weighted = |(cost, weight): (Option<f64>, f64)| {
+            if weight == 0.0 { Some(0.0) } else { Some(weight * cost?) }
+        };
+        let cost: Option<f64> = both.into_iter().zip(demand.weights).map(weighted).sum();
+        Some(Self {
+            id: codec.id,
+            bits: codec.bits,
+            bytes: codec.bytes,
+            bound_deg: f64::from(codec.max_error_deg()),
+            max_deg,
+            mean_deg,
+            encode_cost: both[0],
+            decode_cost: both[1],
+            cost,
+            reads_table: codec.encodes_by_table,
+            recommended_for: codec.recommended_for().collect(),
+        })
     }
 }
 
-/// True if a codec satisfies all demands but the mean error, which has to be measured. Raw component formats do not:
-/// they do not decode to unit vectors.
-fn meets(codec: &AnyCodec, demand: &Demand) -> bool {
+/// The measured errors of a codec, of a frame's normal and tangent the greater; with `above` the mean is over z >= 0.
+pub fn measured(codec: &AnyCodec, above: bool) -> Option<Measured> {
+    let mut parts = codec.element.directions().iter().filter_map(|of| codec.measured(of));
+    let mut errors = parts.next()?;
+    for part in parts {
+        errors.mean_deg = errors.mean_deg.max(part.mean_deg);
+        errors.max_deg = errors.max_deg.max(part.max_deg);
+    }
+    if let Some(over) = codec.measured("above").filter(|_| above) {
+        errors.mean_deg = over.mean_deg;
+    }
+    Some(errors)
+}
+
+/// The order of choice.
+fn order(demand: &Demand, a: &Candidate, b: &Candidate) -> Ordering {
+    let by_bound = || a.bound_deg.total_cmp(&b.bound_deg);
+    let by_demand = if demand.max_error_deg.is_some() { a.bytes.cmp(&b.bytes) } else { by_bound() };
+    let cost = |candidate: &Candidate| candidate.cost.unwrap_or(f64::INFINITY);
+    by_demand.then(cost(a).total_cmp(&cost(b))).then(a.mean_deg.total_cmp(&b.mean_deg))
+}
+
+/// True if a codec can be asked at all. Raw component formats cannot: they do not decode to unit vectors.
+fn suits(codec: &AnyCodec, demand: &Demand) -> bool {
     codec.is_unit
-        && demand.max_error_deg.is_none_or(|limit| f64::from(codec.max_error_deg()) <= limit)
-        && demand.bits.is_none_or(|bits| codec.bits <= bits)
+        && codec.element == demand.element
         && !(demand.no_table && codec.encodes_by_table)
         && (demand.hemisphere || codec.domain == Domain::Sphere)
+}
+
+/// The limit that a codec exceeds most, and the multiple of it that it has.
+fn excess(candidate: &Candidate, demand: &Demand) -> Option<(Limit, f64)> {
+    let times = |value: f64, limit: Option<f64>| limit.map_or(0.0, |limit| value / limit);
+    let all = [
+        (Limit::Bound, times(candidate.bound_deg, demand.max_error_deg)),
+        (Limit::Mean, times(candidate.mean_deg, demand.mean_error_deg)),
+        (Limit::Bits, times(candidate.bits.into(), demand.bits.map(f64::from))),
+    ];
+    all.into_iter().filter(|(_, times)| *times > 1.0).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// Degrees with three digits; decimals where those do not take too many zeros.
+pub fn degrees(error: f64) -> String {
+    if error <= 0.0 || !error.is_finite() {
+        return error.to_string();
+    }
+    if error < 5e-4 {
+        return format!("{error:.2e}");
+    }
+    let decimals = (2 - error.log10().floor() as i32).max(0) as usize;
+    format!("{error:.decimals$}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_have_three_digits() {
+        for (value, text) in
+            [(0.63575, "0.636"), (0.0195, "0.0195"), (12.34, "12.3"), (1.5e-6, "1.50e-6"), (0.0, "0")]
+        {
+            assert_eq!(degrees(value), text);
+        }
+    }
 }

@@ -174,7 +174,7 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "errors",
-        outputs: &[Bytes("docs/data/accuracy.csv docs/data/dither.csv docs/data/projected.csv")],
+        outputs: &[Bytes("catalogue/data/accuracy.csv docs/data/dither.csv docs/data/projected.csv")],
         from: "the codecs, plain, dithered and as projections, on the CPU",
         // The search for the worst direction, and the sample, decide the last digits.
         inputs: &[
@@ -199,10 +199,14 @@ pub static RECORDS: &[Record] = &[
     Record {
         name: "costs",
         outputs: &[Bytes(
-            "host/choose/data/costs_gfx* host/choose/data/costs_navi* host/choose/data/costs_polaris* host/choose/data/costs_vega* docs/data/dither_costs.json",
+            "host/choose/data/costs_gfx* host/choose/data/costs_navi* host/choose/data/costs_polaris* host/choose/data/costs_vega* docs/data/dither_costs.json docs/data/stage_costs.json",
         )],
         from: "the modules and the GLSL, by the compilers of Mesa's RADV",
-        inputs: &[KERNELS, GLSL, &[Code("glsl/textbook/* tests/isa/dithered/kernel.comp")]],
+        inputs: &[
+            KERNELS,
+            GLSL,
+            &[Code("glsl/textbook/* tests/isa/dithered/kernel.comp tests/isa/stages/*.rs")],
+        ],
         minutes: 4,
         needs: "Debian 12 on amd64, for RADV of Mesa 22.3 and 25.0",
         renew: || {
@@ -211,7 +215,8 @@ pub static RECORDS: &[Record] = &[
                 Some(file) => file,
                 None => drivers::newer_radv(&cache("drivers")?)?.into(),
             };
-            let tests = ["isa::compiled::renew", "isa::dithered::compiled::renew"];
+            let tests =
+                ["isa::compiled::renew", "isa::dithered::compiled::renew", "isa::stages::compiled::renew"];
             by_tests(&tests, (drivers::NEWER_RADV, newer))
         },
         ..FILE
@@ -325,15 +330,26 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "tables",
-        outputs: &[Parts("README.md CONTRIBUTING.md docs/*.md shader-crate/src/*.rs"), Bytes("docs/*.svg")],
+        outputs: &[
+            Parts("README.md CONTRIBUTING.md docs/*.md shader-crate/src/*.rs"),
+            Bytes("docs/*.svg shader-crate/facts.rs host/mesh/data/torus.glb"),
+        ],
         from: "the list, all data above, and this table",
-        inputs: &[CODECS, &[Bytes("docs/data/* host/choose/data/costs_* docs/figures/figures.json")]],
+        inputs: &[
+            CODECS,
+            &[
+                Code("catalogue/src/recommended.rs"),
+                Bytes("catalogue/data/* docs/data/* host/choose/data/costs_* docs/figures/figures.json"),
+            ],
+        ],
         renew: || {
             super::write_contributing()?;
             bless(&[
                 "docs::generated_parts_are_current",
+                "docs::tables::facts_are_current",
                 "docs::accuracy::the_chart_is_current",
                 "docs::costs::the_chart_is_current",
+                "docs::torus::the_mesh_is_the_formulas",
             ])
         },
         ..FILE

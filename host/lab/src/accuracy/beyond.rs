@@ -55,7 +55,7 @@ pub fn measure_frame(
     let row = |part: &str, errors: &ErrorStats, published: (f64, f64)| {
         let published = (codec.bits == 32).then_some(published).unzip();
         let row = Row::new("frames", part, codec, errors, errors.max_deg(), published);
-        Row { bound_mean_deg: None, bound_max_deg: None, wasted_bits: None, ..row }
+        Row { least_mean_deg: None, least_max_deg: None, wasted_bits: None, ..row }
     };
     let [normal, tangent] = PUBLISHED_FRAME;
     Ok([row("normal", &errors.normal, normal), row("tangent", &errors.tangent, tangent)])

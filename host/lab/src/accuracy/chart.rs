@@ -44,10 +44,10 @@ pub fn svg(rows: &[Row]) -> Result<String, Box<dyn Error>> {
         draw_degrees(&degrees, &families)?;
         let ratio = "as a multiple of the covering bound";
         draw_ratio(&mean, &format!("Mean error, {ratio}"), &families, |row| {
-            Some(row.mean_deg / row.bound_mean_deg?)
+            Some(row.mean_deg / row.least_mean_deg?)
         })?;
         draw_ratio(&max, &format!("Maximum error, {ratio}"), &families, |row| {
-            Some(row.max_deg / row.bound_max_deg?)
+            Some(row.max_deg / row.least_max_deg?)
         })?;
         root.present()?;
     }
@@ -57,7 +57,7 @@ pub fn svg(rows: &[Row]) -> Result<String, Box<dyn Error>> {
 /// Rows by family, which is the identifier without its digits; by bits, each codec once.
 fn families(rows: &[Row]) -> BTreeMap<String, Vec<&Row>> {
     let mut families: BTreeMap<String, Vec<&Row>> = BTreeMap::new();
-    for row in rows.iter().filter(|row| row.bound_max_deg.is_some()) {
+    for row in rows.iter().filter(|row| row.least_max_deg.is_some()) {
         let family = row.id.replace(|c: char| c.is_ascii_digit(), "");
         let members = families.entry(family).or_default();
         if members.iter().all(|other| other.id != row.id) {

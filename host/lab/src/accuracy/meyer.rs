@@ -32,10 +32,13 @@ pub const WIDTHS: [u32; 4] = [16, 24, 32, 48];
 ///
 /// The bounds take a coordinate's bits to be any number, whole or not. Where PP's b - 1 or SPP's and CM's b - 3 bits are
 /// odd, one coordinate has sqrt(2) times the bound's step and the other 1 / sqrt(2) times, and the error of both is
-/// sqrt(5) / 2 times the bound, or the square root of that for PP. SC stores an angle less than it could: ours stays
-/// well below. At 48 bits the decoded vector's own rounding to f32 (5.6e-8 radians) comes on top, and PP and SPP cannot
-/// be told from their neighbours' codes by an f32 input: see their module's docs.
-pub const METHODS: [Method; 8] = [
+/// sqrt(5) / 2 times the bound, or the square root of that for PP. At 48 bits the decoded vector's own rounding to f32
+/// (5.6e-8 radians) comes on top, and PP and SPP cannot be told from their neighbours' codes by an f32 input: see their
+/// module's docs.
+///
+/// SC stands twice too: the table prints twice what eq. 5, sqrt(2) / 2 pi epsilon, gives with the table's own epsilon,
+/// 2^(-(b-1)/2). Ours are sqrt(5) / 2 above eq. 5, since a step of phi is twice one of theta.
+pub const METHODS: [Method; 9] = [
     Method {
         name: "FPNV",
         bound: |b| 32f64.sqrt() / 3.0 * (b / 6.0).exp2() * scale(b),
@@ -46,6 +49,7 @@ pub const METHODS: [Method; 8] = [
     Method { name: "PP", bound: |b| (1.0 + b / 4.0).exp2() * scale(b), family: "pp", suffix: "" },
     Method { name: "SPP", bound: |b| 2.0 * 6f64.sqrt() * scale(b), family: "spp", suffix: "" },
     Method { name: "SC", bound: |b| 2.0 * PI * scale(b), family: "spherical", suffix: "" },
+    Method { name: "SC_eq5", bound: |b| PI * scale(b), family: "spherical", suffix: "" },
     Method { name: "CM", bound: |b| 4.0 * scale(b), family: "cube", suffix: "" },
     Method { name: "ONV_domain", bound: |b| 3.0 * SQRT_2 * scale(b), family: "oct", suffix: "" },
     Method { name: "ONV_range", bound: |b| 2.0 * SQRT_2 * scale(b), family: "oct", suffix: "p" },
@@ -176,6 +180,8 @@ mod tests {
             Some(4.88e-4),
             Some(2.92e-7),
             Some(3.74e-7),
+            // Eq. 5: half of that.
+            Some(1.87e-7),
             Some(2.38e-7),
             Some(2.53e-7),
             Some(1.69e-7),

@@ -75,7 +75,7 @@ pub fn svg(report: &Report) -> Result<String, Box<dyn Error>> {
         for (area, operation, name) in
             [(&decode, Operation::Decode, "Decoding"), (&encode, Operation::Encode, "Encoding")]
         {
-            let caption = format!("{name}: maximum error over cost on {gpu}");
+            let caption = format!("{name}: bound of the error over cost on {gpu}");
             draw(area, &caption, &points(report, operation))?;
         }
         root.present()?;

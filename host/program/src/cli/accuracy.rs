@@ -156,8 +156,9 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     Ok(open.close())
 }
 
-const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); bound is that of hexagonal \
-     covering; waste is bits against it; --float64 adds mean and max with float64 intermediates\n";
+const LEGEND: &str = "errors in degrees; ratio is ours / published (Meyer: their bound); least is that of hexagonal \
+     covering; waste is bits against it; ± is the survey's mark of errors that float64 lowers; --float64 adds mean and max \
+     with float64 intermediates\n";
 
 /// The column of the published names.
 const SURVEY: usize = 2;
@@ -175,8 +176,8 @@ fn columns(float64: bool) -> Vec<Column> {
         right("max", 9).apart(),
         right("survey", 9).rank(5),
         right("ratio", 6).rank(3),
-        right("bound mean", 10).apart().rank(6),
-        right("bound max", 10).rank(6),
+        right("least mean", 10).apart().rank(6),
+        right("least max", 10).rank(6),
         right("waste", 6).rank(1),
     ];
     if float64 {
@@ -195,13 +196,13 @@ fn line(screen: &Screen, row: &Row) -> String {
         &row.survey_name,
         &row.bits,
         &degrees(row.mean_deg),
-        &number(row.survey_mean_deg, 5),
+        &(number(row.survey_mean_deg, 5) + &row.survey_mean_flag),
         &number(row.survey_mean_deg.map(|mean| row.mean_deg / mean), 3),
         &degrees(row.max_deg),
-        &error(row.survey_max_deg),
+        &(error(row.survey_max_deg) + &row.survey_max_flag),
         &number(row.survey_max_deg.map(|max| row.max_deg / max), 3),
-        &error(row.bound_mean_deg),
-        &error(row.bound_max_deg),
+        &error(row.least_mean_deg),
+        &error(row.least_max_deg),
         &number(row.wasted_bits, 2),
         &error(row.float64_mean_deg),
         &error(row.float64_max_deg),
@@ -214,7 +215,7 @@ fn best(rows: &[Row]) -> Vec<String> {
         let best = beyond::beats_the_survey(rows, bits)?;
         let gap = if at == 0 { "\n" } else { "" };
         Some(format!(
-            "{gap}{bits} bits: {} has a lower maximum than every row of table 1 and a mean no higher\n",
+            "{gap}{bits} bits: {} has a lower maximum than every row of table 1, and no higher mean within the sample\n",
             best.id
         ))
     };

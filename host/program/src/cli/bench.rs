@@ -94,8 +94,9 @@ fn run_on_device(arguments: &OnDevice) -> Result<ExitCode> {
     };
     let live = Live::new(Some(chosen.len() as u64), CODECS_LEFT, is_quiet);
     let mut screen = Screen::new(columns(), &run.wide, live)?;
-    screen.head(&legend(device.info(), &options))?;
+    let legend = legend(device.info(), &options);
     let mut bench = Bench::new(&device, run.vulkan.modules()?, options)?;
+    screen.head(&legend)?;
     let mut rows = Vec::new();
     for format in chosen {
         let measured = bench.measure(format)?;

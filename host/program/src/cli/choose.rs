@@ -1,33 +1,40 @@
 use super::counted;
 use super::run::Json;
-use super::table::{Layout, Wide, left, right, wrapped};
+use super::table::{Layout, Wide, left, left_out, right, wrapped};
 use clap::Args;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use unitvec_catalogue::Element;
 use unitvec_choose::costs::USUAL;
-use unitvec_choose::{Candidate, Costs, Demand, candidates};
+use unitvec_choose::{Answer, Candidate, Costs, Demand, Limit, Miss, choose, degrees};
 use unitvec_files::read_small;
 use unitvec_host::Result;
 
 #[derive(Args)]
 pub struct Arguments {
     /// Largest error that is allowed for any direction, in degrees. Codecs of few bytes come first; with --bits alone, those of
-    /// the least error.
-    #[arg(long, value_name = "DEG", value_parser = degrees, required_unless_present = "bits")]
+    /// the least bound.
+    #[arg(long, value_name = "DEG", value_parser = number_of_degrees, required_unless_present = "bits")]
     max_error: Option<f64>,
     /// Largest mean error that is allowed, in degrees; besides --max-error or --bits.
-    #[arg(long, value_name = "DEG", value_parser = degrees)]
+    #[arg(long, value_name = "DEG", value_parser = number_of_degrees)]
     mean_error: Option<f64>,
     /// Most bits of a code.
     #[arg(long, value_name = "N")]
     bits: Option<u32>,
+    /// Codecs of tangent frames instead of vectors. Of the errors of normal and tangent the greater counts.
+    #[arg(long)]
+    frames: bool,
     /// Leave out encoders that read a table.
     #[arg(long)]
     no_table: bool,
     /// Directions with z >= 0 only, as in tangent-space normal maps: that saves a bit.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "frames")]
     hemisphere: bool,
+    /// Weights of encoding and of decoding in the cost: 0,1 for what is encoded once and decoded often.
+    #[arg(long, value_name = "E,D", default_value = "1,1", value_parser = weights)]
+    weights: [f64; 2],
     /// GPU whose costs to choose by, by generation or code name (rdna2, navi21); or lavapipe.
     #[arg(long, value_name = "NAME", default_value = USUAL)]
     gpu: String,
@@ -47,10 +54,12 @@ const SHOWN: usize = 8;
 pub struct Report {
     /// The device whose costs the choice goes by.
     costs_of: String,
+    /// Weights of encoding and of decoding in the cost.
+    weights: [f64; 2],
     /// Why the first is the choice, or why there is none.
     reason: String,
-    /// The codecs, the best choice first.
-    candidates: Vec<Candidate>,
+    #[serde(flatten)]
+    answer: Answer,
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
@@ -59,95 +68,161 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         None => Costs::shipped(&arguments.gpu)?,
     };
     let demand = Demand {
+        element: if arguments.frames { Element::Frame } else { Element::Vector },
         max_error_deg: arguments.max_error,
         mean_error_deg: arguments.mean_error,
         bits: arguments.bits,
         no_table: arguments.no_table,
         hemisphere: arguments.hemisphere,
+        weights: arguments.weights,
     };
     let columns = arguments.wide.columns()?;
-    let found = candidates(&demand, &costs)?;
-    let reason = if demand.max_error_deg.is_some() { reason(&found) } else { finest(&found) };
-    let report = Report { costs_of: costs.device().to_owned(), reason, candidates: found };
-    let status = arguments.json.write_or_print(&report, || table(&report, columns))?;
-    Ok(if report.candidates.is_empty() { ExitCode::FAILURE } else { status })
+    let answer = choose(&demand, &costs);
+    let reason = reason(&demand, &answer);
+    let report = Report { costs_of: costs.device().to_owned(), weights: demand.weights, reason, answer };
+    let status = arguments.json.write_or_print(&report, || text(&report, &demand, columns))?;
+    Ok(if report.answer.candidates.is_empty() { ExitCode::FAILURE } else { status })
 }
 
-fn degrees(text: &str) -> std::result::Result<f64, String> {
+fn number_of_degrees(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(degrees) if degrees > 0.0 => Ok(degrees),
         _ => Err("not a number of degrees above 0".to_owned()),
     }
 }
 
-/// The choice where only bits are limited.
-fn finest(found: &[Candidate]) -> String {
-    match found {
-        [] => "no codec has so few bits".to_owned(),
-        [best, ..] => format!("take {}: no codec of so few bits has a smaller maximum error", best.id),
+fn weights(text: &str) -> Result<[f64; 2], String> {
+    let weight =
+        |text: &str| text.trim().parse().ok().filter(|weight: &f64| *weight >= 0.0 && weight.is_finite());
+    match text.split_once(',').map(|(encode, decode)| [weight(encode), weight(decode)]) {
+        Some([Some(encode), Some(decode)]) if encode + decode > 0.0 => Ok([encode, decode]),
+        _ => Err("not two numbers from 0, one of them above 0, such as 0,1".to_owned()),
     }
 }
 
-/// Why the first is the choice.
-fn reason(found: &[Candidate]) -> String {
-    let [best, rest @ ..] = found else {
-        return "no codec meets this demand: allow more bits or a larger error".to_owned();
-    };
+/// Why the first is the choice, or why there is none.
+fn reason(demand: &Demand, answer: &Answer) -> String {
+    match (&answer.candidates[..], demand.max_error_deg) {
+        ([], _) if answer.misses.is_empty() => "no codec meets this demand".to_owned(),
+        ([], _) => format!("no codec meets this demand; nearest: {}", named(&answer.misses)),
+        ([best, rest @ ..], None) => finest(best, rest),
+        ([best, rest @ ..], Some(_)) => smallest(best, rest),
+    }
+}
+
+/// The choice where only bits are limited, and what else is recommended in as many bytes.
+fn finest(best: &Candidate, rest: &[Candidate]) -> String {
+    let alike = rest.iter().filter(|other| other.bytes == best.bytes && !other.recommended_for.is_empty());
+    let alike = alike.map(|other| format!("{} ({})", other.id, other.recommended_for.join("; ")));
+    let mut text = format!("take {}: no codec of so few bits has a smaller bound", best.id);
+    let alike = alike.collect::<Vec<_>>().join(", ");
+    if !alike.is_empty() {
+        text += &format!("; recommended in as many bytes: {alike}");
+    }
+    text
+}
+
+/// The choice where an error is demanded.
+fn smallest(best: &Candidate, rest: &[Candidate]) -> String {
     let alike: Vec<&Candidate> = rest.iter().filter(|other| other.bytes == best.bytes).collect();
     let bytes = counted(best.bytes as u64, "bytes");
     let mut text = format!("take {}: {bytes} a code is the least that meets the demand", best.id);
-    let measured = best.cost().is_finite() && alike.iter().all(|other| other.cost().is_finite());
+    let is_known = best.cost.is_some() && alike.iter().all(|other| other.cost.is_some());
     text += match alike.as_slice() {
         [] => ", and no other codec does with so few",
-        _ if !measured => "; the costs of the codecs that do with so few were not all measured",
+        _ if !is_known => "; the costs of the codecs that do with so few are not all known",
         [_] => ", and the other codec that does with so few costs more",
         _ => ", and all others that do with so few cost more",
     };
-    let finest = alike.iter().min_by(|a, b| a.mean_error_deg.total_cmp(&b.mean_error_deg));
-    if let Some(finer) = finest.filter(|finest| finest.mean_error_deg < 0.995 * best.mean_error_deg) {
+    let finest = alike.iter().min_by(|a, b| a.mean_deg.total_cmp(&b.mean_deg));
+    if let Some(finer) = finest.filter(|finest| finest.mean_deg < 0.995 * best.mean_deg) {
         text += &format!("; of these, {} has the smallest mean error", finer.id);
     }
     text
 }
 
-fn table(Report { costs_of, reason, candidates: found }: &Report, columns: Option<usize>) -> String {
-    let table = Layout::new(
+/// Codecs that fail, each with what it exceeds.
+fn named(misses: &[Miss]) -> String {
+    let words = |miss: &Miss| {
+        let Miss { candidate, exceeds, times } = miss;
+        let has = match exceeds {
+            Limit::Bound => format!("bound {}", degrees(candidate.bound_deg)),
+            Limit::Mean => format!("mean {}", degrees(candidate.mean_deg)),
+            Limit::Bits => format!("{} bits", candidate.bits),
+        };
+        let bytes = counted(candidate.bytes as u64, "bytes");
+        let times = degrees(*times);
+        format!(
+            "{} ({has}, {times} times what is asked; {bytes}, cost {})",
+            candidate.id,
+            cost(candidate.cost)
+        )
+    };
+    misses.iter().map(words).collect::<Vec<_>>().join(", ")
+}
+
+fn cost(cost: Option<f64>) -> String {
+    cost.map_or_else(|| "-".to_owned(), |cost| format!("{cost:.1}"))
+}
+
+fn text(report: &Report, demand: &Demand, columns: Option<usize>) -> String {
+    let Report { costs_of, weights: [encode, decode], reason, answer: Answer { candidates, misses } } =
+        report;
+    let (mut text, layout) = (String::new(), layout(columns));
+    if !candidates.is_empty() {
+        let first = if demand.max_error_deg.is_some() { "bytes" } else { "bound" };
+        let legend = format!(
+            "errors in degrees: no direction exceeds the bound, max and mean are measured; cost: {encode} x encode + {decode} x decode, \
+             multiples of oct32's on {costs_of}; order: {first}, cost, mean"
+        );
+        text = wrapped(&legend, "", columns) + "\n" + &table(candidates, &layout);
+    }
+    // Writing to a String cannot fail.
+    let _ = writeln!(text, "\n{}", wrapped(reason, "", columns));
+    if !candidates.is_empty() && !misses.is_empty() {
+        let _ = writeln!(text, "{}", wrapped(&format!("near misses: {}", named(misses)), "", columns));
+    }
+    text + &if candidates.is_empty() { String::new() } else { left_out(&[&layout]) }
+}
+
+fn layout(columns: Option<usize>) -> Layout {
+    Layout::new(
         vec![
-            left("codec", 20),
+            left("codec", 19),
             right("bits", 4),
             right("bytes", 5),
-            right("max", 10).apart(),
-            right("mean", 10),
-            right("encode", 7).apart(),
-            right("decode", 7),
+            right("bound", 8).apart(),
+            right("max", 8),
+            right("mean", 8),
+            right("encode", 6).apart(),
+            right("decode", 6),
+            right("cost", 5),
+            left("table", 5).apart().rank(2),
+            left("recommended for", 40).rank(1),
         ],
         columns,
-    );
-    let mut text = String::new();
-    if !found.is_empty() {
-        let legend = format!(
-            "errors in degrees: the upper bound of the maximum, the mean measured; cost as multiples of oct32's on {costs_of}"
-        );
-        text += &wrapped(&legend, "", columns);
-        text.push('\n');
-        text += &table.heading();
-    }
-    for codec in found.iter().take(SHOWN) {
-        let cost = |cost: Option<f64>| cost.map_or_else(|| "-".to_owned(), |cost| format!("{cost:.1}"));
-        text += &table.line(&[
+    )
+}
+
+fn table(candidates: &[Candidate], layout: &Layout) -> String {
+    let mut text = layout.heading();
+    for codec in candidates.iter().take(SHOWN) {
+        text += &layout.line(&[
             &codec.id,
             &codec.bits,
             &codec.bytes,
-            &format_args!("{:.3e}", codec.max_error_deg),
-            &format_args!("{:.3e}", codec.mean_error_deg),
+            &degrees(codec.bound_deg),
+            &degrees(codec.max_deg),
+            &degrees(codec.mean_deg),
             &cost(codec.encode_cost),
             &cost(codec.decode_cost),
+            &cost(codec.cost),
+            &if codec.reads_table { "yes" } else { "" },
+            &codec.recommended_for.join("; "),
         ]);
     }
-    if found.len() > SHOWN {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "and {} more; `--json -` lists them", found.len() - SHOWN);
+    if candidates.len() > SHOWN {
+        text += &format!("and {} more; `--json -` lists them\n", candidates.len() - SHOWN);
     }
-    let _ = writeln!(text, "\n{}", wrapped(reason, "", columns));
     text
 }

@@ -15,6 +15,7 @@ use unitvec_lab::isa;
 use unitvec_lab::isa::pareto;
 use unitvec_lab::isa::radv;
 use unitvec_lab::isa::radv::Radv;
+use unitvec_run::glsl;
 use unitvec_vulkan::{DeviceInfo, Inspector};
 
 #[derive(Args)]
@@ -27,7 +28,7 @@ pub struct Arguments {
     /// With --gpu: the file of the RADV to ask, radeon_icd*.json, instead of the system's; or the variable UNITVEC_RADV_ICD.
     #[arg(long, value_name = "FILE", requires = "gpu")]
     driver: Option<PathBuf>,
-    /// Draw a chart of the codecs' maximum errors against their costs, as SVG.
+    /// Draw a chart of the bounds of the codecs' errors against their costs, as SVG.
     #[arg(long, value_name = "FILE")]
     chart: Option<PathBuf>,
     #[command(flatten)]
@@ -45,6 +46,8 @@ impl Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (measured, run) = (&arguments.measured, &arguments.measured.run);
+    // It says so before another process begins.
+    glsl::Compiler::new()?;
     if let Some(radv) = arguments.radv()? {
         if run.vulkan.names_device() {
             return Err(Error::Usage("--gpu and --device both name a device; leave one out".to_owned()));

@@ -265,7 +265,11 @@ fn lines(screen: &Screen, row: &Row) -> String {
 /// The names of what was compared.
 pub fn compared_with_cpu(kinds: impl Iterator<Item = BackendKind>, with_glsl: bool) -> String {
     let kinds: String = kinds.map(|kind| format!(", {kind}")).collect();
-    let without = if with_glsl { "" } else { " (this build has no GLSL compiler: `--features glsl`)" };
+    let without = if with_glsl {
+        ""
+    } else {
+        " (no GLSL compiler: `cargo install --path host/program --features glsl`)"
+    };
     format!("cpu{kinds}{without}")
 }
 

@@ -5,8 +5,7 @@ use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, Domain, Element, find};
-use unitvec_choose::RECOMMENDED;
+use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_host::input::Elements;
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
 use unitvec_host::stream::Named;
@@ -70,7 +69,8 @@ fn formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     if !ids.is_empty() {
         return chosen_formats(ids);
     }
-    let recommended = RECOMMENDED.iter().flat_map(|row| row.short()).filter_map(|id| find(id).ok());
+    let recommended =
+        RECOMMENDED.iter().flat_map(Recommendation::short).filter_map(|choice| find(choice.id).ok());
     let is_for_all =
         |format: &&AnyCodec| format.element == Element::Vector && format.domain == Domain::Sphere;
     Ok(recommended.filter(is_for_all).collect())

@@ -6,8 +6,8 @@ use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
-use unitvec_catalogue::{AnyCodec, CODECS, find};
-use unitvec_choose::{Costs, RECOMMENDED};
+use unitvec_catalogue::{AnyCodec, CODECS, RECOMMENDED, find};
+use unitvec_choose::Costs;
 use unitvec_files::read_small;
 use unitvec_host::{Error, Result};
 use unitvec_render as render;
@@ -150,8 +150,8 @@ fn draw_figures(arguments: &Arguments, draws: bool, messages: &mut Vec<String>) 
 fn short_pipeline(device: Arc<Device>, messages: &mut Vec<String>) -> Result<render::conform::Report> {
     let options = render::conform::Options { count: SHORT_PIPELINE, seed: 1 };
     let traits = render::conform::traits(&device, &options)?;
-    let ids = RECOMMENDED.iter().flat_map(|one| one.codecs);
-    let formats = ids.map(|id| Ok(find(id)?)).collect::<Result<Vec<&'static AnyCodec>>>()?;
+    let choices = RECOMMENDED.iter().flat_map(|one| one.choices);
+    let formats = choices.map(|choice| Ok(find(choice.id)?)).collect::<Result<Vec<&'static AnyCodec>>>()?;
     let live = Live::new(Some(formats.len() as u64), "graphics pipeline {wide_bar} {pos} of {len}", true);
     let mut rows = Vec::new();
     render::conform::run(formats, &options, &device, &traits, &mut |row| {

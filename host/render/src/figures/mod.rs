@@ -24,7 +24,7 @@ use crate::Material;
 use crate::{Error, Result};
 use clap::ValueEnum;
 use figure::Content;
-use unitvec_catalogue::{AnyCodec, UnknownCodec, vectors};
+use unitvec_catalogue::{AnyCodec, find_vector};
 use unitvec_choose::costs::{USUAL, find_generation};
 use unitvec_lab::isa::pareto;
 
@@ -106,11 +106,11 @@ fn front() -> Result<Figure> {
     let report = generation.shipped()?;
     let svg = pareto::svg(&report).map_err(|error| failed(error.to_string()))?;
     let caption = format!(
-        "Largest error against cost on {}, decoding and encoding, in cycles. A codec with a name is on the front of its size: none that \
+        "The error's bound against cost on {}, decoding and encoding, in cycles. A codec with a name is on the front of its size: none that \
          takes as much room is both finer and cheaper.",
         report.subject()
     );
-    let alt = "Chart of error over cost, with the front of each size as a line";
+    let alt = "Chart of the error's bound over cost, with the front of each size as a line";
     let pictures = vec![Shown::new("front.svg", alt, Content::Svg(svg))];
     Ok(Figure::new("front", "Error against cost", caption, pictures))
 }
@@ -148,12 +148,10 @@ fn drawn(part: Part, options: &Options, camera: &mut dyn Camera) -> Result<Figur
     }
 }
 
-/// Codecs of vectors by identifier.
+/// Codecs of vectors by their names.
 ///
 /// # Errors
-/// [`UnknownCodec`] for an unknown identifier, and for a codec of frames.
+/// [`UnknownCodec`](unitvec_catalogue::UnknownCodec) for an unknown name, and for a codec of frames.
 pub fn named(ids: &[impl AsRef<str>]) -> Result<Vec<&'static AnyCodec>> {
-    let find = |id: &str| vectors().iter().find(|codec| codec.id == id);
-    let unknown = |id: &str| UnknownCodec { id: id.to_owned() };
-    ids.iter().map(|id| Ok(find(id.as_ref()).ok_or_else(|| unknown(id.as_ref()))?)).collect()
+    ids.iter().map(|id| Ok(find_vector(id.as_ref())?)).collect()
 }

@@ -72,16 +72,17 @@ pub fn points(options: &Options) -> Result<Figure> {
         let directions = representable(codec)?;
         let view = paint::of_domain(codec.domain);
         let mut dots = Dots::new(side);
-        // Dots of smaller pictures lie closer.
-        let ink = 2.2 * (f64::from(side) / 360.0).powf(1.5);
+        // Dots of smaller pictures lie closer. More points than 16 bits have share the ink of those, or all would be black.
+        let share = (f64::from(1u32 << ALL_CODES_UP_TO) / directions.len() as f64).min(1.0);
+        let ink = share * 2.2 * (f64::from(side) / 360.0).powf(1.5);
         directions.iter().filter_map(|v| paint::place(*v, view)).for_each(|place| dots.add(place, ink));
         let lines = vec![codec.survey_name.to_owned(), errors_in_words(codec)?];
         cells.push(Cell { picture: dots.picture(), lines });
         numbers.push(Number::new(format!("{}, points", codec.id), directions.len() as f64));
     }
-    let caption = "The unit vectors that a code can stand for. An even grey is best: where points are dense, and the picture \
-                   dark, errors are small at the cost of others. All codes have 16 bits but those of snorm8x3. ico16, fib16 \
-                   and eaoct16 are not in the survey.";
+    let caption = "The unit vectors that a code can stand for. The more even the grey the better: where points are dense, and \
+                   the picture dark, errors are small at the cost of others. All codes have 16 bits but those of snorm8x3, \
+                   whose dots are fainter: together they have the ink of 2^16. ico16, fib16 and eaoct16 are not in the survey.";
     let alt = "Spheres covered with dots, one for each codec";
     let shown = Shown::picture("figure5.png", alt, sheet(&cells, 6));
     Ok(Figure::new("5", "Representable unit vectors", caption, vec![shown]).with(numbers))

@@ -53,7 +53,7 @@ const TEMPLATES: [(&str, &str); 3] = [
 /// # Errors
 /// Any error of measuring; a picture that `files` lacks.
 pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
-    let codecs = tables::codecs(&contents.costs, progress)?;
+    let codecs = tables::codecs(&contents.costs);
     let tables = tables::published(&contents.costs, contents.count, progress)?;
     let figures = contents.figures.figures.iter().map(|figure| page_figure(figure, &contents.files));
     let figures = figures.collect::<Result<Vec<(Value, bool)>>>()?;
@@ -63,7 +63,7 @@ pub fn html(contents: &Contents, progress: &mut dyn FnMut()) -> Result<String> {
         version => env!("CARGO_PKG_VERSION"),
         machine => contents.machine,
         device => contents.figures.origin.device,
-        answers => tables::answers(&codecs),
+        answers => contents.costs.first().map(tables::answers),
         gpus => contents.costs.iter().map(Costs::device).collect::<Vec<_>>(),
         codecs_json => json(&codecs),
         codecs,
@@ -85,7 +85,7 @@ fn render(page: Value) -> Result<String, minijinja::Error> {
     environment.set_auto_escape_callback(|name| {
         if name == "page.html" { AutoEscape::Html } else { AutoEscape::None }
     });
-    environment.add_filter("degrees", |value: f64| tables::degrees(value));
+    environment.add_filter("degrees", |value: f64| unitvec_choose::degrees(value));
     environment.add_filter("json", |value: Value| Value::from_safe_string(json(&value)));
     environment.add_filter("code", |text: &str| Value::from_safe_string(with_code(text)));
     for (name, text) in TEMPLATES {

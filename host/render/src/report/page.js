@@ -1,26 +1,28 @@
 "use strict";
 
-// The same logic as `unitvec choose`: what meets the demand, fewest bytes first, then the cheapest, then the finest. Where no error
-// is named, any code would do: then the finest comes first.
+// The same logic as `unitvec choose`: what meets the demand, fewest bytes first, then the cheapest, then the least mean. Where no error
+// is named, any code would do: then the least bound comes first. Misses are near, and would be better than the first.
+const NEAR = 1.25;
+
 function candidates(codecs, demand) {
-  const cost = (codec) => {
-    const [encode, decode] = codec.costs[demand.gpu];
-    return encode === null || decode === null ? Infinity : encode + decode;
-  };
+  const cost = ({ costs }) =>
+    demand.weights.reduce((sum, weight, at) => sum + (weight === 0 ? 0 : weight * (costs[demand.gpu][at] ?? Infinity)), 0);
   const mean = (codec) => (demand.hemisphere ? codec.mean_above : codec.mean);
-  const meets = (codec) =>
-    codec.bits <= demand.bits &&
+  const suits = (codec) =>
+    codec.frame === demand.frame &&
     (codec.unit || demand.raw) &&
     (!codec.hemisphere || demand.hemisphere) &&
     !(codec.by_table && demand.noTable) &&
-    codec.max <= demand.max &&
-    mean(codec) <= demand.mean &&
-    (demand.cost === Infinity || cost(codec) <= demand.cost) &&
     (demand.format === "" || (demand.format === "*" ? codec.format !== null : codec.format === demand.format));
-  const asked = demand.max < Infinity || demand.mean < Infinity;
-  const finest = (a, b) => mean(a) - mean(b);
-  const cheapest = (a, b) => a.bytes - b.bytes || (cost(a) === cost(b) ? 0 : cost(a) - cost(b)) || finest(a, b);
-  return codecs.filter(meets).sort(asked ? cheapest : finest);
+  const times = (codec) =>
+    Math.max(codec.bits / demand.bits, codec.bound / demand.bound, mean(codec) / demand.mean, cost(codec) / demand.cost || 0);
+  const first = demand.bound < Infinity ? (a, b) => a.bytes - b.bytes : (a, b) => a.bound - b.bound;
+  const order = (a, b) => first(a, b) || (cost(a) === cost(b) ? 0 : cost(a) - cost(b)) || mean(a) - mean(b);
+  const all = codecs.filter(suits);
+  const found = all.filter((codec) => times(codec) <= 1).sort(order);
+  const isNear = (codec) => found.length === 0 || (times(codec) <= NEAR && order(codec, found[0]) < 0);
+  const misses = all.filter((codec) => times(codec) > 1 && isNear(codec)).sort((a, b) => times(a) - times(b) || order(a, b)).slice(0, 3);
+  return { found, misses: misses.map((codec) => `${codec.id} (${Number(times(codec).toPrecision(3))} times what is asked)`) };
 }
 
 function startTable() {
@@ -40,17 +42,19 @@ function startTable() {
 
   const update = () => {
     const demand = {
+      frame: fields.element.value === "frame",
       bits: Number(fields.bits.value),
-      max: limit(fields.max),
+      bound: limit(fields.max),
       mean: limit(fields.mean),
       cost: limit(fields.cost),
+      weights: [fields.encode, fields.decode].map((field) => Math.max(0, Number(field.value))),
       format: fields.format.value,
       gpu: Number(fields.gpu.value),
       hemisphere: fields.hemisphere.checked,
       noTable: fields.no_table.checked,
       raw: fields.raw.checked,
     };
-    const found = candidates(codecs, demand);
+    const { found, misses } = candidates(codecs, demand);
     domain.textContent = demand.hemisphere ? "z >= 0" : "the directions that a codec is for";
     for (const row of body.rows) {
       row.hidden = true;
@@ -64,15 +68,15 @@ function startTable() {
       mean.textContent = demand.hemisphere ? mean.dataset.above : mean.dataset.all;
       body.append(row);
     }
+    const near = (words) => (misses.length === 0 ? "" : ` ${words}: ${misses.join(", ")}.`);
     if (found.length === 0) {
-      choice.textContent = "No codec meets this: allow more bits or a larger error.";
+      choice.textContent = `No codec meets this.${near("Nearest")}`;
       return;
     }
     document.getElementById(`codec-${found[0].id}`).classList.add("best");
-    const asked = demand.max < Infinity || demand.mean < Infinity;
-    choice.textContent = asked
-      ? `${found.length} codecs meet this. Take ${found[0].id}: the fewest bytes, and the cheapest at that size.`
-      : `${found[0].id} is the finest of ${found.length} codecs. Name an error to find the smallest and cheapest that keeps to it.`;
+    choice.textContent = demand.bound < Infinity
+      ? `${found.length} codecs meet this. Take ${found[0].id}: the fewest bytes, and the cheapest at that size.${near("Near misses")}`
+      : `${found[0].id} has the least bound of ${found.length} codecs. Name a bound to find the smallest and cheapest that keeps to it.${near("Near misses")}`;
   };
   form.addEventListener("input", update);
   form.addEventListener("submit", (event) => event.preventDefault());

@@ -1,18 +1,17 @@
 //! The contents of the page's tables.
 
 use crate::Result;
-use crate::Storage;
 use minijinja::{Value, context};
 use serde::Serialize;
-use unitvec_catalogue::{AnyCodec, Domain, Operation, find, vectors};
-use unitvec_choose::REFERENCE;
+use unitvec_catalogue::{
+    AnyCodec, CODECS, Choice, Domain, Element, Operation, RECOMMENDED, Recommendation, find, vectors,
+};
 use unitvec_choose::costs::{GENERATIONS, USUAL};
-use unitvec_choose::{COUNT, Costs, RECOMMENDED, Recommendation};
+use unitvec_choose::{Costs, REFERENCE, degrees, measured};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, measure_meyer_row, measure_row};
 use unitvec_lab::bench::survey_ns;
 use unitvec_run::backend::Cpu;
-use unitvec_run::measure::measure;
 
 /// The machine that the report was made on.
 #[derive(Clone, Debug, Serialize)]
@@ -46,6 +45,7 @@ pub struct Codec {
     bits: u32,
     bytes: usize,
     format: Option<&'static str>,
+    frame: bool,
     hemisphere: bool,
     unit: bool,
     by_table: bool,
@@ -54,6 +54,7 @@ pub struct Codec {
     /// Over z >= 0.
     mean_above: f64,
     max: f64,
+    bound: f64,
     /// Encoding and decoding as multiples of oct32's, for each device with known costs.
     costs: Vec<[Option<f64>; 2]>,
 }
@@ -67,71 +68,63 @@ pub fn shipped_costs() -> Result<Vec<Costs>> {
     [USUAL].into_iter().chain(others).chain(["lavapipe"]).map(|name| Ok(Costs::shipped(name)?)).collect()
 }
 
-/// All codecs of vectors, in the order of `choose`.
-pub fn codecs(all: &[Costs], progress: &mut dyn FnMut()) -> Result<Vec<Codec>> {
-    let mut codecs = Vec::new();
-    for codec in vectors() {
-        let of_gpu = |costs: &Costs| Operation::ALL.map(|operation| costs.of(codec.id, operation));
-        let mean_over =
-            |domain| -> Result<f64> { Ok(measure(&mut Cpu, codec, domain, COUNT, 1)?.normal.mean_deg()) };
-        let mean_above = mean_over(Domain::Hemisphere)?;
-        let is_for_above = codec.domain == Domain::Hemisphere;
-        codecs.push(Codec {
+/// All codecs whose errors are recorded, in the order of `choose`.
+pub fn codecs(all: &[Costs]) -> Vec<Codec> {
+    let of_codec = |codec: &AnyCodec| {
+        let [errors, above] = [measured(codec, false)?, measured(codec, true)?];
+        Some(Codec {
             id: codec.id,
             name: codec.survey_name,
             bits: codec.bits,
             bytes: codec.bytes,
             format: codec.vk_format.map(short_format),
-            hemisphere: is_for_above,
+            frame: codec.element == Element::Frame,
+            hemisphere: codec.domain == Domain::Hemisphere,
             unit: codec.is_unit,
             by_table: codec.encodes_by_table,
-            mean: if is_for_above { mean_above } else { mean_over(codec.domain)? },
-            mean_above,
-            max: f64::from(codec.max_error_deg()),
-            costs: all.iter().map(of_gpu).collect(),
-        });
-        progress();
-    }
+            mean: errors.mean_deg,
+            mean_above: above.mean_deg,
+            max: errors.max_deg,
+            bound: f64::from(codec.max_error_deg()),
+            costs: all.iter().map(|costs| both(costs, codec.id)).collect(),
+        })
+    };
+    let mut codecs: Vec<Codec> = CODECS.iter().filter_map(of_codec).collect();
     let cost = |codec: &Codec| codec.costs[0][0].zip(codec.costs[0][1]).map_or(f64::INFINITY, |(a, b)| a + b);
     codecs.sort_by(|a, b| {
         a.bytes.cmp(&b.bytes).then(cost(a).total_cmp(&cost(b))).then(a.mean.total_cmp(&b.mean))
     });
-    Ok(codecs)
+    codecs
+}
+
+/// Costs of both operations.
+fn both(costs: &Costs, id: &str) -> [Option<f64>; 2] {
+    Operation::ALL.map(|operation| costs.of(id, operation))
 }
 
 fn short_format(name: &'static str) -> &'static str {
     name.strip_prefix("VK_FORMAT_").unwrap_or(name)
 }
 
-/// The attachment for a codec in a G-buffer: of the codec's format, or of its sibling of four components.
-fn attachment(format: &AnyCodec) -> String {
-    let storage = Storage::of(format);
-    let spare = if storage.three().is_some() { ", whose fourth component is free" } else { "" };
-    let or = if storage.is_drawn_everywhere() {
-        ""
-    } else {
-        ", or in R32_UINT where a device does not draw to that"
-    };
-    format!("{:?}{spare}{or}", storage.texel())
-}
-
-/// The recommendations of `choose` and README.
-pub fn answers(codecs: &[Codec]) -> Vec<Value> {
-    let of_codec = |id: &&'static str| {
-        let codec = find(id).ok()?;
-        let measured = codecs.iter().find(|measured| measured.id == codec.id);
+/// The catalogue's recommendations, with costs.
+pub fn answers(costs: &Costs) -> Vec<Value> {
+    let of_choice = |choice: &Choice| {
+        let codec = find(choice.id).ok()?;
+        let errors = measured(codec, false)?;
         Some(context! {
             id => codec.id,
+            why => choice.why,
             bits => codec.bits,
-            format => codec.vk_format.map(short_format),
-            attachment => attachment(codec),
-            mean => measured.map(|measured| measured.mean),
-            max => f64::from(codec.max_errors_deg[0]),
-            costs => measured.map_or([None; 2], |measured| measured.costs[0]),
+            mean => errors.mean_deg,
+            max => errors.max_deg,
+            seen => codec.on_a_mirror(),
+            costs => both(costs, codec.id),
+            format => choice.format,
+            anywhere => choice.anywhere,
         })
     };
     let of_purpose = |one: &Recommendation| {
-        let codecs: Vec<Value> = one.codecs.iter().filter_map(of_codec).collect();
+        let codecs: Vec<Value> = one.choices.iter().filter_map(of_choice).collect();
         context! { purpose => one.purpose, codecs }
     };
     RECOMMENDED.iter().map(of_purpose).collect()
@@ -154,9 +147,9 @@ fn errors(table: Table, title: &str, count: usize, progress: &mut dyn FnMut()) -
             published.name.clone(),
             codec.bits.to_string(),
             degrees(row.mean_deg),
-            degrees(published.mean_error_deg),
+            degrees(published.mean_error_deg) + &published.mean_flag,
             degrees(row.max_deg),
-            degrees(published.max_error_deg),
+            degrees(published.max_error_deg) + &published.max_flag,
         ]);
         progress();
     }
@@ -169,14 +162,13 @@ fn errors(table: Table, title: &str, count: usize, progress: &mut dyn FnMut()) -
 
 fn of_survey(all: &[Costs]) -> Value {
     let ratio = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |value| format!("{value:.2}"));
-    let both = |costs: [Option<f64>; 2]| costs.map(ratio).join(" / ");
+    let pair = |costs: [Option<f64>; 2]| costs.map(ratio).join(" / ");
     let [encode, decode] =
         Operation::ALL.map(|operation| survey_ns(REFERENCE, operation).unwrap_or(f64::NAN));
     let rows = vectors().iter().filter_map(|codec| {
         let survey = Operation::ALL.map(|operation| survey_ns(codec.id, operation));
-        let survey = both([Some(survey[0]? / encode), Some(survey[1]? / decode)]);
-        let others =
-            all.iter().map(|costs| both(Operation::ALL.map(|operation| costs.of(codec.id, operation))));
+        let survey = pair([Some(survey[0]? / encode), Some(survey[1]? / decode)]);
+        let others = all.iter().map(|costs| pair(both(costs, codec.id)));
         Some([codec.survey_name.to_owned(), survey].into_iter().chain(others).collect())
     });
     let devices =
@@ -212,7 +204,8 @@ fn meyer(count: usize, progress: &mut dyn FnMut()) -> Result<Value> {
         title => "Meyer's table 1: bounds",
         note => "Degrees: the largest error as Meyer et al. estimate it for so many bits, to first order, and the largest that a \
                  search finds. What is found may lie above the estimate; at 48 bits the arithmetic in f32 adds its own, and \
-                 floats of 16 bits stand for their floating-point normals.",
+                 floats of 16 bits stand for their floating-point normals. SC stands twice: as the table prints it, and by \
+                 eq. 5, half of that.",
         columns => ["method", "codec", "bits", "estimate", "found"],
         rows,
     })
@@ -223,31 +216,5 @@ pub fn work() -> usize {
     let tables: usize = [Table::One, Table::Three].map(|table| table.published().len()).iter().sum();
     let of_meyer =
         METHODS.iter().map(|method| WIDTHS.iter().filter(|bits| method.codec(**bits).is_some()).count());
-    vectors().len() + tables + of_meyer.sum::<usize>()
-}
-
-/// Degrees with three digits that count.
-pub fn degrees(value: f64) -> String {
-    if value <= 0.0 || !value.is_finite() {
-        return value.to_string();
-    }
-    if value < 1e-4 {
-        return format!("{value:.2e}");
-    }
-    let digits = (2 - value.log10().floor() as i32).clamp(0, 8) as usize;
-    format!("{value:.digits$}")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn degrees_have_three_digits() {
-        for (value, text) in
-            [(0.63575, "0.636"), (0.0195, "0.0195"), (12.34, "12.3"), (1.5e-6, "1.50e-6"), (0.0, "0")]
-        {
-            assert_eq!(degrees(value), text);
-        }
-    }
+    tables + of_meyer.sum::<usize>()
 }
