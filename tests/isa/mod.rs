@@ -3,8 +3,11 @@
 //! kernels.
 
 #[cfg(feature = "glsl")]
+mod apart;
+#[cfg(feature = "glsl")]
 mod compiled;
 pub mod dithered;
+pub mod stages;
 
 use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 use unitvec_choose::costs::{GENERATIONS, Generation, Report, Source};
@@ -22,6 +25,13 @@ fn rdna2() -> &'static Generation {
 pub fn committed(generation: &Generation) -> Report {
     let path = repository().join(generation.path());
     Report::parse(&path, &std::fs::read(&path).unwrap()).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
+}
+
+/// The committed figures in a file of `docs/data/`.
+fn recorded(file: &str) -> Report {
+    let path = repository().join("docs/data").join(file);
+    let json = std::fs::read(&path).unwrap_or_default();
+    Report::parse(&path, &json).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
 }
 
 /// Every kernel has figures for every generation, compiled for its GPU.

@@ -18,7 +18,10 @@ use unitvec_manifest as manifest;
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The program was built without the feature `glsl`.
-    #[error("this build has no GLSL compiler; rebuild with `--features glsl`, as `cargo xtask` does")]
+    #[error(
+        "this build has no GLSL compiler; in a clone of the repository, `cargo install --path host/program --features glsl` \
+         installs one that has (Debian: after `apt-get install g++ libshaderc-dev glslang-dev spirv-tools`)"
+    )]
     NotBuiltIn,
     /// shaderc could not create a compiler.
     #[error("the GLSL compiler (shaderc) cannot be started: {0}")]

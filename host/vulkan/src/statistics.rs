@@ -1,19 +1,24 @@
-//! Statistics of a device's compiler about kernels, by VK_KHR_pipeline_executable_properties. Nothing is run.
+//! Statistics of a device's compiler about kernels and graphics stages, by VK_KHR_pipeline_executable_properties. Nothing is run.
 
 use super::device::Purpose;
+use super::graphics::inspected;
+use super::handle::Handle;
 use super::layout::Layout;
-use super::{BufferPromise, Device, DeviceChoice, Division, Error, Instance, Named};
+use super::{
+    BufferPromise, Device, DeviceChoice, Division, Error, ImageFormat, Instance, Named, PipelineOptions,
+};
 use ash::{khr, vk};
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// A compiler's statistics of a kernel, by the names that the driver gives: `Instructions`.
+/// A compiler's statistics of a shader, by the names that the driver gives: `Instructions`.
 pub type Statistics = HashMap<String, u64>;
 
-/// Compiles kernels and reports statistics of the result.
+/// Compiles shaders and reports statistics of the result.
 pub struct Inspector {
     functions: khr::pipeline_executable_properties::Device,
     layout: Layout,
+    graphics: Layout,
 }
 
 impl Inspector {
@@ -24,7 +29,8 @@ impl Inspector {
     pub fn open(instance: &Arc<Instance>, choice: &DeviceChoice) -> Result<Self, Error> {
         let device = Device::open_with(instance, choice, Purpose::Statistics)?;
         let functions = khr::pipeline_executable_properties::Device::new(&instance.raw, &device.raw);
-        Ok(Self { functions, layout: Layout::of_kernels(&device)? })
+        let (layout, graphics) = (Layout::of_kernels(&device)?, Layout::of_graphics(&device)?);
+        Ok(Self { functions, layout, graphics })
     }
 
     /// The device whose compiler this asks.
@@ -47,8 +53,37 @@ impl Inspector {
         let flags = vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR;
         let pipeline =
             self.layout.compile((BufferPromise::WholeGroups, division), module, entry_point, flags)?;
-        let info = vk::PipelineExecutableInfoKHR::default().pipeline(*pipeline);
-        // SAFETY: the pipeline was made to capture statistics and has one executable at least.
+        self.executable(&pipeline, 0)
+    }
+
+    /// Compiles a graphics pipeline that draws to these formats: the statistics of its vertex shader and of its fragment
+    /// shader.
+    ///
+    /// The modules are trusted as in [`Shader`](super::Shader).
+    ///
+    /// # Errors
+    /// The errors of [`Pipeline::new`](super::Pipeline::new).
+    pub fn stages(
+        &self,
+        colours: &[ImageFormat],
+        options: &PipelineOptions<'_>,
+    ) -> Result<[Statistics; 2], Error> {
+        let pipeline = inspected(&self.graphics, colours, options)?;
+        let info = vk::PipelineInfoKHR::default().pipeline(*pipeline);
+        // SAFETY: the pipeline is of this device, which was opened with the extension.
+        let parts = unsafe { self.functions.get_pipeline_executable_properties(&info) }
+            .named("vkGetPipelineExecutablePropertiesKHR")?;
+        let of = |stage| {
+            let index = parts.iter().zip(0..).find(|(part, _)| part.stages.contains(stage));
+            index.map_or_else(|| Ok(Statistics::new()), |(_, index)| self.executable(&pipeline, index))
+        };
+        Ok([of(vk::ShaderStageFlags::VERTEX)?, of(vk::ShaderStageFlags::FRAGMENT)?])
+    }
+
+    /// The statistics of one executable of a pipeline that was made to capture them.
+    fn executable(&self, pipeline: &Handle<vk::Pipeline>, index: u32) -> Result<Statistics, Error> {
+        let info = vk::PipelineExecutableInfoKHR::default().pipeline(**pipeline).executable_index(index);
+        // SAFETY: the pipeline captured statistics, and has an executable of this index; every pipeline has one of index 0.
         let statistics = unsafe { self.functions.get_pipeline_executable_statistics(&info) }
             .named("vkGetPipelineExecutableStatisticsKHR")?;
         Ok(statistics.iter().filter_map(integer).collect())

@@ -6,10 +6,10 @@
 #[cfg(feature = "glsl")]
 mod compiled;
 
-use super::RENEW;
-use std::path::PathBuf;
+use super::recorded;
 use unitvec_choose::costs::Report;
-use unitvec_tests::repository;
+
+const FILE: &str = "dither_costs.json";
 
 /// The codecs that stand for the others.
 pub const CODECS: [&str; 8] =
@@ -29,12 +29,7 @@ pub fn row_id(codec: &str, key: &str) -> String {
     format!("{codec} dithered, {key}")
 }
 
-fn path() -> PathBuf {
-    repository().join("docs/data/dither_costs.json")
-}
-
 /// The committed figures.
 pub fn committed() -> Report {
-    let json = std::fs::read(path()).unwrap_or_default();
-    Report::parse(&path(), &json).unwrap_or_else(|error| panic!("{error}; {RENEW}"))
+    recorded(FILE)
 }

@@ -9,6 +9,7 @@ mod target;
 pub use draw::Draw;
 pub use image::Image;
 pub use mesh::Mesh;
+pub(super) use pipeline::inspected;
 pub use pipeline::{Pipeline, PipelineOptions, Shader};
 pub use target::Target;
 
@@ -33,6 +34,13 @@ pub struct Graphics {
     device: Arc<Device>,
 }
 
+impl Layout {
+    /// The interface that all graphics pipelines share.
+    pub(super) fn of_graphics(device: &Arc<Device>) -> Result<Self, Error> {
+        Self::new(device, STAGES, vk::DescriptorType::SAMPLED_IMAGE, PUSH_CONSTANTS)
+    }
+}
+
 /// Commands and descriptors, used by one submission at a time.
 struct Commands {
     submission: Submission,
@@ -49,8 +57,7 @@ impl Graphics {
             let device = device.info().name.clone();
             return Err(Error::MissingFeature { device, feature: "a graphics queue" });
         }
-        let textures = vk::DescriptorType::SAMPLED_IMAGE;
-        let layout = Arc::new(Layout::new(device, STAGES, textures, PUSH_CONSTANTS)?);
+        let layout = Arc::new(Layout::of_graphics(device)?);
         let descriptors = Descriptors::new(&layout)?;
         let commands = Mutex::new(Commands { submission: Submission::new(device)?, descriptors });
         Ok(Arc::new(Self { commands, layout, device: device.clone() }))

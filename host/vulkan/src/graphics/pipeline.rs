@@ -1,8 +1,9 @@
 use super::super::handle::Handle;
+use super::super::layout::Layout;
 use super::super::module::Module;
 use super::super::{Error, FormatUse, ImageFormat, bytes_per_texel};
-use super::target::RenderPass;
-use super::{Graphics, Target};
+use super::Target;
+use super::target::{RenderPass, colour_pass};
 use ash::vk;
 
 /// A shader: a module and its entry point. The module is trusted to be valid, as modules of kernels are.
@@ -43,25 +44,38 @@ impl Pipeline {
     /// [`Error::NotSpirv`], [`Error::UnsupportedFormat`], or a failed call.
     pub fn new(target: &Target, options: &PipelineOptions<'_>) -> Result<Self, Error> {
         let graphics = &target.pass.graphics;
-        for format in options.attributes {
-            graphics.device.expect(*format, FormatUse::Vertex)?;
-        }
         let pass = RenderPass::new(graphics, &target.pass.colours, target.pass.depth.is_some())?;
-        let vertex = Module::new(&graphics.device, options.vertex.spirv, options.vertex.entry_point)?;
-        let fragment = Module::new(&graphics.device, options.fragment.spirv, options.fragment.entry_point)?;
-        let stages =
-            [vertex.stage(vk::ShaderStageFlags::VERTEX), fragment.stage(vk::ShaderStageFlags::FRAGMENT)];
-        let raw = create(graphics, &stages, options, &pass)?;
+        let attachments = (*pass.raw, pass.colours.len(), pass.depth.is_some());
+        let raw = create(&graphics.layout, options, attachments, vk::PipelineCreateFlags::empty())?;
         Ok(Self { raw, attributes: options.attributes.to_vec(), pass })
     }
 }
 
-fn create(
-    graphics: &Graphics,
-    stages: &[vk::PipelineShaderStageCreateInfo<'_>],
+/// Compiles a pipeline that draws to these formats, to inspect the compiler's result. It cannot draw: a [`Target`] needs a
+/// queue that works, which a driver without its GPU does not have.
+pub(crate) fn inspected(
+    layout: &Layout,
+    colours: &[ImageFormat],
     options: &PipelineOptions<'_>,
-    pass: &RenderPass,
 ) -> Result<Handle<vk::Pipeline>, Error> {
+    let pass = colour_pass(&layout.device, colours)?;
+    create(layout, options, (*pass, colours.len(), false), vk::PipelineCreateFlags::CAPTURE_STATISTICS_KHR)
+}
+
+/// Compiles a pipeline for a pass of so many colours, with depth or without. The device knows the flags.
+fn create(
+    layout: &Layout,
+    options: &PipelineOptions<'_>,
+    (pass, colours, has_depth): (vk::RenderPass, usize, bool),
+    flags: vk::PipelineCreateFlags,
+) -> Result<Handle<vk::Pipeline>, Error> {
+    let device = &layout.device;
+    for format in options.attributes {
+        device.expect(*format, FormatUse::Vertex)?;
+    }
+    let vertex = Module::new(device, options.vertex.spirv, options.vertex.entry_point)?;
+    let fragment = Module::new(device, options.fragment.spirv, options.fragment.entry_point)?;
+    let stages = [vertex.stage(vk::ShaderStageFlags::VERTEX), fragment.stage(vk::ShaderStageFlags::FRAGMENT)];
     let (bindings, attributes) = vertex_input(options.attributes);
     let input = vk::PipelineVertexInputStateCreateInfo::default()
         .vertex_binding_descriptions(&bindings)
@@ -77,19 +91,20 @@ fn create(
     let samples =
         vk::PipelineMultisampleStateCreateInfo::default().rasterization_samples(vk::SampleCountFlags::TYPE_1);
     let depth = vk::PipelineDepthStencilStateCreateInfo::default()
-        .depth_test_enable(pass.depth.is_some())
-        .depth_write_enable(pass.depth.is_some())
+        .depth_test_enable(has_depth)
+        .depth_write_enable(has_depth)
         .depth_compare_op(vk::CompareOp::LESS);
     let blend = vec![
         vk::PipelineColorBlendAttachmentState::default()
             .color_write_mask(vk::ColorComponentFlags::RGBA);
-        pass.colours.len()
+        colours
     ];
     let blend = vk::PipelineColorBlendStateCreateInfo::default().attachments(&blend);
     let dynamic = [vk::DynamicState::VIEWPORT, vk::DynamicState::SCISSOR];
     let dynamic = vk::PipelineDynamicStateCreateInfo::default().dynamic_states(&dynamic);
     let create = [vk::GraphicsPipelineCreateInfo::default()
-        .stages(stages)
+        .flags(flags)
+        .stages(&stages)
         .vertex_input_state(&input)
         .input_assembly_state(&assembly)
         .viewport_state(&viewport)
@@ -98,11 +113,10 @@ fn create(
         .depth_stencil_state(&depth)
         .color_blend_state(&blend)
         .dynamic_state(&dynamic)
-        .layout(*graphics.layout.pipeline)
-        .render_pass(*pass.raw)];
-    let device = &graphics.device;
-    // SAFETY: modules, layout and pass are of this device; all that is pointed to outlives the call; each submission is waited
-    // for.
+        .layout(*layout.pipeline)
+        .render_pass(pass)];
+    // SAFETY: modules, layout and pass are of this device, as the extensions of the flags are; all that is pointed to outlives the
+    // call; each submission is waited for.
     unsafe {
         let created = device.raw.create_graphics_pipelines(vk::PipelineCache::null(), &create, None);
         let created = created.map(|pipelines| pipelines[0]).map_err(|(_, result)| result);

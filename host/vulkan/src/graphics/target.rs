@@ -91,9 +91,6 @@ impl RenderPass {
         if colours.len() > limit as usize {
             return Err(Error::BadDraw { reason: "it has more attachments than the device takes" });
         }
-        for format in colours {
-            device.expect(*format, FormatUse::Attachment)?;
-        }
         let depth = DEPTH_FORMATS.into_iter().filter(|_| has_depth);
         let depth = depth.into_iter().find(|format| device.supports(*format, FormatUse::Depth));
         let attachments: Vec<_> = colours
@@ -111,6 +108,15 @@ impl RenderPass {
             && self.depth == other.depth
             && Arc::ptr_eq(&self.graphics, &other.graphics)
     }
+}
+
+/// A pass over colours of these formats alone.
+pub(super) fn colour_pass(
+    device: &Arc<Device>,
+    colours: &[ImageFormat],
+) -> Result<Handle<vk::RenderPass>, Error> {
+    let attachments: Vec<_> = colours.iter().map(|format| attachment(*format, BETWEEN_PASSES)).collect();
+    create(device, &attachments, colours.len())
 }
 
 fn attachment(format: ImageFormat, after: vk::ImageLayout) -> vk::AttachmentDescription {
@@ -131,6 +137,9 @@ fn create(
     attachments: &[vk::AttachmentDescription],
     colours: usize,
 ) -> Result<Handle<vk::RenderPass>, Error> {
+    for colour in &attachments[..colours] {
+        device.expect(colour.format, FormatUse::Attachment)?;
+    }
     let references: Vec<_> = (0..attachments.len() as u32)
         .map(|index| {
             let layout = if (index as usize) < colours {

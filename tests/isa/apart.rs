@@ -1,0 +1,74 @@
+//! Shaders compiled by another process: a process compiles for one GPU only, and a driver that does not know it ends the
+//! process.
+
+use super::compiled::{comparable, dearer};
+use super::{RENEW, rdna2, recorded};
+use std::path::Path;
+use std::process::Command;
+use std::sync::Arc;
+use unitvec_choose::costs::{Report, Row};
+use unitvec_lab::isa::radv::Radv;
+use unitvec_manifest::sha256_hex;
+use unitvec_run::glsl::{self, Compiler};
+use unitvec_tests::repository;
+use unitvec_vulkan::{DeviceChoice, Inspector, Instance};
+
+/// Names the file that [`compile`] writes to.
+const OUTPUT: &str = "UNITVEC_COMPILED_COSTS";
+
+/// The report that a test of this name makes by [`compile`] with the system's RADV.
+fn compiled(test: &str) -> Result<Report, String> {
+    let radv = Radv::new(rdna2().gpu, None).map_err(|error| error.to_string())?;
+    let folder = tempfile::tempdir().unwrap();
+    let output = folder.path().join("costs.json");
+    let mut program = Command::new(std::env::current_exe().unwrap());
+    program.args(["--ignored", "--exact", test]);
+    let ended = program.envs(radv.environment()).env(OUTPUT, &output).output().unwrap();
+    if !ended.status.success() {
+        let said = [ended.stdout, ended.stderr].concat();
+        return Err(String::from_utf8_lossy(&said).into_owned());
+    }
+    Ok(Report::parse(&output, &std::fs::read(&output).unwrap()).unwrap())
+}
+
+/// Compiles for the device of this process, and writes the rows where [`compiled`] waits for them. They come from these
+/// files of `glsl/` and from others of these names and texts.
+pub fn compile(
+    files: &[&str],
+    others: &[(&str, &str)],
+    rows: impl FnOnce(&Inspector, &Compiler) -> Vec<Row>,
+) {
+    let Some(output) = std::env::var_os(OUTPUT) else { return };
+    let instance = Arc::new(Instance::new(None, false).unwrap());
+    let inspector = Inspector::open(&instance, &DeviceChoice::Best).unwrap();
+    // The first half of the SHA-256, as in the shipped figures.
+    let hash = |text: &str| sha256_hex(text.as_bytes())[..32].to_owned();
+    let shipped = files.iter().map(|file| (format!("glsl/{file}"), hash(glsl::source(file).unwrap())));
+    let others = others.iter().map(|(file, text)| ((*file).to_owned(), hash(text)));
+    let report = Report {
+        device: inspector.device().info().clone(),
+        sources: shipped.chain(others).collect(),
+        rows: rows(&inspector, &Compiler::new().unwrap()),
+    };
+    unitvec_files::write_file(Path::new(&output), report.to_json().as_bytes()).unwrap();
+}
+
+/// Fails where a row that the test of this name makes costs over 2 % more or less than in this file of `docs/data/`.
+pub fn assert_as_recorded(file: &str, test: &str) {
+    let before = recorded(file);
+    let Some(after) = comparable(&before, compiled(test)) else { return };
+    let (dearer, cheaper) = (dearer(&before, &after), dearer(&after, &before));
+    assert!(
+        dearer.is_empty() && cheaper.is_empty(),
+        "not as recorded; dearer:\n{}\ncheaper, with before and after the other way around:\n{}\n{RENEW}",
+        dearer.join("\n"),
+        cheaper.join("\n")
+    );
+}
+
+/// Writes the report that the test of this name makes to this file of `docs/data/`.
+pub fn renew(file: &str, test: &str) {
+    let (path, report) = (repository().join("docs/data").join(file), compiled(test).unwrap());
+    unitvec_files::write_file(&path, report.to_json().as_bytes()).unwrap();
+    println!("{}: written, of {}", path.display(), report.subject());
+}
