@@ -2,7 +2,7 @@
 //
 // unitvec: raw components as half floats: float16x3.
 //
-// Source: Cigolle et al. 2014, section 3; IEEE 754 binary16.
+// Source: Cigolle et al. 2014, section 2; IEEE 754 binary16.
 //
 //   float16x3_encode(v), float16x3_decode(code)      codes as uvec2, low word first
 //

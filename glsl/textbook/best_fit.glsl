@@ -1,6 +1,6 @@
 // Textbook, only to measure against: best fit normals, Kaplanyan 2010, "CryENGINE 3: Reaching the speed of light". The
-// vector is scaled to the length that a table of 1024 x 1024 bytes gives for its direction, where rounding turns it least,
-// and stored as three snorm bytes. The table is addressed by the direction's point on the unit cube, folded to x >= y: x,
+// vector is scaled to the length that a table of 1024 x 1024 bytes, the texture's size in use, gives for its direction,
+// where rounding turns it least, and stored as three snorm bytes. The table is addressed by the direction's point on the unit cube, folded to x >= y: x,
 // and y over x.
 
 #ifndef TEXTBOOK_BEST_FIT_GLSL

@@ -1,5 +1,5 @@
 // Textbook, only to measure against: octahedral codes of Cigolle et al. 2014. Fast by listings 1 and 2, precise by
-// listing 3, with GLSL's packing, and that of listing 5 for 24 bits.
+// listing 3, with GLSL's packing, and that of listing 5 for 24 bits. Then the two variants that are pasted most.
 
 #ifndef TEXTBOOK_OCT_GLSL
 #define TEXTBOOK_OCT_GLSL
@@ -41,6 +41,32 @@ vec2 textbook_oct_precise(vec3 v, float m) {
     return best;
 }
 
+// On [0, 1], for unorm formats: Narkowicz 2014. The way back, after Stubbe, takes what lies beyond the fold off both
+// components.
+vec2 textbook_oct_biased(vec3 v) {
+    vec3 p = v / (abs(v.x) + abs(v.y) + abs(v.z));
+    vec2 e = p.z >= 0.0 ? p.xy : (1.0 - abs(p.yx)) * textbook_sign_not_zero(p.xy);
+    return e * 0.5 + 0.5;
+}
+
+vec3 textbook_from_oct_biased(vec2 e) {
+    vec2 p = e * 2.0 - 1.0;
+    float z = 1.0 - abs(p.x) - abs(p.y);
+    return normalize(vec3(p - clamp(-z, 0.0, 1.0) * textbook_sign_not_zero(p), z));
+}
+
+// Listings 1 and 2 with the language's sign, which is 0 for 0.
+vec2 textbook_oct_sign(vec3 v) {
+    vec2 p = v.xy * (1.0 / (abs(v.x) + abs(v.y) + abs(v.z)));
+    return v.z <= 0.0 ? (1.0 - abs(p.yx)) * sign(p) : p;
+}
+
+vec3 textbook_from_oct_sign(vec2 e) {
+    vec3 v = vec3(e, 1.0 - abs(e.x) - abs(e.y));
+    if (v.z < 0.0) v.xy = (1.0 - abs(v.yx)) * sign(v.xy);
+    return normalize(v);
+}
+
 // Two bytes of snorm.
 uint textbook_pack_snorm2x8(vec2 e) {
     return packSnorm4x8(vec4(e, 0.0, 0.0)) & 0xffffu;
@@ -80,5 +106,20 @@ vec3 textbook_oct32_decode(uint code) { return textbook_from_oct(unpackSnorm2x16
 vec3 textbook_oct16p_decode(uint code) { return textbook_oct16_decode(code); }
 vec3 textbook_oct24p_decode(uint code) { return textbook_oct24_decode(code); }
 vec3 textbook_oct32p_decode(uint code) { return textbook_oct32_decode(code); }
+
+uint textbook_oct_biased16_encode(vec3 v) { return packUnorm4x8(vec4(textbook_oct_biased(v), 0.0, 0.0)); }
+uint textbook_oct_biased20_encode(vec3 v) {
+    uvec2 u = uvec2(round(clamp(textbook_oct_biased(v), 0.0, 1.0) * 1023.0));
+    return u.x | (u.y << 10u);
+}
+uint textbook_oct_biased32_encode(vec3 v) { return packUnorm2x16(textbook_oct_biased(v)); }
+uint textbook_oct_sign32_encode(vec3 v) { return packSnorm2x16(textbook_oct_sign(v)); }
+
+vec3 textbook_oct_biased16_decode(uint code) { return textbook_from_oct_biased(unpackUnorm4x8(code).xy); }
+vec3 textbook_oct_biased20_decode(uint code) {
+    return textbook_from_oct_biased(vec2(code & 1023u, (code >> 10u) & 1023u) / 1023.0);
+}
+vec3 textbook_oct_biased32_decode(uint code) { return textbook_from_oct_biased(unpackUnorm2x16(code)); }
+vec3 textbook_oct_sign32_decode(uint code) { return textbook_from_oct_sign(unpackSnorm2x16(code)); }
 
 #endif

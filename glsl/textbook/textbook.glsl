@@ -14,3 +14,4 @@
 #include "best_fit.glsl"
 #include "parallel.glsl"
 #include "frame.glsl"
+#include "qtangent.glsl"

@@ -4,7 +4,7 @@
 //
 // Needs the text of arith.glsl, and of what that needs, before it.
 //
-// Source: Cigolle et al. 2014, section 3; IEEE 754 binary16.
+// Source: Cigolle et al. 2014, section 2; IEEE 754 binary16.
 //
 //   float16x3_encode(v), float16x3_decode(code)      codes as uvec2, low word first
 //

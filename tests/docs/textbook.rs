@@ -81,13 +81,38 @@ fn joined(errors: [Option<Errors>; 2]) -> String {
 
 /// Inverse throughput on RDNA 2 of the textbook's kernel and of the codec's, from GLSL.
 fn costs(textbook: &Textbook, operation: Operation) -> String {
-    let of = |is_it: &dyn Fn(&Row) -> bool| {
-        let row = rdna2().rows.iter().find(|row| row.operation == operation && is_it(row));
-        row.and_then(|row| row.inverse_throughput).map_or("-".to_owned(), |t| t.to_string())
-    };
-    let before = of(&|row| row.textbook.as_deref() == Some(textbook.id));
-    let after = of(&|row| row.source == Source::Glsl && row.id == textbook.codec);
-    format!("{before} → {after}")
+    let after = rdna2().row(textbook.codec, operation, Source::Glsl).and_then(|row| row.inverse_throughput);
+    let told =
+        [throughput(textbook.id, operation), after].map(|t| t.map_or("-".to_owned(), |t| t.to_string()));
+    told.join(" → ")
+}
+
+/// Inverse throughput on RDNA 2 of a textbook's kernel.
+pub fn throughput(id: &str, operation: Operation) -> Option<u64> {
+    let is_it = |row: &&Row| row.operation == operation && row.textbook.as_deref() == Some(id);
+    rdna2().rows.iter().find(is_it)?.inverse_throughput
+}
+
+/// Three components of 8 bits against two of `oct`, with fewer bits and with as many.
+pub fn components() -> String {
+    let of = |id: &str| accuracy::of(id, "direction");
+    let told = |id: &str| format!("`{id}`, {}", mean_and_max(of(id)));
+    let times = |id: &str| (of("snorm8x3").mean / of(id).mean).round();
+    let [fast, precise, three] = ["oct18", "oct18p", "snorm8x3"].map(of);
+    assert!(
+        (fast.mean / three.mean - 1.0).abs() < 0.02 && precise.mean < three.mean && precise.max < three.max
+    );
+    format!(
+        "x, y and z of 8 bits each ({}) are met by 9:9 ({}; {}). They have {} times the mean error of 10:10 ({}), and {} times \
+         that of 12:12, which takes as many bits ({}).\n",
+        told("snorm8x3"),
+        told("oct18"),
+        told("oct18p"),
+        times("oct20"),
+        told("oct20"),
+        times("oct24"),
+        told("oct24")
+    )
 }
 
 /// The inputs that come back wrong, by their results. A vector that is too short or too long to count as a direction
@@ -156,6 +181,9 @@ pub fn input_table() -> String {
 fn what_textbooks_do() {
     assert!(number("spheremap16", "nan_per_million") > 2000.0 && number("spheremap32", "max_deg") > 5.0);
     assert!(number("frame32", "tangent_max_deg") > 179.0);
+    // sign(0) is 0: random directions never meet it; -Z, and all that lies below an axis, do.
+    assert_eq!(cell("oct_sign32", "textbook", "minus_z"), "+Z");
+    assert_eq!(cell("oct_sign32", "textbook", "signed_zeros"), "off by 45°");
     for Textbook { id, codec, .. } in TEXTBOOK {
         assert!(number(id, "mean_deg") > 0.995 * errors_of_codec(codec)[0].unwrap().mean, "{id}");
         assert_ne!(cell(id, "textbook", "nan"), "+Z", "{id}");

@@ -42,6 +42,15 @@ pub const TEXTBOOK: &[Textbook] = &[
     named_alike("oct16", Some("oct16p"), "octahedral, two snorm: Cigolle et al. 2014, listings 1 and 2"),
     named_alike("oct24", Some("oct24p"), "octahedral, three bytes: listings 1, 2 and 5"),
     named_alike("oct32", Some("oct32p"), "octahedral, two snorm: listings 1 and 2"),
+    biased("oct_biased16", "oct16", "oct16p"),
+    biased("oct_biased20", "oct20", "oct20p"),
+    biased("oct_biased32", "oct32", "oct32p"),
+    Textbook {
+        id: "oct_sign32",
+        codec: "oct32",
+        finer: Some("oct32p"),
+        title: "octahedral, two snorm: listings 1 and 2 with `sign()` for `signNotZero()`",
+    },
     named_alike("oct16p", None, "octahedral, best of four: listings 3 and 2"),
     named_alike("oct24p", None, "octahedral, best of four, three bytes: listings 3, 2 and 5"),
     named_alike("oct32p", None, "octahedral, best of four: listings 3 and 2"),
@@ -78,7 +87,24 @@ pub const TEXTBOOK: &[Textbook] = &[
     named_alike("xyonly16", Some("hemioct16"), "x and y of normal maps, z by a square root, two snorm"),
     named_alike("xyonly32", Some("hemioct32"), "x and y of normal maps, z by a square root, two snorm"),
     named_alike("frame32", None, "tangent frame, octahedral and diamond: Ong 2023"),
+    qtangent("qtangent32", "frame32"),
+    qtangent("qtangent64", "frame64"),
 ];
+
+/// Octahedral codes on [0, 1].
+const fn biased(id: &'static str, codec: &'static str, finer: &'static str) -> Textbook {
+    Textbook { id, codec, finer: Some(finer), title: "octahedral, `* 0.5 + 0.5`, two unorm: Narkowicz 2014" }
+}
+
+/// Frames as quaternions.
+const fn qtangent(id: &'static str, codec: &'static str) -> Textbook {
+    Textbook {
+        id,
+        codec,
+        finer: None,
+        title: "tangent frame, a quaternion in four snorm: Frey and Herzberg 2011",
+    }
+}
 
 /// The textbook with its codec's identifier.
 const fn named_alike(id: &'static str, finer: Option<&'static str>, title: &'static str) -> Textbook {

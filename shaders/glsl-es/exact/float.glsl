@@ -7,7 +7,7 @@
 // The exact edition: in place of `precise`, what is rounded goes through `min` with a number that is larger, so that
 // compilers do not fuse or reorder operations; quotients and roots are put right.
 //
-// Source: Cigolle et al. 2014, section 3; IEEE 754 binary16.
+// Source: Cigolle et al. 2014, section 2; IEEE 754 binary16.
 //
 //   float16x3_encode(v), float16x3_decode(code)      codes as uvec2, low word first
 //
