@@ -1,6 +1,7 @@
 //! The GLSL in README and docs compiles.
 
 use super::versions::assert_valid;
+use crate::docs::formats;
 use unitvec_tests::repository;
 
 /// The blocks of GLSL in a Markdown file.
@@ -25,11 +26,35 @@ fn the_readmes_shader_compiles() {
 /// Fragments of shaders: declarations go before `main`, statements into it.
 #[test]
 fn the_lines_for_formats_and_dither_compile() {
-    for (file, count) in [("docs/formats.md", 7), ("docs/dither.md", 3)] {
+    for (file, count) in [("docs/formats.md", 8), ("docs/dither.md", 3)] {
         let blocks = blocks(file);
         assert_eq!(blocks.len(), count, "{file}");
         blocks.iter().for_each(|block| assert_lines_compile(file, block));
     }
+}
+
+/// The expressions of the table of formats, in one shader.
+#[test]
+fn the_expressions_for_formats_compile() {
+    let lines = formats::uses().map(|(_, codec, format, [write, read])| {
+        let value = match (format.ends_with("_SNORM"), codec.bits > 32) {
+            (true, _) => format!("vec4 value = vec4({write}, 0.0, 0.0);"),
+            (_, true) => format!("uvec4 value = uvec4({write}, 0u, 0u);"),
+            _ => format!("uvec4 value = uvec4({write}, 0u, 0u, 0u);"),
+        };
+        format!("{{ {value} {read}; }}\n")
+    });
+    let given = "vec3 normal = vec3(1.0);\nvec4 tangent = vec4(1.0);\n".to_owned();
+    assert_lines_compile("the table of formats", &lines.fold(given, |all, line| all + &line));
+}
+
+/// Direct3D's lines compile as HLSL.
+#[test]
+fn the_lines_for_direct3d_compile() {
+    let folder = format!("-I{}", repository().join("shaders/hlsl").display());
+    let text = std::fs::read_to_string(repository().join("docs/formats.md")).unwrap();
+    let block = text.split("```hlsl\n").nth(1).and_then(|rest| rest.split("```").next()).unwrap();
+    assert_valid("docs/formats.md", block, &["-V", "-D", &folder, "-e", "stored", "-o", "/dev/null"]);
 }
 
 /// Fails unless glslangValidator accepts the lines of a shader.

@@ -5,6 +5,7 @@ mod examples;
 mod floats;
 mod formats;
 mod names;
+mod opengl;
 mod projections;
 mod versions;
 

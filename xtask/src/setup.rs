@@ -25,7 +25,9 @@ const TO_RUN: Packages = &[
     ("mesa-vulkan-drivers", "lavapipe, Vulkan on the CPU"),
     ("vulkan-validationlayers", "Vulkan validation in tests"),
     ("glslang-tools", "GLSL ES validation in tests"),
-    ("python3", "a client of the kernels in tests"),
+    ("libegl1", "OpenGL without a window in tests"),
+    ("libgl1-mesa-dri", "llvmpipe, OpenGL on the CPU, in tests"),
+    ("python3", "clients of the kernels and of OpenGL in tests"),
 ];
 
 /// Packages that are being installed while cargo builds.
