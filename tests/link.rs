@@ -366,7 +366,12 @@ fn stubs_become_imports_by_the_script_of_the_docs() {
         spirv-opt -O linked.spv -o optimised.spv
         spirv-val --target-env vulkan1.1 optimised.spv
         spirv-dis optimised.spv";
-    let output = Command::new("sh").args(["-c", commands]).current_dir(&folder).output().unwrap();
+    let run =
+        |commands: &str| Command::new("sh").args(["-c", commands]).current_dir(&folder).output().unwrap();
+    let older = run(&commands.replace("spv1.3", "spv1.0"));
+    let words = "Conflicting SPIR-V versions";
+    assert!(docs.contains(words) && stderr(&older).contains(words), "{}", stderr(&older));
+    let output = run(commands);
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let text = String::from_utf8_lossy(&output.stdout);
     assert!(text.contains("NoContraction") && !text.contains("Linkage"), "{text}");

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use unitvec::dither::*;
 use unitvec::glam::{UVec2, Vec2, Vec3};
 use unitvec::*;
-use unitvec_catalogue::Operation;
+use unitvec_catalogue::{Operation, find};
 use unitvec_choose::costs::Source as Compiled;
 use unitvec_oracle::{angle_deg, normalize};
 use unitvec_tests::directions::{Rng, sphere};
@@ -244,4 +244,21 @@ fn dither_is_as_recorded() {
             assert!(agrees, "{id}, {name}: {committed:?} committed, {fresh:?} measured");
         }
     }
+}
+
+/// docs/dither.md, "What other passes see": at 16 bits the normals of a flat wall pass a test of cosines for 0.999, and
+/// occlusion changes by less than three steps of 255. Normals of a wall's pixels differ, by at most twice the greatest error.
+#[test]
+fn other_passes_see_what_the_docs_say() {
+    let recorded = recorded();
+    for ((id, name), noise) in &recorded {
+        let turn = noise.max.to_radians();
+        let is_short = find(id).unwrap().bits < 18;
+        assert!(!is_short || ((2.0 * turn).cos() > 0.999 && 255.0 * 0.5 * turn < 3.0), "{id}, {name}");
+    }
+    let wall = Vec3::new(0.31, 0.52, 0.8).normalize();
+    let seen = |n: u32| widen(trip::<Oct16>(wall, Some(dither_from_pixel(UVec2::new(n % 64, n / 64)))));
+    let apart = (1..4096).map(|n| angle_deg(seen(n), seen(n - 1))).fold(0.0, f64::max);
+    let max = recorded[&("oct16".to_owned(), "pixel".to_owned())].max;
+    assert!(0.5 * max < apart && apart <= 2.0 * max, "{apart} apart, {max} off");
 }

@@ -97,17 +97,21 @@ impl Unpacked {
         run_command(install.args(["--path", "."]).arg("--root").arg(&root))?;
         let program = root.join("bin/unitvec");
         run_command(Command::new(&program).args(["conform", "--device", "lavapipe", "--codec", "oct16"]))?;
-        let glsl = "encode --backend glsl --device lavapipe --codec oct16 /dev/null -";
-        let output = Command::new(&program).args(glsl.split(' ')).output();
-        let output = output.map_err(|error| error.to_string())?;
-        let message = String::from_utf8_lossy(&output.stderr);
-        if !output.status.success() && message.lines().count() == 1 && message.contains("--features glsl") {
-            return Ok(());
+        let encode = "encode --backend glsl --device lavapipe --codec oct16 /dev/null -";
+        for line in [encode, "bench device --device lavapipe", "bench compiler --gpu rdna2"] {
+            let output = Command::new(&program).args(line.split(' ')).output();
+            let output = output.map_err(|error| error.to_string())?;
+            let message = String::from_utf8_lossy(&output.stderr);
+            let is_told = message.lines().count() == 1
+                && message.contains("cargo install --path host/program --features glsl");
+            if output.status.success() || !output.stdout.is_empty() || !is_told {
+                let status = output.status;
+                return Err(format!(
+                    "without a GLSL compiler `{line}` ended with {status} and said: {message}"
+                ));
+            }
         }
-        Err(format!(
-            "without a GLSL compiler `--backend glsl` ended with {} and said: {message}",
-            output.status
-        ))
+        Ok(())
     }
 
     /// Cargo in a package. The other packages are patched in by path, since they are not published yet.
