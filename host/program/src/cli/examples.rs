@@ -22,7 +22,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("bench compiler", "bench compiler --device 0 --chart costs.svg", "by the device's driver"),
     ("choose", "choose --max-error 0.05", "fewest bytes first"),
     ("choose", "choose --bits 24", "least bound first"),
-    ("choose", "choose --max-error 0.05 --weights 0,1", "encoded once, decoded often"),
+    ("choose", "choose --max-error 0.05 --weights 0,1", "decoding counts alone"),
     ("choose", "choose --bits 16 --hemisphere --gpu rdna3", "costs on RDNA 3"),
     ("figures", "figures --only 1,8 --small", "two figures, in figures/"),
     ("figures", "figures --codec oct16,ico16 --out compared", "with codecs of your own"),
