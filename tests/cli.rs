@@ -471,8 +471,8 @@ fn normals_are_exported() {
     let told = run(["normals", path(&two), path(&out)]);
     assert_eq!(
         stderr(&told),
-        "7 vectors from 2 meshes, 3 without a direction (1 written as +Z, 2 as in the file; the first is number 1), lengths 1.0000 to 1.0000, normals computed from \
-         faces: in 1 of 2 primitives\n"
+        "7 vectors from 2 meshes, 3 without a direction (1 written as +Z, 2 as in the file; the first is number 1), lengths \
+         1.0000 to 1.0000, normals computed from faces: in 1 of 2 primitives\n"
     );
     let normals: Vec<[f32; 3]> = elements(&std::fs::read(&out).unwrap());
     assert_eq!(normals[1], [0.0; 3]);
