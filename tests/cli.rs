@@ -293,8 +293,8 @@ fn encode_says_what_it_did_with_a_mesh() {
     let told = run(arguments);
     assert_eq!(
         stderr(&told),
-        "7 vectors from 2 meshes, 3 without a direction (stored as +Z), normals computed from faces: in 1 of 2 \
-         primitives\n"
+        "7 vectors from 2 meshes, 3 without a direction (stored as +Z; the first is number 1), lengths 1.0000 to 1.0000, \
+         normals computed from faces: in 1 of 2 primitives\n"
     );
     assert_eq!(stdout(&told), "");
     assert_eq!(decoded(&std::fs::read(&codes).unwrap()), OF_TWO_MESHES);
@@ -311,8 +311,8 @@ fn an_unused_vertex_keeps_its_place() {
     let told = stderr(&run(["encode", "--codec", "oct16", path(&mesh), path(&codes)]));
     let (z, down) = ([0.0, 0.0, 1.0], [0.0, 0.0, -1.0]);
     assert_eq!(decoded(&std::fs::read(&codes).unwrap()), [down, down, z, down]);
-    let line =
-        "4 vectors from 1 mesh, 1 without a direction (stored as +Z), normals computed from faces: yes\n";
+    let line = "4 vectors from 1 mesh, 1 without a direction (stored as +Z; the first is number 2), lengths 1.0000 to \
+        1.0000, normals computed from faces: yes\n";
     assert_eq!(told, line);
 }
 
@@ -329,7 +329,7 @@ fn encode_says_it_in_json() {
     let part = |mesh: u64, name: Value, first: u64, count: u64, computed: bool| json!({"mesh": mesh, "name": name, "primitive": 0, "first": first, "count": count, "computed": computed});
     let expected = json!({
         "input": path(&mesh), "output": path(&codes), "codec": "oct16", "element": "vector", "count": 7,
-        "without_direction": 3, "keeps_lengths": false, "meshes": 2,
+        "without_direction": 3, "first_without_direction": 1, "lengths": [1.0, 1.0], "keeps_lengths": false, "meshes": 2,
         "parts": [part(0, Value::Null, 0, 3, false), part(1, "bare".into(), 3, 4, true)],
     });
     assert_eq!(json, expected);
@@ -347,41 +347,56 @@ fn lines_of_raw_input() {
     let frame = |normal: [f32; 3], tangent: [f32; 3]| [raw(&[normal, tangent]), raw(&[[1.0]])].concat();
     let frames = [frame(normal, none), frame(none, none), frame(normal, [1.0, 0.0, 0.0])].concat();
     for (command, codec, input, line) in [
-        ("encode", "oct16", &vectors, "5 vectors, 2 without a direction (stored as +Z)"),
+        (
+            "encode",
+            "oct16",
+            &vectors,
+            "5 vectors, 2 without a direction (stored as +Z; the first is number 0), lengths 1.0000 to 3.0000",
+        ),
         (
             "encode",
             "hemioct16",
             &vectors,
-            "5 vectors, 2 without a direction (stored as +Z), 1 below the equator (moved up to it)",
+            "5 vectors, 2 without a direction (stored as +Z; the first is number 0), 1 below the equator (moved up to it), lengths 1.0000 to 3.0000",
         ),
         (
             "encode",
             "snorm8x3",
             &vectors,
-            "5 vectors, 2 without a direction (stored as +Z), components stored as given, clamped",
+            "5 vectors, 2 without a direction (stored as +Z; the first is number 0), lengths 1.0000 to 3.0000, components stored as given, clamped",
         ),
         (
             "encode",
             "hemioct16",
             &raw(&[[0.0f32, 0.0, -1.0]]),
-            "1 vector, 1 without a direction (stored as +Z), 0 below the equator",
+            "1 vector, 1 without a direction (stored as +Z; the first is number 0), 0 below the equator, lengths 1.0000 to 1.0000",
         ),
         (
             "encode",
             "frame64",
             &frame([0.0, 0.6, 0.8], [0.0, 0.6, 0.8]),
             "1 frame, 0 normals without a direction, 1 tangent without a direction (stored as a perpendicular to the \
-             normal)",
+             normal; the first is number 0), lengths 1.0000 to 1.0000",
         ),
-        ("encode", "snorm8x3p", &vectors, "5 vectors, 2 without a direction (stored as +Z)"),
+        (
+            "encode",
+            "snorm8x3p",
+            &vectors,
+            "5 vectors, 2 without a direction (stored as +Z; the first is number 0), lengths 1.0000 to 3.0000",
+        ),
         (
             "encode",
             "frame32",
             &frames,
-            "3 frames, 1 normal without a direction (stored as +Z), 2 tangents without a direction (stored as a \
-             perpendicular to the normal)",
+            "3 frames, 1 normal without a direction (stored as +Z; the first is number 1), 2 tangents without a direction \
+             (stored as a perpendicular to the normal; the first is number 0), lengths 1.0000 to 1.0000",
         ),
-        ("encode", "oct16", &vectors[48..].to_vec(), "1 vector, 0 without a direction"),
+        (
+            "encode",
+            "oct16",
+            &vectors[48..].to_vec(),
+            "1 vector, 0 without a direction, lengths 1.0000 to 1.0000",
+        ),
         ("decode", "oct16", &vectors[..10].to_vec(), "5 vectors"),
         ("decode", "frame64", &vectors[..8].to_vec(), "1 frame"),
     ] {
@@ -456,8 +471,8 @@ fn normals_are_exported() {
     let told = run(["normals", path(&two), path(&out)]);
     assert_eq!(
         stderr(&told),
-        "7 vectors from 2 meshes, 3 without a direction (1 written as +Z, 2 as in the file), normals computed from \
-         faces: in 1 of 2 primitives\n"
+        "7 vectors from 2 meshes, 3 without a direction (1 written as +Z, 2 as in the file; the first is number 1), lengths \
+         1.0000 to 1.0000, normals computed from faces: in 1 of 2 primitives\n"
     );
     let normals: Vec<[f32; 3]> = elements(&std::fs::read(&out).unwrap());
     assert_eq!(normals[1], [0.0; 3]);

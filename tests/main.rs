@@ -18,6 +18,7 @@ mod exhaustive;
 mod faults;
 mod fib;
 mod figures;
+mod floats;
 mod frame;
 mod framing;
 mod fuzz;

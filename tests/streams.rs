@@ -352,9 +352,11 @@ fn folders_and_devices_for_files() {
     let (folder, input) = folder();
     let here = folder.path();
     symlink("/dev/zero", here.join("manifest.json")).unwrap();
-    assert_fails(&mut encode(here, &here.join("out")), 1, &["directory"]);
-    assert_fails(&mut encode(&input, here), 1, &["cannot write", "directory"]);
-    assert_fails(&mut encode(&input, &here.join("absent/out")), 1, &["cannot write", "absent/out"]);
+    assert_fails(
+        &mut encode(&input, &here.join("absent/out")),
+        1,
+        &["there is no folder", "absent; make it"],
+    );
     for (costs, words) in [(here, "cannot read"), (Path::new("/dev/zero"), "/dev/zero")] {
         assert_fails(command(["choose", "--max-error", "1", "--costs"]).arg(costs), 1, &[words]);
     }

@@ -14,8 +14,8 @@ use unitvec::slice::{
 };
 use unitvec::table::DecodeTable;
 use unitvec::{
-    Code, Codec, Frame, Frame32, Frame64, FrameCodec, Oct8, Oct16, Oct24, Oct32, Oct48, OctPrecise16,
-    OctPrecise52,
+    Code, Codec, Frame, Frame32, Frame64, FrameCodec, HemiOct16, Oct8, Oct16, Oct24, Oct32, Oct48,
+    OctPrecise16, OctPrecise48, OctPrecise52,
 };
 use unitvec_tests::directions::sphere;
 
@@ -141,6 +141,9 @@ fn codes_in_integers() {
     check::<Oct8, _>(0u16, |code| code as u16);
     check::<Oct16, _>(0u16, |code| code as u16);
     check::<Oct24, _>(0u32, |code| code);
+    check::<OctPrecise48, _>(0u64, |[low, high]| u64::from(high) << 32 | u64::from(low));
+    check::<OctPrecise52, _>([0u32; 2], |code| code);
+    check::<HemiOct16, _>([0i8; 2], |code| [code as i8, (code >> 8) as i8]);
     check::<Oct32, _>([0i16; 2], |code| [code as i16, (code >> 16) as i16]);
 }
 
@@ -151,6 +154,8 @@ fn codes_and_frames_as_data() {
     assert_eq!(serde_json::to_string(&codes).unwrap(), "[16711551]");
     assert_eq!(serde_json::from_str::<[Code<Oct24>; 1]>("[16711551]").unwrap(), codes);
     assert_eq!(bytemuck::cast_slice::<_, u32>(&codes), [0xfe_ff7f]);
+    // Bits above the code's are not shown.
+    assert_eq!(Code::<Oct24>::from_bits(0xff91_ecff).to_string(), "91ecff");
     let frame = Frame::new([1.0, 2.0, 3.0], [4.0, 5.0, 6.0], -1.0);
     let json = r#"{"normal":[1.0,2.0,3.0],"tangent":[4.0,5.0,6.0],"handedness":-1.0}"#;
     assert_eq!(serde_json::to_string(&frame).unwrap(), json);

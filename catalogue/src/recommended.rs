@@ -249,7 +249,7 @@ pub struct Measured {
 const RECORD: &str = include_str!("../data/accuracy.csv");
 
 impl AnyCodec {
-    /// The measured errors of one of its [directions](crate::Element::directions), or, of a codec for the sphere,
+    /// The measured errors of one of its [directions](crate::Element::directions) (`direction`; of frames `normal`, `tangent`), or, of a codec for the sphere,
     /// `above`: over z >= 0, without a search. `None` for another name, and for a codec that is not measured yet.
     pub fn measured(&self, of: &str) -> Option<Measured> {
         let row = |line: &'static str| {

@@ -22,6 +22,9 @@ use glam::Vec3;
 ///
 /// To add a codec, implement [`encode_vec3`](Self::encode_vec3) and [`decode_vec3`](Self::decode_vec3). Their vectors are
 /// those of this crate's [`glam`]. GPU kernels and slices call these two.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a codec: if it is a type of this crate, its family has no such width"
+)]
 pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// Significant bits of a code. Bits above them are 0 on encode and ignored on decode.
     const BITS: u32;
@@ -89,7 +92,7 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
 /// [`OctPrecise`](crate::oct::OctPrecise) of all even numbers from 4 to 32.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a codec: its family has no such width",
-    label = "choose a type that `unitvec` has a name for, such as `unitvec::Oct32`"
+    label = "choose a width that it has, as in `unitvec::Oct32`"
 )]
 pub trait Width {}
 

@@ -43,7 +43,7 @@ impl<C: Codec> Code<C> {
         C::decode(self.0)
     }
 
-    /// The code of these bits. Any will do: see [`Codec::BITS`].
+    /// The code of these bits. Any will do, but those above [`Codec::BITS`], which decoding ignores, count in `==`.
     #[must_use]
     #[inline(always)]
     pub const fn from_bits(bits: C::Code) -> Self {
@@ -62,7 +62,8 @@ impl<C: Codec> Code<C> {
 impl<C: Codec> fmt::Display for Code<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [low, high] = self.0.to_words().map(u64::from);
-        write!(f, "{:01$x}", low | (high << 32), C::BITS.div_ceil(4) as usize)
+        let bits = (low | (high << 32)) & (u64::MAX >> (64 - C::BITS));
+        write!(f, "{bits:0$x}", C::BITS.div_ceil(4) as usize)
     }
 }
 

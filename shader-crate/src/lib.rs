@@ -1,7 +1,7 @@
 //! Unit-vector codecs: normals, tangents and light directions in 8 to 52 bits, tangent frames in 32 or 64.
 //!
 //! Every codec is a type with two total functions, [`Codec::encode`] and [`Codec::decode`]. The same source runs on the
-//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU. There [`arith`] puts the device's division and square roots right.
+//! CPU and, compiled to SPIR-V by rust-gpu, on the GPU. There integers put the device's division and square roots right.
 //! So the results are the CPU's, to the bit, where sums and products are rounded to nearest and none are fused; the modules
 //! in the repository's folder `spirv/` forbid fusing. `docs/agreement.md` there states the rules.
 //!
@@ -54,8 +54,10 @@
 //! |  | [`Frame64`] | finer tangents | `R32G32_UINT` | 64 | normal 3.81e-5 / 7.97e-5, tangent 5.31e-5 / 1.21e-4 | nothing | 8.5 / 3.6 |
 //! <!-- end -->
 //!
-//! Cost is the inverse throughput of the code that a compiler for RDNA 2 GPUs makes, as a multiple of `oct32`'s. Types
-//! named `…Precise…` write the format of the fast ones: their encoder takes longer and finds the nearest code.
+//! Of two formats every Vulkan device has the second. *On a mirror*: what a picture of one shows of the error, bands,
+//! traces that a close look finds, or nothing. Cost is the inverse throughput of the code that a compiler for RDNA 2 GPUs
+//! makes, as a multiple of `oct32`'s. Types named `…Precise…`, elsewhere `oct32p`, write the format of the fast ones: their
+//! encoder takes longer and finds the nearest code.
 //! The [types](#types) below are all codecs, with bits, bytes, the bound of the error, and the format if there is one;
 //! `docs/costs.md` of the repository says more on the choice.
 //!
@@ -151,7 +153,7 @@ pub use list::*;
 /// ```
 pub mod prelude {
     #[doc(no_inline)]
-    pub use crate::{Codec, Frame, Frame32, Frame64, FrameCodec, list::*};
+    pub use crate::{Code, Codec, Frame, Frame32, Frame64, FrameCodec, list::*};
 }
 
 #[cfg(doctest)]

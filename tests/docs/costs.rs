@@ -150,10 +150,9 @@ pub fn stages() -> String {
             let of = |expression: &str| way.beyond_idle(&report, expression, figure).to_string();
             format!("{} / {}", of(ours), textbook.map_or_else(|| "-".to_owned(), of))
         };
-        let (instructions, throughput) = (pair(|row| row.instructions), pair(|row| row.inverse_throughput));
-        format!("{} | `{:?}` | `{ours}` | {instructions} | {throughput}", place, format.raw)
+        format!("{place} | `{:?}` | `{ours}` | {}", format.raw, pair(|row| row.instructions))
     });
-    let titles = "shader | format | expression | instructions: unitvec / textbook | T: unitvec / textbook";
+    let titles = "shader | format | expression | instructions: unitvec / textbook";
     markdown_table(titles, rows)
 }
 

@@ -111,7 +111,7 @@ fn spherical() -> Vec<String> {
     let [theirs, listing_2] = ["spherical32", "oct32"].map(|id| throughput(id, Decode).unwrap());
     assert!(theirs < listing_2 && own("spherical32") > own("oct32"));
     vec![format!(
-        "survey, conclusions | spherical decodes faster than oct, which has slightly better quality | with the hardware's \
+        "survey, conclusions | spherical decodes faster than oct, which has slightly better quality | true with the hardware's \
          sines, whose maximum at 32 bits is {} in table 1 and {} on lavapipe: T is {theirs} against {listing_2} on RDNA 2. \
          With sines good enough for {} it is {} against {}",
         degrees(published("spherical32").max),
@@ -128,7 +128,7 @@ fn sc() -> Vec<String> {
     assert!((printed / derived - 2.0).abs() < 1e-9 && (over / (5f64.sqrt() / 2.0) - 1.0).abs() < 5e-3);
     vec![format!(
         "Meyer, table 1, SC | {printed:.2e} radians at 48 bits | eq. 5, with the table's sample spacing, gives half: \
-         {derived:.2e}. Ours have {over:.2} times that, since a step of phi is twice one of theta"
+         {derived:.2e}. Ours have {over:.2} times the equation's at 24 bits, since a step of phi is twice one of theta"
     )]
 }
 

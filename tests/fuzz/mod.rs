@@ -17,7 +17,7 @@ use std::sync::OnceLock;
 use std::time::Instant;
 use unitvec_catalogue::{Element, find};
 use unitvec_choose::Costs;
-use unitvec_host::input::{Elements, Input};
+use unitvec_host::input::{Elements, Input, Kind};
 use unitvec_host::stream::{self, Named};
 use unitvec_link as link;
 use unitvec_manifest::modules;
@@ -241,7 +241,7 @@ fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
 fn encode_raw(path: &Path, input: &[u8]) -> Result<usize, String> {
     std::fs::write(path, input).unwrap();
     let format = find("oct32").unwrap();
-    let mut elements = Elements::open(path, Element::Vector, false).map_err(text)?;
+    let mut elements = Elements::open(path, Element::Vector, Kind::default()).map_err(text)?;
     let mut codes = Vec::new();
     let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
         (Named::new(path, &mut elements.floats), Named::new(path, &mut codes));
@@ -254,7 +254,11 @@ fn decode_codes(path: &Path, input: &[u8]) -> Result<usize, String> {
     std::fs::write(path, input).unwrap();
     let format = find("frame64").unwrap();
     let (mut input, mut floats) = (Input::open(path).map_err(text)?, Vec::new());
-    input.count(format.bytes, "codes").map_err(text)?;
+    match (input.header().map_err(text)?, input.array().map_err(text)?) {
+        (Some(header), _) => input.expect(header.count, format.bytes, "codes").map_err(text)?,
+        (_, Some(array)) => Some(array.codes(format.bytes).map_err(|error| text(input.error(error)))?),
+        _ => input.count(format.bytes, "codes").map_err(text)?,
+    };
     let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
         (Named::new(path, &mut input), Named::new(path, &mut floats));
     let count = stream::decode(&mut Cpu, format, from, to, &mut |_| ()).map_err(text)?;

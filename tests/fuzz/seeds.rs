@@ -4,6 +4,8 @@ use crate::link;
 use base64::Engine;
 use std::fmt::Write;
 use unitvec_catalogue::find;
+use unitvec_host::container::Header;
+use unitvec_host::raw::Npy;
 use unitvec_manifest::Manifest;
 use unitvec_manifest::modules::Modules;
 use unitvec_tests::repository;
@@ -199,8 +201,12 @@ pub fn glb_of(json: &str, bin: &[u8]) -> Vec<u8> {
 
 /// Raw floats, or codes: anything whose length is that of whole elements.
 pub fn raw() -> Vec<Vec<u8>> {
-    let floats = vertices(SIDE).flatten().flat_map(f32::to_le_bytes).collect();
-    vec![Vec::new(), floats, vec![0x7f; 84]]
+    let floats: Vec<u8> = vertices(SIDE).flatten().flat_map(f32::to_le_bytes).collect();
+    let count = floats.len() as u64 / 12;
+    let array = [&Npy::new("<f4", count, 3).to_bytes()[..], &floats].concat();
+    let format = find("frame64").unwrap();
+    let header = Header::new(format, None).finish(floats.len() as u64 / 8, Default::default());
+    vec![Vec::new(), [&header[..], &floats].concat(), array, floats, vec![0x7f; 84]]
 }
 
 /// Reports of `unitvec bench device` and `unitvec bench compiler`, cut to a few rows.

@@ -105,3 +105,7 @@ pub fn replace_module(folder: &Path, file: &str, bytes: &[u8]) {
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;
+
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

@@ -14,7 +14,7 @@ pub enum Error {
     #[error("the output is binary and would go to the terminal; name a file instead, or redirect: > FILE")]
     Terminal,
     /// A file or pipe cannot be read.
-    #[error("cannot read {}: {source}; check that it exists and may be read", .path.display())]
+    #[error("cannot read {}: {}", .path.display(), reason(source))]
     Read {
         /// The file's path.
         path: PathBuf,
@@ -22,7 +22,7 @@ pub enum Error {
         source: io::Error,
     },
     /// A file or pipe cannot be written; any file of that name is as before.
-    #[error("cannot write {}: {source}; {}", .path.display(), remedy(source))]
+    #[error("cannot write {}: {}", .path.display(), obstacle(.path, source))]
     Write {
         /// The file's path.
         path: PathBuf,
@@ -52,13 +52,32 @@ impl Error {
     }
 }
 
-/// The remedy for a file or folder that cannot be written.
-fn remedy(source: &io::Error) -> &'static str {
+/// Why a file cannot be read, and the remedy.
+fn reason(source: &io::Error) -> String {
     match source.kind() {
+        io::ErrorKind::NotFound => "there is no such file; check its name and folder".to_owned(),
+        io::ErrorKind::IsADirectory => "it is a folder; name a file in it".to_owned(),
+        io::ErrorKind::Other => source.to_string(),
+        _ => format!("{source}; check that it may be read"),
+    }
+}
+
+/// Why a file or folder cannot be written, and the remedy.
+fn obstacle(path: &Path, source: &io::Error) -> String {
+    match source.kind() {
+        io::ErrorKind::NotFound => match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            Some(folder) => format!("there is no folder {}; make it first", folder.display()),
+            None => "the folder of this command is gone; change to another".to_owned(),
+        },
         io::ErrorKind::NotADirectory | io::ErrorKind::AlreadyExists => {
-            "a file stands where a folder has to be: name another path, or move the file away"
+            format!(
+                "{source}; a file stands where a folder has to be: name another path, or move the file away"
+            )
         }
-        io::ErrorKind::IsADirectory => "a folder has this name: name another path, or move the folder away",
-        _ => "check that its folder exists, may be written to and has room",
+        io::ErrorKind::IsADirectory => {
+            "a folder has this name: name another path, or move the folder away".to_owned()
+        }
+        io::ErrorKind::Other => source.to_string(),
+        _ => format!("{source}; check that its folder may be written to and has room"),
     }
 }

@@ -1,9 +1,9 @@
 //! Files read within bounds.
 
 use crate::{Error, Result};
-use std::fs::File;
+use std::fs::{DirEntry, File};
 use std::io::{self, Read};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Opens a file, or the standard input for `-`. Returns its length where it is a file.
 ///
@@ -19,6 +19,26 @@ pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
         return Err(io::ErrorKind::IsADirectory.into());
     }
     Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
+}
+
+/// Adds the files that are wanted in a folder and in those below it, in the order of their names. Links to folders are
+/// left out, since they may lead back.
+///
+/// # Errors
+/// [`Error::Read`] for a folder that cannot be read.
+pub fn add_below(folder: &Path, is_wanted: &dyn Fn(&Path) -> bool, files: &mut Vec<PathBuf>) -> Result<()> {
+    let entries = || std::fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>();
+    let mut entries = entries().map_err(|source| Error::reading(folder, source))?;
+    entries.sort_by_key(DirEntry::file_name);
+    for entry in entries {
+        let path = entry.path();
+        match entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+            true => add_below(&path, is_wanted, files)?,
+            false if is_wanted(&path) && path.is_file() => files.push(path),
+            false => {}
+        }
+    }
+    Ok(())
 }
 
 /// Reads the whole of a file, or of the standard input for `-`, that should be small, such as a report of costs.

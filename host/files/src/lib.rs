@@ -11,6 +11,6 @@ mod text;
 
 pub use error::{Error, Result};
 pub use folder::Folder;
-pub use input::{open, read_small, read_start};
+pub use input::{add_below, open, read_small, read_start};
 pub use output::{Output, forget, is_same_file, remember, remove_unfinished, write_file};
 pub use text::one_line;

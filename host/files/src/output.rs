@@ -4,7 +4,7 @@ use crate::{Error, Result};
 use std::fs::OpenOptions;
 #[cfg(unix)]
 use std::fs::{File, Metadata};
-use std::io::{self, IsTerminal, Write};
+use std::io::{self, IsTerminal, Seek, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
@@ -62,6 +62,20 @@ impl Output {
     /// The path it will have.
     pub fn path(&self) -> &Path {
         &self.path
+    }
+
+    /// Replaces the first bytes, by as many as were written there or fewer; a stream has none to go back to.
+    ///
+    /// # Errors
+    /// [`Error::Write`].
+    pub fn rewrite_start(&mut self, bytes: &[u8]) -> Result<()> {
+        let rewritten = match &mut self.to {
+            Destination::Temporary(file) => file.rewind().and_then(|()| file.write_all(bytes)),
+            Destination::Direct(_) => {
+                Err(io::Error::other("it is no file that can be gone back in; name a file"))
+            }
+        };
+        rewritten.map_err(|source| Error::writing(&self.path, source))
     }
 
     /// Flushes the file and gives it its name, replacing any file that had it.

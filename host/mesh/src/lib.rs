@@ -95,6 +95,18 @@ pub struct Part {
     pub computed: bool,
 }
 
+impl Part {
+    /// The primitive and its mesh in words.
+    pub fn place(&self) -> String {
+        place(self.primitive, self.mesh, self.name.as_deref())
+    }
+}
+
+fn place(primitive: usize, mesh: usize, name: Option<&str>) -> String {
+    let name = name.map_or_else(String::new, |name| format!(" ({})", one_line(name)));
+    format!("primitive {primitive} of mesh {mesh}{name}")
+}
+
 /// Number of different meshes that `parts` belong to.
 pub fn mesh_count(parts: &[Part]) -> usize {
     parts.chunk_by(|a, b| a.mesh == b.mesh).count()
@@ -154,11 +166,13 @@ pub enum MeshError {
     },
     /// A file without tangents for all of its vertices; OBJ and PLY have none at all.
     #[error(
-        "{path} does not give each vertex a normal and a tangent; export it as .gltf or .glb with tangents"
+        "{path} does not give each vertex a normal and a tangent{lacking}; export it as .gltf or .glb with tangents"
     )]
     NoTangents {
         /// The mesh file.
         path: PathBuf,
+        /// The first primitive without them, after ": "; empty where no primitive has any.
+        lacking: String,
     },
     /// Neither the ending nor the first bytes are those of a mesh.
     #[error("{path} is no known mesh file; use .obj, .ply, .gltf or .glb")]
@@ -223,7 +237,9 @@ pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, Mesh
 pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Frames, MeshError> {
     match format {
         FileFormat::Gltf => gltf::parse_frames(path, bytes),
-        FileFormat::Obj | FileFormat::Ply => Err(MeshError::NoTangents { path: path.into() }),
+        FileFormat::Obj | FileFormat::Ply => {
+            Err(MeshError::NoTangents { path: path.into(), lacking: String::new() })
+        }
     }
 }
 

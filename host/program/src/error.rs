@@ -71,6 +71,12 @@ pub enum Error {
         /// The file.
         path: PathBuf,
     },
+    /// Codes that differ from their header.
+    #[error("the codes in {} are not those that its header is of; encode the mesh again, or copy the file again", .path.display())]
+    Damaged {
+        /// The file's path.
+        path: PathBuf,
+    },
     /// Input that ends within an element.
     #[error(
         "{} ends after {whole} whole {unit} and {left} bytes of another; is it cut short, or of another format?",

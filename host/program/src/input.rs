@@ -1,6 +1,7 @@
 //! Input files, and their contents: a mesh, raw floats, or unknown.
 
-use crate::stream::swap_if_big_endian;
+use crate::container::{self, Header};
+use crate::raw::{Dtype, Npy, swap_if_big_endian};
 use crate::{Error, Result};
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
@@ -19,6 +20,8 @@ pub struct Input {
     /// Bytes read of it.
     read: u64,
     mesh: Option<FileFormat>,
+    array: bool,
+    container: bool,
     is_text: bool,
     is_broken_text: bool,
 }
@@ -35,8 +38,10 @@ impl Input {
         reader.by_ref().take(FileFormat::HEAD as u64).read_to_end(&mut head).map_err(error)?;
         let (mesh, is_text) = (FileFormat::of(path, &head), is_text(&head));
         let is_broken_text = mesh.is_some_and(|format| format.is_text(&head)) && head.contains(&0);
+        let (array, container) = (head.starts_with(Npy::MAGIC), head.starts_with(container::MAGIC));
         let reader = Box::new(Cursor::new(head).chain(reader));
-        Ok(Self { path: path.to_owned(), reader, length, read: 0, mesh, is_text, is_broken_text })
+        let path = path.to_owned();
+        Ok(Self { path, reader, length, read: 0, mesh, array, container, is_text, is_broken_text })
     }
 
     /// The format of the mesh in the file, if it holds one.
@@ -50,11 +55,54 @@ impl Input {
         self.length.is_none() || RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending))
     }
 
-    /// Refuses a file that is neither a mesh nor, as far as its start shows, raw floats.
+    /// The header of a NumPy array, read from the input, if it is one.
+    ///
+    /// # Errors
+    /// Those of [`Npy::read`].
+    pub fn array(&mut self) -> Result<Option<Npy>> {
+        match self.array {
+            true => Npy::read(self).map(Some).map_err(|error| self.error(error)),
+            false => Ok(None),
+        }
+    }
+
+    /// The header of codes that have one, read from the input.
+    ///
+    /// # Errors
+    /// Those of [`Header::read`].
+    pub fn header(&mut self) -> Result<Option<Header>> {
+        match self.container {
+            true => Header::read(self).map(Some).map_err(|error| self.error(error)),
+            false => Ok(None),
+        }
+    }
+
+    /// An error of reading this input.
+    pub fn error(&self, source: io::Error) -> Error {
+        unitvec_files::Error::reading(&self.path, source).into()
+    }
+
+    /// Compares the number of elements that a header promises with what is left of the file.
+    ///
+    /// # Errors
+    /// [`Error::Truncated`], or [`Error::Files`] for another number.
+    pub fn expect(&self, count: u64, bytes: usize, unit: &str) -> Result<Option<u64>> {
+        match self.count(bytes, unit)? {
+            Some(there) if there != count => {
+                let words =
+                    format!("its header is of {count} {unit}, and there are {there}; copy the file again");
+                Err(self.error(io::Error::other(words)))
+            }
+            _ => Ok(Some(count)),
+        }
+    }
+
+    /// Refuses a file that is neither a mesh, an array nor, as far as its start shows, raw floats.
     fn check(&self) -> Result<()> {
         let path = || self.path.clone();
         match self.mesh {
-            None if !self.is_raw() => Err(Error::UnknownInput { path: path() }),
+            _ if self.array => Ok(()),
+            None if self.container || !self.is_raw() => Err(Error::UnknownInput { path: path() }),
             None if self.is_text => Err(Error::TextInput { path: path() }),
             _ => Ok(()),
         }
@@ -98,7 +146,9 @@ impl Input {
     /// # Errors
     /// [`Error::Truncated`] where by the file's length it ends within an element, so that nobody waits to learn it.
     pub fn count(&self, bytes: usize, unit: &str) -> Result<Option<u64>> {
-        let Some(length) = self.length else { return Ok(None) };
+        let Some(length) = self.length.map(|length| length.saturating_sub(self.read)) else {
+            return Ok(None);
+        };
         let (whole, left) = (length / bytes as u64, (length % bytes as u64) as usize);
         match left {
             0 => Ok(Some(whole)),
@@ -126,22 +176,50 @@ pub struct Elements {
     pub count: Option<u64>,
     /// The ranges of the elements of a mesh's primitives.
     pub parts: Option<Vec<Part>>,
+    /// True for raw floats whose kind nothing tells.
+    pub is_guess: bool,
+}
+
+/// What the command line says of a file of elements.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Kind {
+    /// Raw floats, whatever the name and the first bytes say.
+    pub raw: bool,
+    /// The kind of raw floats; f32 if not given.
+    pub dtype: Option<Dtype>,
 }
 
 impl Elements {
-    /// Opens a file or, with `-`, the standard input: as a mesh where it is one, as raw floats where [`Input::is_raw`]. With
-    /// `raw`, as raw floats in any case.
+    /// Opens a file or, with `-`, the standard input: as a mesh or a NumPy array where it is one, as raw floats where
+    /// [`Input::is_raw`]. With [`Kind::raw`], as raw floats in any case.
     ///
     /// # Errors
     /// [`Error::UnknownInput`] if it is neither, [`Error::TextInput`] if it is text instead of raw floats, and any
     /// error of reading.
-    pub fn open(path: &Path, element: Element, raw: bool) -> Result<Self> {
-        let input = Input::open(path)?;
-        if !raw {
+    pub fn open(path: &Path, element: Element, kind: Kind) -> Result<Self> {
+        let mut input = Input::open(path)?;
+        if !kind.raw {
             input.check()?;
+            if kind.dtype.is_some() && (input.array || input.mesh.is_some()) {
+                let words = format!(
+                    "{} tells the kind of its floats; leave --dtype out, or add --raw",
+                    path.display()
+                );
+                return Err(Error::Usage(words));
+            }
+            if let Some(array) = input.array()? {
+                let (dtype, count) = array.elements(element).map_err(|error| input.error(error))?;
+                let count = input.expect(count, element.floats() * dtype.bytes, element.plural())?;
+                return Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess: false });
+            }
         }
-        match (input.mesh.filter(|_| !raw), element) {
-            (None, _) => Self::raw(input, element),
+        match (input.mesh.filter(|_| !kind.raw), element) {
+            (None, _) => {
+                let dtype = kind.dtype.unwrap_or(Dtype::F32);
+                let count = input.count(element.floats() * dtype.bytes, element.plural())?;
+                let is_guess = kind.dtype.is_none();
+                Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess })
+            }
             (Some(_), Element::Vector) => {
                 let Mesh { normals, parts } = input.parse(mesh::parse)?;
                 Ok(Self::of_mesh(normals, parts))
@@ -166,14 +244,10 @@ impl Elements {
         if raw { Ok(()) } else { input.check() }
     }
 
-    fn raw(input: Input, element: Element) -> Result<Self> {
-        let count = input.count(element.bytes(), element.plural())?;
-        Ok(Self { floats: Box::new(input), count, parts: None })
-    }
-
     fn of_mesh<const N: usize>(elements: Vec<[f32; N]>, parts: Vec<Part>) -> Self {
         let count = Some(elements.len() as u64);
-        Self { floats: Box::new(Cursor::new(Bytes::of(elements))), count, parts: Some(parts) }
+        let floats = Box::new(Cursor::new(Bytes::of(elements)));
+        Self { floats, count, parts: Some(parts), is_guess: false }
     }
 }
 
@@ -207,7 +281,7 @@ fn is_text(head: &[u8]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::stream::to_bytes;
+    use crate::raw::to_bytes;
 
     /// Bytes that were looked at are read again, and all after them.
     #[test]
@@ -244,12 +318,14 @@ mod tests {
             (b"v 0 0 0\xff", false),
         ] {
             std::fs::write(&path, content).unwrap();
-            for found in
-                [Elements::open(&path, Element::Vector, false).map(drop), Elements::check(&path, false)]
-            {
+            for found in [
+                Elements::open(&path, Element::Vector, Kind::default()).map(drop),
+                Elements::check(&path, false),
+            ] {
                 assert_eq!(matches!(found, Err(Error::TextInput { .. })), is_text, "{}", content.len());
             }
-            let raw = Elements::open(&path, Element::Vector, true).map(drop);
+            let raw = Kind { raw: true, dtype: None };
+            let raw = Elements::open(&path, Element::Vector, raw).map(drop);
             assert!(matches!(raw, Ok(()) | Err(Error::Truncated { .. })), "{raw:?}");
         }
     }

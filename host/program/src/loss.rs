@@ -67,6 +67,8 @@ pub struct Report {
     pub totals: Vec<Row>,
     /// Files that have no normals, or not all, so that these were computed from the faces.
     pub computed: Vec<String>,
+    /// What raw floats seem to be instead, and the remedy: a line for each such file.
+    pub warnings: Vec<String>,
 }
 
 /// Measures codecs over one file after the other, in bounded memory.
@@ -102,7 +104,8 @@ impl Meter {
         self.element
     }
 
-    /// Measures the raw vectors or frames of a file. `progress` receives the number done so far.
+    /// Measures the raw vectors or frames of a file. `progress` receives the number done so far. Returns what
+    /// [`stream::for_each_chunk`] suspects.
     ///
     /// # Errors
     /// [`Error::Truncated`] if the input ends within an element, [`Error::NotFinite`] if the backend decodes to NaN,
@@ -112,14 +115,14 @@ impl Meter {
         backend: &mut dyn Backend,
         input: Input<'_>,
         progress: &mut dyn FnMut(u64),
-    ) -> Result<()> {
+    ) -> Result<Option<String>> {
         let (element, parts) = (self.element, parts(self.element));
         let file = input.path.display().to_string();
         let mut tallies = vec![Tally::default(); self.totals.len()];
         let bytes = self.formats.iter().map(|format| format.bytes).max().unwrap_or(0);
         let mut codes = vec![0; CHUNK * bytes];
         let mut decoded = vec![0.0; CHUNK * element.floats()];
-        stream::for_each_chunk(input, element, &mut |elements, before| {
+        let suspicion = stream::for_each_chunk(input, element, &mut |elements, before| {
             let decoded = &mut decoded[..elements.len()];
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
                 let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
@@ -142,13 +145,13 @@ impl Meter {
         })?;
         self.rows.extend(rows(&self.formats, parts, &tallies, Some(&file)));
         self.totals.iter_mut().zip(tallies).for_each(|(total, tally)| total.merge(tally));
-        Ok(())
+        Ok(suspicion)
     }
 
     /// The errors measured.
     pub fn report(self) -> Report {
         let totals = rows(&self.formats, parts(self.element), &self.totals, None).collect();
-        Report { rows: self.rows, totals, computed: Vec::new() }
+        Report { rows: self.rows, totals, computed: Vec::new(), warnings: Vec::new() }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
 
+use crate::raw::{read_until_full, suspicion, swap_if_big_endian};
 use crate::{Error, Result};
-use std::io::{self, Read, Write};
+use std::io::{Read, Write};
 use std::path::Path;
 use unitvec_catalogue::{AnyCodec, Domain, Element};
 use unitvec_mesh::has_direction;
@@ -28,50 +29,83 @@ pub type Input<'a> = Named<'a, dyn Read + 'a>;
 /// A destination of bytes.
 pub type Sink<'a> = Named<'a, dyn Write + 'a>;
 
-/// Counts of the elements encoded.
+/// A number of elements, and the place of the first of them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Places {
+    /// How many there are.
+    pub count: u64,
+    /// The place of the first, counted from 0.
+    pub first: Option<u64>,
+}
+
+impl Places {
+    fn add(&mut self, at: u64) {
+        self.count += 1;
+        self.first = Some(self.first.map_or(at, |first| first.min(at)));
+    }
+}
+
+/// Counts of the elements encoded.
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Counts {
     /// Vectors or frames.
     pub elements: u64,
     /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
     /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z.
-    pub no_direction: u64,
+    pub no_direction: Places,
     /// Tangents of frames without one; in codes also those with none in the plane of the decoded normal. Any perpendicular
     /// to the normal is stored.
-    pub no_tangent: u64,
+    pub no_tangent: Places,
     /// Vectors below the equator that a codec of the hemisphere cannot store.
     pub below: u64,
+    /// The least and the greatest length of vectors, or normals of frames, that have a direction.
+    pub lengths: Option<[f64; 2]>,
+    /// What the floats seem to be instead: see [`suspicion`].
+    pub suspicion: Option<String>,
 }
 
 impl Counts {
     /// Counts elements that lie one after the other.
     pub fn add(&mut self, element: Element, floats: &[f32]) {
-        self.add_normals(element, floats);
+        let before = self.add_normals(element, floats);
         if element == Element::Frame {
-            self.no_tangent +=
-                vectors(element, floats, 3).filter(|vector| !has_direction(*vector)).count() as u64;
+            let tangents = (before..).zip(vectors(element, floats, 3));
+            tangents
+                .filter(|(_, vector)| !has_direction(*vector))
+                .for_each(|(at, _)| self.no_tangent.add(at));
         }
     }
 
-    fn add_normals(&mut self, element: Element, floats: &[f32]) {
+    /// Returns the number of elements before these.
+    fn add_normals(&mut self, element: Element, floats: &[f32]) -> u64 {
+        let before = self.elements;
         self.elements += (floats.len() / element.floats()) as u64;
-        self.no_direction +=
-            vectors(element, floats, 0).filter(|vector| !has_direction(*vector)).count() as u64;
+        for (at, vector) in (before..).zip(vectors(element, floats, 0)) {
+            if has_direction(vector) {
+                let length = vector.iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
+                let [least, most] = self.lengths.unwrap_or([length; 2]);
+                self.lengths = Some([least.min(length), most.max(length)]);
+            } else {
+                self.no_direction.add(at);
+            }
+        }
+        before
     }
 
     /// Counts vectors and their codes.
     fn add_vectors(&mut self, format: &AnyCodec, z_code: &[u8], floats: &[f32], codes: &[u8]) {
-        self.add_normals(Element::Vector, floats);
+        let before = self.add_normals(Element::Vector, floats);
         let is_raw = keeps_lengths(format);
         let with_direction = vectors(Element::Vector, floats, 0)
             .zip(codes.chunks_exact(format.bytes))
-            .filter(|(vector, _)| has_direction(*vector));
-        for (vector, code) in with_direction {
+            .zip(before..)
+            .filter(|((vector, _), _)| has_direction(*vector));
+        for ((vector, code), at) in with_direction {
             let is_below = format.domain == Domain::Hemisphere && vector[2] < 0.0;
             // A vector along +Z has raw components of 1/2 at least where its code is +Z's.
             let is_small = is_raw && vector.iter().all(|component| component.abs() < 0.5);
             if code == z_code && (is_below || is_small) {
-                self.no_direction += 1;
+                self.no_direction.add(at);
             } else if is_below {
                 self.below += 1;
             }
@@ -81,9 +115,9 @@ impl Counts {
     /// Counts frames by their codes and those with the tangents turned round. Only where a codec finds no tangent are the
     /// two alike.
     fn add_frames(&mut self, format: &AnyCodec, floats: &[f32], codes: &[u8], turned: &[u8]) {
-        self.add_normals(Element::Frame, floats);
-        let pairs = codes.chunks_exact(format.bytes).zip(turned.chunks_exact(format.bytes));
-        self.no_tangent += pairs.filter(|(code, turned)| code == turned).count() as u64;
+        let before = self.add_normals(Element::Frame, floats);
+        let pairs = codes.chunks_exact(format.bytes).zip(turned.chunks_exact(format.bytes)).zip(before..);
+        pairs.filter(|((code, turned), _)| code == turned).for_each(|(_, at)| self.no_tangent.add(at));
     }
 }
 
@@ -124,7 +158,7 @@ pub fn encode(
         format.encode_cpu(&[0.0, 0.0, 1.0], &mut z_code)?;
     }
     let mut done = Counts::default();
-    for_each_chunk(input, format.element, &mut |elements, _| {
+    let suspicion = for_each_chunk(input, format.element, &mut |elements, _| {
         let codes = &mut codes[..elements.len() / format.element.floats() * format.bytes];
         backend.encode(format, elements, codes)?;
         write(&mut output, codes)?;
@@ -139,11 +173,11 @@ pub fn encode(
         progress(done.elements);
         Ok(())
     })?;
-    Ok(done)
+    Ok(Counts { suspicion, ..done })
 }
 
 /// Reads raw vectors or frames until the input ends, and hands on at most [`CHUNK`] of them at a time, with the number
-/// of those before.
+/// of those before. Returns the [`suspicion`] that the first of them raise.
 ///
 /// # Errors
 /// [`Error::Truncated`] if the input ends within an element, and any error of reading or of `each`.
@@ -151,17 +185,20 @@ pub fn for_each_chunk(
     mut input: Input<'_>,
     element: Element,
     each: &mut dyn FnMut(&[f32], u64) -> Result<()>,
-) -> Result<()> {
+) -> Result<Option<String>> {
     let mut elements = vec![0.0; CHUNK * element.floats()];
-    let mut done = 0;
+    let (mut done, mut found) = (0, None);
     loop {
         let bytes = bytemuck::cast_slice_mut(&mut elements);
         let count = read_elements(&mut input, bytes, element.bytes(), element.plural(), done)?;
         if count == 0 {
-            return Ok(());
+            return Ok(found);
         }
         let elements = &mut elements[..count * element.floats()];
         swap_if_big_endian(elements);
+        if done == 0 {
+            found = suspicion(element, elements, count < CHUNK);
+        }
         each(elements, done)?;
         done += count as u64;
     }
@@ -197,18 +234,6 @@ pub fn decode(
     }
 }
 
-/// Converts from little endian to the byte order of this machine, or back.
-pub(crate) fn swap_if_big_endian(floats: &mut [f32]) {
-    if cfg!(target_endian = "big") {
-        floats.iter_mut().for_each(|float| *float = f32::from_bits(float.to_bits().swap_bytes()));
-    }
-}
-
-/// Floats as little-endian bytes.
-pub fn to_bytes(floats: &[f32]) -> Vec<u8> {
-    floats.iter().flat_map(|float| float.to_le_bytes()).collect()
-}
-
 fn write(output: &mut Sink<'_>, bytes: &[u8]) -> Result<()> {
     output.stream.write_all(bytes).map_err(|source| unitvec_files::Error::writing(output.path, source))?;
     Ok(())
@@ -232,22 +257,11 @@ fn read_elements(
     Err(Error::truncated(input.path, before + count as u64, unit, size, left))
 }
 
-fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Result<usize> {
-    let mut filled = 0;
-    while filled < buffer.len() {
-        match input.read(&mut buffer[filled..]) {
-            Ok(0) => break,
-            Ok(count) => filled += count,
-            Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
-            Err(error) => return Err(error),
-        }
-    }
-    Ok(filled)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::raw::to_bytes;
+    use std::io;
     use unitvec_catalogue::find;
     use unitvec_run::backend::Cpu;
 
@@ -298,13 +312,15 @@ mod tests {
         let [zero, nan, tiny, huge, x] =
             [[0.0; 3], [f32::NAN, 0.0, 1.0], [1e-30; 3], [f32::INFINITY, 0.0, 0.0], [1.0, 0.0, 0.0]];
         let vectors = [zero, nan, tiny, huge, x, [0.0, 5.0, 0.0], [0.0, -0.0, -0.0]].concat();
-        let expected = Counts { elements: 7, no_direction: 5, ..Counts::default() };
+        let no_direction = Places { count: 5, first: Some(0) };
+        let expected = Counts { elements: 7, no_direction, lengths: Some([1.0, 5.0]), ..Counts::default() };
         assert_eq!(count("oct32", &vectors), expected);
         let frame = |normal: [f32; 3], tangent: [f32; 3]| [&normal[..], &tangent, &[1.0]].concat();
         let frames = [frame(zero, zero), frame(x, nan), frame(zero, x), frame(x, x), frame(x, huge)].concat();
         // The tangent (x, x) is parallel to its normal.
-        let expected = Counts { elements: 5, no_direction: 2, no_tangent: 4, below: 0 };
-        assert_eq!(count("frame32", &frames), expected);
+        let expected = (5, Places { count: 2, first: Some(0) }, Places { count: 4, first: Some(0) });
+        let counts = count("frame32", &frames);
+        assert_eq!((counts.elements, counts.no_direction, counts.no_tangent), expected);
     }
 
     /// A tangent along its normal, or along the +Z that stands for a missing one, is lost; one that is a degree off is not.
@@ -321,7 +337,7 @@ mod tests {
         ];
         for codec in ["frame32", "frame64"] {
             let counts = count(codec, &frames.concat());
-            assert_eq!((counts.no_direction, counts.no_tangent), (2, 3), "{codec}");
+            assert_eq!((counts.no_direction.count, counts.no_tangent.count), (2, 3), "{codec}");
         }
     }
 
@@ -331,13 +347,13 @@ mod tests {
         let vectors = [0.0, 0.0, -1.0, 0.0, -0.0, -3.0, 0.0, 0.0, 1.0, 0.1, 0.0, -1.0];
         for codec in ["hemioct16", "xyonly16", "xyonly32f"] {
             let counts = count(codec, &vectors);
-            assert_eq!((counts.no_direction, counts.below), (2, 1), "{codec}");
+            assert_eq!((counts.no_direction.count, counts.below), (2, 1), "{codec}");
         }
         let vectors = [1e-3, 0.0, 0.0, 0.0, 0.0, 1e-3, 0.0, 0.0, 1.0, 0.0, 0.0, 3.0, 0.0, 0.5, 0.0];
         for (codec, expected) in [("snorm8x3", 2), ("snorm5x3", 2), ("float16x3", 0), ("oct16", 0)] {
-            assert_eq!(count(codec, &vectors).no_direction, expected, "{codec}");
+            assert_eq!(count(codec, &vectors).no_direction.count, expected, "{codec}");
         }
-        assert_eq!(count("float16x3", &[1e-9, 0.0, 0.0]).no_direction, 1);
+        assert_eq!(count("float16x3", &[1e-9, 0.0, 0.0]).no_direction.count, 1);
         let kept =
             ["snorm8x3", "unorm8x3", "float16x3", "snorm8x3p", "snorm8x3_nearest", "crytek_bfn24", "oct16"]
                 .map(|codec| keeps_lengths(find(codec).unwrap()));

@@ -6,8 +6,9 @@ use super::strided::{LARGEST_CODE, PORTION};
 use super::{LengthMismatch, Vector, decode_slice, encode_slice, expect_length};
 use crate::codec::Codec;
 
-/// [`encode_slice`] into integers, one for each code: `u16`, `u32`, or `[i16; 2]` with the lower half first. Those that are
-/// smaller than a code do not compile.
+/// [`encode_slice`] into integers, one for each code: `u16`, `u32`, `u64`, `[u32; 2]`, or a pair `[i8; 2]` or `[i16; 2]`, the
+/// lower half first. Those that are smaller than a code do not compile, nor do pairs that are not as large: they are for
+/// codecs of the formats `R8G8_SNORM` and `R16G16_SNORM`.
 ///
 /// ```
 /// use unitvec::Oct32;
@@ -21,6 +22,10 @@ use crate::codec::Codec;
 ///
 /// ```compile_fail,E0080
 /// unitvec::slice::encode_codes::<unitvec::Oct24>(&[[1.0, 0.0, 0.0]], &mut [0u16]);
+/// ```
+///
+/// ```compile_fail,E0080
+/// unitvec::slice::encode_codes::<unitvec::Oct24>(&[[1.0, 0.0, 0.0]], &mut [[0i16; 2]]);
 /// ```
 ///
 /// # Errors
@@ -59,9 +64,13 @@ pub fn decode_codes<C: Codec>(
     Ok(())
 }
 
-/// Does not compile where a `T` is smaller than a code of `C`.
-const fn expect_room<C: Codec, T>(_: &[T]) {
-    const { assert!(C::BITS as usize <= 8 * size_of::<T>(), "codes of this codec need larger integers") }
+/// Does not compile where a `T` is smaller than a code of `C`, or a pair of another size.
+const fn expect_room<C: Codec, T: Stored>(_: &[T]) {
+    const {
+        let bits = 8 * size_of::<T>();
+        assert!(C::BITS as usize <= bits, "codes of this codec need larger integers");
+        assert!(!T::IS_PAIR || C::BITS as usize == bits, "codes of this codec are no pairs of such integers");
+    }
 }
 
 fn convert(from: &[impl Stored], to: &mut [impl Stored]) {

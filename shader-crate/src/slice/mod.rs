@@ -6,13 +6,15 @@
 //! * Nothing is allocated. A slice is worked through in blocks of 64 vectors. To encode or decode fewer than 32 costs as
 //!   much as 32: for single vectors take the functions of [`Codec`].
 //! * Vectors are those of any library: see [`Vector`].
+//! * Codes may be integers: see [`encode_codes`]. To give other functions a slice of integers, see it as bytes, with
+//!   `bytemuck::cast_slice_mut(&mut codes)`.
 //! * Vectors and codes may lie among the other fields of vertices: see [`encode_strided`].
 //! * Frames have functions of their own: [`encode_frames`].
 //! * Slice functions are generic: they are compiled at the `opt-level` of the crate that calls them with a named codec.
 //!   The `opt-level` of `unitvec` chooses the loop: at 0, the development profile's, one vector at a time, else blocks.
 //!   For the speed of a release build raise both: `opt-level = 2` under `[profile.dev]`, or under
 //!   `[profile.dev.package.unitvec]` and the same for the library of yours that calls them.
-//! * With the feature `rayon`, functions that begin with `par_` use all cores; strided data have none.
+//! * With the feature `rayon`, functions that begin with `par_` use all cores; strided data and codes as integers have none.
 //!
 //! ```
 //! use unitvec::slice::{decode_slice, encode_slice};
@@ -66,7 +68,7 @@ pub type EncodeAt<T> = fn(Level, &[T], &mut [u8]) -> Result<(), LengthMismatch>;
 #[doc(hidden)]
 pub type DecodeAt<T> = fn(Level, &[u8], &mut [T]) -> Result<(), LengthMismatch>;
 
-/// The slice of codes has not [`BYTES`](Codec::BYTES) bytes for each vector.
+/// The slices are not of as many elements as codes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LengthMismatch {
@@ -80,7 +82,7 @@ impl fmt::Display for LengthMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "the slices do not fit each other: {} bytes of codes against {}",
+            "the slices are of different lengths: the input has, or makes, {} bytes of codes, and the output {}",
             self.expected, self.actual
         )
     }

@@ -3,6 +3,9 @@
 /// A stored code: an array of as many bytes as [`Codec::BYTES`](crate::Codec::BYTES) says, or of integers, the low one
 /// first.
 pub trait Stored: Copy + Send + Sync {
+    /// True for the two components of a code.
+    const IS_PAIR: bool = false;
+
     /// The low bytes of a code's two words.
     fn of_words(words: [u32; 2]) -> Self;
 
@@ -12,8 +15,10 @@ pub trait Stored: Copy + Send + Sync {
 
 /// Implements [`Stored`].
 macro_rules! stored {
-    ($stored:ty: $words:ident => $of_words:expr, $bytes:ident => $to_words:expr) => {
+    ($stored:ty $(, $is_pair:literal)?: $words:ident => $of_words:expr, $bytes:ident => $to_words:expr) => {
         impl Stored for $stored {
+            $(const IS_PAIR: bool = $is_pair;)?
+
             #[inline(always)]
             fn of_words($words: [u32; 2]) -> Self {
                 $of_words
@@ -60,7 +65,11 @@ stored!([u8; 8]:
 
 stored!(u16: words => words[0] as u16, code => (code as u32, 0));
 stored!(u32: words => words[0], code => (code, 0));
-stored!([i16; 2]: words => [words[0] as i16, (words[0] >> 16) as i16], code =>
+stored!(u64: words => u64::from(words[1]) << 32 | u64::from(words[0]), code => (code as u32, (code >> 32) as u32));
+stored!([u32; 2]: words => words, code => (code[0], code[1]));
+stored!([i8; 2], true: words => [words[0] as i8, (words[0] >> 8) as i8], code =>
+    (code[0] as u8 as u32 | (code[1] as u8 as u32) << 8, 0));
+stored!([i16; 2], true: words => [words[0] as i16, (words[0] >> 16) as i16], code =>
     (code[0] as u16 as u32 | (code[1] as u16 as u32) << 16, 0));
 
 /// `$call`, in which `$size` is the constant `$bytes`: a size of stored codes.

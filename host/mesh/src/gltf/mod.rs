@@ -22,7 +22,7 @@ use glam::Vec3;
 use percent_encoding::percent_decode_str;
 
 use super::format::without_mark;
-use super::{Fan, Frames, Mesh, MeshError, Part, Positions, Sums, check_finite, parse_error};
+use super::{Fan, Frames, Mesh, MeshError, Part, Positions, Sums, check_finite, parse_error, place};
 use unitvec_files::one_line;
 use unitvec_files::read_start;
 
@@ -78,7 +78,8 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshErro
         let [Some(normals), Some(tangents)] =
             [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
         else {
-            return Err(MeshError::NoTangents { path: path.into() });
+            let lacking = format!(": {} lacks them", place(primitive.index(), mesh.index(), mesh.name()));
+            return Err(MeshError::NoTangents { path: path.into(), lacking });
         };
         file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
         file.check_counts(&primitive, [Semantic::Normals, Semantic::Tangents])?;
@@ -98,7 +99,7 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshErro
         })?;
     }
     if all.elements.is_empty() {
-        return Err(MeshError::NoTangents { path: path.into() });
+        return Err(MeshError::NoTangents { path: path.into(), lacking: String::new() });
     }
     Ok(Frames { frames: all.elements, parts: all.parts })
 }

@@ -1,154 +1,360 @@
 use super::run::Live;
 use super::summary::{Options, Summary};
-use super::{OpenBackend, Vulkan, write_output};
+use super::{OpenBackend, Vulkan, dtype, files_of, write_output};
 use clap::Args;
-use std::io::Read;
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, find};
 use unitvec_files::{Output, is_same_file};
-use unitvec_host::input::{Elements, Input};
+use unitvec_host::container::{Hashed, Header};
+use unitvec_host::input::{Elements, Input, Kind};
+use unitvec_host::raw::{Dtype, Npy, to_bytes};
 use unitvec_host::stream;
-use unitvec_host::stream::{Counts, Named, Sink, to_bytes};
+use unitvec_host::stream::{Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 use unitvec_mesh as mesh;
 use unitvec_mesh::{FileFormat, Frames};
 use unitvec_run::backend::{Backend, BackendKind};
 
 #[derive(Args)]
-pub struct Arguments {
+pub struct Encode {
     /// Codec, as `unitvec codecs` lists them.
     #[arg(long, value_name = "ID")]
     codec: String,
+    /// Kind of raw floats: f64, f16, or a big-endian one such as f32be; f32 if not given.
+    #[arg(long, value_name = "KIND", value_parser = dtype())]
+    dtype: Option<Dtype>,
+    /// Take the input as raw floats, whatever its name and first bytes say.
+    #[arg(long)]
+    raw: bool,
+    #[command(flatten)]
+    work: Work,
+    /// Input file, - for the standard input, or a folder, whose meshes are taken, also from folders below it.
+    ///
+    /// A mesh, known by its first bytes (glTF, PLY) or its ending (.obj, .ply, .gltf, .glb); a NumPy array (.npy); or raw
+    /// floats: .bin, .f32, .raw, the standard input, pipes, and any file with --raw. A frame is normal, tangent and
+    /// handedness.
+    #[arg(required = true, num_args = 1..)]
+    r#in: Vec<PathBuf>,
+    /// Output file, - for the standard output; or a folder that exists, which gets NAME.uvec for each input. A file is
+    /// replaced only once the new one is complete; a link stays, and the file that it leads to is replaced.
+    ///
+    /// Codes without gaps, which do not tell their codec. If it ends in .uvec, codes behind a header, by which `decode`
+    /// knows their codec, number and SHA-256; if it ends in .npy, a NumPy array.
+    out: PathBuf,
+}
+
+#[derive(Args)]
+pub struct Decode {
+    /// Codec that the codes are of, as `unitvec codecs` lists them; .uvec files tell it themselves.
+    #[arg(long, value_name = "ID")]
+    codec: Option<String>,
+    /// Take the input as codes without a header, whatever its first bytes say.
+    #[arg(long)]
+    raw: bool,
+    #[command(flatten)]
+    work: Work,
+    /// Input file, - for the standard input, or a folder, whose .uvec files are taken, also from folders below it.
+    #[arg(required = true, num_args = 1..)]
+    r#in: Vec<PathBuf>,
+    /// Output file of raw f32, - for the standard output, a NumPy array if it ends in .npy; or a folder that exists, which
+    /// gets NAME.f32 for each input.
+    out: PathBuf,
+}
+
+#[derive(Args)]
+struct Work {
     /// What runs the codec.
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendKind,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// Take the input as raw f32, or as codes to decode, whatever its name and first bytes say.
-    #[arg(long)]
-    raw: bool,
     #[command(flatten)]
     summary: Options,
-    /// Input file, - for the standard input.
-    ///
-    /// To encode: a mesh, known by its first bytes (glTF, PLY) or its ending (.obj, .ply, .gltf, .glb), or raw f32: .bin,
-    /// .f32, .raw, the standard input, pipes, and any file with --raw. A frame is normal, tangent and handedness. To
-    /// decode: codes.
-    r#in: PathBuf,
-    /// Output file, - for the standard output. A file is replaced only once the new one is complete; a link stays, and the
-    /// file that it leads to is replaced.
-    out: PathBuf,
 }
 
 #[derive(Args)]
-pub struct NormalsArguments {
+pub struct Normals {
     /// Export whole tangent frames, seven f32 each: normal, tangent and handedness. The mesh needs tangents.
     #[arg(long)]
     frames: bool,
     #[command(flatten)]
     summary: Options,
-    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY.
-    mesh: PathBuf,
-    /// Output file, - for the standard output.
+    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY; or a folder, whose meshes are taken.
+    #[arg(value_name = "MESH", required = true, num_args = 1..)]
+    r#in: Vec<PathBuf>,
+    /// Output file, - for the standard output, a NumPy array if it ends in .npy; or a folder that exists, which gets
+    /// NAME.f32 for each mesh.
     out: PathBuf,
 }
 
-pub fn encode(arguments: &Arguments) -> Result<ExitCode> {
+pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     let format = find(&arguments.codec)?;
-    let mut conversion = Conversion::start(arguments, format)?;
-    let mut elements = Elements::open(&arguments.r#in, format.element, arguments.raw)?;
-    let counts = conversion.run(&mut elements.floats, elements.count, stream::encode)?;
-    conversion.finish(Summary::of_encoding(format, counts, elements.parts))
+    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
+    arguments.work.each(&pairs, |conversion| {
+        let mut elements = Elements::open(conversion.input, format.element, kind)?;
+        let header = has_ending(conversion.out, "uvec").then(|| Header::new(format, elements.parts.clone()));
+        conversion.begin_array(
+            elements.count,
+            match format.bytes {
+                2 => ("<u2", 1),
+                4 => ("<u4", 1),
+                8 => ("<u8", 1),
+                bytes => ("|u1", bytes),
+            },
+        )?;
+        let mut counts = match header {
+            None => conversion.run(format, &mut elements.floats, elements.count, stream::encode)?,
+            Some(header) => conversion.encode_behind(header, format, &mut elements)?,
+        };
+        conversion.expect(elements.count, counts.elements)?;
+        counts.suspicion = counts.suspicion.filter(|_| elements.is_guess);
+        Ok(Summary::of_encoding(format, counts, elements.parts))
+    })
 }
 
-pub fn decode(arguments: &Arguments) -> Result<ExitCode> {
-    let format = find(&arguments.codec)?;
-    let mut conversion = Conversion::start(arguments, format)?;
-    let mut input = Input::open(&arguments.r#in)?;
-    if input.mesh().is_some() && !arguments.raw {
-        return Err(Error::Usage(format!(
-            "{} is a mesh, not codes; `unitvec encode` makes codes of it, and --raw takes it as codes",
-            arguments.r#in.display()
-        )));
+pub fn decode(arguments: &Decode) -> Result<ExitCode> {
+    let named = arguments.codec.as_deref().map(find).transpose()?;
+    let is_container = |path: &Path| has_ending(path, "uvec");
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_container, "f32")?;
+    if let Some((_, out)) = pairs.iter().find(|(_, out)| is_container(out)) {
+        let words = format!("{} has the name of codes; give the decoded floats another", out.display());
+        return Err(Error::Usage(words));
     }
-    let count = input.count(format.bytes, "codes")?;
-    let count = conversion.run(&mut input, count, stream::decode)?;
-    conversion.finish(Summary::of_decoding(format, count))
+    arguments.work.each(&pairs, |conversion| {
+        let path = conversion.input;
+        let mut input = Input::open(path)?;
+        if input.mesh().is_some() && !arguments.raw {
+            return Err(Error::Usage(format!(
+                "{} is a mesh, not codes; `unitvec encode` makes codes of it, and --raw takes it as codes",
+                path.display()
+            )));
+        }
+        let (header, array) = if arguments.raw { (None, None) } else { (input.header()?, input.array()?) };
+        let format = codec_of(path, named, header.as_ref())?;
+        let count = match (&header, array) {
+            (Some(header), _) => input.expect(header.count, format.bytes, "codes")?,
+            (None, Some(array)) => {
+                let count = array.codes(format.bytes).map_err(|error| input.error(error))?;
+                input.expect(count, format.bytes, "codes")?
+            }
+            (None, None) => input.count(format.bytes, "codes")?,
+        };
+        conversion.begin_array(count, ("<f4", format.element.floats()))?;
+        let mut input = Hashed::new(input, header.is_some());
+        let decoded = conversion.run(format, &mut input, count, stream::decode)?;
+        conversion.expect(count, decoded)?;
+        if let (Some(header), Some(hash)) = (header, input.hash) {
+            header.check(path, hash)?;
+        }
+        Ok(Summary::of_decoding(format, decoded))
+    })
+}
+
+/// The codec that the command line names, and the header, if there is one.
+fn codec_of(
+    path: &Path,
+    named: Option<&'static AnyCodec>,
+    header: Option<&Header>,
+) -> Result<&'static AnyCodec> {
+    let told = header.map(|header| find(&header.codec)).transpose()?;
+    match (named, told) {
+        (Some(named), Some(told)) if named != told => Err(Error::Usage(format!(
+            "{} has codes of {}, not of {}; leave --codec out",
+            path.display(),
+            told.id,
+            named.id
+        ))),
+        (Some(format), _) | (None, Some(format)) => Ok(format),
+        (None, None) => {
+            Err(Error::Usage(format!("{} does not tell its codec; name it: --codec ID", path.display())))
+        }
+    }
 }
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
-pub fn normals(arguments: &NormalsArguments) -> Result<ExitCode> {
-    let output = create_output(&arguments.mesh, &arguments.out)?;
-    let to_stdout = output.is_stdout();
-    let input = Input::open(&arguments.mesh)?;
-    let (element, floats, parts, filled) = if arguments.frames {
-        let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
-        (Element::Frame, frames.into_flattened(), parts, 0)
-    } else {
-        let mut mesh = input.parse(mesh::parse)?;
-        let filled = mesh.fill_with_z();
-        (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled as u64)
-    };
-    write_output(output, &to_bytes(&floats))?;
-    let mut counts = Counts { no_direction: filled, ..Counts::default() };
-    counts.add(element, &floats);
-    let summary = Summary::of_export(element, counts, parts, filled);
-    arguments.summary.print(summary, [&arguments.mesh, &arguments.out], to_stdout)?;
+pub fn normals(arguments: &Normals) -> Result<ExitCode> {
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "f32")?;
+    let mut done = Vec::new();
+    for (path, out) in &pairs {
+        let mut output = Output::create_binary(out)?;
+        let input = Input::open(path)?;
+        let mut counts = Counts::default();
+        let (element, floats, parts, filled) = if arguments.frames {
+            let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+            counts.add(Element::Frame, frames.as_flattened());
+            (Element::Frame, frames.into_flattened(), parts, 0)
+        } else {
+            let mut mesh = input.parse(mesh::parse)?;
+            counts.add(Element::Vector, mesh.normals.as_flattened());
+            let filled = mesh.fill_with_z() as u64;
+            (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled)
+        };
+        let to_stdout = output.is_stdout();
+        if has_ending(out, "npy") {
+            let header = Npy::new("<f4", counts.elements, element.floats()).to_bytes();
+            output.write_all(&header).map_err(|source| unitvec_files::Error::writing(out, source))?;
+        }
+        write_output(output, &to_bytes(&floats))?;
+        let summary = Summary::of_export(element, counts, parts, filled);
+        done.push(arguments.summary.told(summary, [path, out], pairs.len(), to_stdout));
+    }
+    arguments.summary.write(done)?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// The output, which replaces neither the input nor what is called a mesh: as where OUT was forgotten after `*.obj`.
-fn create_output(input: &Path, out: &Path) -> Result<Output> {
+fn is_mesh(path: &Path) -> bool {
+    FileFormat::of_ending(path).is_some()
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending))
+}
+
+/// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT.
+fn pairs(
+    inputs: &[PathBuf],
+    out: &Path,
+    is_wanted: fn(&Path) -> bool,
+    ending: &str,
+) -> Result<Vec<(PathBuf, PathBuf)>> {
+    let found = files_of(inputs, is_wanted)?;
+    if let ([input], false) = (inputs, out.is_dir()) {
+        if !input.is_dir() {
+            check_output(input, out)?;
+            return Ok(vec![(input.clone(), out.to_owned())]);
+        }
+    }
+    if !out.is_dir() {
+        let words = format!("several inputs need a folder that exists: mkdir {}", out.display());
+        return Err(Error::Usage(words));
+    }
+    let mut taken = BTreeMap::new();
+    for input in found {
+        let out = out.join(input.file_stem().unwrap_or_default()).with_extension(ending);
+        check_output(&input, &out)?;
+        if let Some(other) = taken.insert(out.clone(), input.clone()) {
+            let [other, input] = [other, input].map(|path| path.display().to_string());
+            let words =
+                format!("{other} and {input} would both become {}; convert one by itself", out.display());
+            return Err(Error::Usage(words));
+        }
+    }
+    Ok(taken.into_iter().map(|(out, input)| (input, out)).collect())
+}
+
+/// Refuses an output that would replace the input, or what is called a mesh: as where OUT was forgotten after `*.obj`.
+fn check_output(input: &Path, out: &Path) -> Result<()> {
     let is_input = input.is_file() && is_same_file(input, out);
-    if is_input || FileFormat::of_ending(out).is_some() {
+    if is_input || is_mesh(out) {
         let what = if is_input { "the input" } else { "the name of a mesh" };
         let message = format!("{} is {what}; give the output another name", out.display());
         return Err(Error::Usage(message));
     }
-    Ok(Output::create_binary(out)?)
+    Ok(())
 }
 
 /// [`stream::encode`] or [`stream::decode`].
 type Convert<T> =
     fn(&mut dyn Backend, &AnyCodec, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
-/// A backend at work, and the file that it will have written.
-struct Conversion<'a> {
-    arguments: &'a Arguments,
-    format: &'static AnyCodec,
-    open: OpenBackend,
-    output: Output,
+impl Work {
+    /// Converts each input to its output.
+    fn each(
+        &self,
+        pairs: &[(PathBuf, PathBuf)],
+        convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
+    ) -> Result<ExitCode> {
+        let mut open = OpenBackend::open(self.backend, &self.vulkan)?;
+        let mut done = Vec::new();
+        for (input, out) in pairs {
+            let output = Output::create_binary(out)?;
+            let to_stdout = output.is_stdout();
+            let backend = open.backend.as_mut();
+            let mut conversion = Conversion { input, out, output: Hashed::new(output, false), backend };
+            let summary = convert(&mut conversion)?;
+            conversion.output.stream.finish()?;
+            done.push(self.summary.told(summary, [input, out], pairs.len(), to_stdout));
+        }
+        self.summary.write(done)?;
+        Ok(open.close())
+    }
 }
 
-impl<'a> Conversion<'a> {
-    fn start(arguments: &'a Arguments, format: &'static AnyCodec) -> Result<Self> {
-        let output = create_output(&arguments.r#in, &arguments.out)?;
-        let open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
-        Ok(Self { arguments, format, open, output })
+/// A file on its way through a backend.
+struct Conversion<'a> {
+    input: &'a Path,
+    out: &'a Path,
+    output: Hashed<Output>,
+    backend: &'a mut dyn Backend,
+}
+
+impl Conversion<'_> {
+    fn write(&mut self, bytes: &[u8]) -> Result<()> {
+        self.output.write_all(bytes).map_err(|source| unitvec_files::Error::writing(self.out, source))?;
+        Ok(())
+    }
+
+    /// Begins a NumPy array, where the output is one: of so many elements, of this kind and number each.
+    fn begin_array(&mut self, count: Option<u64>, (descr, each): (&str, usize)) -> Result<()> {
+        match count {
+            _ if !has_ending(self.out, "npy") => Ok(()),
+            Some(count) => self.write(&Npy::new(descr, count, each).to_bytes()),
+            None => Err(Error::Usage(
+                "a .npy file begins with its length, which a stream does not tell; read a file, or write another"
+                    .to_owned(),
+            )),
+        }
     }
 
     /// Converts all of the input, of so many elements if that is known.
-    fn run<T>(&mut self, input: &mut dyn Read, count: Option<u64>, convert: Convert<T>) -> Result<T> {
-        let unit = self.format.element.plural();
+    fn run<T>(
+        &mut self,
+        format: &AnyCodec,
+        input: &mut dyn Read,
+        count: Option<u64>,
+        convert: Convert<T>,
+    ) -> Result<T> {
+        let unit = format.element.plural();
         let template = match count {
             Some(_) => format!("{{wide_bar}} {{human_pos}} of {{human_len}} {unit}, {{eta}} left"),
             None => format!("{{spinner}} {{human_pos}} {unit}, {{elapsed}}"),
         };
         let live = Live::new(count, &template, true);
-        let from: stream::Input<'_> = Named::new(&self.arguments.r#in, input);
-        let to: Sink<'_> = Named::new(&self.arguments.out, &mut self.output);
-        let backend = self.open.backend.as_mut();
-        let converted = convert(backend, self.format, from, to, &mut |done| live.reach(done))?;
+        let from: stream::Input<'_> = Named::new(self.input, input);
+        let to: Sink<'_> = Named::new(self.out, &mut self.output);
+        let converted = convert(self.backend, format, from, to, &mut |done| live.reach(done))?;
         live.finish();
         Ok(converted)
     }
 
-    fn finish(self, summary: Summary) -> Result<ExitCode> {
-        let to_stdout = self.output.is_stdout();
-        self.output.finish()?;
-        let Arguments { summary: options, r#in, out, .. } = self.arguments;
-        options.print(summary, [r#in, out], to_stdout)?;
-        Ok(self.open.close())
+    /// Encodes behind a header, which is known once all codes are.
+    fn encode_behind(
+        &mut self,
+        header: Header,
+        format: &AnyCodec,
+        elements: &mut Elements,
+    ) -> Result<Counts> {
+        self.write(&header.to_bytes(0))?;
+        self.output.hash = Some(Sha256::new());
+        let counts = self.run(format, &mut elements.floats, elements.count, stream::encode)?;
+        let hash = self.output.hash.take().unwrap_or_default();
+        self.output.stream.rewrite_start(&header.finish(counts.elements, hash))?;
+        Ok(counts)
+    }
+
+    /// Fails unless as many elements were read as a header promised.
+    fn expect(&self, promised: Option<u64>, read: u64) -> Result<()> {
+        match promised {
+            Some(promised) if promised != read => {
+                let words = format!("it ends after {read} of {promised}; copy it again");
+                Err(unitvec_files::Error::reading(self.input, io::Error::other(words)).into())
+            }
+            _ => Ok(()),
+        }
     }
 }

@@ -1,15 +1,17 @@
 use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, chosen_formats, degrees};
+use super::{OpenBackend, Vulkan, chosen_formats, degrees, dtype, files_of};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find};
-use unitvec_host::input::Elements;
+use unitvec_host::input::{Elements, Kind};
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
+use unitvec_host::raw::Dtype;
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
+use unitvec_mesh::FileFormat;
 use unitvec_run::backend::BackendKind;
 
 #[derive(Args)]
@@ -21,7 +23,10 @@ pub struct Arguments {
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendKind,
-    /// Take the files as raw f32, whatever their names and first bytes say.
+    /// Kind of raw floats: f64, f16, or a big-endian one such as f32be; f32 if not given.
+    #[arg(long, value_name = "KIND", value_parser = dtype())]
+    dtype: Option<Dtype>,
+    /// Take the files as raw floats, whatever their names and first bytes say.
     #[arg(long)]
     raw: bool,
     #[command(flatten)]
@@ -30,7 +35,8 @@ pub struct Arguments {
     wide: Wide,
     #[command(flatten)]
     vulkan: Vulkan,
-    /// What `unitvec encode` takes: meshes, or raw f32; - for the standard input.
+    /// What `unitvec encode` takes: meshes, NumPy arrays, raw floats, or folders, whose meshes are taken; - for the standard
+    /// input.
     #[arg(required = true)]
     file: Vec<PathBuf>,
 }
@@ -43,23 +49,28 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         return Err(Error::Usage("- can be read once; name it once".to_owned()));
     }
     // What is missing is told before minutes of measuring.
-    arguments.file.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
-    let work = Some(arguments.file.len() as u64);
+    let files = files_of(&arguments.file, |path| FileFormat::of_ending(path).is_some())?;
+    files.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
+    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
+    let work = Some(files.len() as u64);
     let live = Live::new(work, "{wide_msg} file {pos} of {len}, {elapsed}", true);
-    let mut computed = Vec::new();
-    for path in &arguments.file {
+    let (mut computed, mut warnings) = (Vec::new(), Vec::new());
+    for path in &files {
         live.advance(1);
-        let Elements { floats: mut input, parts, .. } = Elements::open(path, meter.element(), arguments.raw)?;
+        let Elements { floats: mut input, parts, is_guess, .. } =
+            Elements::open(path, meter.element(), kind)?;
         if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
             computed.push(path.display().to_string());
         }
         let unit = meter.element().plural();
-        meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
+        let suspicion = meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
             live.name(format!("{}: {done} {unit}", path.display()));
         })?;
+        let suspicion = suspicion.filter(|_| is_guess);
+        warnings.extend(suspicion.map(|words| format!("{}: {words}", path.display())));
     }
     live.finish();
-    let report = Report { computed, ..meter.report() };
+    let report = Report { computed, warnings, ..meter.report() };
     arguments.json.write_or_print(&report, || text(&report, columns))?;
     Ok(open.close())
 }
@@ -105,6 +116,9 @@ fn text(report: &Report, columns: Option<usize>) -> String {
     let mut text = wrapped("errors in degrees, over the vectors that have a direction\n", "", columns);
     text += &layout.heading();
     rows.iter().for_each(|cells| text += &layout.line(&cells.each_ref().map(|cell| cell as &dyn Display)));
+    for words in &report.warnings {
+        text += &wrapped(&format!("warning: {words}\n"), "    ", columns);
+    }
     if !report.computed.is_empty() {
         text += &wrapped(
             &format!("normals computed from faces: {}\n", report.computed.join(", ")),

@@ -18,8 +18,8 @@ pub struct Arguments {
     #[arg(long, value_name = "FIGURE", value_delimiter = ',')]
     only: Vec<Part>,
     /// Folder for the pictures, figures.md and figures.json; made if it is not there.
-    #[arg(long, value_name = "DIR", default_value = "figures")]
-    out: PathBuf,
+    #[arg(short, long, value_name = "DIR", alias = "out", default_value = "figures")]
+    output: PathBuf,
     /// Codec to show in place of those that figures 1, 5, 6, 7, 8, meyer and errors have; may be given again.
     #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
@@ -149,7 +149,7 @@ fn each_once<T>(list: Vec<T>, is_same: impl Fn(&T, &T) -> bool) -> Vec<T> {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let Arguments { only, out, small, size, rendering, .. } = arguments;
+    let Arguments { only, output: out, small, size, rendering, .. } = arguments;
     rendering.vulkan.refuse_modules()?;
     let codecs = each_once(named(&arguments.codec)?, |a, b| a == b);
     let materials = if arguments.material.is_empty() { &Material::ALL } else { &arguments.material[..] };

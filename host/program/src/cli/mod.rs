@@ -30,6 +30,7 @@ mod table;
 
 #[cfg(feature = "render")]
 use clap::Arg;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -37,6 +38,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, CODECS, find};
 use unitvec_files::Output;
+use unitvec_host::raw::{DTYPES, Dtype};
 use unitvec_host::{Error, Result};
 #[cfg(feature = "lab")]
 use unitvec_lab::imprecise::Gpus;
@@ -66,24 +68,25 @@ enum Command {
     Codecs(codecs::Arguments),
     /// List the Vulkan devices, and which one would be used.
     Devices(Vulkan),
-    /// Encode raw little-endian f32: three a vector, seven a tangent frame; or the normals of a mesh (obj, ply, gltf,
-    /// glb), or its normals and tangents (gltf, glb).
+    /// Encode the normals of meshes (obj, ply, gltf, glb), or their normals and tangents (gltf, glb), NumPy arrays, or raw
+    /// floats: three a vector, seven a tangent frame.
     ///
     /// A mesh's codes lie in this order. OBJ: the `vn` lines, once each; where normals are computed, the `v` lines. PLY: the
     /// vertices. glTF: mesh by mesh in file order, then primitive by primitive, then vertex by vertex; what several
-    /// primitives share comes once, at the first of them. --json says where each primitive begins; where OUT is the standard
-    /// output, `--json -` goes to the standard error.
+    /// primitives share comes once, at the first of them. --json says where each primitive begins, as does the header of a
+    /// .uvec file; where OUT is the standard output, `--json -` goes to the standard error.
     ///
-    /// A vertex without a face to compute its normal from gets +Z.
+    /// A vertex without a face to compute its normal from gets +Z. Raw floats that seem to be of another kind (f64, big
+    /// endian, 0..1, all x before all y) are encoded as they are, with a warning.
     #[command(after_help = examples::of("encode"))]
-    Encode(convert::Arguments),
-    /// Decode dense codes into raw little-endian f32: three a vector, seven a tangent frame.
+    Encode(convert::Encode),
+    /// Decode codes into raw little-endian f32: three a vector, seven a tangent frame.
     #[command(after_help = examples::of("decode"))]
-    Decode(convert::Arguments),
-    /// Export the normals of a mesh as raw little-endian f32, which `encode` takes, or its tangent frames; in the order
+    Decode(convert::Decode),
+    /// Export the normals of meshes as raw little-endian f32, which `encode` takes, or their tangent frames; in the order
     /// of `encode --help`.
     #[command(after_help = examples::of("normals"))]
-    Normals(convert::NormalsArguments),
+    Normals(convert::Normals),
     /// Measure the errors of codecs over the vectors or frames of your own meshes and raw files.
     ///
     /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
@@ -341,6 +344,30 @@ fn status_after_validation(messages: &[String]) -> ExitCode {
         let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
     }
     if messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+/// The files, and in place of folders those in them, and in folders below them, that are wanted.
+fn files_of(paths: &[PathBuf], is_wanted: fn(&Path) -> bool) -> Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    for path in paths {
+        let before = files.len();
+        match path.is_dir() {
+            true => unitvec_files::add_below(path, &is_wanted, &mut files)?,
+            false => files.push(path.clone()),
+        }
+        if files.len() == before {
+            return Err(Error::Usage(format!(
+                "no file in the folder {} can be taken; name files",
+                path.display()
+            )));
+        }
+    }
+    Ok(files)
+}
+
+/// The names of kinds of raw floats.
+fn dtype() -> impl TypedValueParser<Value = Dtype> {
+    PossibleValuesParser::new(DTYPES.map(|(name, ..)| name)).try_map(|name| name.parse::<Dtype>())
 }
 
 /// The codecs, of vectors and of frames, with these identifiers; all if there are none.

@@ -24,8 +24,8 @@ use unitvec_vulkan::Device;
 #[derive(Args)]
 pub struct Arguments {
     /// File to write.
-    #[arg(long, value_name = "FILE", default_value = "report.html")]
-    out: PathBuf,
+    #[arg(short, long, value_name = "FILE", alias = "out", default_value = "report.html")]
+    output: PathBuf,
     /// Folder with figures of `unitvec figures`; they are made now if it is not given. Of a folder that --small made, the page slides
     /// between the parts of pictures that figure 8 shows.
     #[arg(long, value_name = "DIR")]
@@ -58,7 +58,7 @@ const SHORT_PIPELINE: usize = 1 << 8;
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     // What cannot be written is told before the work.
-    let output = unitvec_files::Output::create(&arguments.out)?;
+    let output = unitvec_files::Output::create(&arguments.output)?;
     let is_page = output.is_stdout();
     // So is what cannot be read.
     let mut costs = report::shipped_costs()?;
@@ -94,7 +94,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     write_output(output, html.as_bytes())?;
     let size = html.len() as f64 / f64::from(1 << 20);
     if !is_page {
-        print(&format!("report: {} ({size:.1} MiB)\n", arguments.out.display()))?;
+        print(&format!("report: {} ({size:.1} MiB)\n", arguments.output.display()))?;
     }
     Ok(super::status_after_validation(&messages))
 }

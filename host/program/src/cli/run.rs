@@ -7,9 +7,11 @@ use clap::builder::{PathBufValueParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use std::fmt::Display;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
 use unitvec_host::Result;
@@ -110,27 +112,41 @@ impl Run {
     }
 }
 
-/// A bar of progress on the standard error, where that is a terminal, and the lines above it.
+/// A bar of progress on the standard error, and the lines above it; where that is no terminal, a line now and then.
 pub struct Live {
     bar: ProgressBar,
     is_quiet: bool,
+    /// The second of the next line.
+    next: AtomicU64,
 }
 
 impl Live {
     /// Runs that are done sooner show no bar.
     const DELAY: Duration = Duration::from_secs(1);
 
+    /// Seconds between two lines where there is no terminal.
+    const LINES: u64 = 10;
+
     /// A bar with this template, over so much work if that is known. `is_quiet` where a report takes the standard output.
     pub fn new(work: Option<u64>, template: &str, is_quiet: bool) -> Self {
         let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
         let bar = ProgressBar::with_draw_target(work, ProgressDrawTarget::hidden()).with_style(style);
-        Self { bar, is_quiet }
+        Self { bar, is_quiet, next: AtomicU64::new(Self::LINES) }
     }
 
     /// The bar, which is shown once its run has taken a while.
     fn bar(&self) -> &ProgressBar {
         if self.bar.is_hidden() && self.bar.elapsed() >= Self::DELAY {
             self.bar.set_draw_target(ProgressDrawTarget::stderr());
+        }
+        let seconds = self.bar.elapsed().as_secs();
+        if self.bar.is_hidden() && seconds >= self.next.load(Relaxed) {
+            self.next.store(seconds + Self::LINES, Relaxed);
+            let (done, name) = (self.bar.position(), self.bar.message());
+            let of = self.bar.length().map_or_else(String::new, |length| format!(" of {length}"));
+            let colon = if name.is_empty() { "" } else { ": " };
+            // Where the standard error is closed, nobody wants to know.
+            let _ = writeln!(io::stderr(), "unitvec: {name}{colon}{done}{of} done in {seconds} s");
         }
         &self.bar
     }

@@ -22,23 +22,35 @@ pub struct Options {
 }
 
 impl Options {
-    /// Prints what was read from one file and written to the other, which is the standard output or not.
-    pub fn print(&self, summary: Summary, files: [&Path; 2], to_stdout: bool) -> Result<()> {
-        // Where the standard error is closed, the exit status has to do.
-        if !self.quiet && !self.json.is_to_stdout() {
-            let _ = writeln!(std::io::stderr(), "{}", summary.line());
-        }
+    /// Prints what was read from one file, one of `all`, and written to the other, which is the standard output or not.
+    pub fn told(&self, summary: Summary, files: [&Path; 2], all: usize, to_stdout: bool) -> (Report, bool) {
         let [input, output] = files.map(|path| path.display().to_string());
-        let report = Report { input, output, summary };
+        let name = if all > 1 { format!("{input}: ") } else { String::new() };
+        // Where the standard error is closed, the exit status has to do.
+        let mut stderr = std::io::stderr();
+        if !self.quiet && !self.json.is_to_stdout() {
+            let _ = writeln!(stderr, "{name}{}", summary.line());
+        }
+        if let Some(words) = summary.warning.as_ref().filter(|_| !self.quiet) {
+            let _ = writeln!(stderr, "unitvec: warning: {input}: {words}");
+        }
+        (Report { input, output, summary }, to_stdout)
+    }
+
+    /// Writes the JSON: of one file, or a list.
+    pub fn write(&self, done: Vec<(Report, bool)>) -> Result<()> {
+        let to_stdout = done.iter().any(|(_, to_stdout)| *to_stdout);
+        let reports: Vec<_> = done.into_iter().map(|(report, _)| report).collect();
+        let json = if let [report] = &reports[..] { to_json(report) } else { to_json(&reports) };
         if to_stdout && self.json.is_to_stdout() {
-            let _ = write!(std::io::stderr(), "{}", to_json(&report));
+            let _ = write!(std::io::stderr(), "{json}");
             return Ok(());
         }
-        self.json.write(&report)
+        self.json.write_text(&json)
     }
 }
 
-/// What was converted. Counts that do not apply are absent.
+/// What was converted. Counts that do not apply are absent. A list of these where there are several inputs.
 #[derive(Serialize, schemars::JsonSchema)]
 pub struct Report {
     /// The file that was read; - is the standard input.
@@ -62,9 +74,21 @@ pub struct Summary {
     /// Vectors, or normals of frames, without a usable direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     without_direction: Option<u64>,
+    /// The place of the first of them, counted from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_without_direction: Option<u64>,
     /// Tangents of frames without a usable direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     tangents_without_direction: Option<u64>,
+    /// The place of the first of these tangents, counted from 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_tangent_without_direction: Option<u64>,
+    /// The least and the greatest length of vectors, or normals of frames, that have a direction.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    lengths: Option<[f64; 2]>,
+    /// What raw floats seem to be instead, and the remedy.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    warning: Option<String>,
     /// Vectors with z < 0, which a codec of the hemisphere moved up to z = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     below_equator: Option<u64>,
@@ -100,7 +124,11 @@ impl Summary {
             element,
             count,
             without_direction: None,
+            first_without_direction: None,
             tangents_without_direction: None,
+            first_tangent_without_direction: None,
+            lengths: None,
+            warning: None,
             below_equator: None,
             keeps_lengths: None,
             filled: None,
@@ -108,33 +136,39 @@ impl Summary {
         }
     }
 
-    /// Of `unitvec encode`.
-    pub fn of_encoding(format: &AnyCodec, counts: Counts, parts: Option<Vec<Part>>) -> Self {
+    /// The counts that elements of this kind have.
+    fn of_elements(element: Element, counts: Counts) -> Self {
+        let tangents = Some(counts.no_tangent).filter(|_| element == Element::Frame);
         Self {
-            codec: Some(format.id),
-            without_direction: Some(counts.no_direction),
-            tangents_without_direction: (format.element == Element::Frame).then_some(counts.no_tangent),
-            below_equator: (format.domain == Domain::Hemisphere).then_some(counts.below),
-            keeps_lengths: Some(keeps_lengths(format)),
-            mesh: parts.map(MeshSummary::from),
-            ..Self::new(format.element, counts.elements)
+            without_direction: Some(counts.no_direction.count),
+            first_without_direction: counts.no_direction.first,
+            tangents_without_direction: tangents.map(|tangents| tangents.count),
+            first_tangent_without_direction: tangents.and_then(|tangents| tangents.first),
+            lengths: counts.lengths,
+            warning: counts.suspicion,
+            ..Self::new(element, counts.elements)
         }
     }
 
-    /// Of `unitvec decode`.
+    /// The summary of `unitvec encode`.
+    pub fn of_encoding(format: &AnyCodec, counts: Counts, parts: Option<Vec<Part>>) -> Self {
+        Self {
+            codec: Some(format.id),
+            below_equator: (format.domain == Domain::Hemisphere).then_some(counts.below),
+            keeps_lengths: Some(keeps_lengths(format)),
+            mesh: parts.map(MeshSummary::from),
+            ..Self::of_elements(format.element, counts)
+        }
+    }
+
+    /// The summary of `unitvec decode`.
     pub fn of_decoding(format: &AnyCodec, count: u64) -> Self {
         Self { codec: Some(format.id), ..Self::new(format.element, count) }
     }
 
-    /// Of `unitvec normals`, which filled so many normals with +Z.
+    /// The summary of `unitvec normals`, which filled so many normals with +Z.
     pub fn of_export(element: Element, counts: Counts, parts: Vec<Part>, filled: u64) -> Self {
-        Self {
-            without_direction: Some(counts.no_direction),
-            tangents_without_direction: (element == Element::Frame).then_some(counts.no_tangent),
-            filled: Some(filled),
-            mesh: Some(parts.into()),
-            ..Self::new(element, counts.elements)
-        }
+        Self { filled: Some(filled), mesh: Some(parts.into()), ..Self::of_elements(element, counts) }
     }
 
     fn line(&self) -> String {
@@ -146,19 +180,24 @@ impl Summary {
             let of =
                 if self.element == Element::Frame { counted(count, "normals") } else { count.to_string() };
             // Writing to a String cannot fail.
-            let _ = write!(line, ", {of} without a direction{}", self.stored(count));
+            let stored = self.stored(count, self.first_without_direction);
+            let _ = write!(line, ", {of} without a direction{stored}");
         }
         if let Some(count) = self.tangents_without_direction {
-            let stored = match (count, self.filled) {
-                (0, _) => "",
-                (_, None) => " (stored as a perpendicular to the normal)",
-                (_, Some(_)) => " (as in the file)",
+            let what = if self.filled.is_some() {
+                "as in the file"
+            } else {
+                "stored as a perpendicular to the normal"
             };
+            let stored = self.placed(what, self.first_tangent_without_direction);
             let _ = write!(line, ", {} without a direction{stored}", counted(count, "tangents"));
         }
         if let Some(count) = self.below_equator {
             let moved = if count > 0 { " (moved up to it)" } else { "" };
             let _ = write!(line, ", {count} below the equator{moved}");
+        }
+        if let Some([least, most]) = self.lengths {
+            line += &format!(", lengths {} to {}", length(least), length(most));
         }
         if self.keeps_lengths == Some(true) {
             line += ", components stored as given, clamped";
@@ -170,17 +209,34 @@ impl Summary {
     }
 
     /// What became of the vectors or normals without a direction.
-    fn stored(&self, count: u64) -> String {
-        match self.filled {
-            _ if count == 0 => String::new(),
-            Some(0) => " (as in the file)".to_owned(),
+    fn stored(&self, count: u64, first: Option<u64>) -> String {
+        let what = match self.filled {
+            Some(0) => "as in the file",
             Some(filled) if filled < count => {
-                format!(" ({filled} written as +Z, {} as in the file)", count - filled)
+                return self
+                    .placed(&format!("{filled} written as +Z, {} as in the file", count - filled), first);
             }
-            Some(_) => " (written as +Z)".to_owned(),
-            None => " (stored as +Z)".to_owned(),
-        }
+            Some(_) => "written as +Z",
+            None => "stored as +Z",
+        };
+        self.placed(what, first)
     }
+
+    /// What became of elements, and the place of the first of them; nothing where there are none.
+    fn placed(&self, what: &str, first: Option<u64>) -> String {
+        let Some(first) = first else { return String::new() };
+        let parts = self.mesh.iter().flat_map(|mesh| &mesh.parts);
+        let mut parts =
+            parts.filter(|part| (part.first..part.first + part.count).contains(&(first as usize)));
+        let place = parts.next().filter(|part| part.name.is_some() || part.mesh + part.primitive > 0);
+        let place = place.map_or_else(String::new, |part| format!(", in {}", part.place()));
+        format!(" ({what}; the first is number {first}{place})")
+    }
+}
+
+/// A length with four decimals, or four digits where it is far from 1.
+fn length(length: f64) -> String {
+    if (1e-3..1e4).contains(&length) { format!("{length:.4}") } else { format!("{length:.3e}") }
 }
 
 fn computed(parts: &[Part]) -> String {
