@@ -103,12 +103,7 @@ pub enum Source {
 
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rust => "rust",
-            Self::Exact => "exact",
-            Self::Glsl => "glsl",
-            Self::Textbook => "textbook",
-        })
+        self.serialize(f)
     }
 }
 
