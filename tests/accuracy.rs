@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use std::collections::BTreeSet;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use unitvec_catalogue::{AnyCodec, frames};
 use unitvec_lab::accuracy::meyer::{METHODS, WIDTHS};
 use unitvec_lab::accuracy::{Table, beyond};
@@ -24,10 +24,8 @@ fn number(row: &Value, key: &str) -> f64 {
 }
 
 /// The rows of Meyer's table, with float64 intermediates asked for.
-fn meyers() -> &'static [Value] {
-    static ROWS: OnceLock<Vec<Value>> = OnceLock::new();
-    ROWS.get_or_init(|| rows(&["--table", "meyer", "--count", "200000", "--float64"]))
-}
+static MEYERS: LazyLock<Vec<Value>> =
+    LazyLock::new(|| rows(&["--table", "meyer", "--count", "200000", "--float64"]));
 
 /// Rows come in the survey's order, and each carries its table and codec. Mean and maximum over 2 * 10^5 directions are
 /// at most 1.01 and 1.05 times the survey's, but for the noise of the sample: `expected::errors` has why.
@@ -67,7 +65,7 @@ fn layout(method: &str) -> f64 {
 /// SC as the table prints it, twice eq. 5, nor for three floats, whose worst cells few vectors hit.
 #[test]
 fn meyers_bounds_hold() {
-    let rows = meyers();
+    let rows = &MEYERS;
     for method in METHODS {
         let found = rows.iter().filter(|row| row["survey_name"] == method.name).count();
         let widths = WIDTHS.iter().filter(|bits| method.codec(**bits).is_some()).count();
@@ -143,23 +141,20 @@ fn rows_are_written_as_csv() {
 }
 
 /// What the table beyond the surveys prints on a terminal of 80 columns, and its rows.
-fn beyond() -> &'static (String, Vec<Value>) {
-    static BEYOND: OnceLock<(String, Vec<Value>)> = OnceLock::new();
-    BEYOND.get_or_init(|| {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("rows.json");
-        let mut run = command(["accuracy", "--table", "beyond", "--count", "5000", "--float64", "--json"]);
-        let output = run.arg(&file).env("UNITVEC_COLUMNS", "80").output().unwrap();
-        assert!(output.status.success(), "{}", stderr(&output));
-        let report: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
-        (stdout(&output), report["rows"].as_array().unwrap().clone())
-    })
-}
+static BEYOND: LazyLock<(String, Vec<Value>)> = LazyLock::new(|| {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rows.json");
+    let mut run = command(["accuracy", "--table", "beyond", "--count", "5000", "--float64", "--json"]);
+    let output = run.arg(&file).env("UNITVEC_COLUMNS", "80").output().unwrap();
+    assert!(output.status.success(), "{}", stderr(&output));
+    let report: Value = serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    (stdout(&output), report["rows"].as_array().unwrap().clone())
+});
 
 /// The two rows of a frame differ in a column that leaves, whose word then stands beside the codec.
 #[test]
 fn rows_of_frames_are_told_apart() {
-    let (text, _) = beyond();
+    let (text, _) = &*BEYOND;
     for part in ["normal", "tangent"] {
         assert!(text.contains(&format!("\nframe32 {part} ")), "{text}");
     }
@@ -171,7 +166,7 @@ fn rows_of_frames_are_told_apart() {
 #[test]
 fn float64_intermediates_change_little() {
     let of_tables = ["1", "3"].map(|table| rows(&["--table", table, "--count", "5000", "--float64"]));
-    let rows: Vec<&Value> = of_tables.iter().flatten().chain(&beyond().1).chain(meyers()).collect();
+    let rows: Vec<&Value> = of_tables.iter().flatten().chain(&BEYOND.1).chain(&*MEYERS).collect();
     // The rounding of decoded vectors to f32 counts at more than 32 bits.
     let is_measured = |row: &&Value| row["float64_mean_deg"].is_number() && number(row, "bits") <= 32.0;
     let measured: Vec<&Value> = rows.into_iter().filter(is_measured).collect();

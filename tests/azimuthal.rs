@@ -72,7 +72,6 @@ macro_rules! pairs {
         mod $name {
             use super::*;
 
-            /// See [`check_encode`].
             #[test]
             fn encodes_as_the_oracle() {
                 for codec in Tested::named(stringify!($name), "") {
@@ -80,13 +79,11 @@ macro_rules! pairs {
                 }
             }
 
-            /// See [`check_edges`].
             #[test]
             fn edges() {
                 Tested::named(stringify!($name), "").iter().for_each(check_edges);
             }
 
-            /// See [`check_stretch`].
             #[test]
             fn stretch_is_the_oracles() {
                 let stated = <$map>::STRETCH[<$projection>::INDEX as usize];

@@ -6,10 +6,9 @@ use unitvec_catalogue::{Domain, Operation, find};
 use unitvec_manifest::modules::Modules;
 use unitvec_mesh as mesh;
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource, decode_table};
-use unitvec_run::conform;
 use unitvec_run::conform::{Backends, Mismatches, Options, Plan, widest_of_each_series};
 use unitvec_run::shader::{Edition, Language};
-use unitvec_run::{glsl, sampling};
+use unitvec_run::{conform, glsl, sampling};
 use unitvec_tests::{assert_no_validation_messages, copy_modules, lavapipe, replace_module, repository};
 use unitvec_vulkan::{BufferPromise, Device, Division, Error, GROUP, Runner, SENTINEL};
 

@@ -3,8 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::find;
+use unitvec_catalogue::{self as catalogue, find};
 use unitvec_lab::imprecise;
 use unitvec_lab::imprecise::{Bounds, Error, Gpus, Model, Options, Row, rewrite};
 use unitvec_manifest::modules::Modules;
@@ -19,34 +18,7 @@ use unitvec_vulkan::{Device, Runner};
 
 /// Results for `a`, `b` and the integer `c`: `a / b` and `b / a`, the root of `a`, the difference, the product, and `c`
 /// as float, taken as signed and as unsigned. Quotients, product and the signed integer are those of vectors.
-const ARITHMETIC: &str = "#version 450
-layout(local_size_x = 64) in;
-layout(std430, set = 0, binding = 0) readonly buffer Input { uint words[]; } source;
-layout(std430, set = 0, binding = 1) writeonly buffer Output { float values[]; } results;
-layout(push_constant) uniform Constants { uint count; };
-
-void main() {
-    for (uint k = 0u; k < 4u; ++k) {
-        uint i = 4u * gl_GlobalInvocationID.x + k;
-        if (i >= count) return;
-        float a = uintBitsToFloat(source.words[3u * i]);
-        float b = uintBitsToFloat(source.words[3u * i + 1u]);
-        uint c = source.words[3u * i + 2u];
-        precise vec2 quotients = vec2(a, b) / vec2(b, a);
-        precise vec2 products = vec2(a, b) * b;
-        precise float root = sqrt(a);
-        precise float difference = a - b;
-        results.values[7u * i] = quotients.x;
-        results.values[7u * i + 1u] = quotients.y;
-        results.values[7u * i + 2u] = root;
-        results.values[7u * i + 3u] = difference;
-        results.values[7u * i + 4u] = products.x;
-        precise vec2 integers = vec2(ivec2(int(c), int(b)));
-        results.values[7u * i + 5u] = integers.x;
-        results.values[7u * i + 6u] = float(c);
-    }
-}
-";
+const ARITHMETIC: &str = include_str!("imprecise.comp");
 
 /// The result of an operation of [`ARITHMETIC`], and the exact result.
 struct Computed {
@@ -269,19 +241,8 @@ fn unknown_operations_are_refused() {
 }
 
 /// A codec of each kind of arithmetic; `unitvec conform imprecise` takes all.
-const CODECS: [&str; 11] = [
-    "oct16",
-    "eaoct16p",
-    "ico16",
-    "frame32",
-    "oct48p",
-    "spherical16",
-    "fib16",
-    "stereo16",
-    "cube16",
-    "spp48",
-    "snorm8x3_nearest",
-];
+const CODECS: &str = "oct16 eaoct16p ico16 frame32 oct48p spherical16 fib16 stereo16 cube16 spp48 \
+    snorm8x3_nearest";
 
 /// Models for these: the command takes those too that move all down, or quotients and roots to different sides.
 const MODELS: [Model; 5] = [Model::Up, Model::Bits, Model::Flush, Model::Truncate, Model::Far];
@@ -326,7 +287,8 @@ fn rows(ids: &[&str], kernels: &[(Edition, BackendKind)]) -> Vec<Row> {
 #[test]
 fn codecs_keep_within_their_bounds_on_every_device() {
     let of = |edition| [(edition, BackendKind::Rust), (edition, BackendKind::Glsl)];
-    let rows = rows(&CODECS, &[of(Edition::Plain), of(Edition::Exact)].concat());
+    let rows =
+        rows(&CODECS.split(' ').collect::<Vec<_>>(), &[of(Edition::Plain), of(Edition::Exact)].concat());
     assert!(rows.iter().all(|row| row.models.len() == MODELS.len() - 1));
     // Best fit loses codes, which shows that loss is counted.
     assert!(rows.last().is_some_and(|row| !row.unstable.is_empty()));

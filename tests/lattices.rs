@@ -27,7 +27,11 @@ const ROWS: [Row; 9] = [
             if bits > 32 { 1.0 / f64::from(1 << 20) } else { octahedral(bits) }
         },
     ),
-    (["hemioct", ""], hemioct_steps_off, octahedral),
+    (
+        ["hemioct", ""],
+        |v, code, bits| off(HemiOct::position(HemiOct::domain(v)), HemiOct::unpack(code, bits), bits),
+        octahedral,
+    ),
     (["soct", ""], soct_steps_off, octahedral),
     (["cylindrical", ""], cylindrical::steps_off, |bits| 2.0 * largest(bits) * ANGLE_ROUNDING),
     (["spherical", ""], spherical::steps_off, |bits| {
@@ -46,10 +50,6 @@ fn octahedral(bits: u32) -> f64 {
 
 fn off(position: [f64; 2], point: [i64; 2], bits: u32) -> [f64; 2] {
     [0, 1].map(|i| (position[i] * largest(bits) - point[i] as f64).abs())
-}
-
-fn hemioct_steps_off(v: [f64; 3], code: u64, bits: u32) -> [f64; 2] {
-    off(HemiOct::position(HemiOct::domain(v)), HemiOct::unpack(code, bits), bits)
 }
 
 /// The sign of z has to be right.

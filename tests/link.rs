@@ -3,12 +3,9 @@
 
 use std::path::Path;
 use std::process::Command;
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{AnyCodec, Domain, Element, Operation};
-use unitvec_link as link;
-use unitvec_link::stubs;
+use unitvec_catalogue::{self as catalogue, AnyCodec, Domain, Element, Operation};
 use unitvec_link::stubs::Language;
-use unitvec_link::{Error, Signature, Type};
+use unitvec_link::{self as link, Error, Signature, Type, stubs};
 use unitvec_run::sampling;
 use unitvec_tests::program::{command, refusal, stderr};
 use unitvec_tests::{assert_no_validation_messages, lavapipe, repository};
@@ -36,21 +33,8 @@ pub struct FrontEnd {
 pub const GLSL: FrontEnd = FrontEnd {
     name: "GLSL by glslang",
     language: Language::Glsl,
-    words: "#version 450
-#define uint2 uvec2
-#define float3 vec3
-#define float4 vec4
-#define asuint floatBitsToUint
-#define asfloat uintBitsToFloat
-",
-    interface: "
-layout(local_size_x = 64) in;
-layout(push_constant) uniform Count { uint count; };
-layout(set = 0, binding = 0) readonly buffer In { uint words_in[]; };
-layout(set = 0, binding = 1) writeonly buffer Out { uint words_out[]; };
-void main() {
-    uint n = gl_GlobalInvocationID.x;
-",
+    words: include_str!("link/words.glsl"),
+    interface: include_str!("link/begin.glsl"),
     command: "glslangValidator -V --target-env vulkan1.1 -S comp",
 };
 
@@ -59,14 +43,7 @@ pub const HLSL: FrontEnd = FrontEnd {
     name: "HLSL by glslang",
     language: Language::Hlsl,
     words: "",
-    interface: "
-[[vk::push_constant]] cbuffer Count { uint count; };
-[[vk::binding(0)]] StructuredBuffer<uint> words_in;
-[[vk::binding(1)]] RWStructuredBuffer<uint> words_out;
-[numthreads(64, 1, 1)]
-void main(uint3 id : SV_DispatchThreadID) {
-    uint n = id.x;
-",
+    interface: include_str!("link/begin.hlsl"),
     command: "glslangValidator -V -D -Od --target-env vulkan1.1 -S comp -e main",
 };
 

@@ -3,8 +3,7 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::{Domain, Element, RECOMMENDED, Recommendation, find};
+use unitvec_catalogue::{self as catalogue, Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_oracle::angle_deg;
 use unitvec_run::sampling;
 use unitvec_tests::program::{refusal, run, run_with_input, stderr, stdout};

@@ -1,8 +1,7 @@
 //! The octahedral codecs of 48 and 52 bits: codes finer than `f32` vectors.
 
 use glam::Vec3;
-use unitvec_oracle::oct;
-use unitvec_oracle::{Oct, Oracle, Summary, angle, largest};
+use unitvec_oracle::{Oct, Oracle, Summary, angle, largest, oct};
 use unitvec_tests::directions::{near_octant_middles, near_planes, sphere};
 use unitvec_tests::tested::{Tested, widen};
 

@@ -44,11 +44,6 @@ fn encode_scalar<const N: usize>(codec: &AnyCodec, element: [f32; N]) -> Vec<u8>
     [low.to_le_bytes(), high.to_le_bytes()].concat()[..codec.bytes].to_vec()
 }
 
-/// The vector or frame of a code's bytes, by the scalar function.
-fn decode_scalar<const N: usize>(codec: &AnyCodec, code: &[u8]) -> [f32; N] {
-    codec.decode_one(words(code))
-}
-
 /// A code's bytes as two words.
 fn words(code: &[u8]) -> [u32; 2] {
     let mut bytes = [0; 8];
@@ -69,7 +64,7 @@ fn check_levels<const N: usize>(
 ) {
     let codes: Vec<u8> = elements.iter().flat_map(|&v| encode_scalar(codec, v)).collect();
     let decoded: Vec<[f32; N]> =
-        bytes.chunks_exact(codec.bytes).map(|code| decode_scalar(codec, code)).collect();
+        bytes.chunks_exact(codec.bytes).map(|code| codec.decode_one(words(code))).collect();
     for count in lengths {
         let size = count * codec.bytes;
         for level in Level::available() {

@@ -35,61 +35,42 @@ pub struct Format {
 
 const ALL: &[Usage] = &[Attachment, Texture, Vertex];
 
-/// The formats that hold codes, those that every device has first.
-pub const FORMATS: [Format; 17] = [
-    format("R32_UINT", ["R32_UINT", "R32UI", "R32Uint", "UInt", "r32uint", "uint32"], ALL),
-    format("R16_UINT", ["R16_UINT", "R16UI", "R16Uint", "UShort", "r16uint", "uint16"], ALL),
-    format("R8_UINT", ["R8_UINT", "R8UI", "R8Uint", "UChar", "r8uint", "uint8"], ALL),
-    format("R32G32_UINT", ["R32G32_UINT", "RG32UI", "RG32Uint", "UInt2", "rg32uint", "uint32x2"], ALL),
-    format("R8G8_SINT", ["R8G8_SINT", "RG8I", "RG8Sint", "Char2", "rg8sint", "sint8x2"], ALL),
-    format("R16G16_SINT", ["R16G16_SINT", "RG16I", "RG16Sint", "Short2", "rg16sint", "sint16x2"], ALL),
-    format("R16G16_SFLOAT", ["R16G16_FLOAT", "RG16F", "RG16Float", "Half2", "rg16float", "float16x2"], ALL),
-    format(
-        "R8G8B8A8_UNORM",
-        ["R8G8B8A8_UNORM", "RGBA8", "RGBA8Unorm", "UChar4Normalized", "rgba8unorm", "unorm8x4"],
-        ALL,
-    ),
-    format(
-        "A2B10G10R10_UNORM_PACK32",
-        [
-            "R10G10B10A2_UNORM",
-            "RGB10_A2",
-            "RGB10A2Unorm",
-            "UInt1010102Normalized",
-            "rgb10a2unorm",
-            "unorm10-10-10-2",
-        ],
-        ALL,
-    ),
-    format(
-        "A2B10G10R10_UINT_PACK32",
-        ["R10G10B10A2_UINT", "RGB10_A2UI", "RGB10A2Uint", "", "rgb10a2uint", ""],
-        &[Attachment, Texture],
-    ),
-    format(
-        "R8G8_SNORM",
-        ["R8G8_SNORM", "RG8_SNORM", "RG8Snorm", "Char2Normalized", "rg8snorm", "snorm8x2"],
-        &[Texture, Vertex],
-    ),
-    format(
-        "R16G16_SNORM",
-        ["R16G16_SNORM", "RG16_SNORM", "RG16Snorm", "Short2Normalized", "rg16snorm", "snorm16x2"],
-        &[Vertex],
-    ),
-    format("R8G8B8_UNORM", ["", "RGB8", "", "UChar3Normalized", "", ""], &[]),
-    format("R8G8B8_SNORM", ["", "RGB8_SNORM", "", "Char3Normalized", "", ""], &[]),
-    format("R16G16B16_SNORM", ["", "RGB16_SNORM", "", "Short3Normalized", "", ""], &[]),
-    format("R16G16B16_SFLOAT", ["", "RGB16F", "", "Half3", "", ""], &[]),
-    format("A2B10G10R10_SNORM_PACK32", ["", "", "", "Int1010102Normalized", "", ""], &[]),
-];
-
-const fn format(
-    vulkan: &'static str,
-    [dxgi, opengl, pixel, metal, texture, webgpu]: [&'static str; 6],
-    promised: &'static [Usage],
-) -> Format {
-    Format { vulkan, dxgi, opengl, metal: [pixel, metal], webgpu: [texture, webgpu], promised }
+/// Rows of [`FORMATS`]: the names in Vulkan, Direct3D, OpenGL, Metal (texture, then vertex) and WebGPU (likewise).
+macro_rules! formats {
+    ($($vulkan:literal $dxgi:literal $opengl:literal $pixel:literal $metal:literal $texture:literal $webgpu:literal:
+        $promised:expr;)*) => {
+        [$(Format {
+            vulkan: $vulkan,
+            dxgi: $dxgi,
+            opengl: $opengl,
+            metal: [$pixel, $metal],
+            webgpu: [$texture, $webgpu],
+            promised: $promised,
+        }),*]
+    };
 }
+
+/// The formats that hold codes, those that every device has first.
+pub const FORMATS: [Format; 17] = formats! {
+    "R32_UINT" "R32_UINT" "R32UI" "R32Uint" "UInt" "r32uint" "uint32": ALL;
+    "R16_UINT" "R16_UINT" "R16UI" "R16Uint" "UShort" "r16uint" "uint16": ALL;
+    "R8_UINT" "R8_UINT" "R8UI" "R8Uint" "UChar" "r8uint" "uint8": ALL;
+    "R32G32_UINT" "R32G32_UINT" "RG32UI" "RG32Uint" "UInt2" "rg32uint" "uint32x2": ALL;
+    "R8G8_SINT" "R8G8_SINT" "RG8I" "RG8Sint" "Char2" "rg8sint" "sint8x2": ALL;
+    "R16G16_SINT" "R16G16_SINT" "RG16I" "RG16Sint" "Short2" "rg16sint" "sint16x2": ALL;
+    "R16G16_SFLOAT" "R16G16_FLOAT" "RG16F" "RG16Float" "Half2" "rg16float" "float16x2": ALL;
+    "R8G8B8A8_UNORM" "R8G8B8A8_UNORM" "RGBA8" "RGBA8Unorm" "UChar4Normalized" "rgba8unorm" "unorm8x4": ALL;
+    "A2B10G10R10_UNORM_PACK32" "R10G10B10A2_UNORM" "RGB10_A2"
+        "RGB10A2Unorm" "UInt1010102Normalized" "rgb10a2unorm" "unorm10-10-10-2": ALL;
+    "A2B10G10R10_UINT_PACK32" "R10G10B10A2_UINT" "RGB10_A2UI" "RGB10A2Uint" "" "rgb10a2uint" "": &[Attachment, Texture];
+    "R8G8_SNORM" "R8G8_SNORM" "RG8_SNORM" "RG8Snorm" "Char2Normalized" "rg8snorm" "snorm8x2": &[Texture, Vertex];
+    "R16G16_SNORM" "R16G16_SNORM" "RG16_SNORM" "RG16Snorm" "Short2Normalized" "rg16snorm" "snorm16x2": &[Vertex];
+    "R8G8B8_UNORM" "" "RGB8" "" "UChar3Normalized" "" "": &[];
+    "R8G8B8_SNORM" "" "RGB8_SNORM" "" "Char3Normalized" "" "": &[];
+    "R16G16B16_SNORM" "" "RGB16_SNORM" "" "Short3Normalized" "" "": &[];
+    "R16G16B16_SFLOAT" "" "RGB16F" "" "Half3" "" "": &[];
+    "A2B10G10R10_SNORM_PACK32" "" "" "" "Int1010102Normalized" "" "": &[];
+};
 
 /// A codec recommended for a use.
 #[derive(Clone, Copy, Debug)]
@@ -129,113 +110,58 @@ const USUAL: &str = "the usual choice";
 const EIGHT_LEFT: &str = "leaves 8 bits for something else";
 const LEAST: &str = "where memory counts most";
 
+/// Rows of [`RECOMMENDED`]: a use and its number of short rows; below it each codec, its two formats and the reason.
+macro_rules! recommended {
+    ($($purpose:literal, $usage:ident, $in_short:literal {
+        $($id:literal $format:literal $anywhere:literal, $why:expr;)*
+    })*) => {
+        [$(Recommendation {
+            purpose: $purpose,
+            usage: $usage,
+            choices: const { &[$(Choice { id: $id, format: $format, anywhere: $anywhere, why: $why }),*] },
+            in_short: $in_short,
+        }),*]
+    };
+}
+
 /// The recommended codecs by use.
-pub const RECOMMENDED: [Recommendation; 8] = [
-    recommend(
-        "encoded often: G-buffers",
-        Attachment,
-        3,
-        const {
-            &[
-                choice("oct32", ["R16G16_SNORM", "R32_UINT"], USUAL),
-                choice("oct24", ["R32_UINT"; 2], EIGHT_LEFT),
-                choice("oct16", ["R8G8_SNORM", "R16_UINT"], LEAST),
-            ]
-        },
-    ),
-    recommend(
-        "encoded once: vertices",
-        Vertex,
-        3,
-        const {
-            &[
-                choice("oct32p", ["R16G16_SNORM"; 2], USUAL),
-                choice("oct24p", ["R32_UINT"; 2], EIGHT_LEFT),
-                choice("oct16p", ["R8G8_SNORM"; 2], LEAST),
-            ]
-        },
-    ),
-    recommend(
-        "z >= 0: tangent-space normal maps",
-        Texture,
-        2,
-        const {
-            &[
-                choice("hemioct16", ["R8G8_SNORM"; 2], "less error than oct16p, at less cost"),
-                choice("hemioct24", ["R32_UINT"; 2], "less error than oct24p, at less cost"),
-            ]
-        },
-    ),
-    recommend(
-        "two snorms and a sign bit",
-        Attachment,
-        1,
-        const {
-            &[
-                choice("soct17", ["R32_UINT"; 2], "hemioct16's error over the whole sphere"),
-                choice("soct25", ["R32_UINT"; 2], "hemioct24's error over the whole sphere"),
-            ]
-        },
-    ),
-    recommend(
-        "files: least maximum error for the bytes",
-        Texture,
-        3,
-        const {
-            &[
-                choice("ico16", ["R16_UINT"; 2], "in 2 bytes"),
-                choice("ico24", ["R32_UINT"; 2], "in 3 bytes"),
-                choice("ico32", ["R32_UINT"; 2], "in 4 bytes"),
-            ]
-        },
-    ),
-    recommend(
-        "very few bits",
-        Texture,
-        1,
-        const {
-            &[
-                choice("oct8p", ["R8_UINT"; 2], "in 1 byte"),
-                choice("oct12p", ["R16_UINT"; 2], "leaves 4 bits of 2 bytes"),
-            ]
-        },
-    ),
-    recommend(
-        "finer than 32 bits",
-        Texture,
-        1,
-        const {
-            &[
-                choice("oct48p", ["R32G32_UINT"; 2], "leaves 16 bits of 8 bytes"),
-                choice("oct52p", ["R32G32_UINT"; 2], "as fine as floats"),
-            ]
-        },
-    ),
-    recommend(
-        "a normal with its tangent",
-        Vertex,
-        2,
-        const {
-            &[
-                choice("frame32", ["R32_UINT"; 2], "4 bytes instead of 28"),
-                choice("frame64", ["R32G32_UINT"; 2], "finer tangents"),
-            ]
-        },
-    ),
-];
-
-const fn recommend(
-    purpose: &'static str,
-    usage: Usage,
-    in_short: usize,
-    choices: &'static [Choice],
-) -> Recommendation {
-    Recommendation { purpose, usage, choices, in_short }
-}
-
-const fn choice(id: &'static str, [format, anywhere]: [&'static str; 2], why: &'static str) -> Choice {
-    Choice { id, format, anywhere, why }
-}
+pub const RECOMMENDED: [Recommendation; 8] = recommended! {
+    "encoded often: G-buffers", Attachment, 3 {
+        "oct32" "R16G16_SNORM" "R32_UINT", USUAL;
+        "oct24" "R32_UINT" "R32_UINT", EIGHT_LEFT;
+        "oct16" "R8G8_SNORM" "R16_UINT", LEAST;
+    }
+    "encoded once: vertices", Vertex, 3 {
+        "oct32p" "R16G16_SNORM" "R16G16_SNORM", USUAL;
+        "oct24p" "R32_UINT" "R32_UINT", EIGHT_LEFT;
+        "oct16p" "R8G8_SNORM" "R8G8_SNORM", LEAST;
+    }
+    "z >= 0: tangent-space normal maps", Texture, 2 {
+        "hemioct16" "R8G8_SNORM" "R8G8_SNORM", "less error than oct16p, at less cost";
+        "hemioct24" "R32_UINT" "R32_UINT", "less error than oct24p, at less cost";
+    }
+    "two snorms and a sign bit", Attachment, 1 {
+        "soct17" "R32_UINT" "R32_UINT", "hemioct16's error over the whole sphere";
+        "soct25" "R32_UINT" "R32_UINT", "hemioct24's error over the whole sphere";
+    }
+    "files: least maximum error for the bytes", Texture, 3 {
+        "ico16" "R16_UINT" "R16_UINT", "in 2 bytes";
+        "ico24" "R32_UINT" "R32_UINT", "in 3 bytes";
+        "ico32" "R32_UINT" "R32_UINT", "in 4 bytes";
+    }
+    "very few bits", Texture, 1 {
+        "oct8p" "R8_UINT" "R8_UINT", "in 1 byte";
+        "oct12p" "R16_UINT" "R16_UINT", "leaves 4 bits of 2 bytes";
+    }
+    "finer than 32 bits", Texture, 1 {
+        "oct48p" "R32G32_UINT" "R32G32_UINT", "leaves 16 bits of 8 bytes";
+        "oct52p" "R32G32_UINT" "R32G32_UINT", "as fine as floats";
+    }
+    "a normal with its tangent", Vertex, 2 {
+        "frame32" "R32_UINT" "R32_UINT", "4 bytes instead of 28";
+        "frame64" "R32G32_UINT" "R32G32_UINT", "finer tangents";
+    }
+};
 
 /// Measured errors, in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]

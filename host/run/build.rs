@@ -7,17 +7,8 @@ use std::env;
 use std::path::{Path, PathBuf};
 
 /// Newer glslang versions have fewer libraries.
-const LEFT_OUT: [&str; 9] = [
-    "glslang",
-    "HLSL",
-    "MachineIndependent",
-    "GenericCodeGen",
-    "OGLCompiler",
-    "OSDependent",
-    "SPIRV",
-    "SPIRV-Tools-opt",
-    "SPIRV-Tools",
-];
+const LEFT_OUT: &str = "glslang HLSL MachineIndependent GenericCodeGen OGLCompiler OSDependent SPIRV \
+    SPIRV-Tools-opt SPIRV-Tools";
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");
@@ -43,7 +34,7 @@ fn main() {
         return;
     }
     println!("cargo::rustc-link-search=native={}", folder.display());
-    for name in LEFT_OUT.iter().filter(|name| has_static(name)) {
+    for name in LEFT_OUT.split(' ').filter(|name| has_static(name)) {
         // Linked whole: libshaderc_combined comes later on the command line, and GNU ld does not search earlier
         // archives again.
         println!("cargo::rustc-link-lib=static:+whole-archive={name}");

@@ -146,16 +146,9 @@ fn row(codec: &'static AnyCodec) -> Row {
         bits: codec.bits,
         mean_deg: errors.mean,
         max_deg: errors.max,
-        survey_mean_deg: None,
-        survey_max_deg: None,
         least_mean_deg: Some(bound_mean),
         least_max_deg: Some(bound_max),
-        float64_mean_deg: None,
-        float64_max_deg: None,
-        wasted_bits: None,
-        mean_standard_error_deg: 0.0,
-        survey_mean_flag: String::new(),
-        survey_max_flag: String::new(),
+        ..Row::default()
     }
 }
 

@@ -5,27 +5,24 @@ use super::tables::is_shown;
 use super::{compare, markdown_table};
 use crate::isa::{committed, stages};
 use serde_json::Value;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use unitvec_catalogue::CODECS;
 use unitvec_catalogue::Operation;
-use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source, find_generation};
+use unitvec_choose::costs::{GENERATIONS, Generation, Report, Row, Source};
 use unitvec_lab::isa::pareto;
 use unitvec_tests::repository;
 
-fn report() -> &'static Value {
-    static REPORT: OnceLock<Value> = OnceLock::new();
-    REPORT.get_or_init(|| {
-        let text = std::fs::read(repository().join("host/choose/data/costs_lavapipe.json")).unwrap();
-        serde_json::from_slice(&text).unwrap()
-    })
-}
+static REPORT: LazyLock<Value> = LazyLock::new(|| {
+    let text = std::fs::read(repository().join("host/choose/data/costs_lavapipe.json")).unwrap();
+    serde_json::from_slice(&text).unwrap()
+});
 
 /// A figure of a codec's row, of its own kernel in SPIR-V from Rust.
 fn figure(id: &str, operation: Operation, key: &str) -> Option<f64> {
     let operation = operation.to_string();
     let is_own = |row: &Value| row["backend"] == "rust" && row["by_table"] == false;
     let is_it = |row: &&Value| row["id"] == id && row["operation"] == operation && is_own(row);
-    report()["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
+    REPORT["rows"].as_array().unwrap().iter().find(is_it)?[key].as_f64()
 }
 
 /// The inverse throughput of encoding or decoding on RDNA 2 as a multiple of `oct32`'s.
@@ -51,7 +48,7 @@ pub fn is_measured(id: &str) -> bool {
 
 /// The device, and the amount of its work.
 pub fn device() -> String {
-    let (report, device) = (report(), &report()["device"]);
+    let (report, device) = (&*REPORT, &REPORT["device"]);
     let text = |value: &Value| value.as_str().unwrap().to_owned();
     format!(
         "Measured on {}, Vulkan {}: {} vectors, {} times each.\n",
@@ -70,13 +67,13 @@ fn of_copy(id: &str, operation: Operation) -> Option<f64> {
 /// Costs of both operations: inverse throughput on all generations of GPUs and arithmetic on lavapipe, as multiples of
 /// `oct32`'s; the other figures of RDNA 2 and of lavapipe.
 pub fn table(rows: &str) -> String {
-    let titles: Vec<&str> = compiled().iter().map(|(generation, _)| generation.title).collect();
+    let titles: Vec<&str> = COMPILED.iter().map(|(generation, _)| generation.title).collect();
     let titles = format!(
         "codec: encode / decode | {} | lavapipe | RDNA 2: T | vector / v | registers | rust / glsl | lavapipe: % of copy",
         titles.join(" | ")
     );
     let shown = CODECS.iter().map(|format| format.id).filter(|id| is_shown(rows, id)).map(|id| {
-        let mut cells: Vec<String> = compiled()
+        let mut cells: Vec<String> = COMPILED
             .iter()
             .map(|(_, report)| {
                 pair(1, |operation| report.ratio_to_oct32(report.row(id, operation, Source::Glsl)?))
@@ -104,16 +101,12 @@ fn pair(digits: usize, figure: impl Fn(Operation) -> Option<f64>) -> String {
 }
 
 /// The committed figures of each generation.
-fn compiled() -> &'static [(&'static Generation, Report)] {
-    static COMPILED: OnceLock<Vec<(&Generation, Report)>> = OnceLock::new();
-    COMPILED
-        .get_or_init(|| GENERATIONS.iter().map(|generation| (generation, committed(generation))).collect())
-}
+static COMPILED: LazyLock<Vec<(&Generation, Report)>> =
+    LazyLock::new(|| GENERATIONS.iter().map(|generation| (generation, committed(generation))).collect());
 
 /// The committed figures of RDNA 2.
 pub fn rdna2() -> &'static Report {
-    let rdna2 = find_generation("rdna2").unwrap();
-    &compiled().iter().find(|(generation, _)| generation.name == rdna2.name).unwrap().1
+    &COMPILED.iter().find(|(generation, _)| generation.name == "rdna2").unwrap().1
 }
 
 /// The vector instructions of encoding or decoding a vector on RDNA 2.
@@ -158,7 +151,7 @@ pub fn stages() -> String {
 
 /// The compilers of the figures.
 pub fn compilers() -> String {
-    let rows = compiled().iter().map(|(generation, report)| {
+    let rows = COMPILED.iter().map(|(generation, report)| {
         format!("{} | `{}` | {}", generation.title, generation.gpu, report.device.driver)
     });
     markdown_table("generation | GPU | compiler", rows)

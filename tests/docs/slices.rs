@@ -2,18 +2,15 @@
 
 use super::markdown_table;
 use serde_json::Value;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use unitvec_tests::repository;
 
-fn report() -> &'static Value {
-    static REPORT: OnceLock<Value> = OnceLock::new();
-    REPORT.get_or_init(|| {
-        serde_json::from_slice(&std::fs::read(repository().join("docs/data/slices.json")).unwrap()).unwrap()
-    })
-}
+static REPORT: LazyLock<Value> = LazyLock::new(|| {
+    serde_json::from_slice(&std::fs::read(repository().join("docs/data/slices.json")).unwrap()).unwrap()
+});
 
 fn rows(operation: &str) -> impl Iterator<Item = (&'static str, [f64; 3])> {
-    let rows = report()["rows"].as_array().unwrap().iter().filter(move |row| row["operation"] == operation);
+    let rows = REPORT["rows"].as_array().unwrap().iter().filter(move |row| row["operation"] == operation);
     rows.map(|row| (row["name"].as_str().unwrap(), [0, 1, 2].map(|size| row["ns"][size].as_f64().unwrap())))
 }
 
@@ -25,7 +22,7 @@ fn ns(operation: &str, name: &str) -> [f64; 3] {
 
 /// The machine of the measurements.
 pub fn machine() -> String {
-    format!("Measured on: {}.\n", report()["machine"].as_str().unwrap())
+    format!("Measured on: {}.\n", REPORT["machine"].as_str().unwrap())
 }
 
 /// The table of an operation. The copy is of vectors as they lie in memory: meshopt's have four components.

@@ -5,7 +5,7 @@ use super::costs::rdna2;
 use super::markdown_table;
 use super::tables::mean_and_max;
 use std::collections::BTreeMap;
-use std::sync::OnceLock;
+use std::sync::LazyLock;
 use unitvec_catalogue::{Element, Operation, find};
 use unitvec_choose::costs::{Row, Source};
 use unitvec_lab::textbook::{TEXTBOOK, Textbook};
@@ -32,21 +32,18 @@ pub const INPUTS: [(&str, &str); 9] = [
 ];
 
 /// The committed file, by identifier, source and column.
-fn recorded() -> &'static BTreeMap<[String; 3], String> {
-    static RECORDED: OnceLock<BTreeMap<[String; 3], String>> = OnceLock::new();
-    RECORDED.get_or_init(|| {
-        let rows = super::recorded::<BTreeMap<String, String>>("textbook.csv").into_iter();
-        let cells = rows.flat_map(|row| {
-            let key = |column: String| [row["id"].clone(), row["source"].clone(), column];
-            row.clone().into_iter().map(|(column, value)| (key(column), value)).collect::<Vec<_>>()
-        });
-        cells.collect()
-    })
-}
+static RECORDED: LazyLock<BTreeMap<[String; 3], String>> = LazyLock::new(|| {
+    let rows = super::recorded::<BTreeMap<String, String>>("textbook.csv").into_iter();
+    let cells = rows.flat_map(|row| {
+        let key = |column: String| [row["id"].clone(), row["source"].clone(), column];
+        row.clone().into_iter().map(|(column, value)| (key(column), value)).collect::<Vec<_>>()
+    });
+    cells.collect()
+});
 
 /// A committed cell.
 pub fn cell(id: &str, source: &str, column: &str) -> &'static str {
-    let found = recorded().get(&[id, source, column].map(str::to_owned));
+    let found = RECORDED.get(&[id, source, column].map(str::to_owned));
     found.unwrap_or_else(|| {
         panic!("{id}, {source}, {column} is not in docs/data/textbook.csv: cargo xtask renew textbook")
     })

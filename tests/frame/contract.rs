@@ -8,34 +8,15 @@ use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{AXES, near_planes, sphere, usable};
 
 for_both! {
-    /// The same codes, decoded, encoded and decoded, give the first frame, exactly.
-    round_trip_is_stable
-
-    /// Handedness is -1 below zero, and +1 otherwise: of zeros, denormals and NaN too.
-    handedness_is_never_zero
-
-    /// Tangents without a direction and those parallel to the normal, of either sign, have angle 0.
-    unusable_tangents_have_angle_0
-
-    /// Lengths do not matter: scaled by powers of two, normal and tangent keep their code.
-    scaling_keeps_the_code
-
-    /// Components that are -0 or a denormal count as +0, in tangents of any length.
-    negative_zeros_and_denormals_count_as_zero
-
-    /// Denormals and -0 count as +0 in normals too, which lie between two lattice points.
-    denormals_break_no_ties_of_normals
-
-    /// Frames along the axes come back exactly, all 48 of them. That of +Z, +X and +1 is code 0.
-    keeps_the_axes
-
-    /// Zeros, denormals, infinities, NaN, huge and tiny numbers in all combinations, as normals and as tangents.
+    round_trip_is_stable handedness_is_never_zero unusable_tangents_have_angle_0 scaling_keeps_the_code
+    negative_zeros_and_denormals_count_as_zero denormals_break_no_ties_of_normals keeps_the_axes
     special_inputs_keep_the_contract
 }
 
 mod check {
     use super::*;
 
+    /// The same codes, decoded, encoded and decoded, give the first frame, exactly.
     pub fn round_trip_is_stable<F: Checked>() {
         for code in codes::<F>(2) {
             let once = decode::<F>(code);
@@ -44,6 +25,7 @@ mod check {
         }
     }
 
+    /// Handedness is -1 below zero, and +1 otherwise: of zeros, denormals and NaN too.
     pub fn handedness_is_never_zero<F: Checked>() {
         let tiny = f32::MIN_POSITIVE;
         let positive =
@@ -62,6 +44,7 @@ mod check {
         }
     }
 
+    /// Tangents without a direction and those parallel to the normal, of either sign, have angle 0.
     pub fn unusable_tangents_have_angle_0<F: Checked>() {
         let angle = |frame| (number::<F>(frame) >> F::FORMAT.normal_bits) & ((1 << F::FORMAT.angle_bits) - 1);
         let odd = [0.0, -0.0, 1e-40, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, f32::MAX];
@@ -87,6 +70,7 @@ mod check {
         assert_eq!(F::decode(F::encode(up)).tangent, Vec3::X);
     }
 
+    /// Lengths do not matter: scaled by powers of two, normal and tangent keep their code.
     pub fn scaling_keeps_the_code<F: Checked>() {
         for frame in frames(15, sphere(16, 1000)) {
             let code = number::<F>(frame);
@@ -104,6 +88,7 @@ mod check {
         }
     }
 
+    /// Components that are -0 or a denormal count as +0, in tangents of any length.
     pub fn negative_zeros_and_denormals_count_as_zero<F: Checked>() {
         let check = |with: Vec3, without: Vec3| {
             for normal in AXES.into_iter().chain([Vec3::new(0.3, -0.4, -0.5), Vec3::new(0.6, 0.8, 0.0)]) {
@@ -125,6 +110,7 @@ mod check {
         }
     }
 
+    /// Denormals and -0 count as +0 in normals too, which lie between two lattice points.
     pub fn denormals_break_no_ties_of_normals<F: Checked>() {
         let m = ((1u32 << (F::FORMAT.normal_bits / 2 - 1)) - 1) as f32;
         let code = |normal| number::<F>(Frame { normal, tangent: Vec3::Y, handedness: 1.0 });
@@ -141,6 +127,7 @@ mod check {
         }
     }
 
+    /// Frames along the axes come back exactly, all 48 of them. That of +Z, +X and +1 is code 0.
     pub fn keeps_the_axes<F: Checked>() {
         let Format { normal_bits, angle_bits, .. } = F::FORMAT;
         assert_eq!(number::<F>(Frame { normal: Vec3::Z, tangent: Vec3::X, handedness: 1.0 }), 0);
@@ -157,6 +144,7 @@ mod check {
         }
     }
 
+    /// Zeros, denormals, infinities, NaN, huge and tiny numbers in all combinations, as normals and as tangents.
     pub fn special_inputs_keep_the_contract<F: Checked>() {
         let mut rng = Rng::new(17);
         let inputs = special_vectors();

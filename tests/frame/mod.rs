@@ -53,16 +53,13 @@ impl Checked for Frame64 {
 
 /// Tests that run `check::<name>::<codec>()` for both codecs.
 macro_rules! for_both {
-    ($($(#[$doc:meta])* $name:ident)*) => {
-        $(
-            $(#[$doc])*
-            #[test]
-            fn $name() {
-                check::$name::<Frame32>();
-                check::$name::<Frame64>();
-            }
-        )*
-    };
+    ($($name:ident)*) => {$(
+        #[test]
+        fn $name() {
+            check::$name::<Frame32>();
+            check::$name::<Frame64>();
+        }
+    )*};
 }
 use for_both;
 

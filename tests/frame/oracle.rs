@@ -8,27 +8,15 @@ use unitvec_oracle::{Summary, cross};
 use unitvec_tests::directions::{near_planes, sphere};
 
 for_both! {
-    /// All 2^22 normals of frame32 and 2^20 of frame64, each with some angle, 512 angles with 1144 normals (those on and
-    /// near axes, poles and the equator too), and 2^20 random codes decode as the oracle has it, to unit length to 2 ULP,
-    /// perpendicular to 4.
-    decodes_as_the_oracle
-
-    /// Over 10^6 random frames the errors keep to the bounds, and come to 90 % of them.
-    errors_keep_to_the_bounds
-
-    /// 2 * 10^5 frames of all kinds get the nearest code of the normal and of the angle about it, but for rounding.
-    encodes_as_the_oracle
-
-    /// The angle wraps: tangents next to the basis's first vector, on both sides, are as near to their codes as others.
-    angles_wrap
-
-    /// Tangents that are not perpendicular count as their part that is perpendicular to the decoded normal.
-    tangents_are_projected
+    decodes_as_the_oracle errors_keep_to_the_bounds encodes_as_the_oracle angles_wrap tangents_are_projected
 }
 
 mod check {
     use super::*;
 
+    /// All 2^22 normals of frame32 and 2^20 of frame64, each with some angle, 512 angles with 1144 normals (those on and
+    /// near axes, poles and the equator too), and 2^20 random codes decode as the oracle has it, to unit length to 2 ULP,
+    /// perpendicular to 4.
     pub fn decodes_as_the_oracle<F: Checked>() {
         let (mut worst, mut worst_turn) = ([0.0; 2], 0f64);
         for code in codes::<F>(1) {
@@ -51,6 +39,7 @@ mod check {
         );
     }
 
+    /// Over 10^6 random frames the errors keep to the bounds, and come to 90 % of them.
     pub fn errors_keep_to_the_bounds<F: Checked>() {
         let all: Vec<[f64; 2]> = frames(3, sphere(4, 1_000_000)).map(errors::<F>).collect();
         let [normal, tangent] = [0, 1].map(|i| Summary::of(all.iter().map(|e| e[i].to_degrees())));
@@ -67,6 +56,7 @@ mod check {
         assert!(bounds[1] >= exact && bounds[1] <= 1.1 * exact, "{}: {bounds:?} for {exact}", F::NAME);
     }
 
+    /// 2 * 10^5 frames of all kinds get the nearest code of the normal and of the angle about it, but for rounding.
     pub fn encodes_as_the_oracle<F: Checked>() {
         let half_step = PI / (1u64 << F::FORMAT.angle_bits) as f64;
         let mut excess = [f64::NEG_INFINITY; 2];
@@ -94,6 +84,7 @@ mod check {
         println!("{} encode over nearest, of what rounding may: {excess:.3?}", F::NAME);
     }
 
+    /// The angle wraps: tangents next to the basis's first vector, on both sides, are as near to their codes as others.
     pub fn angles_wrap<F: Checked>() {
         let bound = f64::from(F::MAX_TANGENT_ERROR_DEG).to_radians();
         let step = TAU / (1u64 << F::FORMAT.angle_bits) as f64;
@@ -108,6 +99,7 @@ mod check {
         }
     }
 
+    /// Tangents that are not perpendicular count as their part that is perpendicular to the decoded normal.
     pub fn tangents_are_projected<F: Checked>() {
         let (slack, mut rng) = (2.0 * ENCODE_TANGENT, Rng::new(12));
         let half_step = PI / (1u64 << F::FORMAT.angle_bits) as f64 * 1.0026 * (1.0 + F::ANGLE_SLACK);

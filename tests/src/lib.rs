@@ -12,9 +12,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, CODECS};
-use unitvec_manifest as manifest;
 use unitvec_manifest::modules::Modules;
-use unitvec_manifest::sha256_hex;
+use unitvec_manifest::{self as manifest, sha256_hex};
 use unitvec_vulkan::{Device, DeviceChoice, Instance};
 
 /// The backends that the tested program has: those of GLSL and HLSL need their compiler.

@@ -21,84 +21,52 @@ const SMALL: f32 = 1.0 / 4096.0;
 /// 2^-100: smaller numbers count as 0.
 const TINY: f32 = arith::NEGLIGIBLE;
 
-const SIN: [f32; 4] = [arith::SIN_0, arith::SIN_1, arith::SIN_2, arith::SIN_3];
-const COS: [f32; 4] = [arith::COS_0, arith::COS_1, arith::COS_2, arith::COS_3];
-const ATAN: [f32; 9] = [
-    arith::ATAN_0,
-    arith::ATAN_1,
-    arith::ATAN_2,
-    arith::ATAN_3,
-    arith::ATAN_4,
-    arith::ATAN_5,
-    arith::ATAN_6,
-    arith::ATAN_7,
-    arith::ATAN_8,
-];
-const TAN: [f32; 7] =
-    [arith::TAN_0, arith::TAN_1, arith::TAN_2, arith::TAN_3, arith::TAN_4, arith::TAN_5, arith::TAN_6];
-const DIAGONAL_COS: [f32; 4] =
-    [arith::DIAGONAL_COS_0, arith::DIAGONAL_COS_1, arith::DIAGONAL_COS_2, arith::DIAGONAL_COS_3];
-const DIAGONAL_SIN: [f32; 3] = [arith::DIAGONAL_SIN_0, arith::DIAGONAL_SIN_1, arith::DIAGONAL_SIN_2];
-const ASIN: [f32; 6] =
-    [arith::ASIN_0, arith::ASIN_1, arith::ASIN_2, arith::ASIN_3, arith::ASIN_4, arith::ASIN_5];
-const TURN: [f32; 8] = [
-    arith::TURN_0,
-    arith::TURN_1,
-    arith::TURN_2,
-    arith::TURN_3,
-    arith::TURN_4,
-    arith::TURN_5,
-    arith::TURN_6,
-    arith::TURN_7,
-];
+/// Constants of `arith`.
+macro_rules! constants {
+    ($($name:ident)*) => { [$(arith::$name),*] };
+}
+
+const SIN: [f32; 4] = constants!(SIN_0 SIN_1 SIN_2 SIN_3);
+const COS: [f32; 4] = constants!(COS_0 COS_1 COS_2 COS_3);
+const ATAN: [f32; 9] = constants!(ATAN_0 ATAN_1 ATAN_2 ATAN_3 ATAN_4 ATAN_5 ATAN_6 ATAN_7 ATAN_8);
+const TAN: [f32; 7] = constants!(TAN_0 TAN_1 TAN_2 TAN_3 TAN_4 TAN_5 TAN_6);
+const DIAGONAL_COS: [f32; 4] = constants!(DIAGONAL_COS_0 DIAGONAL_COS_1 DIAGONAL_COS_2 DIAGONAL_COS_3);
+const DIAGONAL_SIN: [f32; 3] = constants!(DIAGONAL_SIN_0 DIAGONAL_SIN_1 DIAGONAL_SIN_2);
+const ASIN: [f32; 6] = constants!(ASIN_0 ASIN_1 ASIN_2 ASIN_3 ASIN_4 ASIN_5);
+const TURN: [f32; 8] = constants!(TURN_0 TURN_1 TURN_2 TURN_3 TURN_4 TURN_5 TURN_6 TURN_7);
+
+/// A function in float64.
+type Exact = fn(f64) -> f64;
 
 /// `r / f(r)` of `u = r^2`: by this the fits with least relative error are weighted.
-fn over_sin(u: f64) -> f64 {
-    u.sqrt() / (PI * u.sqrt()).sin()
-}
-
-fn over_atan(u: f64) -> f64 {
-    u.sqrt() / (u.sqrt().atan() / FRAC_PI_4)
-}
-
-fn over_tan(u: f64) -> f64 {
-    u.sqrt() / (u.sqrt() * FRAC_PI_4).tan()
-}
-
-fn over_asin(u: f64) -> f64 {
-    u.sqrt() / (u.sqrt().asin() / PI)
-}
+const OVER_SIN: Exact = |u| u.sqrt() / (PI * u.sqrt()).sin();
+const OVER_ATAN: Exact = |u| u.sqrt() / (u.sqrt().atan() / FRAC_PI_4);
+const OVER_TAN: Exact = |u| u.sqrt() / (u.sqrt() * FRAC_PI_4).tan();
+const OVER_ASIN: Exact = |u| u.sqrt() / (u.sqrt().asin() / PI);
 
 /// The d of which `w` is 1/4 - d^2.
-fn from_middle(w: f64) -> f64 {
-    (0.25 - w).sqrt()
-}
-
-fn diagonal_cos(d: f64) -> f64 {
-    (FRAC_PI_2 * d).cos() * FRAC_1_SQRT_2
-}
-
-fn diagonal_sin(d: f64) -> f64 {
-    (FRAC_PI_2 * d).sin() * FRAC_1_SQRT_2
-}
+const FROM_MIDDLE: Exact = |w| (0.25 - w).sqrt();
+const COS_FROM_DIAGONAL: Exact = |d| (FRAC_PI_2 * d).cos() * FRAC_1_SQRT_2;
+const SIN_FROM_DIAGONAL: Exact = |d| (FRAC_PI_2 * d).sin() * FRAC_1_SQRT_2;
 
 /// Each set of coefficients is what the Remez exchange gives, rounded to f32, and leaves the error the docs state.
 #[test]
 fn coefficients_are_minimax() {
-    let sin = Problem { target: |u| 1.0 - PI_F32 * over_sin(u), weight: over_sin, end: 0.0625 };
+    let sin = Problem { target: |u| 1.0 - PI_F32 * OVER_SIN(u), weight: OVER_SIN, end: 0.0625 };
     let cos = Problem {
         target: |u| (PI * u.sqrt()).cos() - (1.0 + f64::from(arith::COS_0) * u),
         weight: |u| u * u,
         end: 0.0625,
     };
-    let atan = Problem { target: |u| 1.0 - over_atan(u), weight: |u| over_atan(u) * (1.0 - u), end: 1.0 };
-    let tan = Problem { target: |u| 1.0 - over_tan(u), weight: |u| over_tan(u) * (1.0 - u), end: 1.0 };
-    let asin = Problem { target: |u| 1.0 - FRAC_1_PI_F32 * over_asin(u), weight: over_asin, end: 0.25 };
-    let diagonal_cos = Problem { target: |w| diagonal_cos(from_middle(w)) - 0.5, weight: |w| w, end: 0.25 };
+    let atan = Problem { target: |u| 1.0 - OVER_ATAN(u), weight: |u| OVER_ATAN(u) * (1.0 - u), end: 1.0 };
+    let tan = Problem { target: |u| 1.0 - OVER_TAN(u), weight: |u| OVER_TAN(u) * (1.0 - u), end: 1.0 };
+    let asin = Problem { target: |u| 1.0 - FRAC_1_PI_F32 * OVER_ASIN(u), weight: OVER_ASIN, end: 0.25 };
+    let diagonal_cos =
+        Problem { target: |w| COS_FROM_DIAGONAL(FROM_MIDDLE(w)) - 0.5, weight: |w| w, end: 0.25 };
     // Short of the end, where both are 0.
     let diagonal_sin = Problem {
-        target: |w| diagonal_sin(from_middle(w)) - from_middle(w),
-        weight: |w| from_middle(w) * w,
+        target: |w| SIN_FROM_DIAGONAL(FROM_MIDDLE(w)) - FROM_MIDDLE(w),
+        weight: |w| FROM_MIDDLE(w) * w,
         end: 0.25 - 1e-12,
     };
     let turn = Problem { target: |u| u.sqrt().atan() / FRAC_PI_2, weight: f64::sqrt, end: 1.0 };
@@ -227,23 +195,18 @@ impl Worst {
 }
 
 /// sin(pi t) of t in [0, 1] without the rounding of a product with pi near 1.
-fn sin_half_turns(t: f64) -> f64 {
-    if t > 0.5 { (PI * (1.0 - t)).sin() } else { (PI * t).sin() }
-}
-
-fn cos_half_turns(t: f64) -> f64 {
-    (PI * (0.5 - t)).sin()
-}
+const SIN_HALF_TURNS: Exact = |t| if t > 0.5 { (PI * (1.0 - t)).sin() } else { (PI * t).sin() };
+const COS_HALF_TURNS: Exact = |t| (PI * (0.5 - t)).sin();
 
 /// A function, its exact form, and its absolute and relative error at most.
-type Row = (&'static str, Function, fn(f64) -> f64, f64, f64);
+type Row = (&'static str, Function, Exact, f64, f64);
 
 /// Error over all floats from 2^-100 to 1.
 #[test]
 fn errors_are_as_stated() {
     let rows: [Row; 8] = [
-        ("sin_half_turns", |t| arith::sin_cos_half_turns(t).y, sin_half_turns, 7.4e-8, 1.2e-7),
-        ("cos_half_turns", |t| arith::sin_cos_half_turns(t).x, cos_half_turns, 7.4e-8, 1.2e-7),
+        ("sin_half_turns", |t| arith::sin_cos_half_turns(t).y, SIN_HALF_TURNS, 7.4e-8, 1.2e-7),
+        ("cos_half_turns", |t| arith::sin_cos_half_turns(t).x, COS_HALF_TURNS, 7.4e-8, 1.2e-7),
         ("atan_octant", arith::atan_octant, |r| r.atan() / FRAC_PI_4, 5.3e-8, 1.1e-7),
         ("tan_octant", arith::tan_octant, |t| (t * FRAC_PI_4).tan(), 5.1e-8, 1.1e-7),
         ("asin_half_turns", arith::asin_half_turns, |x| x.asin() / PI, 4.4e-8, 2.5e-7),
@@ -297,8 +260,16 @@ fn from_diagonal_error() {
     let sin = |d| arith::from_diagonal(d).x + arith::from_diagonal(d).y;
     let angle = |d: f64| FRAC_PI_2 * (d + 0.5);
     let any = f64::INFINITY;
-    Worst::of(both(), |d| arith::from_diagonal(d).x, diagonal_cos).assert_within("diagonal cos", 5.9e-8, any);
-    Worst::of(both(), |d| arith::from_diagonal(d).y, diagonal_sin).assert_within("diagonal sin", 2.0e-8, any);
+    Worst::of(both(), |d| arith::from_diagonal(d).x, COS_FROM_DIAGONAL).assert_within(
+        "diagonal cos",
+        5.9e-8,
+        any,
+    );
+    Worst::of(both(), |d| arith::from_diagonal(d).y, SIN_FROM_DIAGONAL).assert_within(
+        "diagonal sin",
+        2.0e-8,
+        any,
+    );
     Worst::of(both(), cos, |d| angle(d).cos()).assert_within("cos from diagonal", 9.9e-8, any);
     Worst::of(both(), sin, |d| angle(d).sin()).assert_within("sin from diagonal", 9.9e-8, any);
 

@@ -77,16 +77,7 @@ pub fn versions() -> String {
 }
 
 /// Takes the files that match a pattern out of an archive, of whatever kind.
-const UNPACK: &str = "\
-import fnmatch, sys, tarfile, zipfile
-archive, pattern, folder = sys.argv[1:]
-if zipfile.is_zipfile(archive):
-    archive = zipfile.ZipFile(archive)
-    archive.extractall(folder, fnmatch.filter(archive.namelist(), pattern))
-else:
-    archive = tarfile.open(archive)
-    archive.extractall(folder, [m for m in archive.getmembers() if fnmatch.fnmatch(m.name, pattern)])
-";
+const UNPACK: &str = include_str!("unpack.py");
 
 struct Options {
     needs_all: bool,

@@ -17,44 +17,7 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 use std::{env, fs};
 
-const USAGE: &str = "\
-usage: cargo xtask <command>
-
-  conform [arguments of `unitvec conform`]   install what is missing, then show that CPU and SPIR-V from Rust, GLSL,
-                                             HLSL and WGSL agree to the bit (on lavapipe unless --device says
-                                             otherwise); --exhaustive takes all codes of up to 24 bits
-  conform --drivers [--fetch]                the same on every Vulkan driver of this machine, each by itself, then a table
-       [arguments of `unitvec conform`]      of them; --fetch adds drivers out of Debian's packages, without installing
-                                             any; `renew drivers` keeps the table for the docs
-  test [--exhaustive] [--fuzz] [arguments    install what is missing, then run all tests; --exhaustive adds those of all
-       of `cargo test`]                      2^32 codes of the 32-bit codecs, minutes a codec; --fuzz adds 10^6 mutated
-                                             files, minutes
-  test --languages [--all]                   fetch the compilers of all shading languages, run what they make of the
-       [--widest | --codec ID...]            codecs, and compare with the CPU; --all fails where one cannot be had, as
-                                             with CI set; `renew languages` writes what the docs say of it
-  setup                                      install what is missing, and nothing else
-  spirv [--check] [--render] | --cost |      test the SPIR-V passes, then rebuild spirv/ and the renderer's modules with
-        --example                            rust-gpu; --check compares instead, and builds examples/rust-gpu; --render
-                                             leaves spirv/ out; --cost builds the kernels that `unitvec bench`
-                                             measures, into target/spirv-cost; --example builds the example alone
-  shaders [--check]                          write shaders/ in all shading languages, and glsl/flat/, from glsl/unitvec/;
-                                             --check compares instead
-  examples [--all]                           install what is missing, then run the program on wgpu and the page for
-                                             browsers of examples/; --all fails where no browser can be had, as with CI set
-  processors [--exhaustive] [--build-std]    install what is missing, then build the codecs for other processors, run them by
-             [NAME...]                       qemu and Node.js, and show that they give the same bits; --exhaustive
-                                             takes all input in emulators too, --build-std builds the standard library
-                                             too; `renew processors` writes what the docs say of it
-  renew [NAME...] [--check | --list]         write generated files and repeat recorded runs where they are stale, in order, and
-                                             note it in records.lock; --list names them; --check says which are stale,
-                                             in seconds, and fails if any is. NAME is a record, renewed even if it is
-                                             current, or a group: files (tests fail while one is stale), runs
-                                             (.ci/run repeats stale ones) or timings
-  renew --adopt REASON NAME...               take the files of these records for current without making them again, where
-                                             a change cannot alter them; the lock keeps the reason
-  packages                                   build and test each package outside the repository, also with the oldest
-                                             dependencies and, with the compiler of `spirv`, without std
-";
+const USAGE: &str = include_str!("usage.txt");
 
 fn main() -> ExitCode {
     let arguments: Vec<String> = env::args().skip(1).collect();

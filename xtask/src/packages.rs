@@ -10,21 +10,11 @@ const LIBRARIES: [&str; 5] =
     ["unitvec", "unitvec-languages", "unitvec-shaders", "unitvec-oracle", "unitvec-catalogue"];
 
 /// The program, and before it the libraries that it consists of.
-const PROGRAM: [&str; 10] = [
-    "unitvec-files",
-    "unitvec-vulkan",
-    "unitvec-manifest",
-    "unitvec-mesh",
-    "unitvec-run",
-    "unitvec-choose",
-    "unitvec-lab",
-    "unitvec-render",
-    "unitvec-link",
-    "unitvec-host",
-];
+const PROGRAM: &str = "unitvec-files unitvec-vulkan unitvec-manifest unitvec-mesh unitvec-run unitvec-choose \
+    unitvec-lab unitvec-render unitvec-link unitvec-host";
 
 fn packages() -> impl Iterator<Item = &'static str> {
-    LIBRARIES.into_iter().chain(PROGRAM)
+    LIBRARIES.into_iter().chain(PROGRAM.split(' '))
 }
 
 /// Packages, unpacks and tests all of them, in a temporary folder.

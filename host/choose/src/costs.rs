@@ -32,36 +32,28 @@ pub struct Generation {
 /// The default generation of costs.
 pub const USUAL: &str = "rdna2";
 
-/// The generations whose costs ship with the program, the oldest first.
-pub const GENERATIONS: [Generation; 5] = [
-    generation(
-        "gcn4",
-        ["GCN 4", "RX 400 and 500"],
-        "polaris10",
-        "22.3",
-        include_bytes!("../data/costs_polaris10.json"),
-    ),
-    generation("gcn5", ["GCN 5", "RX Vega"], "vega10", "22.3", include_bytes!("../data/costs_vega10.json")),
-    generation("rdna2", ["RDNA 2", "RX 6000"], "navi21", "22.3", include_bytes!("../data/costs_navi21.json")),
-    generation("rdna3", ["RDNA 3", "RX 7000"], "navi31", "25.0", include_bytes!("../data/costs_navi31.json")),
-    generation(
-        "rdna4",
-        ["RDNA 4", "RX 9000"],
-        "gfx1201",
-        "25.0",
-        include_bytes!("../data/costs_gfx1201.json"),
-    ),
-];
-
-const fn generation(
-    name: &'static str,
-    [title, series]: [&'static str; 2],
-    gpu: &'static str,
-    mesa: &'static str,
-    costs: &'static [u8],
-) -> Generation {
-    Generation { name, title, series, gpu, mesa, costs }
+/// Rows of [`GENERATIONS`]; the file of the costs has the GPU's code name.
+macro_rules! generations {
+    ($($name:literal $title:literal $series:literal $gpu:literal $mesa:literal;)*) => {
+        [$(Generation {
+            name: $name,
+            title: $title,
+            series: $series,
+            gpu: $gpu,
+            mesa: $mesa,
+            costs: include_bytes!(concat!("../data/costs_", $gpu, ".json")),
+        }),*]
+    };
 }
+
+/// The generations whose costs ship with the program, the oldest first.
+pub const GENERATIONS: [Generation; 5] = generations! {
+    "gcn4" "GCN 4" "RX 400 and 500" "polaris10" "22.3";
+    "gcn5" "GCN 5" "RX Vega" "vega10" "22.3";
+    "rdna2" "RDNA 2" "RX 6000" "navi21" "22.3";
+    "rdna3" "RDNA 3" "RX 7000" "navi31" "25.0";
+    "rdna4" "RDNA 4" "RX 9000" "gfx1201" "25.0";
+};
 
 /// The generation of this name, or of a GPU of this code name: `rdna2`, `RDNA 2`, `navi21`.
 pub fn find_generation(name: &str) -> Option<&'static Generation> {
@@ -111,12 +103,7 @@ pub enum Source {
 
 impl fmt::Display for Source {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Rust => "rust",
-            Self::Exact => "exact",
-            Self::Glsl => "glsl",
-            Self::Textbook => "textbook",
-        })
+        self.serialize(f)
     }
 }
 

@@ -6,11 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
-use unitvec_catalogue as catalogue;
-use unitvec_catalogue::AnyCodec;
-use unitvec_catalogue::Domain;
-use unitvec_catalogue::Element;
-use unitvec_catalogue::Operation;
+use unitvec_catalogue::{self as catalogue, AnyCodec, Domain, Element, Operation};
 use unitvec_choose::REFERENCE;
 use unitvec_manifest::modules;
 use unitvec_manifest::modules::Modules;
@@ -18,8 +14,7 @@ use unitvec_oracle::survey;
 use unitvec_run::backend::{BackendKind, KernelSource, decode_table};
 use unitvec_run::shader::Edition;
 use unitvec_run::{glsl, sampling};
-use unitvec_vulkan as vulkan;
-use unitvec_vulkan::{BufferPromise, Device, DeviceInfo, Division, Kernel, Runner, Table};
+use unitvec_vulkan::{self as vulkan, BufferPromise, Device, DeviceInfo, Division, Kernel, Runner, Table};
 
 /// Times that a cost kernel encodes or decodes each vector, as the survey did (section 4.2).
 const REPETITIONS: u32 = 100;

@@ -37,79 +37,50 @@ impl Textbook {
     }
 }
 
+/// Rows of [`TEXTBOOK`]: identifier, codec, finer codec, title.
+macro_rules! textbooks {
+    ($($id:literal $codec:literal $finer:expr => $title:expr;)*) => {
+        &[$(Textbook { id: $id, codec: $codec, finer: $finer, title: $title }),*]
+    };
+}
+
+const BIASED: &str = "octahedral, `* 0.5 + 0.5`, two unorm: Narkowicz 2014";
+const SPHERE_MAP: &str = "sphere map, Lambert's projection, two unorm: CryEngine 3, 2009";
+const QTANGENT: &str = "tangent frame, a quaternion in four snorm: Frey and Herzberg 2011";
+
 /// All textbook functions, similar ones together.
-pub const TEXTBOOK: &[Textbook] = &[
-    named_alike("oct16", Some("oct16p"), "octahedral, two snorm: Cigolle et al. 2014, listings 1 and 2"),
-    named_alike("oct24", Some("oct24p"), "octahedral, three bytes: listings 1, 2 and 5"),
-    named_alike("oct32", Some("oct32p"), "octahedral, two snorm: listings 1 and 2"),
-    biased("oct_biased16", "oct16", "oct16p"),
-    biased("oct_biased20", "oct20", "oct20p"),
-    biased("oct_biased32", "oct32", "oct32p"),
-    Textbook {
-        id: "oct_sign32",
-        codec: "oct32",
-        finer: Some("oct32p"),
-        title: "octahedral, two snorm: listings 1 and 2 with `sign()` for `signNotZero()`",
-    },
-    named_alike("oct16p", None, "octahedral, best of four: listings 3 and 2"),
-    named_alike("oct24p", None, "octahedral, best of four, three bytes: listings 3, 2 and 5"),
-    named_alike("oct32p", None, "octahedral, best of four: listings 3 and 2"),
-    named_alike("hemioct16", None, "hemi-oct, two snorm: listing 6"),
-    named_alike("hemioct32", None, "hemi-oct, two snorm: listing 6"),
-    named_alike("soct17", None, "signed octahedral: White 2017"),
-    named_alike("soct33", None, "signed octahedral: White 2017"),
-    Textbook {
-        id: "spheremap16",
-        codec: "oct16",
-        finer: Some("oct16p"),
-        title: "sphere map, Lambert's projection, two unorm: CryEngine 3, 2009",
-    },
-    Textbook {
-        id: "spheremap32",
-        codec: "oct32",
-        finer: Some("oct32p"),
-        title: "sphere map, Lambert's projection, two unorm: CryEngine 3, 2009",
-    },
-    named_alike("spherical16", Some("oct16p"), "two angles by `acos` and `atan`, two snorm"),
-    named_alike("spherical32", Some("oct32p"), "two angles by `acos` and `atan`, two snorm"),
-    named_alike("cylindrical16", Some("oct16p"), "an angle by `atan`, and z, two snorm"),
-    named_alike("cylindrical32", Some("oct32p"), "an angle by `atan`, and z, two snorm"),
-    named_alike("snorm8x3", Some("oct24p"), "x, y, z as snorm, normalised when read"),
-    named_alike("unorm8x3", Some("oct24p"), "x, y, z as unorm, `v * 0.5 + 0.5`, normalised when read"),
-    named_alike("snorm10x3", Some("oct32p"), "x, y, z as snorm of 10 bits, normalised when read"),
-    named_alike("snorm16x3", Some("oct48p"), "x, y, z as snorm, normalised when read"),
-    Textbook {
-        id: "crytek_bfn24",
-        codec: "snorm8x3p",
-        finer: Some("oct24p"),
-        title: "best fit normals by a table of 1024 x 1024: CryEngine 3, 2010",
-    },
-    named_alike("xyonly16", Some("hemioct16"), "x and y of normal maps, z by a square root, two snorm"),
-    named_alike("xyonly32", Some("hemioct32"), "x and y of normal maps, z by a square root, two snorm"),
-    named_alike("frame32", None, "tangent frame, octahedral and diamond: Ong 2023"),
-    qtangent("qtangent32", "frame32"),
-    qtangent("qtangent64", "frame64"),
-];
-
-/// Octahedral codes on [0, 1].
-const fn biased(id: &'static str, codec: &'static str, finer: &'static str) -> Textbook {
-    Textbook { id, codec, finer: Some(finer), title: "octahedral, `* 0.5 + 0.5`, two unorm: Narkowicz 2014" }
-}
-
-/// Frames as quaternions.
-const fn qtangent(id: &'static str, codec: &'static str) -> Textbook {
-    Textbook {
-        id,
-        codec,
-        finer: None,
-        title: "tangent frame, a quaternion in four snorm: Frey and Herzberg 2011",
-    }
-}
-
-/// The textbook with its codec's identifier.
-const fn named_alike(id: &'static str, finer: Option<&'static str>, title: &'static str) -> Textbook {
-    Textbook { id, codec: id, finer, title }
-}
+pub const TEXTBOOK: &[Textbook] = textbooks! {
+    "oct16" "oct16" Some("oct16p") => "octahedral, two snorm: Cigolle et al. 2014, listings 1 and 2";
+    "oct24" "oct24" Some("oct24p") => "octahedral, three bytes: listings 1, 2 and 5";
+    "oct32" "oct32" Some("oct32p") => "octahedral, two snorm: listings 1 and 2";
+    "oct_biased16" "oct16" Some("oct16p") => BIASED;
+    "oct_biased20" "oct20" Some("oct20p") => BIASED;
+    "oct_biased32" "oct32" Some("oct32p") => BIASED;
+    "oct_sign32" "oct32" Some("oct32p") => "octahedral, two snorm: listings 1 and 2 with `sign()` for `signNotZero()`";
+    "oct16p" "oct16p" None => "octahedral, best of four: listings 3 and 2";
+    "oct24p" "oct24p" None => "octahedral, best of four, three bytes: listings 3, 2 and 5";
+    "oct32p" "oct32p" None => "octahedral, best of four: listings 3 and 2";
+    "hemioct16" "hemioct16" None => "hemi-oct, two snorm: listing 6";
+    "hemioct32" "hemioct32" None => "hemi-oct, two snorm: listing 6";
+    "soct17" "soct17" None => "signed octahedral: White 2017";
+    "soct33" "soct33" None => "signed octahedral: White 2017";
+    "spheremap16" "oct16" Some("oct16p") => SPHERE_MAP;
+    "spheremap32" "oct32" Some("oct32p") => SPHERE_MAP;
+    "spherical16" "spherical16" Some("oct16p") => "two angles by `acos` and `atan`, two snorm";
+    "spherical32" "spherical32" Some("oct32p") => "two angles by `acos` and `atan`, two snorm";
+    "cylindrical16" "cylindrical16" Some("oct16p") => "an angle by `atan`, and z, two snorm";
+    "cylindrical32" "cylindrical32" Some("oct32p") => "an angle by `atan`, and z, two snorm";
+    "snorm8x3" "snorm8x3" Some("oct24p") => "x, y, z as snorm, normalised when read";
+    "unorm8x3" "unorm8x3" Some("oct24p") => "x, y, z as unorm, `v * 0.5 + 0.5`, normalised when read";
+    "snorm10x3" "snorm10x3" Some("oct32p") => "x, y, z as snorm of 10 bits, normalised when read";
+    "snorm16x3" "snorm16x3" Some("oct48p") => "x, y, z as snorm, normalised when read";
+    "crytek_bfn24" "snorm8x3p" Some("oct24p") => "best fit normals by a table of 1024 x 1024: CryEngine 3, 2010";
+    "xyonly16" "xyonly16" Some("hemioct16") => "x and y of normal maps, z by a square root, two snorm";
+    "xyonly32" "xyonly32" Some("hemioct32") => "x and y of normal maps, z by a square root, two snorm";
+    "frame32" "frame32" None => "tangent frame, octahedral and diamond: Ong 2023";
+    "qtangent32" "frame32" None => QTANGENT;
+    "qtangent64" "frame64" None => QTANGENT;
+};
 
 /// The SPIR-V of the kernel of a function of `glsl/textbook/`, optimised. An encoder by table, where the
 /// [format](Textbook::format) says so, reads the [`best_fit_table`].

@@ -8,8 +8,7 @@ use std::borrow::Cow;
 use std::io;
 use std::path::{Component, Path, PathBuf};
 use std::sync::OnceLock;
-use unitvec_files::one_line;
-use unitvec_files::read_start;
+use unitvec_files::{one_line, read_start};
 
 /// A folder of modules with its manifest.
 pub struct Modules {

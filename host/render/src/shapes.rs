@@ -3,8 +3,7 @@
 use glam::{DVec2, DVec3};
 use std::f64::consts::{PI, TAU};
 use std::path::Path;
-use unitvec_mesh as mesh;
-use unitvec_mesh::MeshError;
+use unitvec_mesh::{self as mesh, MeshError};
 
 /// A body, ready to be drawn.
 pub(super) struct Body {

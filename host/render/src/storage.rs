@@ -39,19 +39,13 @@ pub enum Storage {
 }
 
 /// The storages of codecs' formats.
-const OF_FORMATS: [Storage; 11] = [
-    Storage::Snorm8x2,
-    Storage::Snorm16x2,
-    Storage::Snorm8x3,
-    Storage::Snorm16x3,
-    Storage::Snorm10x3,
-    Storage::Unorm8x3,
-    Storage::Sint8x2,
-    Storage::Sint16x2,
-    Storage::Float16x3,
-    Storage::Float16x2,
-    Storage::Uint,
-];
+const OF_FORMATS: [Storage; 11] = {
+    use Storage::*;
+    [
+        Snorm8x2, Snorm16x2, Snorm8x3, Snorm16x3, Snorm10x3, Unorm8x3, Sint8x2, Sint16x2, Float16x3,
+        Float16x2, Uint,
+    ]
+};
 
 impl Storage {
     /// The storage of a codec by its Vulkan format; integers where it has none.

@@ -2,6 +2,7 @@
 
 use crate::{Error, Result, glsl, sampling, shader};
 use clap::ValueEnum;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -18,18 +19,7 @@ pub const CHUNK: usize = 1 << 20;
 
 /// The runner of a codec.
 #[derive(
-    Clone,
-    Copy,
-    Debug,
-    PartialEq,
-    Eq,
-    Hash,
-    PartialOrd,
-    Ord,
-    Serialize,
-    Deserialize,
-    ValueEnum,
-    schemars::JsonSchema,
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize, ValueEnum, JsonSchema,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum BackendKind {

@@ -71,25 +71,17 @@ fn unsupported(device: &str, format: ImageFormat, usage: FormatUse) -> Error {
 
 /// Bytes of a texel or of a vertex attribute, for the formats that codecs and the renderer use.
 pub const fn bytes_per_texel(format: ImageFormat) -> Option<usize> {
+    use ImageFormat as F;
     Some(match format {
-        ImageFormat::R8G8_SNORM | ImageFormat::R8G8_UNORM | ImageFormat::R8G8_SINT => 2,
-        ImageFormat::R8G8B8_SNORM | ImageFormat::R8G8B8_UNORM => 3,
-        ImageFormat::R8G8B8A8_SNORM
-        | ImageFormat::R8G8B8A8_UNORM
-        | ImageFormat::R16G16_SNORM
-        | ImageFormat::R16G16_UNORM
-        | ImageFormat::R16G16_SINT
-        | ImageFormat::R16G16_SFLOAT
-        | ImageFormat::A2B10G10R10_SNORM_PACK32
-        | ImageFormat::A2B10G10R10_UNORM_PACK32
-        | ImageFormat::R32_UINT => 4,
-        ImageFormat::R16G16B16_SNORM | ImageFormat::R16G16B16_SFLOAT => 6,
-        ImageFormat::R16G16B16A16_SNORM
-        | ImageFormat::R16G16B16A16_UNORM
-        | ImageFormat::R16G16B16A16_SFLOAT
-        | ImageFormat::R32G32_UINT => 8,
-        ImageFormat::R32G32B32_SFLOAT => 12,
-        ImageFormat::R32G32B32A32_SFLOAT => 16,
+        F::R8G8_SNORM | F::R8G8_UNORM | F::R8G8_SINT => 2,
+        F::R8G8B8_SNORM | F::R8G8B8_UNORM => 3,
+        F::R8G8B8A8_SNORM | F::R8G8B8A8_UNORM | F::R32_UINT => 4,
+        F::R16G16_SNORM | F::R16G16_UNORM | F::R16G16_SINT | F::R16G16_SFLOAT => 4,
+        F::A2B10G10R10_SNORM_PACK32 | F::A2B10G10R10_UNORM_PACK32 => 4,
+        F::R16G16B16_SNORM | F::R16G16B16_SFLOAT => 6,
+        F::R16G16B16A16_SNORM | F::R16G16B16A16_UNORM | F::R16G16B16A16_SFLOAT | F::R32G32_UINT => 8,
+        F::R32G32B32_SFLOAT => 12,
+        F::R32G32B32A32_SFLOAT => 16,
         _ => return None,
     })
 }

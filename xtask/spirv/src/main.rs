@@ -18,8 +18,7 @@ use std::process::ExitCode;
 use std::{env, fs};
 use unitvec_catalogue::{CODECS, Operation, best_fit_table};
 use unitvec_link as link;
-use unitvec_manifest as manifest;
-use unitvec_manifest::Manifest;
+use unitvec_manifest::{self as manifest, Manifest};
 
 fn main() -> ExitCode {
     match run() {

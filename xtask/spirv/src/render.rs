@@ -1,8 +1,7 @@
 //! The renderer's modules, from `host/render/shaders/rust`.
 
-use crate::bytes;
 use crate::compile::Compiler;
-use crate::passes;
+use crate::{bytes, passes};
 use anyhow::{Context, Result, ensure};
 use rayon::prelude::*;
 use std::collections::BTreeMap;

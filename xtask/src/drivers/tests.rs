@@ -56,21 +56,7 @@ fn the_reason_is_the_loaders() {
 
 /// A program in the place of `unitvec`: the driver's file decides whether it has a device, and differs from the CPU.
 #[cfg(unix)]
-const STAND_IN: &str = r#"
-[ "$VK_DRIVER_FILES" = "$VK_ICD_FILENAMES" ] || exit 9
-[ -z "$UNITVEC_DEVICE" ] || exit 9
-device=$(cat "$VK_DRIVER_FILES")
-case "$1 $device" in
-  "devices none") echo "ERROR: f: no GPUs" >&2; exit 1 ;;
-  "devices "*) exit 0 ;;
-  *crash) kill -9 $$ ;;
-esac
-mismatches=0
-[ "$device" = bad ] && mismatches=7
-[ "$5 $6" = "--count 9" ] || exit 9
-printf 'device\tdriver\tmismatches\n%s\tv 1\t%s\n' "$device" $mismatches > "$4"
-[ $mismatches = 0 ]
-"#;
+const STAND_IN: &str = include_str!("stand_in.sh");
 
 /// Each kind of driver with each duty: one that agrees, one that differs, one without a device, one that ends the program.
 #[cfg(unix)]

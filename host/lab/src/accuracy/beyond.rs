@@ -4,8 +4,7 @@ use super::{Published, Row, Table, meyer};
 use crate::Result;
 use unitvec_catalogue::{AnyCodec, vectors};
 use unitvec_run::backend::Backend;
-use unitvec_run::measure::ErrorStats;
-use unitvec_run::measure::measure;
+use unitvec_run::measure::{ErrorStats, measure};
 
 /// The codecs that are in neither the survey's tables nor Meyer's.
 pub fn codecs() -> impl Iterator<Item = &'static AnyCodec> {

@@ -70,7 +70,7 @@ impl Published {
 }
 
 /// A row measured.
-#[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
+#[derive(Clone, Debug, Default, Serialize, schemars::JsonSchema)]
 pub struct Row {
     /// Table it belongs to.
     pub table: &'static str,
@@ -196,12 +196,9 @@ impl Row {
             survey_max_deg,
             least_mean_deg: Some(least_mean_deg),
             least_max_deg: Some(least_max_deg),
-            float64_mean_deg: None,
-            float64_max_deg: None,
             // The bound's errors go as 2^(-bits / 2).
             wasted_bits: Some(2.0 * (mean_deg / least_mean_deg).log2()),
-            survey_mean_flag: String::new(),
-            survey_max_flag: String::new(),
+            ..Self::default()
         }
     }
 }

@@ -145,15 +145,9 @@ pub fn sources(modules: &Modules, formats: &[&'static AnyCodec]) -> Result<BTree
 
 /// True for GLSL that all codecs share, for textbooks', and for a codec's own.
 fn is_source(path: &str, formats: &[&'static AnyCodec]) -> bool {
-    const SHARED: [&str; 6] = [
-        "unitvec/arith.glsl",
-        "kernels/encode.comp",
-        "kernels/decode.comp",
-        "kernels/group.glsl",
-        "kernels/words.glsl",
-        "kernels/table.glsl",
-    ];
-    SHARED.contains(&path)
+    const SHARED: &str = "unitvec/arith.glsl kernels/encode.comp kernels/decode.comp kernels/group.glsl \
+        kernels/words.glsl kernels/table.glsl";
+    SHARED.split(' ').any(|shared| shared == path)
         || path.starts_with("textbook/")
         || formats.iter().any(|format| path == glsl_file(format.id))
 }

@@ -19,8 +19,7 @@ use super::renderer::{decoded, encoded};
 use super::storage::{Storage, codes_of, texels_of};
 use super::variant::Variant;
 use super::{Normals, Renderer, Shot, Size};
-use crate::Material;
-use crate::{Error, Result};
+use crate::{Error, Material, Result};
 use fields::Fields;
 use points::Points;
 use rounding::conversion;
@@ -28,8 +27,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, Domain};
 use unitvec_run::backend::BackendKind;
-use unitvec_run::sampling;
-use unitvec_run::workers;
+use unitvec_run::{sampling, workers};
 use unitvec_vulkan::{Device, DeviceChoice, FormatUse, ImageFormat};
 
 /// The scene's picture, whose codes are compared.

@@ -3,12 +3,11 @@
 use super::Traits;
 use super::fields::Fields;
 use super::points::Points;
-use crate::Renderer;
-use crate::Result;
 use crate::projection::Projection;
 use crate::renderer::encoded;
 use crate::storage::Storage;
 use crate::variant::Variant;
+use crate::{Renderer, Result};
 use serde::{Deserialize, Serialize};
 use unitvec_catalogue::AnyCodec;
 use unitvec_vulkan::FormatUse;

@@ -3,9 +3,8 @@
 use super::fields::Fields;
 use super::points::{Points, vectors};
 use super::texels;
-use crate::Renderer;
-use crate::Result;
 use crate::variant::Variant;
+use crate::{Renderer, Result};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 use unitvec_vulkan::FormatUse;

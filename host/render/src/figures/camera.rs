@@ -1,7 +1,6 @@
 //! Cameras that take the pictures of the scene.
 
-use crate::Result;
-use crate::{Material, Normals, Renderer, Seen, Shot, View};
+use crate::{Material, Normals, Renderer, Result, Seen, Shot, View};
 use image::RgbImage;
 
 /// Takes pictures, as bytes of sRGB.

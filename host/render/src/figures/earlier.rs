@@ -5,8 +5,7 @@ use crate::{Error, Result};
 use clap::ValueEnum;
 use std::collections::BTreeSet;
 use std::path::Path;
-use unitvec_files::one_line;
-use unitvec_files::read_small;
+use unitvec_files::{one_line, read_small};
 
 /// The file that lists a folder's figures.
 pub const LIST: &str = "figures.json";

@@ -12,22 +12,8 @@ use unitvec_catalogue::{AnyCodec, Domain};
 use unitvec_lab::accuracy::covering_bound_deg;
 
 /// The codecs of error maps if no others are asked for.
-const MAPPED: [&str; 14] = [
-    "oct16",
-    "oct16p",
-    "eaoct16p",
-    "ico16",
-    "fib16",
-    "latlong16d",
-    "spherical16",
-    "eqarea_ellipse16",
-    "oct24",
-    "oct24p",
-    "eaoct24p",
-    "ico24",
-    "latlong24d",
-    "snorm8x3",
-];
+const MAPPED: &str = "oct16 oct16p eaoct16p ico16 fib16 latlong16d spherical16 eqarea_ellipse16 oct24 oct24p \
+    eaoct24p ico24 latlong24d snorm8x3";
 
 /// The error that has the last colour, as a multiple of the largest that any code of as many bits must have.
 const LAST_COLOUR: f64 = 1.5;
@@ -58,7 +44,7 @@ fn error_map(codec: &'static AnyCodec, side: u32) -> RgbImage {
 pub fn errors(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut scales) = (Vec::new(), BTreeMap::new());
-    for codec in options.codecs_or(&MAPPED)? {
+    for codec in options.codecs_or(MAPPED)? {
         let lines = vec![format!("{}, {} bits", codec.survey_name, codec.bits), errors_in_words(codec)?];
         cells.push(Cell { picture: error_map(codec, side), lines });
         scales.insert(codec.bits, scale_deg(codec.bits));

@@ -20,8 +20,7 @@ pub use compare::{Difference, rank_correlation};
 pub use figure::{Figure, Figures, Labelled, Number, Origin, Place, Shown, Subject};
 pub use image::RgbImage;
 
-use crate::Material;
-use crate::{Error, Result};
+use crate::{Error, Material, Result};
 use clap::ValueEnum;
 use figure::Content;
 use unitvec_catalogue::{AnyCodec, find_vector};
@@ -93,8 +92,10 @@ pub struct Options {
 }
 
 impl Options {
-    fn codecs_or(&self, usual: &[&str]) -> Result<Vec<&'static AnyCodec>> {
-        if self.codecs.is_empty() { named(usual) } else { Ok(self.codecs.clone()) }
+    /// The codecs asked for, or else these, by their identifiers.
+    fn codecs_or(&self, usual: &str) -> Result<Vec<&'static AnyCodec>> {
+        let usual = || named(&usual.split(' ').collect::<Vec<_>>());
+        if self.codecs.is_empty() { usual() } else { Ok(self.codecs.clone()) }
     }
 }
 

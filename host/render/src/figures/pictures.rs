@@ -4,8 +4,7 @@ use super::camera::{Camera, shot};
 use super::canvas::{Cell, crop, places, sheet};
 use super::compare::{Difference, amplified, mean, mean_where, most_different, rank_correlation};
 use super::{Figure, Labelled, Number, Options, Place, Shown, Subject};
-use crate::Result;
-use crate::{Material, Normals, OBJECTS, SIDES, Seen, View};
+use crate::{Material, Normals, OBJECTS, Result, SIDES, Seen, View};
 use image::RgbImage;
 use image::imageops::{FilterType, resize};
 use unitvec_catalogue::{AnyCodec, Domain, vectors};
@@ -110,7 +109,7 @@ fn cells<'a>(pictures: impl Iterator<Item = &'a Compared>, window: [u32; 4]) -> 
 
 /// Figure 1: mirror and glossy.
 pub fn one(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
-    let codecs = options.codecs_or(&["oct16p", "snorm8x3", "oct24p"])?;
+    let codecs = options.codecs_or("oct16p snorm8x3 oct24p")?;
     let (mut all, mut off, mut pictures) = (Vec::new(), Vec::new(), Vec::new());
     for material in [Material::Mirror, Material::Glossy] {
         let mut compared = compare(camera, &codecs, material, View::Scene)?;
@@ -142,7 +141,7 @@ const FIGURE_7: &str = "The survey says that differences are far more apparent t
 
 /// Figures 6 and 7: the codec that the survey's figures show.
 pub fn difference(camera: &mut dyn Camera, options: &Options, material: Material) -> Result<Figure> {
-    let codecs = options.codecs_or(&["eqarea_ellipse16"])?;
+    let codecs = options.codecs_or("eqarea_ellipse16")?;
     let compared = compare(camera, &codecs, material, View::Scene)?;
     let (float, mut cells, mut numbers) = (&compared[0].picture, Vec::new(), Vec::new());
     let width = if options.small { 320 } else { 640 };
@@ -189,28 +188,12 @@ fn capital(word: &str) -> String {
 }
 
 /// The codecs of figure 8, in its order, which begins with floats.
-const EIGHT: [&str; 16] = [
-    "oct16",
-    "eqarea_ellipse16",
-    "spherical16",
-    "oct16p",
-    "latlong16",
-    "snorm8x3",
-    "eqarea_ellipse24",
-    "oct24",
-    "spherical24",
-    "oct24p",
-    "latlong24",
-    "eqarea_ellipse32",
-    "spherical32",
-    "oct32",
-    "latlong32",
-    "oct32p",
-];
+const EIGHT: &str = "oct16 eqarea_ellipse16 spherical16 oct16p latlong16 snorm8x3 eqarea_ellipse24 oct24 \
+    spherical24 oct24p latlong24 eqarea_ellipse32 spherical32 oct32 latlong32 oct32p";
 
 /// Figure 8: its codecs with all materials.
 pub fn eight(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
-    let codecs = options.codecs_or(&EIGHT)?;
+    let codecs = options.codecs_or(EIGHT)?;
     let columns = if options.small { 4 } else { 5 };
     let (mut sheets, mut pictures, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
     for material in &options.materials {
@@ -331,7 +314,7 @@ const MEYER: [(&str, &str); 7] = [
 
 /// Meyer's figure 3: a highlight on the panel at 16 bits.
 pub fn meyer(camera: &mut dyn Camera, options: &Options) -> Result<Figure> {
-    let codecs = options.codecs_or(&MEYER.map(|(id, _)| id))?;
+    let codecs = options.codecs_or(&MEYER.map(|(id, _)| id).join(" "))?;
     let mut compared = compare(camera, &codecs, Material::Glossy, View::Panel)?;
     for shown in &mut compared {
         let meyers = MEYER.iter().find(|(id, _)| *id == shown.id());

@@ -11,26 +11,9 @@ use unitvec_run::backend::Cpu;
 use unitvec_run::measure::measure;
 
 /// The panels of figure 5, in its order, and three that came after the survey.
-const DISTRIBUTIONS: [&str; 18] = [
-    "stereo_concentric16",
-    "eqdist_concentric16",
-    "eqarea_concentric16",
-    "stereo_ellipse16",
-    "stereo16",
-    "eqarea16",
-    "oct16",
-    "eqarea_ellipse16",
-    "eqdist_ellipse16",
-    "eqdist16",
-    "latlong16",
-    "spherical16",
-    "oct16p",
-    "latlong16d",
-    "snorm8x3",
-    "ico16",
-    "fib16",
-    "eaoct16",
-];
+const DISTRIBUTIONS: &str = "stereo_concentric16 eqdist_concentric16 eqarea_concentric16 stereo_ellipse16 \
+    stereo16 eqarea16 oct16 eqarea_ellipse16 eqdist_ellipse16 eqdist16 latlong16 spherical16 oct16p latlong16d \
+    snorm8x3 ico16 fib16 eaoct16";
 
 /// Codes of so many bits are all decoded.
 const ALL_CODES_UP_TO: u32 = 16;
@@ -68,7 +51,7 @@ fn representable(codec: &AnyCodec) -> Result<Vec<DVec3>> {
 pub fn points(options: &Options) -> Result<Figure> {
     let side = if options.small { 150 } else { 360 };
     let (mut cells, mut numbers) = (Vec::new(), Vec::new());
-    for codec in options.codecs_or(&DISTRIBUTIONS)? {
+    for codec in options.codecs_or(DISTRIBUTIONS)? {
         let directions = representable(codec)?;
         let view = paint::of_domain(codec.domain);
         let mut dots = Dots::new(side);

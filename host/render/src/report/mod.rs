@@ -7,9 +7,8 @@ mod viewer;
 
 pub use tables::{Machine, shipped_costs, work};
 
-use crate::conform;
 use crate::figures::{Difference, Figure, Figures, Labelled, Shown};
-use crate::{Error, Result};
+use crate::{Error, Result, conform};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use minijinja::{AutoEscape, Environment, HtmlEscape, Value, context};

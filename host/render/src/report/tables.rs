@@ -77,7 +77,7 @@ pub fn codecs(all: &[Costs]) -> Vec<Codec> {
             name: codec.survey_name,
             bits: codec.bits,
             bytes: codec.bytes,
-            format: codec.vk_format.map(short_format),
+            format: codec.vk_format.map(|name| name.trim_start_matches("VK_FORMAT_")),
             frame: codec.element == Element::Frame,
             hemisphere: codec.domain == Domain::Hemisphere,
             unit: codec.is_unit,
@@ -100,10 +100,6 @@ pub fn codecs(all: &[Costs]) -> Vec<Codec> {
 /// Costs of both operations.
 fn both(costs: &Costs, id: &str) -> [Option<f64>; 2] {
     Operation::ALL.map(|operation| costs.of(id, operation))
-}
-
-fn short_format(name: &'static str) -> &'static str {
-    name.strip_prefix("VK_FORMAT_").unwrap_or(name)
 }
 
 /// The catalogue's recommendations, with costs.

@@ -13,9 +13,7 @@ pub use series::widest_of_each_series;
 
 use crate::backend::{Backend, BackendKind, Cpu};
 use crate::measure::ElementErrors;
-use crate::sampling;
-use crate::workers;
-use crate::{Error, Result};
+use crate::{Error, Result, sampling, workers};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use unitvec_catalogue::{AnyCodec, Element, Operation};

@@ -2,8 +2,7 @@
 
 use super::{Backends, Comparison, Options, Row};
 use crate::backend::CHUNK;
-use crate::sampling;
-use crate::{Error, Result};
+use crate::{Error, Result, sampling};
 use unitvec_catalogue::{AnyCodec, Element};
 
 /// Directions halfway between lattice points, where rounding breaks ties.
@@ -50,7 +49,9 @@ impl<'a> Plan<'a> {
         steps.push(Step::elements(special.len() / format.element.floats(), special.iter().copied()));
         if format.element == Element::Vector {
             steps.push(Step::elements(normals.len(), normals.as_flattened().iter().copied()));
-            let ties = sampling::halfway_vectors(lattice_size(format), *seed).flatten();
+            // The largest integer of a coordinate's snorm, up to where f32 still has halves.
+            let m = (1 << (format.bits / 2 - 1).min(22)) - 1;
+            let ties = sampling::halfway_vectors(m, *seed).flatten();
             steps.push(Step::elements(HALFWAY, ties));
         }
 
@@ -94,9 +95,4 @@ impl<'a> Plan<'a> {
         }
         Ok(comparison.into_row())
     }
-}
-
-/// Largest integer of a coordinate's snorm, up to where f32 still has halves.
-fn lattice_size(format: &AnyCodec) -> u32 {
-    (1 << (format.bits / 2 - 1).min(22)) - 1
 }

@@ -100,32 +100,7 @@ mod tests {
     /// A call of the marker chooses by the specialization constant; other functions stay.
     #[test]
     fn the_function_that_returns_false_returns_a_specialization_constant() {
-        let mut module = snippet::assembled(
-            "OpCapability Shader
-            OpMemoryModel Logical GLSL450
-            OpEntryPoint GLCompute %1 \"main\"
-            OpExecutionMode %1 LocalSize 1 1 1
-            %2 = OpTypeVoid
-            %3 = OpTypeFunction %2
-            %4 = OpTypeBool
-            %5 = OpTypeFunction %4
-            %6 = OpConstantFalse %4
-            %7 = OpConstantTrue %4
-            %8 = OpFunction %4 DontInline %5
-            %9 = OpLabel
-            OpReturnValue %6
-            OpFunctionEnd
-            %10 = OpFunction %4 None %5
-            %11 = OpLabel
-            OpReturnValue %7
-            OpFunctionEnd
-            %1 = OpFunction %2 None %3
-            %12 = OpLabel
-            %13 = OpFunctionCall %4 %8
-            %14 = OpFunctionCall %4 %10
-            OpReturn
-            OpFunctionEnd",
-        );
+        let mut module = snippet::assembled(include_str!("snippets/two_functions.spvasm"));
         choose(&mut module, false).unwrap();
         snippet::assert_valid(&module);
         let added = module.types_global_values.last().unwrap();

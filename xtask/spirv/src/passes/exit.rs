@@ -117,58 +117,17 @@ fn unguard(function: &mut Function, found: &Guarded) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::snippet::{assert_valid, module, opcodes};
+    use super::super::snippet::{assert_valid, guarded_loop, module, opcodes};
     use super::*;
-
-    /// A loop as rust-gpu writes `while`, and these lines after it.
-    fn guarded_loop(rest: &str) -> String {
-        format!(
-            "OpBranch %20
-            %20 = OpLabel
-            %10 = OpPhi %float %7 %5 %13 %25
-            OpLoopMerge %26 %25 None
-            OpBranch %21
-            %21 = OpLabel
-            %11 = OpFOrdLessThan %bool %10 %f0
-            OpSelectionMerge %24 None
-            OpBranchConditional %11 %22 %23
-            %22 = OpLabel
-            %12 = OpFAdd %float %10 %f1
-            OpBranch %24
-            %23 = OpLabel
-            OpBranch %24
-            %24 = OpLabel
-            %13 = OpPhi %float %12 %22 %7 %23
-            OpBranch %25
-            %25 = OpLabel
-            OpBranchConditional %11 %20 %26
-            %26 = OpLabel
-            {rest}"
-        )
-    }
 
     #[test]
     fn a_loop_leaves_at_its_condition() {
         let mut module = module(&guarded_loop("OpStore %6 %10"));
         at_conditions(&mut module);
         assert_valid(&module);
-        use Op::*;
-        assert_eq!(
-            opcodes(&module),
-            [
-                Branch,
-                Phi,
-                LoopMerge,
-                Branch,
-                FOrdLessThan,
-                BranchConditional,
-                FAdd,
-                Branch,
-                Branch,
-                Store,
-                Return
-            ]
-        );
+        let expected = "[Branch, Phi, LoopMerge, Branch, FOrdLessThan, BranchConditional, FAdd, Branch, Branch, Store, \
+                        Return]";
+        assert_eq!(format!("{:?}", opcodes(&module)), expected);
         let [_, header, guard, body, repeat, end] = module.functions[0].blocks.as_slice() else { panic!() };
         assert_eq!(ids(&header.instructions[0])[2..], [12, 25], "the phi takes the body's result");
         let leave = guard.instructions.last().unwrap();

@@ -298,40 +298,7 @@ mod tests {
 
     /// A vertex shader that reads a code of two words, and writes a vector %8 and another, %9, with these lines at its end.
     fn entry_point(end: &str) -> Module {
-        let text = format!(
-            r#"OpCapability Shader
-            OpMemoryModel Logical GLSL450
-            OpEntryPoint Vertex %1 "main" %7 %9 %8
-            OpDecorate %7 Location 0
-            OpDecorate %8 Location 0
-            OpDecorate %9 Location 1
-            %void = OpTypeVoid
-            %procedure = OpTypeFunction %void
-            %bool = OpTypeBool
-            %uint = OpTypeInt 32 0
-            %float = OpTypeFloat 32
-            %code = OpTypeVector %uint 2
-            %vector = OpTypeVector %float 3
-            %pointer_in = OpTypePointer Input %uint
-            %code_in = OpTypePointer Input %code
-            %pointer_out = OpTypePointer Output %float
-            %vector_out = OpTypePointer Output %vector
-            %u0 = OpConstant %uint 0
-            %u1 = OpConstant %uint 1
-            %u2 = OpConstant %uint 2
-            %7 = OpVariable %code_in Input
-            %8 = OpVariable %vector_out Output
-            %9 = OpVariable %vector_out Output
-            %1 = OpFunction %void None %procedure
-            %10 = OpLabel
-            %11 = OpInBoundsAccessChain %pointer_in %7 %u1
-            %12 = OpLoad %uint %11
-            %13 = OpConvertUToF %float %12
-            %14 = OpCompositeConstruct %vector %13 %13 %13
-            {end}
-            OpFunctionEnd"#
-        );
-        assembled(&text)
+        assembled(&format!(include_str!("snippets/vertex.spvasm"), end = end))
     }
 
     /// One vector whole, the other by components.

@@ -107,16 +107,9 @@ mod tests {
     /// Two kernels with a branch each become one module without one.
     #[test]
     fn kernels_become_one_valid_module() {
-        let lines = "%10 = OpFOrdLessThan %bool %7 %f0
-            OpSelectionMerge %22 None
-            OpBranchConditional %10 %21 %22
-            %21 = OpLabel
-            %11 = OpFAdd %float %7 %f1
-            OpBranch %22
-            %22 = OpLabel
-            %12 = OpPhi %float %7 %5 %11 %21
-            OpStore %6 %12";
-        let words = snippet::module(lines).assemble();
+        let lines =
+            snippet::one_arm("%11 = OpFAdd %float %7 %f1", "%12 = OpPhi %float %7 %5 %11 %21 OpStore %6 %12");
+        let words = snippet::module(&lines).assemble();
         let module = run(vec![("encode".to_owned(), words.clone()), ("decode".to_owned(), words)]).unwrap();
         let module = parse(&module).unwrap();
         assert_eq!(module.entry_points.len(), 2);

@@ -172,7 +172,7 @@ fn select(
 
 #[cfg(test)]
 mod tests {
-    use super::super::snippet::{assert_valid, instructions, module, opcodes};
+    use super::super::snippet::{assert_valid, guarded_loop, instructions, module, one_arm, opcodes};
     use super::*;
 
     /// Flattens the snippet; its opcodes.
@@ -182,20 +182,6 @@ mod tests {
         assert_valid(&module);
         let opcodes = opcodes(&module);
         (module, opcodes)
-    }
-
-    /// A branch around an arm, and what follows.
-    fn one_arm(arm: &str, rest: &str) -> String {
-        format!(
-            "%10 = OpFOrdLessThan %bool %7 %f0
-            OpSelectionMerge %22 None
-            OpBranchConditional %10 %21 %22
-            %21 = OpLabel
-            {arm}
-            OpBranch %22
-            %22 = OpLabel
-            {rest}"
-        )
     }
 
     #[test]
@@ -271,25 +257,7 @@ mod tests {
     /// A condition that repeats a loop keeps its branch.
     #[test]
     fn loops_stay() {
-        let lines = "OpBranch %20
-            %20 = OpLabel
-            %10 = OpPhi %float %7 %5 %13 %24
-            OpLoopMerge %25 %24 None
-            OpBranch %21
-            %21 = OpLabel
-            %11 = OpFOrdLessThan %bool %10 %f0
-            OpSelectionMerge %23 None
-            OpBranchConditional %11 %22 %23
-            %22 = OpLabel
-            %12 = OpFAdd %float %10 %f1
-            OpBranch %23
-            %23 = OpLabel
-            %13 = OpPhi %float %10 %21 %12 %22
-            OpBranch %24
-            %24 = OpLabel
-            OpBranchConditional %11 %20 %25
-            %25 = OpLabel
-            OpStore %6 %13";
-        assert_eq!(flattened(lines).1, opcodes(&module(lines)));
+        let lines = guarded_loop("OpStore %6 %10");
+        assert_eq!(flattened(&lines).1, opcodes(&module(&lines)));
     }
 }

@@ -8,36 +8,7 @@ use spirv_tools::assembler::{self, Assembler, AssemblerOptions};
 use spirv_tools::val::{self, Validator};
 
 /// What every snippet begins with: an entry point %1, some types and constants, and a buffer %2 of one float.
-const BEGINNING: &str = r#"
-    OpCapability Shader
-    %3 = OpExtInstImport "GLSL.std.450"
-    OpMemoryModel Logical GLSL450
-    OpEntryPoint GLCompute %1 "main"
-    OpExecutionMode %1 LocalSize 64 1 1
-    OpDecorate %4 Block
-    OpMemberDecorate %4 0 Offset 0
-    OpDecorate %2 DescriptorSet 0
-    OpDecorate %2 Binding 0
-    %void = OpTypeVoid
-    %procedure = OpTypeFunction %void
-    %bool = OpTypeBool
-    %uint = OpTypeInt 32 0
-    %int = OpTypeInt 32 1
-    %float = OpTypeFloat 32
-    %pair = OpTypeVector %float 2
-    %4 = OpTypeStruct %float
-    %buffer = OpTypePointer StorageBuffer %4
-    %pointer = OpTypePointer StorageBuffer %float
-    %2 = OpVariable %buffer StorageBuffer
-    %u0 = OpConstant %uint 0
-    %u4 = OpConstant %uint 4
-    %u20 = OpConstant %uint 20
-    %u22 = OpConstant %uint 22
-    %true = OpConstantTrue %bool
-    %false = OpConstantFalse %bool
-    %f0 = OpConstant %float 0
-    %f1 = OpConstant %float 1
-"#;
+const BEGINNING: &str = include_str!("snippets/beginning.spvasm");
 
 /// The module of a function with these lines. They begin in its first block, %5, where %6 is the buffer's address and
 /// %7 what it holds.
@@ -54,6 +25,16 @@ pub fn module(lines: &str) -> Module {
     let module = assembled(&text);
     assert_valid(&module);
     module
+}
+
+/// Lines of a branch around an arm, and what follows.
+pub fn one_arm(arm: &str, rest: &str) -> String {
+    format!(include_str!("snippets/one_arm.spvasm"), arm = arm, rest = rest)
+}
+
+/// Lines of a loop as rust-gpu writes `while`, and these after it.
+pub fn guarded_loop(rest: &str) -> String {
+    format!(include_str!("snippets/guarded_loop.spvasm"), rest = rest)
 }
 
 /// The module of this text, with its numbers as ids.
