@@ -246,21 +246,19 @@ fn names_are_those_of_the_source() {
     }
 }
 
-/// An excerpt has the functions asked for and what they need, in the library's order, and nothing else.
+/// An excerpt has the functions asked for and what they need, in the library's order, and nothing else. Guards surround what
+/// the same functions need.
 #[test]
 fn an_excerpt_has_what_it_needs() {
-    let text = library().excerpt(&["unitvec_negate_positive"], Language::Wgsl, Edition::Plain).unwrap();
-    let expected = "\
-fn unitvec_negate_if(negative: bool, x: f32) -> f32 {
-    return select(x, -x, negative);
-}
-
-// -x where negative, else x, for x of at least 0; 0 stays +0.
-fn unitvec_negate_positive(negative: bool, x: f32) -> f32 {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-";
-    assert_eq!(text, expected);
+    let half = "// Half of it.\nfloat unitvec_half(float x) {\n    return 0.5 * x;\n}\n\n";
+    let twice = "float twice(float x) {\n    return x + x;\n}\n\n";
+    let quarter = "float quarter(float x) {\n    return unitvec_half(unitvec_half(x));\n}\n";
+    let library_of_three = of(&format!("// A head.\n\n{half}{twice}{quarter}"));
+    let printed = |language| library_of_three.excerpt(&["quarter"], language, Edition::Plain).unwrap();
+    let guard = "#ifndef UNITVEC_ONCE_HALF\n#define UNITVEC_ONCE_HALF\n";
+    assert_eq!(printed(Language::Hlsl), format!("{guard}{half}{quarter}#endif\n"));
+    let wgsl = printed(Language::Wgsl);
+    assert!(wgsl.starts_with("// Half of it.\nfn unitvec_half(x: f32) -> f32 {") && !wgsl.contains("twice"));
     let unknown = library().excerpt(&["oct17_encode"], Language::Hlsl, Edition::Plain);
     assert_eq!(unknown, Err(Error::NoFunction("oct17_encode".to_owned())));
 }

@@ -329,6 +329,7 @@ fn a_wrong_command_line() {
         ("codecs --json", "--json <FILE>"),
         ("shader", "--language <LANGUAGE>"),
         ("shader --language cg", "possible values: glsl, hlsl, wgsl"),
+        ("shader --language hlsl --function oct17_encode", "oct16_encode, oct18_encode; `unitvec"),
     ] {
         let output = command(line.split_whitespace()).output().unwrap();
         let text = stderr(&output);

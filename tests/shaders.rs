@@ -1,5 +1,6 @@
 //! The codecs in other shading languages: HLSL by glslang, WGSL by naga, on lavapipe, and `unitvec shader`.
 
+use crate::glsl::versions::assert_valid;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_run::backend::{Backend, BackendKind, Gpu, KernelSource};
 use unitvec_run::conform;
@@ -56,11 +57,32 @@ fn the_text_of_each_codec_compiles() {
         ] {
             // Compilers check all functions of a text, whichever of them the entry point calls. Decoders' kernels
             // are compiled, and run, by the test above.
-            let functions = text(&[format], language, edition, "test").unwrap();
+            let functions = Operation::ALL.map(|half| format.function(half));
+            let functions = text(&functions, language, edition, "test").unwrap();
             let whole = functions + &kernel::kernel(language, format, Operation::Encode);
             let module = compile(language, format.id, &whole);
             assert!(module.is_ok(), "{} in {language}: {:?}", format.id, module.err());
         }
+    }
+}
+
+/// Texts of single functions, of all there are and in reverse order, compile in one unit: what they share counts once. So do
+/// those of the languages that glslang compiles as GLSL ES.
+#[test]
+fn texts_combine_in_languages_with_a_preprocessor() {
+    let names: Vec<String> = library().unwrap().functions().map(str::to_owned).collect();
+    for (language, options) in [
+        (Language::Hlsl, &["-V", "-D", "-e", "main", "-S", "comp", "-o", "/dev/null"][..]),
+        (Language::Glsl, &["-V", "-S", "comp", "-o", "/dev/null"]),
+        (Language::GlslEs, &[]),
+        (Language::Godot, &[]),
+    ] {
+        let edition = *language.editions().last().unwrap();
+        let one = |name| text(std::slice::from_ref(name), language, edition, "test").unwrap();
+        let mut whole = kernel::head(language).unwrap_or_default().to_owned();
+        whole.extend(names.iter().rev().map(one));
+        whole += &kernel::kernel(language, &CODECS[0], Operation::Encode);
+        assert_valid(language.name(), &whole, options);
     }
 }
 
@@ -74,7 +96,7 @@ fn a_text_says_what_it_is() {
     // Comments are wrapped anew in each language.
     let head = head.join("\n").replace("\n// ", " ");
     for part in [
-        "codecs in MSL, exact edition",
+        "functions in MSL, exact edition",
         "`unitvec shader --language msl --exact --codec oct48p --codec frame32`",
         "MIT or Apache-2.0",
         "oct48p   48 bits, error up to 0.0000",
@@ -89,6 +111,16 @@ fn a_text_says_what_it_is() {
     assert!(text.contains(
         "\ninline void frame32_decode(uint code, thread float3& normal, thread float4& tangent) {"
     ));
+}
+
+/// Functions by name stand beside a codec's, and bring nothing that they do not need.
+#[test]
+fn functions_are_written_by_name() {
+    let options = "--codec snorm8x3 --function oct32_decode --function float32x3_to_oct";
+    let text = stdout(&run(format!("shader --language wgsl {options}").split(' ')));
+    let written = library().unwrap().functions().filter(|name| text.contains(&format!("\nfn {name}(")));
+    let expected = ["float32x3_to_oct", "oct32_decode", "snorm8x3_encode", "snorm8x3_decode"];
+    assert!(written.eq(expected) && text.contains(options), "{text}");
 }
 
 /// The text without a codec has all; a file gets the same text as the standard output.
@@ -132,13 +164,13 @@ fn a_folder_gets_the_files_of_all_families() {
     assert_eq!(run(["shader", "--language", "wesl", "--all"]).status.code(), Some(2));
 }
 
-/// All languages and codecs are in the list.
+/// All languages, codecs and functions are in the list.
 #[test]
-fn the_list_has_all_languages_and_codecs() {
+fn the_list_has_all_languages_codecs_and_functions() {
     let text = stdout(&run(["shader", "--list"]));
-    let words: Vec<&str> = text.split_whitespace().collect();
+    let words: Vec<&str> = text.split([' ', ',', '\n']).collect();
     let listed = Language::ALL.map(Language::id).into_iter().chain(CODECS.iter().map(|format| format.id));
-    for id in listed {
+    for id in listed.chain(library().unwrap().functions()) {
         assert!(words.contains(&id), "{id}");
     }
 }

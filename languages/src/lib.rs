@@ -2,8 +2,8 @@
 //! and WGSL as modules for naga_oil and in WESL.
 //!
 //! A [`Library`] parses the includes once. [`Library::folder`] gives all of them in another language, with their functions,
-//! names and comments; [`Library::excerpt`] only some functions and what they need; [`Library::flat`] the families in GLSL
-//! without any include.
+//! names and comments; [`Library::excerpt`] only some [functions](Library::functions) and what they need;
+//! [`Library::flat`] the families in GLSL without any include.
 //!
 //! ```
 //! use unitvec_languages::{Edition, Language, Library};
@@ -35,7 +35,7 @@ pub use language::{EXACT, Edition, Language, UnknownLanguage};
 
 use parse::{Declared, parse};
 use print::Printer;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::BTreeMap;
 use syntax::{File, Item, ItemKind};
 
 /// A file that cannot be put into other languages, or a function that does not exist.
@@ -54,7 +54,7 @@ pub enum Error {
         /// The reason.
         what: String,
     },
-    /// No file declares this function.
+    /// No file declares this function for users.
     #[error("no file of glsl/unitvec declares the function {0}")]
     NoFunction(String),
     /// A name that the language reserves.
@@ -81,7 +81,7 @@ const ALL: &str = "unitvec.glsl";
 /// The includes, parsed.
 #[derive(Debug)]
 pub struct Library {
-    /// The files, each after those that it needs.
+    /// The files, each after those that it needs: at least the one that includes all.
     files: Vec<File>,
     declared: Declared,
 }
@@ -108,8 +108,8 @@ impl Library {
         Ok(library)
     }
 
-    fn items(&self) -> impl Iterator<Item = &Item> {
-        self.files.iter().flat_map(|file| &file.items)
+    fn items(&self) -> impl DoubleEndedIterator<Item = (&File, &Item)> {
+        self.files.iter().flat_map(|file| file.items.iter().map(move |item| (file, item)))
     }
 
     /// The names of the files in GLSL, each after those that it needs: `oct.glsl`.
@@ -153,26 +153,31 @@ impl Library {
         Ok(texts)
     }
 
-    /// These functions and all that they need, without heads of files, guards and includes.
+    /// The functions for users. The names of all others begin with `unitvec_`.
+    pub fn functions(&self) -> impl Iterator<Item = &str> {
+        let functions = self.items().filter(|(_, item)| matches!(item.kind, ItemKind::Function(_)));
+        let names = functions.filter_map(|(_, item)| item.kind.name());
+        names.filter(|name| !name.starts_with("unitvec_"))
+    }
+
+    /// These functions and all that they need, without heads of files and includes.
+    ///
+    /// What more of the library's functions need comes first, in parts: all that the same of them need. Where the language has a
+    /// preprocessor, a guard around each part lets excerpts of one edition stand in one unit, whatever they share. Since an
+    /// excerpt has all of a part or nothing, no declaration needs a guard of its own.
     ///
     /// # Errors
     /// [`Error::NoFunction`], or [`Error::Reserved`].
     pub fn excerpt(&self, functions: &[&str], language: Language, edition: Edition) -> Result<String, Error> {
-        let is_declared = |name: &str| {
-            self.items()
-                .any(|item| matches!(&item.kind, ItemKind::Function(function) if function.name == name))
-        };
-        if let Some(unknown) = functions.iter().find(|name| !is_declared(name)) {
-            return Err(Error::NoFunction((*unknown).to_owned()));
-        }
-        let needed = self.closure(functions.to_vec(), language, edition);
+        let names: Vec<&str> = self.functions().collect();
+        let user = |name: &str| names.iter().position(|other| *other == name);
+        let asked =
+            functions.iter().map(|name| user(name).ok_or_else(|| Error::NoFunction((*name).to_owned())));
+        let asked: Vec<usize> = asked.collect::<Result<_, _>>()?;
+        let parts = self.parts(language, edition, names.len(), usize::MAX, user);
+        let needed = parts.iter().filter(|part| asked.iter().any(|user| part.is_for(*user)));
         let mut printer = Printer::new(language, edition, &self.declared);
-        printer.prelude();
-        for file in &self.files {
-            for item in file.items.iter().filter(|item| is_needed(item, &needed)) {
-                printer.excerpted(file, item)?;
-            }
-        }
+        printer.excerpt(&self.files[0], needed)?;
         Ok(printer.finish())
     }
 
@@ -187,32 +192,6 @@ impl Library {
         let mut printer = Printer::new(language, Edition::Plain, &self.declared);
         printer.layout(file);
         Ok(printer.finish())
-    }
-
-    /// The names that these names need, themselves included.
-    fn closure<'a>(
-        &'a self,
-        mut open: Vec<&'a str>,
-        language: Language,
-        edition: Edition,
-    ) -> BTreeSet<&'a str> {
-        let by_name: HashMap<&str, &Item> =
-            self.items().filter_map(|item| Some((item.kind.name()?, item))).collect();
-        let mut needed = BTreeSet::new();
-        while let Some(name) = open.pop() {
-            let Some(item) = by_name.get(name) else { continue };
-            if needed.insert(name) {
-                open.extend(item.kind.names_used(&|condition| language.written().branch(edition, condition)));
-            }
-        }
-        needed
-    }
-}
-
-fn is_needed(item: &Item, needed: &BTreeSet<&str>) -> bool {
-    match &item.kind {
-        ItemKind::Precise(_) | ItemKind::Precision(_) => true,
-        kind => kind.name().is_some_and(|name| needed.contains(name)),
     }
 }
 

@@ -388,21 +388,24 @@ fn add_variables<'a>(statements: &'a [Statement], names: &mut Vec<&'a str>) {
     });
 }
 
-/// Indices of families, and first their number: parts that more families need come before those that fewer need.
-pub type Families = (Reverse<usize>, Vec<usize>);
+/// The number of users of a part, and which they are. Parts that more users need come first, since others may need them.
+pub type Users = Reverse<(usize, Vec<bool>)>;
 
-/// Declarations that the same families need.
+/// Declarations that the same users need: families, or functions.
 pub struct Part<'a> {
-    /// Indices of these families. Parts that more families need come first, since others may need them.
-    pub families: Families,
+    pub users: Users,
     pub items: Vec<(&'a File, &'a Item)>,
 }
 
 impl Part<'_> {
-    /// The macro that keeps it from being declared twice; none for what one family alone needs.
-    pub fn guard(&self) -> Option<String> {
+    /// True where this user needs it.
+    pub fn is_for(&self, user: usize) -> bool {
+        self.users.0.1.get(user) == Some(&true)
+    }
+
+    /// The macro with this prefix that keeps it from being declared twice.
+    pub fn guard(&self, prefix: &str) -> Option<String> {
         let name = self.items.first()?.1.kind.name()?.to_uppercase();
-        let is_shared = self.families.1.len() > 1;
-        is_shared.then(|| format!("UNITVEC_HAS_{}", name.trim_start_matches("UNITVEC_")))
+        Some(format!("{prefix}{}", name.trim_start_matches("UNITVEC_")))
     }
 }

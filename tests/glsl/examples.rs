@@ -2,7 +2,7 @@
 
 use super::versions::assert_valid;
 use crate::docs::formats;
-use unitvec_tests::repository;
+use unitvec_tests::{glsl_families, repository};
 
 /// The blocks of GLSL in a Markdown file.
 fn blocks(file: &str) -> Vec<String> {
@@ -11,10 +11,17 @@ fn blocks(file: &str) -> Vec<String> {
     starts.map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
 }
 
-/// Fails unless glslangValidator, called as README says, accepts a shader.
+/// Fails unless glslangValidator, called as README says, accepts a shader with the files that it includes, and with those of
+/// `glsl/flat/` pasted in their place.
 fn assert_compiles(what: &str, stage: &str, shader: &str) {
     let folder = format!("-I{}", repository().join("glsl").display());
-    assert_valid(what, shader, &["-V", &folder, "-S", stage, "-o", "/dev/null"]);
+    let pasted = glsl_families().into_iter().fold(shader.to_owned(), |text, file| {
+        let flat = std::fs::read_to_string(repository().join("glsl/flat").join(&file)).unwrap();
+        text.replace(&format!("#include \"unitvec/{file}\""), &flat)
+    });
+    for shader in [shader, &pasted] {
+        assert_valid(what, shader, &["-V", &folder, "-S", stage, "-o", "/dev/null"]);
+    }
 }
 
 #[test]
@@ -23,7 +30,7 @@ fn the_readmes_shader_compiles() {
     assert_compiles("README.md", "frag", shader);
 }
 
-/// Fragments of shaders: declarations go before `main`, statements into it.
+/// Fragments of shaders, each with the files that itself includes: declarations go before `main`, statements into it.
 #[test]
 fn the_lines_for_formats_and_dither_compile() {
     for (file, count) in [("docs/formats.md", 8), ("docs/dither.md", 3)] {
@@ -44,8 +51,9 @@ fn the_expressions_for_formats_compile() {
         };
         format!("{{ {value} {read}; }}\n")
     });
+    let files = formats::uses().map(|(_, codec, ..)| format!("#include \"unitvec/{}\"\n", codec.glsl_file()));
     let given = "vec3 normal = vec3(1.0);\nvec4 tangent = vec4(1.0);\n".to_owned();
-    assert_lines_compile("the table of formats", &lines.fold(given, |all, line| all + &line));
+    assert_lines_compile("the table of formats", &files.chain(lines).fold(given, |all, line| all + &line));
 }
 
 /// Direct3D's lines compile as HLSL.
@@ -69,8 +77,7 @@ fn assert_lines_compile(file: &str, block: &str) {
         ("vert", String::new())
     };
     let shader = format!(
-        "#version 450\n#extension GL_GOOGLE_include_directive : require\n#include \"unitvec/unitvec.glsl\"\n\
-         {given}\n{}\nvoid main() {{\n{}\n}}\n",
+        "#version 450\n#extension GL_GOOGLE_include_directive : require\n{given}\n{}\nvoid main() {{\n{}\n}}\n",
         declarations.join("\n"),
         statements.join("\n")
     );

@@ -7,7 +7,7 @@ mod formats;
 mod names;
 mod opengl;
 mod projections;
-mod versions;
+pub mod versions;
 
 use unitvec::arith;
 use unitvec_catalogue::{Domain, frames, vectors};

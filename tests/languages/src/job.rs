@@ -10,14 +10,15 @@ pub struct Job<'a> {
     pub text: String,
 }
 
-/// Whole shaders, one of each case: the output of `unitvec shader` for the codec, or all files, and a kernel.
+/// Whole shaders, one of each case: the output of `unitvec shader` for the function, or all files, and a kernel.
 pub fn jobs(cases: &[Case], language: Language, edition: Edition) -> Result<Vec<Job<'_>>> {
     let head = kernel::head(language).unwrap_or_default();
     let whole = |case: &Case| -> Result<String> {
         let functions = if case.has_all_files {
             whole::text(language, edition)?
         } else {
-            text(&[case.format], language, edition, "unitvec shader").map_err(told)?
+            let function = case.format.function(case.operation);
+            text(&[function], language, edition, "unitvec shader").map_err(told)?
         };
         Ok(format!("{head}{functions}{}", kernel::kernel(language, case.format, case.operation)))
     };

@@ -116,7 +116,10 @@ enum Command {
     #[cfg(feature = "render")]
     #[command(after_help = examples::of("report"))]
     Report(report::Arguments),
-    /// Write the functions of codecs in a shading language, ready to paste, with all that they need.
+    /// Write functions in a shading language, ready to paste, with all that they need.
+    ///
+    /// Texts of one edition may stand in one shader, whatever functions they share: each function counts once. WGSL has no
+    /// preprocessor for this, nor have its modules: write one text with all the functions that you need.
     #[command(after_help = examples::of("shader"))]
     Shader(shader::Arguments),
     /// Show that the backends agree to the bit: cpu, rust, wgsl and, in a build with a GLSL compiler, glsl and hlsl.

@@ -15,21 +15,26 @@ pub struct Arguments {
     /// Language to write; --list says what each is.
     #[arg(long, value_name = "LANGUAGE", required_unless_present = "list", value_parser = languages())]
     language: Option<Language>,
-    /// Codec to write, as `unitvec codecs` lists them; may be given again. All of them if not given.
+    /// Codec to write, both halves of it, as `unitvec codecs` lists them; may be given again. All of them without this and
+    /// --function.
     #[arg(long, value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
+    /// Function to write, as --list names them; may be given again, also beside --codec. Half of a codec is a function:
+    /// oct32_decode.
+    #[arg(long, value_name = "NAME,...", value_delimiter = ',', value_parser = function)]
+    function: Vec<String>,
     /// The exact edition: quotients and roots are put right, and compilers cannot fuse and reorder operations, so that results
     /// are the CPU's. In HLSL the macro UNITVEC_EXACT, defined before the text, makes it exact.
     #[arg(long)]
     exact: bool,
     /// Write a folder, which -o names, with all codecs in a file each family, and the exact edition below it in exact/.
-    #[arg(long, requires = "output", conflicts_with_all = ["codec", "exact"])]
+    #[arg(long, requires = "output", conflicts_with_all = ["codec", "function", "exact"])]
     all: bool,
     /// File to write; - for the standard output, which it is if not given. With --all the folder, which is made.
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// List the languages and the codecs with their functions, and write nothing.
-    #[arg(long, conflicts_with_all = ["language", "codec", "exact", "all", "output"])]
+    /// List the languages and all functions, and write nothing.
+    #[arg(long, conflicts_with_all = ["language", "codec", "function", "exact", "all", "output"])]
     list: bool,
     #[command(flatten)]
     wide: table::Wide,
@@ -37,6 +42,23 @@ pub struct Arguments {
 
 fn languages() -> impl TypedValueParser<Value = Language> {
     PossibleValuesParser::new(Language::ALL.map(Language::id)).try_map(|id| id.parse::<Language>())
+}
+
+/// No function has this name.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("unknown function; similar: {}; `unitvec shader --list` names all", .0.join(", "))]
+struct UnknownFunction(Vec<&'static str>);
+
+/// All functions for users; none where the library cannot be parsed, which tests rule out.
+fn functions() -> impl Iterator<Item = &'static str> {
+    library().into_iter().flat_map(|library| library.functions())
+}
+
+fn function(name: &str) -> Result<String, UnknownFunction> {
+    let mut similar: Vec<&'static str> = functions().collect();
+    similar.sort_by_key(|other| (!other.starts_with(name), strsim::damerau_levenshtein(other, name)));
+    similar.truncate(3);
+    if similar.contains(&name) { Ok(name.to_owned()) } else { Err(UnknownFunction(similar)) }
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
@@ -53,7 +75,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
             "{language} has no exact edition of its own: the macro {EXACT}, defined before the text, makes it exact; leave --exact out"
         )));
     }
-    let text = text(&chosen_formats(&arguments.codec)?, language, edition, &command(arguments, language))?;
+    let mut functions = arguments.function.clone();
+    if functions.is_empty() || !arguments.codec.is_empty() {
+        let formats = chosen_formats(&arguments.codec)?;
+        functions.extend(formats.iter().flat_map(|format| Operation::ALL.map(|half| format.function(half))));
+    }
+    let text = text(&functions, language, edition, &command(arguments, language))?;
     match arguments.output.as_deref() {
         Some(path) if path != Path::new("-") => {
             unitvec_files::write_file(path, text.as_bytes())?;
@@ -81,8 +108,8 @@ fn write_all(language: Language, folder: &Path) -> Result<ExitCode> {
 fn command(arguments: &Arguments, language: Language) -> String {
     let exact = if arguments.exact { " --exact" } else { "" };
     let mut command = format!("unitvec shader --language {}{exact}", language.id());
-    for id in &arguments.codec {
-        command += &format!(" --codec {id}");
+    for (option, names) in [("codec", &arguments.codec), ("function", &arguments.function)] {
+        command.extend(names.iter().map(|name| format!(" --{option} {name}")));
     }
     command
 }
@@ -105,6 +132,12 @@ fn list(columns: Option<usize>) -> String {
         let AnyCodec { id, bits, .. } = format;
         let functions = Operation::ALL.map(|operation| format.function(operation)).join(", ");
         text += &codecs.line(&[&id, &bits, &functions]);
+    }
+    let is_other = |name: &&str| !name.ends_with("_encode") && !name.ends_with("_decode");
+    let mut others: Vec<&str> = functions().filter(is_other).collect();
+    for (group, part) in [("projections", "float32x3"), ("formats", "_to_"), ("dither", "")] {
+        let names: Vec<&str> = others.extract_if(.., |name| name.contains(part)).collect();
+        text += &format!("\n{group}\n{}\n", table::wrapped(&names.join(", "), "", columns.or(Some(120))));
     }
     text + &table::left_out(&[&languages, &codecs])
 }

@@ -1,26 +1,25 @@
-//! The functions of some codecs as one text, ready to paste.
+//! Functions as one text, ready to paste.
 
 use super::{Edition, Error, Language, library};
 use std::fmt::Write;
-use unitvec_catalogue::{AnyCodec, Operation};
+use unitvec_catalogue::{AnyCodec, CODECS, Operation};
 
-/// The functions of these codecs in a language, and all that they need, below a comment that describes each. `command`
-/// is the command that wrote it.
+/// These functions in a language, and all that they need, below a comment that describes their codecs. `command` is the
+/// command that wrote it.
 ///
 /// # Errors
-/// [`Error::Language`], which tests rule out for the codecs of the catalogue.
+/// [`Error::Language`], which tests rule out for the functions of the library.
 pub fn text(
-    formats: &[&'static AnyCodec],
+    functions: &[String],
     language: Language,
     edition: Edition,
     command: &str,
 ) -> Result<String, Error> {
     let library = library()?;
-    let functions: Vec<String> = formats
-        .iter()
-        .flat_map(|format| Operation::ALL.map(|operation| format.function(operation)))
-        .collect();
     let names: Vec<&str> = functions.iter().map(String::as_str).collect();
+    let is_named =
+        |format: &&AnyCodec| Operation::ALL.iter().any(|half| functions.contains(&format.function(*half)));
+    let formats: Vec<&AnyCodec> = CODECS.iter().filter(is_named).collect();
     let body = library.excerpt(&names, language, edition)?;
 
     let mut layouts: Vec<String> = Vec::new();
@@ -31,14 +30,16 @@ pub fn text(
         }
     }
     let mut head = format!(
-        "// unitvec {}: {} in {language}{}.\n// Written by `{command}`. Licence: {}.\n//\n",
+        "// unitvec {}: functions in {language}{}.\n// Written by `{command}`. Licence: {}.\n",
         env!("CARGO_PKG_VERSION"),
-        if formats.len() == 1 { "a codec" } else { "codecs" },
         if edition == Edition::Exact { ", exact edition" } else { "" },
         env!("CARGO_PKG_LICENSE").replace("OR", "or"),
     );
+    if !formats.is_empty() {
+        head += "//\n";
+    }
     let widest = formats.iter().map(|format| format.id.len()).max().unwrap_or_default();
-    for format in formats {
+    for format in &formats {
         // Writing to a String cannot fail.
         let _ = writeln!(head, "//   {:widest$}  {}", format.id, about(format));
     }
