@@ -65,16 +65,18 @@ pub fn run(
     Ok(())
 }
 
-/// All kernels in one file, each with its own copy of the functions it needs, as people get it.
+/// All kernels in one file, each with the functions it needs, as people get it: what they share counts once. The files of
+/// `shaders/` stand apart.
 fn source(jobs: &[Job<'_>]) -> String {
     let mut text = "#include <metal_stdlib>\n".to_owned();
     let mut table = String::new();
     for job in jobs {
-        let (name, kernel) = (job.case.name(), metal_name(job.case.format, job.case.operation));
+        let name = if job.case.has_all_files { "files" } else { "texts" };
+        let kernel = metal_name(job.case.format, job.case.operation);
         let (read, written) = job.case.words();
         // Writing to a string cannot fail.
-        let _ = write!(text, "\nnamespace {name}_alone {{\n{}\n}}\n", job.text);
-        let _ = writeln!(table, "    {{{name}_alone::{kernel}, {read}, {written}}},");
+        let _ = write!(text, "\nnamespace {name} {{\n{}\n}}\n", job.text);
+        let _ = writeln!(table, "    {{{name}::{kernel}, {read}, {written}}},");
     }
     let kernel = "struct Kernel { void (*run)(const uint*, uint*, const uint&, uint); uint read, written; };";
     format!("{text}\n{kernel}\nconst Kernel KERNELS[] = {{\n{table}}};\n\n#include \"run.h\"\n")
