@@ -13,7 +13,6 @@ mod single;
 mod status;
 
 pub use codec::*;
-pub use codecs::*;
 pub use memory::*;
 pub use single::{Frame, Vec3};
 pub use status::*;
