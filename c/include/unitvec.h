@@ -7,6 +7,8 @@
  *     const unitvec_codec *codec = unitvec_find("oct32p"); arrays, by a codec that is chosen at run time
  *     unitvec_status status = unitvec_encode(codec, normals, count, codes, count * unitvec_codec_bytes(codec));
  *
+ *     unitvec_encode_strided, unitvec_decode_strided       in structs, in arrays of components, of double
+ *
  * All functions may be called from several threads at once. A code is a file format: its bits never change.
  */
 
@@ -17,6 +19,12 @@
 
 #include <stddef.h>
 #include <stdint.h>
+
+/// Numbers of elements are `float`.
+#define UNITVEC_FLOAT32 4
+
+/// Numbers of elements are `double`.
+#define UNITVEC_FLOAT64 8
 
 /// The result of a function for arrays. Unless it is UNITVEC_OK or UNITVEC_ERROR_INTERNAL, nothing was written.
 typedef enum unitvec_status {
@@ -30,14 +38,30 @@ typedef enum unitvec_status {
   UNITVEC_ERROR_SIZE = 3,
   /// The pointer to the elements is not aligned as float is, and there are some.
   UNITVEC_ERROR_ALIGNMENT = 4,
-  /// The elements and the codes overlap.
+  /// What would be written overlaps elements or codes. Strided arrays that overlap as a whole are right only if their
+  /// strides are equal and no values share bytes.
   UNITVEC_ERROR_OVERLAP = 5,
   /// A defect of the library: the output is incomplete. Please report it.
   UNITVEC_ERROR_INTERNAL = 6,
+  /// A stride is less than the bytes of a number or code, or the scalar is unknown.
+  UNITVEC_ERROR_LAYOUT = 7,
 } unitvec_status;
 
 /// A codec, of vectors or of frames: see unitvec_find. It lives as long as the program.
 typedef struct unitvec_codec unitvec_codec;
+
+/// Vectors or frames among other data: in an array of structs, in arrays of components, or in vertex buffers.
+typedef struct unitvec_elements {
+  /// The places of the first element's components, aligned or not: x, y and z; of a frame those of normal and
+  /// tangent, and the handedness. Those that the codec lacks are not used. Encoding reads only.
+  void *components[7];
+  /// Bytes from an element to the next.
+  size_t stride;
+  /// The same for the last four components of frames, where tangents lie apart from normals. 0: as `stride`.
+  size_t tangent_stride;
+  /// UNITVEC_FLOAT32 or UNITVEC_FLOAT64.
+  uint32_t scalar;
+} unitvec_elements;
 
 /// A vector of three floats, laid out as three floats of an array.
 typedef struct unitvec_vec3 {
@@ -118,19 +142,41 @@ enum unitvec_status unitvec_decode(const struct unitvec_codec *codec,
                                    float *elements,
                                    size_t count);
 
-/// unitvec_encode on all cores: the same codes. The threads are started by the first call and stay.
+/// unitvec_encode on all cores: the same codes. The threads are started by the first call and stay; a process that was
+/// forked after it works on the calling thread.
 enum unitvec_status unitvec_encode_parallel(const struct unitvec_codec *codec,
                                             const float *elements,
                                             size_t count,
                                             void *codes,
                                             size_t codes_size);
 
-/// unitvec_decode on all cores: the same elements. The threads are started by the first call and stay.
+/// unitvec_decode on all cores: the same elements, on the threads of unitvec_encode_parallel.
 enum unitvec_status unitvec_decode_parallel(const struct unitvec_codec *codec,
                                             const void *codes,
                                             size_t codes_size,
                                             float *elements,
                                             size_t count);
+
+/// unitvec_encode for elements and codes among other data, also of double: the same codes, each `code_stride` bytes
+/// behind the one before, on the calling thread. A double is rounded to float; a vector of doubles whose direction
+/// floats cannot hold is divided by its largest component first. `without_direction` is NULL, or receives the number of
+/// vectors that have no usable direction and so get the code of +Z: those with a NaN or an infinity, zeros, and floats
+/// of an L1 norm below 2^-64 or from 2^100 on. Of frames only the normals count. There must be `count` elements and
+/// codes, which nothing else writes meanwhile. Codes may lie in fields of the same structs.
+enum unitvec_status unitvec_encode_strided(const struct unitvec_codec *codec,
+                                           const struct unitvec_elements *elements,
+                                           size_t count,
+                                           void *codes,
+                                           size_t code_stride,
+                                           size_t *without_direction);
+
+/// unitvec_decode for codes and elements among other data: the reverse of unitvec_encode_strided. There must be `count`
+/// codes, and room for as many elements, which nothing else uses meanwhile.
+enum unitvec_status unitvec_decode_strided(const struct unitvec_codec *codec,
+                                           const void *codes,
+                                           size_t code_stride,
+                                           const struct unitvec_elements *elements,
+                                           size_t count);
 
 /// The code of a vector by oct8: 8 bits, at most 17.3633 degrees off.
 uint32_t unitvec_oct8_encode(struct unitvec_vec3 vector);

@@ -8,12 +8,13 @@
 
 mod codec;
 mod codecs;
+mod elements;
 mod memory;
 mod single;
 mod status;
 
 pub use codec::*;
-pub use codecs::*;
+pub use elements::{Elements, UNITVEC_FLOAT32, UNITVEC_FLOAT64};
 pub use memory::*;
 pub use single::{Frame, Vec3};
 pub use status::*;

@@ -1,7 +1,10 @@
-//! Single vectors and frames: the functions that `codecs.rs` calls, with the codecs that the catalogue has compiled.
+//! Single vectors and frames: the functions that `codecs.rs` calls.
+//!
+//! They name the codec's type and are inlined with all that they call. So an object file of a codec needs nothing of
+//! Rust's libraries: one call that could panic, as far as the compiler knows, would bring 300 KB of them to a program.
 
-use unitvec::{for_each_codec, for_each_frame};
-use unitvec_catalogue::{frames, vectors};
+use unitvec::codec::RawCode;
+use unitvec::{Codec, FrameCodec};
 
 /// A vector of three floats, laid out as three floats of an array.
 #[repr(C)]
@@ -28,55 +31,36 @@ pub struct Frame {
     pub handedness: f32,
 }
 
-impl Vec3 {
-    fn to_array(self) -> [f32; 3] {
-        [self.x, self.y, self.z]
-    }
+#[inline(always)]
+pub(crate) fn encode<C: Codec>(Vec3 { x, y, z }: Vec3) -> u64 {
+    joined(C::encode([x, y, z]).to_words())
 }
 
-impl From<[f32; 3]> for Vec3 {
-    fn from([x, y, z]: [f32; 3]) -> Self {
-        Self { x, y, z }
-    }
+#[inline(always)]
+pub(crate) fn decode<C: Codec>(code: u64) -> Vec3 {
+    let [x, y, z] = C::decode(C::Code::from_words(words(code)));
+    Vec3 { x, y, z }
 }
 
-/// Codecs by their places in the catalogue, named by their identifiers.
-macro_rules! places {
-    ($name:ident $([$id:ident $($rest:tt)*])*) => {
-        #[derive(Clone, Copy)]
-        #[allow(non_camel_case_types)]
-        pub(crate) enum $name { $($id),* }
-    };
+#[inline(always)]
+pub(crate) fn encode_frame<F: FrameCodec>(Frame { normal: n, tangent: t, handedness }: Frame) -> u64 {
+    let frame = unitvec::Frame::from_array([n.x, n.y, n.z, t.x, t.y, t.z, handedness]);
+    joined(F::encode(frame).to_words())
 }
 
-macro_rules! vectors { ($($rows:tt)*) => { places!(Vectors $($rows)*); }; }
-macro_rules! frames { ($($rows:tt)*) => { places!(Frames $($rows)*); }; }
-for_each_codec!(vectors);
-for_each_frame!(frames);
-
-pub(crate) fn encode(codec: Vectors, vector: Vec3) -> u64 {
-    joined(vectors()[codec as usize].encode_one(vector.to_array()))
-}
-
-pub(crate) fn decode(codec: Vectors, code: u64) -> Vec3 {
-    vectors()[codec as usize].decode_one::<3>(words(code)).into()
-}
-
-pub(crate) fn encode_frame(codec: Frames, frame: Frame) -> u64 {
-    let ([nx, ny, nz], [tx, ty, tz]) = (frame.normal.to_array(), frame.tangent.to_array());
-    joined(frames()[codec as usize].encode_one([nx, ny, nz, tx, ty, tz, frame.handedness]))
-}
-
-pub(crate) fn decode_frame(codec: Frames, code: u64) -> Frame {
-    let [nx, ny, nz, tx, ty, tz, handedness] = frames()[codec as usize].decode_one(words(code));
-    Frame { normal: [nx, ny, nz].into(), tangent: [tx, ty, tz].into(), handedness }
+#[inline(always)]
+pub(crate) fn decode_frame<F: FrameCodec>(code: u64) -> Frame {
+    let unitvec::Frame { normal: n, tangent: t, handedness } = F::decode(F::Code::from_words(words(code)));
+    Frame { normal: Vec3 { x: n.x, y: n.y, z: n.z }, tangent: Vec3 { x: t.x, y: t.y, z: t.z }, handedness }
 }
 
 /// A code as one number, from its two words.
+#[inline(always)]
 fn joined([low, high]: [u32; 2]) -> u64 {
     u64::from(low) | (u64::from(high) << 32)
 }
 
+#[inline(always)]
 fn words(code: u64) -> [u32; 2] {
     [code as u32, (code >> 32) as u32]
 }

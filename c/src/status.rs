@@ -17,14 +17,17 @@ pub enum Status {
     UNITVEC_ERROR_SIZE = 3,
     /// The pointer to the elements is not aligned as float is, and there are some.
     UNITVEC_ERROR_ALIGNMENT = 4,
-    /// The elements and the codes overlap.
+    /// What would be written overlaps elements or codes. Strided arrays that overlap as a whole are right only if their
+    /// strides are equal and no values share bytes.
     UNITVEC_ERROR_OVERLAP = 5,
     /// A defect of the library: the output is incomplete. Please report it.
     UNITVEC_ERROR_INTERNAL = 6,
+    /// A stride is less than the bytes of a number or code, or the scalar is unknown.
+    UNITVEC_ERROR_LAYOUT = 7,
 }
 
 impl Status {
-    const TEXTS: [(Self, &'static CStr); 7] = [
+    const TEXTS: [(Self, &'static CStr); 8] = [
         (Self::UNITVEC_OK, c"success"),
         (
             Self::UNITVEC_ERROR_UNKNOWN_CODEC,
@@ -36,8 +39,12 @@ impl Status {
             c"the size of the codes is not the count of elements times unitvec_codec_bytes",
         ),
         (Self::UNITVEC_ERROR_ALIGNMENT, c"the pointer to the elements is not aligned as float is"),
-        (Self::UNITVEC_ERROR_OVERLAP, c"the elements and the codes overlap"),
+        (Self::UNITVEC_ERROR_OVERLAP, c"elements or codes that would be written overlap others"),
         (Self::UNITVEC_ERROR_INTERNAL, c"internal error of unitvec: please report it"),
+        (
+            Self::UNITVEC_ERROR_LAYOUT,
+            c"a stride is less than the bytes of a number or code, or the scalar is unknown",
+        ),
     ];
 }
 

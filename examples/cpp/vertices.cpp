@@ -40,6 +40,10 @@ public:
         return codes;
     }
 
+    void encode(const unitvec_elements &from, std::size_t count, void *codes, std::size_t stride) const {
+        check(unitvec_encode_strided(codec, &from, count, codes, stride, nullptr));
+    }
+
     template <typename Element> std::vector<Element> decode(const std::vector<unsigned char> &codes) const {
         expect_floats(sizeof(Element) / sizeof(float));
         std::vector<Element> elements(codes.size() / unitvec_codec_bytes(codec));
@@ -79,12 +83,18 @@ std::vector<Vertex> ring(int count) {
 } // namespace
 
 int main() {
-    const std::vector<Vertex> vertices = ring(256);
+    std::vector<Vertex> vertices = ring(256);
 
     std::vector<PackedVertex> packed;
     for (const auto &[position, normal, uv] : vertices) {
-        const std::uint32_t code = unitvec_oct32_encode(normal);
-        packed.push_back({{position[0], position[1], position[2]}, code, {uv[0], uv[1]}});
+        packed.push_back({{position[0], position[1], position[2]}, 0, {uv[0], uv[1]}});
+    }
+    // From one kind of vertices to the other: a pointer to each component of the first normal, and the stride.
+    unitvec_vec3 &first = vertices[0].normal;
+    const unitvec_elements normals = {{&first.x, &first.y, &first.z}, sizeof(Vertex), 0, UNITVEC_FLOAT32};
+    Codec("oct32").encode(normals, vertices.size(), &packed[0].normal, sizeof(PackedVertex));
+    if (packed[9].normal != unitvec_oct32_encode(vertices[9].normal)) {
+        return 1;
     }
     std::printf("%zu vertices: %zu bytes, packed %zu\n", vertices.size(), vertices.size() * sizeof(Vertex),
                 packed.size() * sizeof(PackedVertex));

@@ -1,16 +1,7 @@
 /* Wrong arguments, and what says of a codec. `errors VERSION`. */
-#include <stdio.h>
-#include <stdlib.h>
+#include "expect.h"
 #include <string.h>
 #include <unitvec.h>
-
-#define EXPECT(condition)                                                                                              \
-    do {                                                                                                               \
-        if (!(condition)) {                                                                                            \
-            fprintf(stderr, "%s:%d: %s\n", __FILE__, __LINE__, #condition);                                            \
-            exit(1);                                                                                                   \
-        }                                                                                                              \
-    } while (0)
 
 static float vectors[3 * 5];
 static unsigned char codes[4 * 5];
@@ -95,9 +86,10 @@ static void texts(void) {
         {UNITVEC_ERROR_NULL_POINTER, "the pointer to the elements or to the codes is NULL"},
         {UNITVEC_ERROR_SIZE, "the size of the codes is not"},
         {UNITVEC_ERROR_ALIGNMENT, "the pointer to the elements is not aligned"},
-        {UNITVEC_ERROR_OVERLAP, "the elements and the codes overlap"},
+        {UNITVEC_ERROR_OVERLAP, "elements or codes that would be written overlap"},
         {UNITVEC_ERROR_INTERNAL, "internal error"},
-        {UNITVEC_ERROR_INTERNAL + 1, "not a unitvec_status"},
+        {UNITVEC_ERROR_LAYOUT, "a stride is less"},
+        {UNITVEC_ERROR_LAYOUT + 1, "not a unitvec_status"},
         {UINT32_MAX, "not a unitvec_status"},
     };
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {

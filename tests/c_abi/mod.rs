@@ -4,7 +4,7 @@ mod examples;
 mod program;
 mod text;
 
-use program::{Library, compile};
+use program::{Library, compile, libraries};
 use std::io::Write;
 use std::process::{Command, Stdio};
 use unitvec_catalogue::{AnyCodec, CODECS, Domain};
@@ -25,9 +25,10 @@ fn every_codec_gives_the_cpus_bits() {
     let wrong: Vec<String> = CODECS
         .iter()
         .filter_map(|format| {
-            let (input, expected) = input_and_output(format);
+            let (input, all) = input_and_output(format);
+            let count = all.len() / 3 / (format.bytes + format.element.bytes());
             let mut child = Command::new(&program)
-                .args([format.id, &(expected.codes.len() / format.bytes).to_string()])
+                .args([format.id, &count.to_string()])
                 .stdin(Stdio::piped())
                 .stdout(Stdio::piped())
                 .spawn()
@@ -38,7 +39,6 @@ fn every_codec_gives_the_cpus_bits() {
                 child.wait_with_output().unwrap()
             });
             assert!(output.status.success(), "{} ended with {}", format.id, output.status);
-            let all = expected.all();
             assert_eq!(output.stdout.len(), all.len(), "{}", format.id);
             let differing = output.stdout.iter().zip(&all).filter(|(a, b)| a != b).count();
             (differing > 0).then(|| format!("{}: {differing} bytes of {}", format.id, all.len()))
@@ -47,21 +47,9 @@ fn every_codec_gives_the_cpus_bits() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// The catalogue's results for the inputs of a codec.
-struct Expected {
-    codes: Vec<u8>,
-    decoded: Vec<u8>,
-}
-
-impl Expected {
-    /// The program's output: the results one at a time, of an array, and of an array on all cores.
-    fn all(&self) -> Vec<u8> {
-        [&*self.codes, &*self.decoded].concat().repeat(3)
-    }
-}
-
-/// Elements and as many codes, and their encoded and decoded values.
-fn input_and_output(format: &AnyCodec) -> (Vec<u8>, Expected) {
+/// Elements and as many codes; and what the program writes of them: the catalogue's results one at a time, of an array,
+/// and of an array on all cores.
+fn input_and_output(format: &AnyCodec) -> (Vec<u8>, Vec<u8>) {
     let floats = format.element.floats();
     let random = sampling::random_elements(format.element, Domain::Sphere, 31).take(RANDOM * floats);
     let special = sampling::special_elements(format.element).iter().copied();
@@ -70,21 +58,39 @@ fn input_and_output(format: &AnyCodec) -> (Vec<u8>, Expected) {
     let numbers: Vec<u64> =
         sampling::special_codes().into_iter().chain(sampling::random_codes(32)).take(count).collect();
     let codes = sampling::stored(&numbers, format.bytes);
-    let mut expected =
-        Expected { codes: vec![0; codes.len()], decoded: Vec::with_capacity(4 * elements.len()) };
-    format.encode_cpu(&elements, &mut expected.codes).unwrap();
-    let mut decoded = vec![0.0; elements.len()];
+    let (mut encoded, mut decoded) = (vec![0; codes.len()], vec![0.0; elements.len()]);
+    format.encode_cpu(&elements, &mut encoded).unwrap();
     format.decode_cpu(&codes, &mut decoded).unwrap();
-    expected.decoded.extend(decoded.iter().flat_map(|f| f.to_bits().to_ne_bytes()));
-    let input = elements.iter().flat_map(|f| f.to_bits().to_ne_bytes()).chain(codes).collect();
-    (input, expected)
+    let bytes = |floats: Vec<f32>| floats.into_iter().flat_map(|f| f.to_bits().to_ne_bytes());
+    (
+        bytes(elements).chain(codes).collect(),
+        encoded.into_iter().chain(bytes(decoded)).collect::<Vec<_>>().repeat(3),
+    )
 }
 
-/// Wrong arguments return the error that the header names, write nothing, and never end the program.
+/// Wrong arguments return the error that the header names, write nothing, and never end the program; strided elements
+/// give the codes of arrays; a process that was forked after a parallel call does not hang.
 #[test]
-fn wrong_arguments_give_errors() {
-    let folder = tempfile::tempdir().unwrap();
-    let program = compile(&repository().join("tests/c_abi/errors.c"), folder.path(), Library::Shared);
-    let output = Command::new(program).arg(env!("CARGO_PKG_VERSION")).output().unwrap();
+fn programs_succeed() {
+    for (name, library) in
+        [("errors.c", Library::Shared), ("strided.c", Library::Static), ("fork.c", Library::Static)]
+    {
+        let folder = tempfile::tempdir().unwrap();
+        let program = compile(&repository().join("tests/c_abi").join(name), folder.path(), library);
+        let output = Command::new(program).arg(env!("CARGO_PKG_VERSION")).output().unwrap();
+        assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+/// The CMake package is installed and found, and adds little to a program. Cargo has built the library for these tests.
+#[test]
+#[cfg_attr(not(feature = "glsl"), ignore = "needs CMake: `cargo xtask test` installs it")]
+fn the_cmake_package_works() {
+    let (folder, script) = (tempfile::tempdir().unwrap(), "tests/c_abi/package/test.cmake");
+    let mut cmake = Command::new("cmake");
+    cmake.arg(format!("-DROOT={}", repository().display())).arg(format!("-DBUILT={}", libraries().display()));
+    cmake.args([concat!("-DCARGO=", env!("CARGO")), concat!("-DVERSION=", env!("CARGO_PKG_VERSION"))]);
+    let output = cmake.arg("-P").arg(repository().join(script)).current_dir(&folder).output();
+    let output = output.unwrap_or_else(|error| panic!("cmake cannot be started: {error}"));
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
 }

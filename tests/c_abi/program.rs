@@ -13,7 +13,7 @@ pub enum Library {
 }
 
 /// The folder with the libraries, built first.
-fn libraries() -> &'static Path {
+pub fn libraries() -> &'static Path {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
     PATH.get_or_init(|| program::build(&["--package", "unitvec-c"]))
 }
@@ -31,10 +31,10 @@ pub fn compile(source: &Path, folder: &Path, library: Library) -> PathBuf {
     match library {
         Library::Static => {
             // The libraries that `rustc --print native-static-libs` lists.
-            command.arg(libraries.join("libunitvec_c.a")).args(["-lpthread", "-ldl", "-lm"])
+            command.arg(libraries.join("libunitvec.a")).args(["-lpthread", "-ldl", "-lm"])
         }
         Library::Shared => {
-            command.arg(libraries.join("libunitvec_c.so")).arg(format!("-Wl,-rpath,{}", libraries.display()))
+            command.arg(libraries.join("libunitvec.so")).arg(format!("-Wl,-rpath,{}", libraries.display()))
         }
     };
     let output = command.output().unwrap_or_else(|error| {

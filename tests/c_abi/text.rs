@@ -31,12 +31,12 @@ fn unsafe_code_is_in_one_module() {
 
 /// The functions of every codec. They are written out, since cbindgen does not expand macros.
 fn codecs() -> String {
-    let mut text = "//! The functions of every codec of the list. Generated: `cargo xtask renew c`.\n\n\
-                    use crate::single::{Frame, Frames, Vec3, Vectors, decode, decode_frame, encode, encode_frame};\n"
+    let mut text = "//! The functions of every codec of the list, each codec's an object file. \
+                    Generated: `cargo xtask renew c`.\n"
         .to_owned();
     for codec in &CODECS {
         let element = if codec.element == Element::Vector { VECTOR } else { FRAME };
-        write!(text, "{}", functions(codec.id, codec.bits, &about(codec), element)).unwrap();
+        write!(text, "{}", functions(codec, &about(codec), element)).unwrap();
     }
     text
 }
@@ -54,29 +54,33 @@ fn about(codec: &AnyCodec) -> String {
 struct Names {
     element: &'static str,
     r#type: &'static str,
-    list: &'static str,
     suffix: &'static str,
 }
 
-const VECTOR: Names = Names { element: "vector", r#type: "Vec3", list: "Vectors", suffix: "" };
-const FRAME: Names = Names { element: "frame", r#type: "Frame", list: "Frames", suffix: "_frame" };
+const VECTOR: Names = Names { element: "vector", r#type: "Vec3", suffix: "" };
+const FRAME: Names = Names { element: "frame", r#type: "Frame", suffix: "_frame" };
 
-fn functions(id: &str, bits: u32, about: &str, names: Names) -> String {
-    let Names { element, r#type, list, suffix } = names;
+fn functions(codec: &AnyCodec, about: &str, names: Names) -> String {
+    let AnyCodec { id, rust_type, bits, .. } = codec;
+    let Names { element, r#type, suffix } = names;
     let (code, narrow, widened) =
-        if bits > 32 { ("u64", "", "code") } else { ("u32", " as u32", "code.into()") };
+        if *bits > 32 { ("u64", "", "code") } else { ("u32", " as u32", "code.into()") };
     format!(
         "
-/// The code of a {element} by {id}: {bits} bits, {about}.
-#[unsafe(no_mangle)]
-pub extern \"C\" fn unitvec_{id}_encode({element}: {type}) -> {code} {{
-    encode{suffix}({list}::{id}, {element}){narrow}
-}}
+mod {id} {{
+    use crate::single::{{{type}, decode{suffix}, encode{suffix}}};
 
-/// The {element} of a code of {id}. Higher bits are ignored.
-#[unsafe(no_mangle)]
-pub extern \"C\" fn unitvec_{id}_decode(code: {code}) -> {type} {{
-    decode{suffix}({list}::{id}, {widened})
+    /// The code of a {element} by {id}: {bits} bits, {about}.
+    #[unsafe(no_mangle)]
+    pub extern \"C\" fn unitvec_{id}_encode({element}: {type}) -> {code} {{
+        encode{suffix}::<unitvec::{rust_type}>({element}){narrow}
+    }}
+
+    /// The {element} of a code of {id}. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern \"C\" fn unitvec_{id}_decode(code: {code}) -> {type} {{
+        decode{suffix}::<unitvec::{rust_type}>({widened})
+    }}
 }}
 "
     )

@@ -25,6 +25,8 @@ const TO_RUN: Packages = &[
     ("mesa-vulkan-drivers", "lavapipe, Vulkan on the CPU"),
     ("vulkan-validationlayers", "Vulkan validation in tests"),
     ("glslang-tools", "GLSL ES validation in tests"),
+    ("cmake", "the CMake package of the C library in tests"),
+    ("make", "building with CMake in tests"),
     ("libegl1", "OpenGL without a window in tests"),
     ("libgl1-mesa-dri", "llvmpipe, OpenGL on the CPU, in tests"),
     ("python3", "clients of the kernels and of OpenGL in tests"),

@@ -7,7 +7,7 @@ use std::error::Error;
 use std::path::Path;
 
 /// The files of `c/src` that have exported functions, in the order of the header.
-const FILES: [&str; 5] = ["single", "status", "codec", "memory", "codecs"];
+const FILES: [&str; 6] = ["single", "status", "codec", "elements", "memory", "codecs"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let c = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../c");

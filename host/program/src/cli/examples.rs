@@ -5,7 +5,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("encode", "encode --codec oct24p bunny.obj bunny.oct24", "normals of a mesh"),
     ("encode", "encode --codec frame32 bunny.glb bunny.frames", "normals and tangents"),
     ("encode", "encode --codec oct32p normals.npy normals.uvec", "with a header"),
-    ("encode", "encode --codec oct16p a.obj meshes codes", "several, into a folder"),
+    ("encode", "encode --codec oct16p a.obj meshes codes", "into a folder"),
     ("encode", "encode --codec oct16 --dtype f64 in.bin out", "raw doubles"),
     ("encode", "encode --codec oct16 --json - in.f32 out", "counts as JSON"),
     ("decode", "decode --codec oct24p bunny.oct24 normals.f32", "three floats each"),
