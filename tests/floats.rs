@@ -94,6 +94,17 @@ fn other_layouts_are_suspected() {
         let table = run_with_input(["error", "--codec", "oct16", "-"], &data);
         assert!(String::from_utf8_lossy(&table.stdout).contains(words), "{words}");
     }
+    let array = array("<f8", "False", "(100, 3)", &bytes(|c| (c * 0.5 + 0.5).to_le_bytes().into()));
+    for (codec, data, words) in [
+        ("oct16", array, "biased to 0..1"),
+        ("oct16", bytes(|c| ((c * 1e-9) as f32).to_le_bytes().into()), "far from 1"),
+        ("oct16", vec![0; 120], "most of them have no direction"),
+        ("hemioct16", f32s(), "the codec is for z >= 0 only"),
+        ("snorm8x3", bytes(|c| ((c * 7.0) as f32).to_le_bytes().into()), "clamps"),
+    ] {
+        let told = stderr(&run_with_input(["encode", "-q", "--codec", codec, "-", "-"], &data));
+        assert!(told.starts_with("unitvec: warning: -: ") && told.contains(words), "{words}: {told}");
+    }
     let lost = [&f32s()[..120], &[0; 12], &f32s()[..12]].concat();
     let told = stderr(&run_with_input(["encode", "--codec", "oct16", "-", "-"], &lost));
     let expected = "12 vectors, 1 without a direction (stored as +Z; the first is number 10), lengths 1.0000 to 1.0000\n";
@@ -135,6 +146,7 @@ fn codes_with_a_header() {
         ["plain", "a.uvec", "plain.f32", "told.f32", "told.npy"].map(|name| fs::read(at(name)).unwrap());
     assert_eq!(told, expected);
     assert_eq!(npy, array("<f4", "False", "(100, 3)", &expected));
+    std::os::unix::fs::symlink("in.f32", at("linked")).unwrap();
     // The layout, read by itself.
     let length = u64::from_le_bytes(codes[8..16].try_into().unwrap()) as usize;
     let header: Value = serde_json::from_slice(&codes[16..16 + length]).unwrap();
@@ -153,7 +165,13 @@ fn codes_with_a_header() {
         (codes[..codes.len() - 3].to_vec(), "decode b.uvec out", 1, "of 100 codes, and there are 99"),
         (codes.clone(), "encode --codec oct16 b.uvec out", 2, "b.uvec is neither a mesh"),
         (codes.clone(), "decode b.uvec b2.uvec", 2, "has the name of codes"),
-        (plain.clone(), "decode b.uvec out", 2, "does not tell its codec"),
+        (plain.clone(), "decode --codec oct24p b.uvec out", 2, "no header"),
+        (codes.clone(), "decode plain out", 2, "does not tell its codec"),
+        (codes.clone(), "decode --json plain --codec oct24p plain out", 2, "is an input or output"),
+        (codes.clone(), "encode --codec oct16 --json out in.f32 out", 2, "is an input or output"),
+        (codes.clone(), "error --json linked in.f32", 2, "is an input or output"),
+        (codes.clone(), "encode --codec oct16 in.f32 o.bin", 2, "the name of raw floats"),
+        (codes.clone(), "decode --codec oct24p told.npy out", 1, "no codes of 3 bytes"),
     ] {
         fs::write(at("b.uvec"), content).unwrap();
         assert_fails(&mut command(line.split(' ')).current_dir(folder.path()), status, &[words]);
@@ -192,8 +210,13 @@ fn several_files_and_folders() {
     assert_eq!(names, ["a.uvec", "b.uvec", "c.uvec"]);
     said(folder.path(), "decode codes codes");
     assert_eq!(fs::metadata(at("codes/c.f32")).unwrap().len(), 1839 * 12);
+    fs::write(at("meshes/a.glb"), "no mesh").unwrap();
+    let mut some = command("encode --codec oct32 --json all.json meshes/a.glb c.obj codes".split(' '));
+    let output = some.current_dir(folder.path()).output().unwrap();
+    assert!(output.status.code() == Some(1) && stderr(&output).contains("1 of 2 inputs failed"));
+    fs::remove_file(at("meshes/a.glb")).unwrap();
     for (line, words) in [
-        ("encode --codec oct16 c.obj meshes none", "mkdir none"),
+        ("encode --codec oct16 c.obj meshes none", "none is none"),
         ("encode --codec oct16 c.obj c.obj codes", "would both become"),
         ("encode --codec oct16 codes codes", "no file in the folder codes"),
         ("encode --codec oct16 --dtype f64 c.obj out", "leave --dtype out"),

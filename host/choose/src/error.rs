@@ -22,7 +22,10 @@ pub enum Error {
 
 /// Words in the names of other makers' GPUs.
 const MAKERS: [(&str, &[&str]); 6] = [
-    ("NVIDIA", &["nvidia", "geforce", "rtx", "gtx", "quadro"]),
+    (
+        "NVIDIA",
+        &["nvidia", "geforce", "rtx", "gtx", "quadro", "turing", "ampere", "ada", "hopper", "blackwell"],
+    ),
     ("Intel", &["intel", "arc", "iris", "uhd"]),
     ("Apple", &["apple", "m1", "m2", "m3", "m4", "m5"]),
     ("Qualcomm", &["qualcomm", "adreno"]),

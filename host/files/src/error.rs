@@ -57,6 +57,7 @@ fn reason(source: &io::Error) -> String {
     match source.kind() {
         io::ErrorKind::NotFound => "there is no such file; check its name and folder".to_owned(),
         io::ErrorKind::IsADirectory => "it is a folder; name a file in it".to_owned(),
+        io::ErrorKind::UnexpectedEof => "it ends early; is it cut short?".to_owned(),
         io::ErrorKind::Other => source.to_string(),
         _ => format!("{source}; check that it may be read"),
     }

@@ -153,9 +153,7 @@ pub enum MeshError {
         vertex: usize,
     },
     /// A face names a vertex that does not exist.
-    #[error(
-        "a face of {path} uses vertex {index}, and the vertices are 0 to {vertices} exclusive; export the mesh again"
-    )]
+    #[error("a face of {path} uses vertex {index} of {vertices}, counted from 0; export the mesh again")]
     IndexOutOfRange {
         /// The mesh file.
         path: PathBuf,

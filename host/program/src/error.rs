@@ -77,6 +77,14 @@ pub enum Error {
         /// The file's path.
         path: PathBuf,
     },
+    /// Some of several inputs failed, and were told of.
+    #[error("{failed} of {all} inputs failed; the others are written")]
+    Some {
+        /// Number that failed.
+        failed: usize,
+        /// Number of all.
+        all: usize,
+    },
     /// Input that ends within an element.
     #[error(
         "{} ends after {whole} whole {unit} and {left} bytes of another; is it cut short, or of another format?",

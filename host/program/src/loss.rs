@@ -1,5 +1,6 @@
 //! Losses of files' vectors and frames to codecs: the angles between them and the decoded ones.
 
+use crate::raw::Suspicion;
 use crate::stream::{self, Input};
 use crate::{Error, Result};
 use rayon::prelude::*;
@@ -115,7 +116,7 @@ impl Meter {
         backend: &mut dyn Backend,
         input: Input<'_>,
         progress: &mut dyn FnMut(u64),
-    ) -> Result<Option<String>> {
+    ) -> Result<Option<Suspicion>> {
         let (element, parts) = (self.element, parts(self.element));
         let file = input.path.display().to_string();
         let mut tallies = vec![Tally::default(); self.totals.len()];

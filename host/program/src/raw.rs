@@ -1,6 +1,6 @@
 //! Raw floats of any kind, and NumPy's arrays: read as little-endian f32.
 
-use std::fmt::Write as _;
+use std::fmt::{self, Write as _};
 use std::io::{self, Read};
 use std::str::FromStr;
 use unitvec_catalogue::Element;
@@ -111,37 +111,67 @@ pub(crate) fn read_until_full(input: &mut dyn Read, buffer: &mut [u8]) -> io::Re
     Ok(filled)
 }
 
-/// What floats that were taken for f32 seem to be instead, with the remedy: where few vectors have unit length as they
-/// are, and nearly all do otherwise. `is_whole` where these are all floats of the input.
-pub fn suspicion(element: Element, floats: &[f32], is_whole: bool) -> Option<String> {
+/// What floats seem to be instead of unit vectors, with the remedy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Suspicion {
+    /// Raw floats of the kind of this name.
+    Dtype(&'static str),
+    /// Components moved to 0..1.
+    Biased,
+    /// All x, then all y, then all z.
+    Planar,
+    /// Vectors without a negative component, which are biased perhaps.
+    Positive,
+    /// Vectors of lengths far from 1.
+    Far,
+}
+
+impl fmt::Display for Suspicion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Dtype(name) => {
+                return write!(f, "as {name} they would have unit length: is --dtype {name} missing?");
+            }
+            Self::Biased => "as 2 n - 1 they would have unit length: are they biased to 0..1?",
+            Self::Planar => "all x, all y, all z would have unit length: interleave the components",
+            Self::Positive => "no component is negative: are they biased to 0..1?",
+            Self::Far => "most lengths are far from 1: are these unit vectors, and of this kind of floats?",
+        })
+    }
+}
+
+/// What floats seem to be instead of unit vectors: where few have unit length as they are, and nearly all do otherwise.
+/// `is_whole` where these are all floats of the input.
+pub fn suspicion(element: Element, floats: &[f32], is_whole: bool) -> Option<Suspicion> {
     let each = element.floats();
-    let are_unit = |floats: &[f32]| {
+    let most_have = |floats: &[f32], is_it: fn(f64) -> bool| {
         let length = |v: &[f32]| v[..3].iter().map(|c| f64::from(*c).powi(2)).sum::<f64>().sqrt();
         let lengths = floats.chunks_exact(each).map(length).filter(|length| *length != 0.0);
-        let (unit, all) = lengths
-            .fold((0, 0), |(unit, all), length| (unit + usize::from((length - 1.0).abs() < 0.02), all + 1));
-        unit * 10 > all * 9
+        let (are, all) =
+            lengths.fold((0, 0), |(are, all), length| (are + usize::from(is_it(length)), all + 1));
+        are * 10 > all * 9
     };
-    if floats.is_empty() || are_unit(floats) {
+    let are_unit = |floats: &[f32]| most_have(floats, |length| (length - 1.0).abs() < 0.02);
+    if floats.is_empty() || floats.iter().all(|component| *component == 0.0) || are_unit(floats) {
         return None;
     }
     let bytes = to_bytes(floats);
     let other = DTYPES.iter().skip(1).find(|(.., dtype)| are_unit(&dtype.floats(&bytes)));
     if let Some((name, ..)) = other {
-        return Some(format!("as {name} the vectors would have unit length: is --dtype {name} missing?"));
-    }
-    if are_unit(&floats.iter().map(|c| 2.0 * c - 1.0).collect::<Vec<_>>()) {
-        return Some("as 2 n - 1 the vectors would have unit length: are they biased to 0..1?".to_owned());
+        return Some(Suspicion::Dtype(name));
     }
     let count = floats.len() / each;
     let planes = || (0..floats.len()).map(|at| floats[at % each * count + at / each]).collect::<Vec<_>>();
-    if is_whole && count > 1 && are_unit(&planes()) {
-        return Some(
-            "all x, then all y, then all z would have unit length: interleave the components".to_owned(),
-        );
+    let is_unusual = |length: f64| !(0.02..50.0).contains(&length);
+    if are_unit(&floats.iter().map(|c| 2.0 * c - 1.0).collect::<Vec<_>>()) {
+        Some(Suspicion::Biased)
+    } else if is_whole && count > 1 && are_unit(&planes()) {
+        Some(Suspicion::Planar)
+    } else if count > 64 && floats.iter().all(|component| *component >= 0.0) {
+        Some(Suspicion::Positive)
+    } else {
+        most_have(floats, is_unusual).then_some(Suspicion::Far)
     }
-    let is_positive = count > 64 && floats.iter().all(|component| *component >= 0.0);
-    is_positive.then(|| "no component is negative: are they biased to 0..1?".to_owned())
 }
 
 /// The header of a NumPy array: the kind of its numbers, and its shape.
@@ -223,11 +253,12 @@ impl Npy {
     /// # Errors
     /// What is wrong, and what to save instead.
     pub fn codes(&self, bytes: usize) -> io::Result<u64> {
-        let size = self.descr.get(2..).and_then(|size| size.parse().ok()).filter(|size: &usize| *size > 0);
-        match (size, self.descr.starts_with('>')) {
-            (Some(size), false) if bytes % size == 0 => self.count((bytes / size) as u64, "codes"),
+        let size = self.descr.strip_prefix(['<', '|']).and_then(|kind| kind.strip_prefix(['u', 'i']));
+        let size = size.and_then(|size| size.parse().ok()).filter(|size: &usize| *size > 0);
+        match size {
+            Some(size) if bytes % size == 0 => self.count((bytes / size) as u64, "codes"),
             _ => Err(io::Error::other(format!(
-                "its numbers are {}, no codes of {bytes} bytes, little endian: is it of another codec?",
+                "its numbers are {}, no codes of {bytes} bytes in little-endian integers: is it of another codec?",
                 self.descr
             ))),
         }

@@ -1,6 +1,6 @@
 //! Files of vectors or frames, which are little-endian f32, and of codes, converted chunk by chunk.
 
-use crate::raw::{read_until_full, suspicion, swap_if_big_endian};
+use crate::raw::{Suspicion, read_until_full, suspicion, swap_if_big_endian};
 use crate::{Error, Result};
 use std::io::{Read, Write};
 use std::path::Path;
@@ -61,7 +61,7 @@ pub struct Counts {
     /// The least and the greatest length of vectors, or normals of frames, that have a direction.
     pub lengths: Option<[f64; 2]>,
     /// What the floats seem to be instead: see [`suspicion`].
-    pub suspicion: Option<String>,
+    pub suspicion: Option<Suspicion>,
 }
 
 impl Counts {
@@ -185,7 +185,7 @@ pub fn for_each_chunk(
     mut input: Input<'_>,
     element: Element,
     each: &mut dyn FnMut(&[f32], u64) -> Result<()>,
-) -> Result<Option<String>> {
+) -> Result<Option<Suspicion>> {
     let mut elements = vec![0.0; CHUNK * element.floats()];
     let (mut done, mut found) = (0, None);
     loop {

@@ -15,13 +15,13 @@ use unitvec_host::Result;
 pub struct Arguments {
     /// Largest error that is allowed for any direction, in degrees. Codecs of few bytes come first; with --bits alone, those of
     /// the least bound.
-    #[arg(long, value_name = "DEG", value_parser = number_of_degrees, required_unless_present = "bits")]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = number_of_degrees, required_unless_present = "bits")]
     max_error: Option<f64>,
     /// Largest mean error that is allowed, in degrees; besides --max-error or --bits.
-    #[arg(long, value_name = "DEG", value_parser = number_of_degrees)]
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true, value_parser = number_of_degrees)]
     mean_error: Option<f64>,
     /// Most bits of a code.
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     bits: Option<u32>,
     /// Codecs of tangent frames instead of vectors. Of the errors of normal and tangent the greater counts.
     #[arg(long)]
@@ -33,7 +33,7 @@ pub struct Arguments {
     #[arg(long, conflicts_with = "frames")]
     hemisphere: bool,
     /// Weights of encoding and of decoding in the cost: 0,1 for what is encoded once and decoded often.
-    #[arg(long, value_name = "E,D", default_value = "1,1", value_parser = weights)]
+    #[arg(long, value_name = "E,D", allow_hyphen_values = true, default_value = "1,1", value_parser = weights)]
     weights: [f64; 2],
     /// GPU whose costs to choose by, by generation or code name (rdna2, navi21); or lavapipe.
     #[arg(long, value_name = "NAME", default_value = USUAL)]

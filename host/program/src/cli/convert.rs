@@ -10,8 +10,8 @@ use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, find};
 use unitvec_files::{Output, is_same_file};
 use unitvec_host::container::{Hashed, Header};
-use unitvec_host::input::{Elements, Input, Kind};
-use unitvec_host::raw::{Dtype, Npy, to_bytes};
+use unitvec_host::input::{Elements, Input, Kind, RAW_ENDINGS};
+use unitvec_host::raw::{Dtype, Npy, Suspicion, to_bytes};
 use unitvec_host::stream;
 use unitvec_host::stream::{Counts, Named, Sink};
 use unitvec_host::{Error, Result};
@@ -95,7 +95,11 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     let format = find(&arguments.codec)?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
-    arguments.work.each(&pairs, |conversion| {
+    if let Some((_, out)) = pairs.iter().find(|(_, out)| RAW_ENDINGS.iter().any(|raw| has_ending(out, raw))) {
+        let words = format!("{} has the name of raw floats; give the codes another, as .uvec", out.display());
+        return Err(Error::Usage(words));
+    }
+    arguments.work.each(&pairs, &arguments.out, |conversion| {
         let mut elements = Elements::open(conversion.input, format.element, kind)?;
         let header = has_ending(conversion.out, "uvec").then(|| Header::new(format, elements.parts.clone()));
         conversion.begin_array(
@@ -112,7 +116,8 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
             Some(header) => conversion.encode_behind(header, format, &mut elements)?,
         };
         conversion.expect(elements.count, counts.elements)?;
-        counts.suspicion = counts.suspicion.filter(|_| elements.is_guess);
+        let is_told = |found: &Suspicion| elements.is_guess || !matches!(found, Suspicion::Dtype(_));
+        counts.suspicion = counts.suspicion.filter(is_told);
         Ok(Summary::of_encoding(format, counts, elements.parts))
     })
 }
@@ -125,7 +130,7 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
         let words = format!("{} has the name of codes; give the decoded floats another", out.display());
         return Err(Error::Usage(words));
     }
-    arguments.work.each(&pairs, |conversion| {
+    arguments.work.each(&pairs, &arguments.out, |conversion| {
         let path = conversion.input;
         let mut input = Input::open(path)?;
         if input.mesh().is_some() && !arguments.raw {
@@ -135,6 +140,11 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
             )));
         }
         let (header, array) = if arguments.raw { (None, None) } else { (input.header()?, input.array()?) };
+        if header.is_none() && is_container(path) && !arguments.raw {
+            let words =
+                format!("{} has no header of a .uvec file; encode again, or add --raw", path.display());
+            return Err(Error::Usage(words));
+        }
         let format = codec_of(path, named, header.as_ref())?;
         let count = match (&header, array) {
             (Some(header), _) => input.expect(header.count, format.bytes, "codes")?,
@@ -179,6 +189,7 @@ fn codec_of(
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &Normals) -> Result<ExitCode> {
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "f32")?;
+    arguments.summary.spare(&pairs)?;
     let mut done = Vec::new();
     for (path, out) in &pairs {
         let mut output = Output::create_binary(out)?;
@@ -203,7 +214,7 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
         let summary = Summary::of_export(element, counts, parts, filled);
         done.push(arguments.summary.told(summary, [path, out], pairs.len(), to_stdout));
     }
-    arguments.summary.write(done)?;
+    arguments.summary.write(done, &arguments.out)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -230,7 +241,10 @@ fn pairs(
         }
     }
     if !out.is_dir() {
-        let words = format!("several inputs need a folder that exists: mkdir {}", out.display());
+        let words = format!(
+            "several inputs, or a folder, need a folder that exists as OUT; {} is none",
+            out.display()
+        );
         return Err(Error::Usage(words));
     }
     let mut taken = BTreeMap::new();
@@ -249,7 +263,7 @@ fn pairs(
 
 /// Refuses an output that would replace the input, or what is called a mesh: as where OUT was forgotten after `*.obj`.
 fn check_output(input: &Path, out: &Path) -> Result<()> {
-    let is_input = input.is_file() && is_same_file(input, out);
+    let is_input = input != Path::new("-") && input.is_file() && is_same_file(input, out);
     if is_input || is_mesh(out) {
         let what = if is_input { "the input" } else { "the name of a mesh" };
         let message = format!("{} is {what}; give the output another name", out.display());
@@ -263,25 +277,49 @@ type Convert<T> =
     fn(&mut dyn Backend, &AnyCodec, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
 impl Work {
-    /// Converts each input to its output.
+    /// Converts each input to its output. One of several that fails does not stop the others.
     fn each(
         &self,
         pairs: &[(PathBuf, PathBuf)],
+        out: &Path,
         convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
     ) -> Result<ExitCode> {
+        self.summary.spare(pairs)?;
         let mut open = OpenBackend::open(self.backend, &self.vulkan)?;
-        let mut done = Vec::new();
+        let (mut done, mut failed) = (Vec::new(), 0);
         for (input, out) in pairs {
-            let output = Output::create_binary(out)?;
-            let to_stdout = output.is_stdout();
-            let backend = open.backend.as_mut();
-            let mut conversion = Conversion { input, out, output: Hashed::new(output, false), backend };
-            let summary = convert(&mut conversion)?;
-            conversion.output.stream.finish()?;
-            done.push(self.summary.told(summary, [input, out], pairs.len(), to_stdout));
+            match self.one(input, out, open.backend.as_mut(), &convert) {
+                Ok((summary, to_stdout)) => {
+                    done.push(self.summary.told(summary, [input, out], pairs.len(), to_stdout));
+                }
+                Err(error) if pairs.len() == 1 => return Err(error),
+                Err(error) => {
+                    failed += 1;
+                    // Where the standard error is closed, the exit status has to do.
+                    let _ = writeln!(io::stderr(), "unitvec: {error}");
+                }
+            }
         }
-        self.summary.write(done)?;
-        Ok(open.close())
+        self.summary.write(done, out)?;
+        match failed {
+            0 => Ok(open.close()),
+            _ => Err(Error::Some { failed, all: pairs.len() }),
+        }
+    }
+
+    fn one(
+        &self,
+        input: &Path,
+        out: &Path,
+        backend: &mut dyn Backend,
+        convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
+    ) -> Result<(Summary, bool)> {
+        let output = Hashed::new(Output::create_binary(out)?, false);
+        let mut conversion = Conversion { input, out, output, backend };
+        let summary = convert(&mut conversion)?;
+        let to_stdout = conversion.output.stream.is_stdout();
+        conversion.output.stream.finish()?;
+        Ok((summary, to_stdout))
     }
 }
 

@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_host::input::{Elements, Kind};
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
-use unitvec_host::raw::Dtype;
+use unitvec_host::raw::{Dtype, Suspicion};
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
 use unitvec_mesh::FileFormat;
@@ -50,6 +50,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     }
     // What is missing is told before minutes of measuring.
     let files = files_of(&arguments.file, |path| FileFormat::of_ending(path).is_some())?;
+    arguments.json.spare(&files)?;
     files.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
     let work = Some(files.len() as u64);
@@ -66,7 +67,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         let suspicion = meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
             live.name(format!("{}: {done} {unit}", path.display()));
         })?;
-        let suspicion = suspicion.filter(|_| is_guess);
+        let suspicion = suspicion.filter(|found| is_guess || !matches!(found, Suspicion::Dtype(_)));
         warnings.extend(suspicion.map(|words| format!("{}: {words}", path.display())));
     }
     live.finish();

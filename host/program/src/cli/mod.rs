@@ -76,8 +76,9 @@ enum Command {
     /// primitives share comes once, at the first of them. --json says where each primitive begins, as does the header of a
     /// .uvec file; where OUT is the standard output, `--json -` goes to the standard error.
     ///
-    /// A vertex without a face to compute its normal from gets +Z. Raw floats that seem to be of another kind (f64, big
-    /// endian, 0..1, all x before all y) are encoded as they are, with a warning.
+    /// A vertex without a face to compute its normal from gets +Z. Vectors that seem to be something else (f64 or big endian
+    /// without --dtype, 0..1, lengths far from 1; of up to a million also all x before all y) are encoded as they are, with a
+    /// warning. With several inputs, one that fails does not stop the others.
     #[command(after_help = examples::of("encode"))]
     Encode(convert::Encode),
     /// Decode codes into raw little-endian f32: three a vector, seven a tangent frame.

@@ -14,8 +14,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
-use unitvec_host::Result;
+use unitvec_files::is_same_file;
 use unitvec_host::input::RAW_ENDINGS;
+use unitvec_host::{Error, Result};
 use unitvec_mesh::FileFormat;
 use unitvec_vulkan::{Device, DeviceInfo};
 
@@ -32,13 +33,26 @@ pub struct Json {
 fn not_an_input(path: PathBuf) -> Result<PathBuf, String> {
     let is_raw = |ending: &str| RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending));
     let ending = path.extension().and_then(|ending| ending.to_str());
-    if FileFormat::of_ending(&path).is_some() || ending.is_some_and(is_raw) {
+    let is_data = ending.is_some_and(|ending| is_raw(ending) || ["npy", "uvec"].contains(&ending));
+    if FileFormat::of_ending(&path).is_some() || is_data {
         return Err("it has the name of an input; give a file.json, or - for the standard output".to_owned());
     }
     Ok(path)
 }
 
 impl Json {
+    /// Fails where the JSON would replace one of these files.
+    pub fn spare<'a>(&self, files: impl IntoIterator<Item = &'a PathBuf>) -> Result<()> {
+        let Some(json) = self.json.as_deref().filter(|path| *path != Path::new("-")) else { return Ok(()) };
+        match files.into_iter().any(|file| file == json || is_same_file(file, json)) {
+            true => Err(Error::Usage(format!(
+                "{} is an input or output; give the JSON another name",
+                json.display()
+            ))),
+            false => Ok(()),
+        }
+    }
+
     /// True where the JSON goes to the standard output.
     pub fn is_to_stdout(&self) -> bool {
         self.json.as_deref() == Some(Path::new("-"))
@@ -79,7 +93,7 @@ impl Outputs {
     pub fn take_stdout(&self, json: &Json) -> Result<bool> {
         let is_csv = self.csv.as_deref() == Some(Path::new("-"));
         if json.is_to_stdout() && is_csv {
-            return Err(unitvec_host::Error::Usage(
+            return Err(Error::Usage(
                 "--json - and --csv - cannot share the standard output; give one a file".to_owned(),
             ));
         }

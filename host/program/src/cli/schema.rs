@@ -20,9 +20,9 @@ type Described = (&'static str, fn() -> Schema);
 
 const SCHEMAS: &[Described] = &[
     ("codecs", of::<Vec<AnyCodec>>),
-    ("encode", of::<summary::Report>),
-    ("decode", of::<summary::Report>),
-    ("normals", of::<summary::Report>),
+    ("encode", of::<summary::Reports>),
+    ("decode", of::<summary::Reports>),
+    ("normals", of::<summary::Reports>),
     ("error", of::<loss::Report>),
     ("choose", of::<choose::Report>),
     #[cfg(feature = "lab")]

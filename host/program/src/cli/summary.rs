@@ -6,7 +6,7 @@ use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use unitvec_catalogue::{AnyCodec, Domain, Element};
 use unitvec_host::Result;
 use unitvec_host::stream::{Counts, keeps_lengths};
@@ -14,7 +14,7 @@ use unitvec_mesh::{Part, mesh_count};
 
 #[derive(Args)]
 pub struct Options {
-    /// Do not print the line of counts to the standard error.
+    /// Do not print the line of counts to the standard error; warnings stay.
     #[arg(long, short)]
     quiet: bool,
     #[command(flatten)]
@@ -22,6 +22,11 @@ pub struct Options {
 }
 
 impl Options {
+    /// Fails where the JSON would replace one of these files.
+    pub fn spare(&self, pairs: &[(PathBuf, PathBuf)]) -> Result<()> {
+        self.json.spare(pairs.iter().flat_map(|(input, out)| [input, out]))
+    }
+
     /// Prints what was read from one file, one of `all`, and written to the other, which is the standard output or not.
     pub fn told(&self, summary: Summary, files: [&Path; 2], all: usize, to_stdout: bool) -> (Report, bool) {
         let [input, output] = files.map(|path| path.display().to_string());
@@ -31,17 +36,18 @@ impl Options {
         if !self.quiet && !self.json.is_to_stdout() {
             let _ = writeln!(stderr, "{name}{}", summary.line());
         }
-        if let Some(words) = summary.warning.as_ref().filter(|_| !self.quiet) {
+        for words in summary.warnings.iter().filter(|_| !self.json.is_to_stdout()) {
             let _ = writeln!(stderr, "unitvec: warning: {input}: {words}");
         }
         (Report { input, output, summary }, to_stdout)
     }
 
-    /// Writes the JSON: of one file, or a list.
-    pub fn write(&self, done: Vec<(Report, bool)>) -> Result<()> {
+    /// Writes the JSON: a list where OUT is a folder.
+    pub fn write(&self, done: Vec<(Report, bool)>, out: &Path) -> Result<()> {
         let to_stdout = done.iter().any(|(_, to_stdout)| *to_stdout);
-        let reports: Vec<_> = done.into_iter().map(|(report, _)| report).collect();
-        let json = if let [report] = &reports[..] { to_json(report) } else { to_json(&reports) };
+        let mut reports: Vec<_> = done.into_iter().map(|(report, _)| report).collect();
+        let one = if out.is_dir() { None } else { reports.pop() };
+        let json = to_json(&one.map_or(Reports::Many(reports), Reports::One));
         if to_stdout && self.json.is_to_stdout() {
             let _ = write!(std::io::stderr(), "{json}");
             return Ok(());
@@ -50,7 +56,17 @@ impl Options {
     }
 }
 
-/// What was converted. Counts that do not apply are absent. A list of these where there are several inputs.
+/// What was converted: of one input, or, where OUT is a folder, of each.
+#[derive(Serialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum Reports {
+    /// One input, and a file.
+    One(Report),
+    /// Inputs whose outputs are in a folder.
+    Many(Vec<Report>),
+}
+
+/// What was converted. Counts that do not apply are absent.
 #[derive(Serialize, schemars::JsonSchema)]
 pub struct Report {
     /// The file that was read; - is the standard input.
@@ -86,9 +102,9 @@ pub struct Summary {
     /// The least and the greatest length of vectors, or normals of frames, that have a direction.
     #[serde(skip_serializing_if = "Option::is_none")]
     lengths: Option<[f64; 2]>,
-    /// What raw floats seem to be instead, and the remedy.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    warning: Option<String>,
+    /// What the floats seem to be instead, and what the codec loses of them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
     /// Vectors with z < 0, which a codec of the hemisphere moved up to z = 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     below_equator: Option<u64>,
@@ -128,7 +144,7 @@ impl Summary {
             tangents_without_direction: None,
             first_tangent_without_direction: None,
             lengths: None,
-            warning: None,
+            warnings: Vec::new(),
             below_equator: None,
             keeps_lengths: None,
             filled: None,
@@ -145,19 +161,28 @@ impl Summary {
             tangents_without_direction: tangents.map(|tangents| tangents.count),
             first_tangent_without_direction: tangents.and_then(|tangents| tangents.first),
             lengths: counts.lengths,
-            warning: counts.suspicion,
+            warnings: counts.suspicion.map(|suspicion| suspicion.to_string()).into_iter().collect(),
             ..Self::new(element, counts.elements)
         }
     }
 
     /// The summary of `unitvec encode`.
     pub fn of_encoding(format: &AnyCodec, counts: Counts, parts: Option<Vec<Part>>) -> Self {
+        let is_clamped = keeps_lengths(format) && counts.lengths.is_some_and(|[_, most]| most > 1.01);
+        let lost = [
+            (2 * counts.no_direction.count > counts.elements, "most of them have no direction"),
+            (counts.below > 0, "the codec is for z >= 0 only: take one for all directions, such as oct32p"),
+            (is_clamped, "the codec clamps components to 1: normalise the vectors first"),
+        ];
+        let lost = lost.into_iter().filter(|(is_lost, _)| *is_lost).map(|(_, words)| words.to_owned());
+        let mut summary = Self::of_elements(format.element, counts.clone());
+        summary.warnings.extend(lost);
         Self {
             codec: Some(format.id),
             below_equator: (format.domain == Domain::Hemisphere).then_some(counts.below),
             keeps_lengths: Some(keeps_lengths(format)),
             mesh: parts.map(MeshSummary::from),
-            ..Self::of_elements(format.element, counts)
+            ..summary
         }
     }
 
