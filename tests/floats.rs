@@ -174,7 +174,7 @@ fn codes_with_a_header() {
         (codes.clone(), "decode --codec oct24p told.npy out", 1, "no codes of 3 bytes"),
     ] {
         fs::write(at("b.uvec"), content).unwrap();
-        assert_fails(&mut command(line.split(' ')).current_dir(folder.path()), status, &[words]);
+        assert_fails(command(line.split(' ')).current_dir(folder.path()), status, &[words]);
         assert!(!at("out").exists(), "{line}");
     }
     // Codes as arrays: one integer each, or bytes where no integer has so many.
@@ -221,7 +221,7 @@ fn several_files_and_folders() {
         ("encode --codec oct16 codes codes", "no file in the folder codes"),
         ("encode --codec oct16 --dtype f64 c.obj out", "leave --dtype out"),
     ] {
-        assert_fails(&mut command(line.split(' ')).current_dir(folder.path()), 2, &[words]);
+        assert_fails(command(line.split(' ')).current_dir(folder.path()), 2, &[words]);
     }
 }
 

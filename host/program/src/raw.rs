@@ -256,7 +256,7 @@ impl Npy {
         let size = self.descr.strip_prefix(['<', '|']).and_then(|kind| kind.strip_prefix(['u', 'i']));
         let size = size.and_then(|size| size.parse().ok()).filter(|size: &usize| *size > 0);
         match size {
-            Some(size) if bytes % size == 0 => self.count((bytes / size) as u64, "codes"),
+            Some(size) if bytes.is_multiple_of(size) => self.count((bytes / size) as u64, "codes"),
             _ => Err(io::Error::other(format!(
                 "its numbers are {}, no codes of {bytes} bytes in little-endian integers: is it of another codec?",
                 self.descr

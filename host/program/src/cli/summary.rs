@@ -47,7 +47,7 @@ impl Options {
         let to_stdout = done.iter().any(|(_, to_stdout)| *to_stdout);
         let mut reports: Vec<_> = done.into_iter().map(|(report, _)| report).collect();
         let one = if out.is_dir() { None } else { reports.pop() };
-        let json = to_json(&one.map_or(Reports::Many(reports), Reports::One));
+        let json = to_json(&one.map_or(Reports::Many(reports), |one| Reports::One(Box::new(one))));
         if to_stdout && self.json.is_to_stdout() {
             let _ = write!(std::io::stderr(), "{json}");
             return Ok(());
@@ -61,7 +61,7 @@ impl Options {
 #[serde(untagged)]
 pub enum Reports {
     /// One input, and a file.
-    One(Report),
+    One(Box<Report>),
     /// Inputs whose outputs are in a folder.
     Many(Vec<Report>),
 }
