@@ -19,6 +19,7 @@ const ATTRIBUTE: &str = "vertex shader, attribute";
 pub struct Format {
     pub raw: ImageFormat,
     /// The types of what is written and of what is read, and of the texture.
+    #[cfg_attr(not(feature = "glsl"), allow(dead_code))]
     types: [&'static str; 3],
     /// Expressions of `n` and of `x` that cost nothing.
     idle: [&'static str; 2],
