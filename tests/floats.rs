@@ -168,7 +168,7 @@ fn codes_with_a_header() {
         (plain.clone(), "decode --codec oct24p b.uvec out", 2, "no header"),
         (codes.clone(), "decode plain out", 2, "does not tell its codec"),
         (codes.clone(), "decode --json plain --codec oct24p plain out", 2, "is an input or output"),
-        (codes.clone(), "encode --codec oct16 --json out in.f32 out", 2, "is an input or output"),
+        (codes.clone(), "encode --codec oct16 --json ./out in.f32 out", 2, "is an input or output"),
         (codes.clone(), "error --json linked in.f32", 2, "is an input or output"),
         (codes.clone(), "encode --codec oct16 in.f32 o.bin", 2, "the name of raw floats"),
         (codes.clone(), "decode --codec oct24p told.npy out", 1, "no codes of 3 bytes"),

@@ -44,7 +44,10 @@ impl Json {
     /// Fails where the JSON would replace one of these files.
     pub fn spare<'a>(&self, files: impl IntoIterator<Item = &'a PathBuf>) -> Result<()> {
         let Some(json) = self.json.as_deref().filter(|path| *path != Path::new("-")) else { return Ok(()) };
-        match files.into_iter().any(|file| file == json || is_same_file(file, json)) {
+        // Outputs that do not exist yet are compared by their names.
+        let absolute = |path: &Path| std::path::absolute(path).ok();
+        let is_json = |file: &Path| absolute(file) == absolute(json) || is_same_file(file, json);
+        match files.into_iter().any(|file| is_json(file)) {
             true => Err(Error::Usage(format!(
                 "{} is an input or output; give the JSON another name",
                 json.display()
