@@ -104,7 +104,3 @@ pub fn replace_module(folder: &Path, file: &str, bytes: &[u8]) {
 #[cfg(doctest)]
 #[doc = include_str!("../../README.md")]
 struct Readme;
-
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-struct Readme;
