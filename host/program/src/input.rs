@@ -12,6 +12,12 @@ use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part};
 /// Endings of files that hold raw floats.
 pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
 
+/// True for a path with one of these endings, in upper or lower case.
+pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
+    let own = path.extension().unwrap_or_default();
+    endings.iter().any(|ending| own.eq_ignore_ascii_case(ending))
+}
+
 /// A file or stream that was opened to be read.
 pub struct Input {
     path: PathBuf,
@@ -51,8 +57,7 @@ impl Input {
 
     /// True where raw floats can be expected: one of [`RAW_ENDINGS`], the standard input, a pipe or a device.
     pub fn is_raw(&self) -> bool {
-        let ending = self.path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
-        self.length.is_none() || RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending))
+        self.length.is_none() || has_ending(&self.path, &RAW_ENDINGS)
     }
 
     /// The header of a NumPy array, read from the input, if it is one.

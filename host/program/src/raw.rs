@@ -126,6 +126,13 @@ pub enum Suspicion {
     Far,
 }
 
+impl Suspicion {
+    /// True unless the input, which is no guess, tells the kind of its floats.
+    pub fn applies(self, is_guess: bool) -> bool {
+        is_guess || !matches!(self, Self::Dtype(_))
+    }
+}
+
 impl fmt::Display for Suspicion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {

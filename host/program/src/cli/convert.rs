@@ -1,6 +1,6 @@
 use super::run::Live;
 use super::summary::{Options, Summary};
-use super::{OpenBackend, Vulkan, dtype, files_of, write_output};
+use super::{OpenBackend, Vulkan, dtype, files_of, is_mesh, write_output};
 use clap::Args;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -10,13 +10,13 @@ use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, find};
 use unitvec_files::{Output, is_same_file};
 use unitvec_host::container::{Hashed, Header};
-use unitvec_host::input::{Elements, Input, Kind, RAW_ENDINGS};
-use unitvec_host::raw::{Dtype, Npy, Suspicion, to_bytes};
+use unitvec_host::input::{Elements, Input, Kind, RAW_ENDINGS, has_ending};
+use unitvec_host::raw::{Dtype, Npy, to_bytes};
 use unitvec_host::stream;
 use unitvec_host::stream::{Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 use unitvec_mesh as mesh;
-use unitvec_mesh::{FileFormat, Frames};
+use unitvec_mesh::Frames;
 use unitvec_run::backend::{Backend, BackendKind};
 
 #[derive(Args)]
@@ -95,13 +95,14 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     let format = find(&arguments.codec)?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
-    if let Some((_, out)) = pairs.iter().find(|(_, out)| RAW_ENDINGS.iter().any(|raw| has_ending(out, raw))) {
+    if let Some((_, out)) = pairs.iter().find(|(_, out)| has_ending(out, &RAW_ENDINGS)) {
         let words = format!("{} has the name of raw floats; give the codes another, as .uvec", out.display());
         return Err(Error::Usage(words));
     }
     arguments.work.each(&pairs, &arguments.out, |conversion| {
         let mut elements = Elements::open(conversion.input, format.element, kind)?;
-        let header = has_ending(conversion.out, "uvec").then(|| Header::new(format, elements.parts.clone()));
+        let header =
+            has_ending(conversion.out, &["uvec"]).then(|| Header::new(format, elements.parts.clone()));
         conversion.begin_array(
             elements.count,
             match format.bytes {
@@ -116,15 +117,14 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
             Some(header) => conversion.encode_behind(header, format, &mut elements)?,
         };
         conversion.expect(elements.count, counts.elements)?;
-        let is_told = |found: &Suspicion| elements.is_guess || !matches!(found, Suspicion::Dtype(_));
-        counts.suspicion = counts.suspicion.filter(is_told);
+        counts.suspicion = counts.suspicion.filter(|found| found.applies(elements.is_guess));
         Ok(Summary::of_encoding(format, counts, elements.parts))
     })
 }
 
 pub fn decode(arguments: &Decode) -> Result<ExitCode> {
     let named = arguments.codec.as_deref().map(find).transpose()?;
-    let is_container = |path: &Path| has_ending(path, "uvec");
+    let is_container = |path: &Path| has_ending(path, &["uvec"]);
     let pairs = pairs(&arguments.r#in, &arguments.out, is_container, "f32")?;
     if let Some((_, out)) = pairs.iter().find(|(_, out)| is_container(out)) {
         let words = format!("{} has the name of codes; give the decoded floats another", out.display());
@@ -206,7 +206,7 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
             (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled)
         };
         let to_stdout = output.is_stdout();
-        if has_ending(out, "npy") {
+        if has_ending(out, &["npy"]) {
             let header = Npy::new("<f4", counts.elements, element.floats()).to_bytes();
             output.write_all(&header).map_err(|source| unitvec_files::Error::writing(out, source))?;
         }
@@ -216,14 +216,6 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
     }
     arguments.summary.write(done, &arguments.out)?;
     Ok(ExitCode::SUCCESS)
-}
-
-fn is_mesh(path: &Path) -> bool {
-    FileFormat::of_ending(path).is_some()
-}
-
-fn has_ending(path: &Path, ending: &str) -> bool {
-    path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending))
 }
 
 /// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT.
@@ -340,7 +332,7 @@ impl Conversion<'_> {
     /// Begins a NumPy array, where the output is one: of so many elements, of this kind and number each.
     fn begin_array(&mut self, count: Option<u64>, (descr, each): (&str, usize)) -> Result<()> {
         match count {
-            _ if !has_ending(self.out, "npy") => Ok(()),
+            _ if !has_ending(self.out, &["npy"]) => Ok(()),
             Some(count) => self.write(&Npy::new(descr, count, each).to_bytes()),
             None => Err(Error::Usage(
                 "a .npy file begins with its length, which a stream does not tell; read a file, or write another"

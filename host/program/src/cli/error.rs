@@ -1,6 +1,6 @@
 use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, chosen_formats, degrees, dtype, files_of};
+use super::{OpenBackend, Vulkan, chosen_formats, degrees, dtype, files_of, is_mesh};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -8,10 +8,9 @@ use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_host::input::{Elements, Kind};
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
-use unitvec_host::raw::{Dtype, Suspicion};
+use unitvec_host::raw::Dtype;
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
-use unitvec_mesh::FileFormat;
 use unitvec_run::backend::BackendKind;
 
 #[derive(Args)]
@@ -49,7 +48,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         return Err(Error::Usage("- can be read once; name it once".to_owned()));
     }
     // What is missing is told before minutes of measuring.
-    let files = files_of(&arguments.file, |path| FileFormat::of_ending(path).is_some())?;
+    let files = files_of(&arguments.file, is_mesh)?;
     arguments.json.spare(&files)?;
     files.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
@@ -67,7 +66,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         let suspicion = meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
             live.name(format!("{}: {done} {unit}", path.display()));
         })?;
-        let suspicion = suspicion.filter(|found| is_guess || !matches!(found, Suspicion::Dtype(_)));
+        let suspicion = suspicion.filter(|found| found.applies(is_guess));
         warnings.extend(suspicion.map(|words| format!("{}: {words}", path.display())));
     }
     live.finish();

@@ -43,6 +43,7 @@ use unitvec_host::{Error, Result};
 #[cfg(feature = "lab")]
 use unitvec_lab::imprecise::Gpus;
 use unitvec_manifest::modules::Modules;
+use unitvec_mesh::FileFormat;
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
 use unitvec_run::conform::Backends;
 use unitvec_run::glsl;
@@ -348,6 +349,10 @@ fn status_after_validation(messages: &[String]) -> ExitCode {
         let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
     }
     if messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn is_mesh(path: &Path) -> bool {
+    FileFormat::of_ending(path).is_some()
 }
 
 /// The files, and in place of folders those in them, and in folders below them, that are wanted.

@@ -1,7 +1,7 @@
 //! Options and output that the runs over codecs share.
 
 use super::table::{Column, Layout, Wide, left_out, wrapped};
-use super::{Vulkan, chosen_formats, print, status_after_validation, to_json};
+use super::{Vulkan, chosen_formats, is_mesh, print, status_after_validation, to_json};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -15,9 +15,8 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
 use unitvec_files::is_same_file;
-use unitvec_host::input::RAW_ENDINGS;
+use unitvec_host::input::{RAW_ENDINGS, has_ending};
 use unitvec_host::{Error, Result};
-use unitvec_mesh::FileFormat;
 use unitvec_vulkan::{Device, DeviceInfo};
 
 /// The option `--json`, which all commands with a result have.
@@ -31,10 +30,7 @@ pub struct Json {
 
 /// Refuses the name of a mesh or of raw floats: with FILE forgotten, it would be an input's, which the JSON would replace.
 fn not_an_input(path: PathBuf) -> Result<PathBuf, String> {
-    let is_raw = |ending: &str| RAW_ENDINGS.iter().any(|raw| raw.eq_ignore_ascii_case(ending));
-    let ending = path.extension().and_then(|ending| ending.to_str());
-    let is_data = ending.is_some_and(|ending| is_raw(ending) || ["npy", "uvec"].contains(&ending));
-    if FileFormat::of_ending(&path).is_some() || is_data {
+    if is_mesh(&path) || has_ending(&path, &RAW_ENDINGS) || has_ending(&path, &["npy", "uvec"]) {
         return Err("it has the name of an input; give a file.json, or - for the standard output".to_owned());
     }
     Ok(path)
