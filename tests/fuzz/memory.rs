@@ -7,7 +7,7 @@ use super::{FIXED, ZEROS, seeds};
 use base64::Engine;
 use std::path::Path;
 use unitvec_mesh as mesh;
-use unitvec_mesh::FileFormat;
+use unitvec_mesh::{FileFormat, Reach};
 
 /// The size of which four times is allowed: compact files hold vectors in fewer bytes than f32 take.
 pub fn size(file: usize, vectors: usize) -> usize {
@@ -33,7 +33,7 @@ fn peak(path: &Path, bytes: &[u8], expected: Option<usize>) -> usize {
     let mut read = None;
     let memory = allocation_counter::measure(|| {
         let format = FileFormat::of(path, bytes).unwrap();
-        read = Some(mesh::parse(path, format, bytes).map(|mesh| mesh.normals.len()));
+        read = Some(mesh::parse(path, format, bytes, Reach::Folder).map(|mesh| mesh.normals.len()));
     });
     let vectors = read.as_ref().and_then(|read| read.as_ref().ok().copied());
     assert_eq!(vectors, expected, "{}: {read:?}", path.display());

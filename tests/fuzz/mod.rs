@@ -8,6 +8,7 @@ mod memory;
 mod mutate;
 mod program;
 pub mod seeds;
+mod shapes;
 
 use proptest::test_runner::{Config, RngSeed, TestCaseError, TestError, TestRunner};
 use std::cell::RefCell;
@@ -23,7 +24,7 @@ use unitvec_link as link;
 use unitvec_manifest::modules;
 use unitvec_manifest::modules::Modules;
 use unitvec_mesh as mesh;
-use unitvec_mesh::FileFormat;
+use unitvec_mesh::{FileFormat, Reach};
 use unitvec_run::backend::Cpu;
 use unitvec_vulkan::check_spirv;
 
@@ -47,6 +48,10 @@ struct Target {
 
 /// The memory that a parser takes for any file, however small.
 const FIXED: usize = 1 << 16;
+
+/// Positions and sums of as many vertices, of three bytes each, as a file of the largest size can hold that is refused in the
+/// end: its vectors are not counted.
+const REFUSED: usize = (12 + 24) * (mutate::MOST / 3);
 
 /// The memory that the parser of PLY prepares for a list, whatever the list then holds.
 const LIST: usize = 8 << 16;
@@ -81,10 +86,10 @@ macro_rules! targets {
 }
 
 targets! {
-    obj: OBJ = "a.obj", seeds::obj, read_mesh, 14.0, FIXED;
-    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST;
-    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST;
-    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST;
+    obj: OBJ = "a.obj", seeds::obj, read_mesh, 14.0, FIXED + REFUSED;
+    ply_ascii: PLY_ASCII = "ascii.ply", || seeds::ply(seeds::PLY_FORMATS[0]), read_mesh, 14.0, FIXED + LIST + REFUSED;
+    ply_little_endian: PLY_LITTLE = "little.ply", || seeds::ply(seeds::PLY_FORMATS[1]), read_mesh, 14.0, FIXED + LIST + REFUSED;
+    ply_big_endian: PLY_BIG = "big.ply", || seeds::ply(seeds::PLY_FORMATS[2]), read_mesh, 14.0, FIXED + LIST + REFUSED;
     gltf: GLTF = "a.gltf", seeds::gltf, read_mesh, 14.0, FIXED + ZEROS;
     glb: GLB = "a.glb", seeds::glb, read_mesh, 14.0, FIXED + ZEROS;
     raw: RAW = "a.f32", seeds::raw, encode_raw, 0.5, FIXED + CHUNKS;
@@ -94,6 +99,15 @@ targets! {
     // The manifest lies beside the module.
     module: MODULE = seeds::MODULE_FILE, seeds::module, read_module, 5.0, 2 * FIXED;
     shader: SHADER = "shader.spv", seeds::shader, read_shader, 5.0, FIXED + INSTRUCTIONS;
+}
+
+/// Seconds of the processor for any input, which has 64 kB at most: a thousand times what most of them take.
+const SLOWEST: f64 = 2.0;
+
+/// Seconds that this thread has had of a processor: other programs do not count.
+fn cpu_seconds() -> f64 {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
 }
 
 fn number(variable: &str, default: u64) -> u64 {
@@ -193,11 +207,15 @@ fn keep(target: &Target, input: &[u8]) -> PathBuf {
 
 /// The reason why an input is not read as it should be.
 fn judge(target: &Target, path: &Path, input: &[u8], tally: &mut Tally) -> Result<(), String> {
-    let mut result = Ok(Ok(0));
+    let (mut result, before) = (Ok(Ok(0)), cpu_seconds());
     // Panics are caught inside: the counter of memory does not expect to be left by one.
     let memory = allocation_counter::measure(|| {
         result = catch_unwind(AssertUnwindSafe(|| (target.read)(path, input)));
     });
+    let seconds = cpu_seconds() - before;
+    if seconds > SLOWEST {
+        return Err(format!("it takes {seconds} s"));
+    }
     let result = result.map_err(|_| "it panics".to_owned())?;
     if let Err(message) = &result {
         check_message(message, path)?;
@@ -230,10 +248,10 @@ fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     let Some(format) = FileFormat::of(path, input) else {
         return Err(format!("{} lost its format", path.display()));
     };
-    if let Err(error) = mesh::parse_frames(path, format, input) {
+    if let Err(error) = mesh::parse_frames(path, format, input, Reach::Folder) {
         check_message(&error.to_string(), path)?;
     }
-    let mesh = mesh::parse(path, format, input).map_err(text)?;
+    let mesh = mesh::parse(path, format, input, Reach::Folder).map_err(text)?;
     assert!(mesh.parts.iter().all(|part| part.first + part.count <= mesh.normals.len()));
     Ok(mesh.normals.len())
 }

@@ -57,6 +57,8 @@ enum Mutation {
     BinaryNumber(Index, u32, bool),
     /// Exchanges two words of a text.
     Swap(Index, Index),
+    /// Repeats the objects, lines or words at two places until each fills a part of the largest file.
+    Product([Index; 2]),
 }
 
 fn mutation() -> impl Strategy<Value = Mutation> {
@@ -72,6 +74,7 @@ fn mutation() -> impl Strategy<Value = Mutation> {
         4 => (at(), select(&BINARY_NUMBERS[..]), any::<bool>())
             .prop_map(|(at, number, big)| Mutation::BinaryNumber(at, number, big)),
         2 => (at(), at()).prop_map(|(a, b)| Mutation::Swap(a, b)),
+        1 => [at(), at()].prop_map(Mutation::Product),
     ]
 }
 
@@ -86,10 +89,11 @@ pub fn inputs(seeds: Vec<Vec<u8>>) -> impl Strategy<Value = Vec<u8>> {
     })
 }
 
+/// The largest file that repetition makes: large enough for a count to wrap, small enough to be quick.
+pub const MOST: usize = 1 << 16;
+
 impl Mutation {
     fn apply(&self, bytes: &mut Vec<u8>, seeds: &[Vec<u8>]) {
-        // The largest file that repetition makes: large enough for a count to wrap, small enough to be quick.
-        const MOST: usize = 1 << 16;
         if bytes.is_empty() {
             return;
         }
@@ -126,6 +130,7 @@ impl Mutation {
                 let end = length.min(at + 4);
                 bytes[at..end].copy_from_slice(&number[..end - at]);
             }
+            Self::Product(places) => places.iter().for_each(|at| multiply(bytes, *at)),
             Self::Swap(a, b) => {
                 let is_part = |byte: &u8| byte.is_ascii_graphic() && !b",:{}[]\"".contains(byte);
                 let words = [a, b].map(|at| word(bytes, at.index(length), is_part, is_part));
@@ -140,6 +145,25 @@ impl Mutation {
             }
         }
     }
+}
+
+/// Repeats the unit at a place: the object of JSON around it, with commas; else the line; else, in binary files, 32 bytes.
+fn multiply(bytes: &mut Vec<u8>, at: Index) {
+    let at = at.index(bytes.len());
+    let open = bytes[..=at].iter().rposition(|byte| b"{}".contains(byte)).filter(|open| bytes[*open] == b'{');
+    let close = bytes[at..].iter().position(|byte| b"{}".contains(byte)).map(|close| at + close);
+    let object = open.zip(close).filter(|(_, close)| bytes[*close] == b'}');
+    let line = || {
+        let start = bytes[..at].iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
+        bytes[at..].iter().position(|byte| *byte == b'\n').map(|length| start..at + length + 1)
+    };
+    let (unit, comma) = match object {
+        Some((open, close)) => (open..close + 1, &b","[..]),
+        None => (line().unwrap_or(at..bytes.len().min(at + 32)), &b""[..]),
+    };
+    let copy = [&bytes[unit.clone()], comma].concat();
+    let times = (MOST / 2).saturating_sub(bytes.len() / 2) / copy.len();
+    drop(bytes.splice(unit.start..unit.start, copy.repeat(times)));
 }
 
 fn between(a: Index, b: Index, length: usize) -> Range<usize> {

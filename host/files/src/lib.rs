@@ -12,5 +12,5 @@ mod text;
 pub use error::{Error, Result};
 pub use folder::Folder;
 pub use input::{add_below, open, read_small, read_start};
-pub use output::{Output, forget, is_same_file, remember, remove_unfinished, write_file};
-pub use text::one_line;
+pub use output::{Output, fail_beyond_limits, forget, is_same_file, remember, remove_unfinished, write_file};
+pub use text::{one_line, shown, shown_lines};

@@ -1,10 +1,13 @@
 //! Output files that exist whole or not at all.
 
 use crate::{Error, Result};
-use std::fs::OpenOptions;
+use std::fs::File;
 #[cfg(unix)]
-use std::fs::{File, Metadata};
+use std::fs::Metadata;
+use std::fs::OpenOptions;
 use std::io::{self, IsTerminal, Seek, Write};
+#[cfg(unix)]
+use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
@@ -12,8 +15,8 @@ use tempfile::NamedTempFile;
 /// Names that temporary files and folders were given; those of finished ones are gone.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// A file being written. Until [`finish`](Self::finish) it has a temporary name in the same folder; dropped before
-/// that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
+/// A file being written. Until [`finish`](Self::finish) it has no name or, where the file system has no such files, a
+/// temporary one in the same folder; dropped before that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
 /// directly. Another name of the standard output, such as `/dev/stdout`, is as `-`. A link stays, and the file that it leads to
 /// is replaced.
 pub struct Output {
@@ -25,7 +28,10 @@ pub struct Output {
 }
 
 enum Destination {
-    Temporary(NamedTempFile),
+    /// A file without a name, which ends with the program, however that ends.
+    #[cfg(target_os = "linux")]
+    Unnamed(File),
+    Named(NamedTempFile),
     Direct(Box<dyn Write>),
 }
 
@@ -69,11 +75,9 @@ impl Output {
     /// # Errors
     /// [`Error::Write`].
     pub fn rewrite_start(&mut self, bytes: &[u8]) -> Result<()> {
-        let rewritten = match &mut self.to {
-            Destination::Temporary(file) => file.rewind().and_then(|()| file.write_all(bytes)),
-            Destination::Direct(_) => {
-                Err(io::Error::other("it is no file that can be gone back in; name a file"))
-            }
+        let rewritten = match self.to.file() {
+            Some(file) => file.rewind().and_then(|()| file.write_all(bytes)),
+            None => Err(io::Error::other("it is no file that can be gone back in; name a file")),
         };
         rewritten.map_err(|source| Error::writing(&self.path, source))
     }
@@ -84,33 +88,48 @@ impl Output {
     /// [`Error::Write`]; the file that had the name is still there then.
     pub fn finish(mut self) -> Result<()> {
         let path = self.path.clone();
-        let result = match self.to {
-            Destination::Temporary(ref mut file) => file.as_file().sync_all(),
-            Destination::Direct(ref mut writer) => writer.flush(),
-        };
-        let renamed = match (result, self.to) {
-            (Ok(()), Destination::Temporary(file)) => {
-                file.persist(&self.target).map(drop).map_err(|error| error.error)
+        let whole = self.to.file().map_or(Ok(()), |file| file.sync_all());
+        let finished = whole.and_then(|()| match self.to {
+            #[cfg(target_os = "linux")]
+            Destination::Unnamed(file) => {
+                let named = builder().make_in(folder_of(&self.target), |path| unnamed::link(&file, path))?;
+                named.persist(&self.target).map(drop).map_err(|error| error.error)
             }
-            (result, _) => result,
-        };
-        renamed.map_err(|source| Error::writing(&path, source))
+            Destination::Named(file) => file.persist(&self.target).map(drop).map_err(|error| error.error),
+            Destination::Direct(mut writer) => writer.flush(),
+        });
+        finished.map_err(|source| Error::writing(&path, source))
+    }
+}
+
+impl Destination {
+    /// The file that has its name to come. Its own errors do not tell the temporary name.
+    fn file(&mut self) -> Option<&mut File> {
+        match self {
+            #[cfg(target_os = "linux")]
+            Self::Unnamed(file) => Some(file),
+            Self::Named(file) => Some(file.as_file_mut()),
+            Self::Direct(_) => None,
+        }
+    }
+
+    fn writer(&mut self) -> &mut dyn Write {
+        match self {
+            #[cfg(target_os = "linux")]
+            Self::Unnamed(file) => file,
+            Self::Named(file) => file.as_file_mut(),
+            Self::Direct(writer) => writer,
+        }
     }
 }
 
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        match &mut self.to {
-            Destination::Temporary(file) => file.write(bytes),
-            Destination::Direct(writer) => writer.write(bytes),
-        }
+        self.to.writer().write(bytes)
     }
 
     fn flush(&mut self) -> io::Result<()> {
-        match &mut self.to {
-            Destination::Temporary(file) => file.flush(),
-            Destination::Direct(writer) => writer.flush(),
-        }
+        self.to.writer().flush()
     }
 }
 
@@ -123,15 +142,18 @@ fn target(path: &Path) -> io::Result<PathBuf> {
     Ok(path.canonicalize().unwrap_or_else(|_| path.to_owned()))
 }
 
-/// True where both paths exist and lead to one file, by links of any kind.
-pub fn is_same_file(a: &Path, b: &Path) -> bool {
-    let identities = [a, b].map(identity);
-    identities[0].is_some() && identities[0] == identities[1]
+/// True where what is read and what is written are one file, by links of any kind; `-` is the file that the standard
+/// input, or output, was redirected to.
+pub fn is_same_file(read: &Path, written: &Path) -> bool {
+    let [read, written] = [identity(read, io::stdin()), identity(written, io::stdout())];
+    read.is_some() && read == written
 }
 
+/// The identity of a file, of that behind the stream for `-`.
 #[cfg(unix)]
-fn identity(path: &Path) -> Option<(u64, u64)> {
-    path.metadata().ok().map(|metadata| identity_of(&metadata))
+fn identity(path: &Path, stream: impl AsFd) -> Option<(u64, u64)> {
+    let metadata = if path == Path::new("-") { behind(stream) } else { path.metadata() };
+    metadata.ok().filter(Metadata::is_file).map(|metadata| identity_of(&metadata))
 }
 
 #[cfg(unix)]
@@ -140,8 +162,13 @@ fn identity_of(metadata: &Metadata) -> (u64, u64) {
     (metadata.dev(), metadata.ino())
 }
 
+#[cfg(unix)]
+fn behind(stream: impl AsFd) -> io::Result<Metadata> {
+    File::from(stream.as_fd().try_clone_to_owned()?).metadata()
+}
+
 #[cfg(not(unix))]
-fn identity(path: &Path) -> Option<PathBuf> {
+fn identity<S>(path: &Path, _: S) -> Option<PathBuf> {
     path.canonicalize().ok()
 }
 
@@ -152,9 +179,9 @@ fn is_stdout(path: &Path) -> bool {
 
 #[cfg(unix)]
 fn is_open_as_stdout(path: &Path) -> bool {
-    use std::os::fd::AsFd;
-    let stdout = io::stdout().as_fd().try_clone_to_owned().and_then(|fd| File::from(fd).metadata());
-    stdout.is_ok_and(|stdout| identity(path) == Some(identity_of(&stdout)))
+    let is_it =
+        |stdout: &Metadata| path.metadata().is_ok_and(|data| identity_of(&data) == identity_of(stdout));
+    behind(io::stdout()).is_ok_and(|stdout| is_it(&stdout))
 }
 
 #[cfg(not(unix))]
@@ -178,26 +205,76 @@ fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
     if path.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
     }
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".unitvec-");
-    match path.metadata() {
-        Ok(existing) => {
-            // Rename would replace a file that must not be written to.
-            OpenOptions::new().append(true).open(path)?;
-            builder.permissions(existing.permissions());
-        }
-        Err(_) => plain_permissions(&mut builder),
+    let existing = path.metadata().ok().map(|metadata| metadata.permissions());
+    if existing.is_some() {
+        // Rename would replace a file that must not be written to.
+        OpenOptions::new().append(true).open(path)?;
+    }
+    let folder = folder_of(path);
+    #[cfg(target_os = "linux")]
+    if let Some(file) = unnamed::create(folder, existing.as_ref()) {
+        return Ok((Destination::Unnamed(file), false));
+    }
+    let mut builder = builder();
+    match existing {
+        Some(permissions) => drop(builder.permissions(permissions)),
+        None => plain_permissions(&mut builder),
     }
     // Held until the file is listed, so that an interrupt in between leaves none behind.
     let mut temporary = TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner);
     // The error's own text names the temporary file.
     let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
     temporary.push(file.path().to_owned());
-    Ok((Destination::Temporary(file), false))
+    Ok((Destination::Named(file), false))
+}
+
+fn folder_of(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// A maker of temporary names.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".unitvec-");
+    builder
+}
+
+/// Files that have no name before they are whole.
+#[cfg(target_os = "linux")]
+mod unnamed {
+    use rustix::fs::{AtFlags, CWD, OFlags, linkat};
+    use std::fs::{File, OpenOptions, Permissions};
+    use std::io;
+    use std::os::fd::AsRawFd;
+    use std::os::unix::fs::OpenOptionsExt;
+    use std::path::{Path, PathBuf};
+
+    /// The path by which the kernel shows an open file.
+    fn shown(file: &File) -> PathBuf {
+        format!("/proc/self/fd/{}", file.as_raw_fd()).into()
+    }
+
+    /// Opens a file that is in no folder yet, and can be linked into this one. `None` where the file system has none, or where
+    /// no /proc shows it.
+    pub fn create(folder: &Path, permissions: Option<&Permissions>) -> Option<File> {
+        let mut options = OpenOptions::new();
+        options.read(true).write(true).mode(0o666).custom_flags(OFlags::TMPFILE.bits().cast_signed());
+        let file = options.open(folder).ok()?;
+        permissions.map_or(Ok(()), |permissions| file.set_permissions(permissions.clone())).ok()?;
+        shown(&file).is_symlink().then_some(file)
+    }
+
+    /// Gives a file a name that nothing has.
+    pub fn link(file: &File, path: &Path) -> io::Result<()> {
+        Ok(linkat(CWD, shown(file), CWD, path, AtFlags::SYMLINK_FOLLOW)?)
+    }
+}
+
+/// Makes a write beyond the size that the shell allows for files an error, where it would end the program.
+pub fn fail_beyond_limits() {
+    #[cfg(unix)]
+    // Without it the program ends by the signal, and does no other harm.
+    let _ = signal_hook::flag::register(rustix::process::Signal::XFSZ.as_raw(), Default::default());
 }
 
 /// Takes in a temporary folder, for [`remove_unfinished`].

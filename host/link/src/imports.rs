@@ -5,9 +5,11 @@
 //! remove.
 
 use super::signature::{Signature, Type};
-use super::words::{Instruction, Module, Op, literal};
+use super::words::{Instruction, Module, Op, instructions, literal, push};
 use super::{Error, stubs};
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
+use std::rc::Rc;
 
 const CAPABILITY_LINKAGE: u32 = 5;
 const DECORATION_LINKAGE: u32 = 41;
@@ -17,48 +19,54 @@ const STORAGE_FUNCTION: u32 = 7;
 /// Source languages that tools of 2023 know are below; theirs is of no use to them.
 const SOURCE_LANGUAGES: u32 = 7;
 
-/// The signatures of a module's stubs, by id.
-type Stubs = HashMap<u32, Signature>;
+/// The stubs of a module, in the order of their ids: id, signature, and the type of the function, by id.
+type Stubs = Vec<(u32, Rc<Signature>, u32)>;
 
 /// A module that imports the functions that its stubs stand for, and their names.
-pub fn imports(module: &Module) -> Result<(Module, Vec<String>), Error> {
-    let stubs = find_stubs(module, stubs::VERSION)?;
-    let mut types = Types::of(module);
-    let mut rewritten = module.clone();
-    let mut imported: Vec<(u32, Import)> = Vec::new();
-    let mut ids: Vec<u32> = stubs.keys().copied().collect();
-    ids.sort_unstable();
-    for id in ids {
-        let Some(signature) = stubs.get(&id) else { continue };
-        let stub = declaration(module, id, &types).filter(|stub| stub.is(signature, &types));
-        let stub = stub.ok_or_else(|| Error::WrongTypes { signature: signature.to_string() })?;
-        imported.push((id, Import::new(signature, stub, &mut types, &mut rewritten)));
+pub fn imports(mut module: Module) -> Result<(Module, Vec<String>), Error> {
+    let mut types = Types::of(&module);
+    let (mut imports, mut places, mut by_id) = (Vec::new(), HashMap::new(), HashMap::new());
+    for (id, signature, of_type) in find_stubs(&module, stubs::VERSION)? {
+        // A module of several files can have a copy of the stubs of each.
+        let place = match places.entry((signature.name.clone(), of_type)) {
+            Entry::Occupied(place) => *place.get(),
+            Entry::Vacant(place) => {
+                let stub = declaration(of_type, &types).filter(|stub| stub.is(&signature, &types));
+                let stub = stub.ok_or_else(|| Error::WrongTypes { signature: signature.to_string() })?;
+                imports.push(Import::new(&signature, stub, &mut types, &mut module));
+                *place.insert(imports.len() - 1)
+            }
+        };
+        by_id.insert(id, place);
     }
-    let mut names: Vec<String> = imported.iter().map(|(_, import)| import.name.clone()).collect();
+    let mut names: Vec<String> =
+        imports.iter().map(|import: &Import| import.signature.name.clone()).collect();
     names.sort_unstable();
-    // A module of several files can have a copy of the stubs of each.
     names.dedup();
-    write(&mut rewritten, &imported.into_iter().collect(), types.added);
-    Ok((rewritten, names))
+    write(&mut module, &imports, &by_id, types.added);
+    Ok((module, names))
 }
 
 /// The functions that have the names of stubs, if they are of this version.
 fn find_stubs(module: &Module, version: &str) -> Result<Stubs, Error> {
-    let functions: Vec<u32> = module.all(Op::Function).filter_map(|function| function.word(1)).collect();
-    let known: HashMap<String, Signature> =
-        Signature::all().map(|signature| (signature.name.clone(), signature)).collect();
+    let functions: HashMap<u32, u32> =
+        module.all(Op::Function).filter_map(|function| function.word(1).zip(function.word(3))).collect();
+    let known: HashMap<String, Rc<Signature>> =
+        Signature::all().map(|signature| (signature.name.clone(), Rc::new(signature))).collect();
     let (mut stubs, mut markers) = (Stubs::new(), Vec::new());
     for name in module.all(Op::Name) {
-        let Some(id) = name.word(0).filter(|id| functions.contains(id)) else { continue };
+        let found = name.word(0).and_then(|id| Some((id, *functions.get(&id)?)));
+        let Some((id, of_type)) = found else { continue };
         let text = name.text(1);
         // glslang adds the types of parameters: `unitvec_oct16_encode(vf3;`.
         let text = text.split('(').next().unwrap_or_default();
         if text.starts_with(stubs::MARKER) {
             markers.push(text.to_owned());
         } else if let Some(signature) = known.get(text) {
-            stubs.insert(id, signature.clone());
+            stubs.push((id, signature.clone(), of_type));
         }
     }
+    stubs.sort_by_key(|(id, ..)| *id);
     let own = stubs::marker(version);
     match markers.iter().find(|marker| **marker != own) {
         Some(marker) => {
@@ -88,9 +96,8 @@ impl Declaration {
     }
 }
 
-fn declaration(module: &Module, id: u32, types: &Types) -> Option<Declaration> {
-    let function = module.all(Op::Function).find(|function| function.word(1) == Some(id))?;
-    match types.known.get(&function.word(3)?)? {
+fn declaration(of_type: u32, types: &Types) -> Option<Declaration> {
+    match types.known.get(&of_type)? {
         Known::Function(result, parameters) => {
             Some(Declaration { result: *result, parameters: parameters.clone() })
         }
@@ -99,7 +106,7 @@ fn declaration(module: &Module, id: u32, types: &Types) -> Option<Declaration> {
 }
 
 /// The known facts about a type.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 enum Known {
     Float,
     Uint,
@@ -113,15 +120,18 @@ enum Known {
 /// A module's types, and those that it gets.
 struct Types {
     known: HashMap<u32, Known>,
-    added: Vec<Instruction>,
+    /// The ids of the types of functions.
+    of_functions: HashMap<Known, u32>,
+    /// Instructions.
+    added: Vec<u32>,
     /// The struct of frames, as the library has it.
     frame: Option<u32>,
 }
 
 impl Types {
     fn of(module: &Module) -> Self {
-        let known = module.instructions.iter().filter_map(|instruction| {
-            let [id, rest @ ..] = instruction.operands.as_slice() else { return None };
+        let known = module.instructions().filter_map(|instruction| {
+            let [id, rest @ ..] = instruction.operands else { return None };
             let known = match (instruction.op()?, rest) {
                 (Op::TypeFloat, [32]) => Known::Float,
                 (Op::TypeInt, [32, 0]) => Known::Uint,
@@ -135,7 +145,10 @@ impl Types {
             };
             Some((*id, known))
         });
-        Self { known: known.collect(), added: Vec::new(), frame: None }
+        let known: HashMap<u32, Known> = known.collect();
+        let of_functions = known.iter().filter(|(_, known)| matches!(known, Known::Function(..)));
+        let of_functions = of_functions.map(|(id, known)| (known.clone(), *id)).collect();
+        Self { known, of_functions, added: Vec::new(), frame: None }
     }
 
     fn is(&self, id: u32, of_type: Type) -> bool {
@@ -166,7 +179,7 @@ impl Types {
     fn frame(&mut self, members: [u32; 2], module: &mut Module) -> u32 {
         *self.frame.get_or_insert_with(|| {
             let id = module.fresh();
-            self.added.push(Instruction::new(Op::TypeStruct, [id, members[0], members[1]]));
+            push(&mut self.added, Op::TypeStruct as u32, &[id, members[0], members[1]]);
             id
         })
     }
@@ -174,20 +187,20 @@ impl Types {
     /// The type of functions with these types: there may be only one.
     fn function(&mut self, result: u32, parameters: &[u32], module: &mut Module) -> u32 {
         let wanted = Known::Function(result, parameters.to_vec());
-        if let Some((id, _)) = self.known.iter().find(|(_, known)| **known == wanted) {
+        if let Some(id) = self.of_functions.get(&wanted) {
             return *id;
         }
         let id = module.fresh();
         let operands: Vec<u32> = [id, result].iter().chain(parameters).copied().collect();
-        self.added.push(Instruction::new(Op::TypeFunction, operands));
-        self.known.insert(id, wanted);
+        push(&mut self.added, Op::TypeFunction as u32, &operands);
+        self.of_functions.insert(wanted, id);
         id
     }
 }
 
 /// A function of the library, as a module declares it.
 struct Import {
-    name: String,
+    signature: Rc<Signature>,
     id: u32,
     of_type: u32,
     result: u32,
@@ -199,7 +212,7 @@ struct Import {
 }
 
 impl Import {
-    fn new(signature: &Signature, stub: Declaration, types: &mut Types, module: &mut Module) -> Self {
+    fn new(signature: &Rc<Signature>, stub: Declaration, types: &mut Types, module: &mut Module) -> Self {
         let parameters: Vec<u32> = stub.parameters.iter().map(|id| types.pointee(*id)).collect();
         let by_pointer = stub.parameters.iter().zip(&parameters).map(|(id, to)| id != to).collect();
         let members = match types.known.get(&stub.result) {
@@ -209,7 +222,7 @@ impl Import {
         let result = members.map_or(stub.result, |members| types.frame(members, module));
         let of_type = types.function(result, &parameters, module);
         Self {
-            name: signature.name.clone(),
+            signature: signature.clone(),
             id: module.fresh(),
             of_type,
             result,
@@ -219,87 +232,86 @@ impl Import {
         }
     }
 
-    /// A function without a body.
-    fn declaration(&self, module: &mut Module) -> Vec<Instruction> {
-        let mut lines = vec![Instruction::new(Op::Function, [self.result, self.id, 0, self.of_type])];
+    /// Writes a function without a body.
+    fn declare(&self, words: &mut Vec<u32>, module: &mut Module) {
+        push(words, Op::Function as u32, &[self.result, self.id, 0, self.of_type]);
         for of_type in &self.parameters {
-            lines.push(Instruction::new(Op::FunctionParameter, [*of_type, module.fresh()]));
+            push(words, Op::FunctionParameter as u32, &[*of_type, module.fresh()]);
         }
-        lines.push(Instruction::new(Op::FunctionEnd, []));
-        lines
+        push(words, Op::FunctionEnd as u32, &[]);
     }
 
-    fn decoration(&self) -> Instruction {
+    fn decorate(&self, words: &mut Vec<u32>) {
         let mut operands = vec![self.id, DECORATION_LINKAGE];
-        operands.extend(literal(&self.name));
+        operands.extend(literal(&self.signature.name));
         operands.push(LINKAGE_IMPORT);
-        Instruction::new(Op::Decorate, operands)
+        push(words, Op::Decorate as u32, &operands);
     }
 
-    /// The instructions in place of a call of the stub, with this result type, result and arguments.
-    fn call(&self, of_type: u32, result: u32, arguments: &[u32], module: &mut Module) -> Vec<Instruction> {
-        let (mut lines, mut operands) = (Vec::new(), vec![self.result, result, self.id]);
+    /// Writes the instructions in place of a call of the stub, with this result type, result and arguments.
+    fn call(&self, of_type: u32, result: u32, arguments: &[u32], words: &mut Vec<u32>, module: &mut Module) {
+        let mut operands = vec![self.result, result, self.id];
         for ((argument, is_pointer), of_type) in arguments.iter().zip(&self.by_pointer).zip(&self.parameters)
         {
             let mut value = *argument;
             if *is_pointer {
                 value = module.fresh();
-                lines.push(Instruction::new(Op::Load, [*of_type, value, *argument]));
+                push(words, Op::Load as u32, &[*of_type, value, *argument]);
             }
             operands.push(value);
         }
         let Some(members) = self.members else {
-            lines.push(Instruction::new(Op::FunctionCall, operands));
-            return lines;
+            return push(words, Op::FunctionCall as u32, &operands);
         };
         let frame = module.fresh();
         operands[1] = frame;
-        lines.push(Instruction::new(Op::FunctionCall, operands));
+        push(words, Op::FunctionCall as u32, &operands);
         let mut constructed = vec![of_type, result];
         for (n, member) in (0..).zip(members) {
             let part = module.fresh();
-            lines.push(Instruction::new(Op::CompositeExtract, [member, part, frame, n]));
+            push(words, Op::CompositeExtract as u32, &[member, part, frame, n]);
             constructed.push(part);
         }
-        lines.push(Instruction::new(Op::CompositeConstruct, constructed));
-        lines
+        push(words, Op::CompositeConstruct as u32, &constructed);
     }
 }
 
 /// Writes capability, decorations, types, declarations and calls, each where SPIR-V wants it.
-fn write(module: &mut Module, imports: &HashMap<u32, Import>, types: Vec<Instruction>) {
-    let mut sorted: Vec<&Import> = imports.values().collect();
-    sorted.sort_unstable_by(|a, b| a.name.cmp(&b.name).then(a.id.cmp(&b.id)));
-    let mut decorations = sorted.iter().map(|import| import.decoration()).collect::<Vec<_>>();
-    let mut declarations = types;
+fn write(module: &mut Module, imports: &[Import], by_id: &HashMap<u32, usize>, types: Vec<u32>) {
+    let mut sorted: Vec<&Import> = imports.iter().collect();
+    sorted.sort_unstable_by(|a, b| a.signature.name.cmp(&b.signature.name).then(a.id.cmp(&b.id)));
+    let (mut decorations, mut declarations) = (Vec::new(), types);
     for import in sorted {
-        declarations.append(&mut import.declaration(module));
+        import.decorate(&mut decorations);
+        import.declare(&mut declarations, module);
     }
-    let linkage = Instruction::new(Op::Capability, [CAPABILITY_LINKAGE]);
-    let mut lines = Vec::new();
-    if !module.instructions.contains(&linkage) {
-        lines.push(linkage);
+    // Calls become longer; where they are most of the module, the list grows.
+    let added = module.words.len() / 8 + decorations.len() + declarations.len();
+    let mut words = Vec::with_capacity(module.words.len() + added);
+    if !module.all(Op::Capability).any(|instruction| instruction.operands == [CAPABILITY_LINKAGE]) {
+        push(&mut words, Op::Capability as u32, &[CAPABILITY_LINKAGE]);
     }
-    for mut instruction in std::mem::take(&mut module.instructions) {
-        if !decorations.is_empty() && is_after_names(instruction.opcode) {
-            lines.append(&mut decorations);
+    for Instruction { opcode, operands } in instructions(&std::mem::take(&mut module.words)) {
+        if is_after_names(opcode) {
+            words.append(&mut decorations);
         }
-        match (instruction.op(), instruction.operands.as_slice()) {
-            (Some(Op::Function), _) => lines.append(&mut declarations),
+        match (Op::from_u32(opcode), operands) {
+            (Some(Op::Function), _) => words.append(&mut declarations),
             (Some(Op::FunctionCall), [of_type, result, callee, arguments @ ..]) => {
-                if let Some(import) = imports.get(callee) {
-                    lines.extend(import.call(*of_type, *result, arguments, module));
+                if let Some(place) = by_id.get(callee) {
+                    imports[*place].call(*of_type, *result, arguments, &mut words, module);
                     continue;
                 }
             }
-            (Some(Op::Source), [language, ..]) if *language >= SOURCE_LANGUAGES => {
-                instruction.operands[0] = 0
+            (Some(Op::Source), [language, rest @ ..]) if *language >= SOURCE_LANGUAGES => {
+                push(&mut words, opcode, &[&[0], rest].concat());
+                continue;
             }
             _ => {}
         }
-        lines.push(instruction);
+        push(&mut words, opcode, operands);
     }
-    module.instructions = lines;
+    module.words = words;
 }
 
 /// True for decorations and for the types after them.
@@ -322,8 +334,8 @@ mod tests {
         let bytes: Vec<u8> = header.into_iter().flat_map(u32::to_le_bytes).collect();
         let mut module = Module::parse(&bytes).unwrap();
         for (id, name) in (1..).zip(names) {
-            module.instructions.push(Instruction::new(Op::Name, [&[id][..], &literal(name)].concat()));
-            module.instructions.push(Instruction::new(Op::Function, [90, id, 0, 91]));
+            push(&mut module.words, Op::Name as u32, &[&[id][..], &literal(name)].concat());
+            push(&mut module.words, Op::Function as u32, &[90, id, 0, 91]);
         }
         module
     }

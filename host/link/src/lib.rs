@@ -112,7 +112,7 @@ pub enum Error {
 /// # Errors
 /// Every [`Error`] about modules.
 pub fn imports(spirv: &[u8]) -> Result<(Vec<u8>, Vec<String>), Error> {
-    let (module, names) = imports::imports(&parse(spirv)?)?;
+    let (module, names) = imports::imports(parse(spirv)?)?;
     Ok((module.bytes(), names))
 }
 
@@ -132,11 +132,11 @@ fn memory_model(module: &Module) -> Result<[u32; 2], Error> {
     const PHYSICAL_STORAGE_BUFFER_64: u32 = 5348;
     const GLSL450: u32 = 1;
     const VULKAN: u32 = 3;
-    match module.all(Op::MemoryModel).next().map(|model| model.operands.as_slice()) {
-        Some(&[addressing @ (LOGICAL | PHYSICAL_STORAGE_BUFFER_64), memory @ (GLSL450 | VULKAN)]) => {
-            Ok([addressing, memory])
+    match module.all(Op::MemoryModel).next().map(|model| model.operands) {
+        Some([addressing @ (LOGICAL | PHYSICAL_STORAGE_BUFFER_64), memory @ (GLSL450 | VULKAN)]) => {
+            Ok([*addressing, *memory])
         }
-        Some(&[addressing, memory]) => Err(Error::MemoryModel { addressing, memory }),
+        Some([addressing, memory]) => Err(Error::MemoryModel { addressing: *addressing, memory: *memory }),
         _ => Err(Error::NotSpirv { reason: "it declares no memory model" }),
     }
 }

@@ -12,12 +12,11 @@ use unitvec_files::one_line;
 /// # Errors
 /// [`Error`].
 pub fn link(spirv: &[u8]) -> Result<Vec<u8>, Error> {
-    let module = parse(spirv)?;
-    let (importing, names) = imports::imports(&module)?;
+    let (module, names) = imports::imports(parse(spirv)?)?;
     let folder = tempfile::tempdir()?;
     let [engine, library, linked, optimised] =
         ["engine.spv", "unitvec.spv", "linked.spv", "optimised.spv"].map(|name| folder.path().join(name));
-    fs::write(&engine, importing.bytes())?;
+    fs::write(&engine, module.bytes())?;
     fs::write(&library, library_for(&module, &names)?)?;
     let environment = format!("spv1.{}", module.version.to_le_bytes()[1]);
     run("spirv-link", &[], &[&engine, &library, Path::new("-o"), &linked])?;

@@ -10,19 +10,15 @@ const HEADER_WORDS: usize = 5;
 /// The largest bound of ids that Vulkan promises to take.
 const MAX_BOUND: u32 = 0x003f_ffff;
 
-/// An instruction.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Instruction {
+/// An instruction of a module.
+#[derive(Clone, Copy, Debug)]
+pub struct Instruction<'m> {
     pub opcode: u32,
     /// The words after the first.
-    pub operands: Vec<u32>,
+    pub operands: &'m [u32],
 }
 
-impl Instruction {
-    pub fn new(op: Op, operands: impl Into<Vec<u32>>) -> Self {
-        Self { opcode: op as u32, operands: operands.into() }
-    }
-
+impl Instruction<'_> {
     /// The operation, where it is a known one.
     pub fn op(&self) -> Option<Op> {
         Op::from_u32(self.opcode)
@@ -54,6 +50,22 @@ fn words_of(bytes: &[u8]) -> Vec<u32> {
     bytes.chunks_exact(4).map(|word| u32::from_le_bytes([word[0], word[1], word[2], word[3]])).collect()
 }
 
+/// Writes an instruction behind others.
+pub fn push(words: &mut Vec<u32>, opcode: u32, operands: &[u32]) {
+    words.push((operands.len() as u32 + 1) << 16 | opcode);
+    words.extend(operands);
+}
+
+/// The instructions in these words, up to one that is cut short.
+pub fn instructions(mut words: &[u32]) -> impl Iterator<Item = Instruction<'_>> {
+    std::iter::from_fn(move || {
+        let (first, others) = words.split_first()?;
+        let operands;
+        (operands, words) = others.split_at_checked(((first >> 16) as usize).checked_sub(1)?)?;
+        Some(Instruction { opcode: first & 0xffff, operands })
+    })
+}
+
 /// A module.
 #[derive(Clone, Debug)]
 pub struct Module {
@@ -61,7 +73,8 @@ pub struct Module {
     pub version: u32,
     generator: u32,
     bound: u32,
-    pub instructions: Vec<Instruction>,
+    /// Whole instructions, one after the other.
+    pub words: Vec<u32>,
 }
 
 impl Module {
@@ -76,35 +89,32 @@ impl Module {
         if !bytes.len().is_multiple_of(4) {
             return Err("it ends within a word");
         }
-        let words = words_of(bytes);
+        let mut words = words_of(bytes);
         let [_, version, generator, bound, _, ..] = words[..] else { return Err("it is cut short") };
         if !(1..=MAX_BOUND).contains(&bound) {
             return Err("its bound of ids is 0 or more than Vulkan takes");
         }
-        let mut instructions = Vec::new();
-        let mut rest = words.get(HEADER_WORDS..).unwrap_or_default();
-        while let Some(first) = rest.first() {
-            let length = (first >> 16) as usize;
-            let operands = rest.get(1..length).ok_or("it is cut short")?;
-            instructions.push(Instruction { opcode: first & 0xffff, operands: operands.to_vec() });
-            rest = &rest[length..];
-        }
-        Ok(Self { version, generator, bound, instructions })
+        drop(words.drain(..HEADER_WORDS));
+        let module = Self { version, generator, bound, words };
+        let whole: usize = module.instructions().map(|instruction| instruction.operands.len() + 1).sum();
+        if whole < module.words.len() { Err("it is cut short") } else { Ok(module) }
+    }
+
+    pub fn instructions(&self) -> impl Iterator<Item = Instruction<'_>> {
+        instructions(&self.words)
     }
 
     /// The file's bytes.
     pub fn bytes(&self) -> Vec<u8> {
-        let mut words = vec![MAGIC, self.version, self.generator, self.bound, 0];
-        for Instruction { opcode, operands } in &self.instructions {
-            words.push((operands.len() as u32 + 1) << 16 | opcode);
-            words.extend(operands);
-        }
-        words.iter().flat_map(|word| word.to_le_bytes()).collect()
+        let header = [MAGIC, self.version, self.generator, self.bound, 0];
+        let mut bytes = Vec::with_capacity(4 * (HEADER_WORDS + self.words.len()));
+        header.iter().chain(&self.words).for_each(|word| bytes.extend(word.to_le_bytes()));
+        bytes
     }
 
     /// The instructions of an operation.
-    pub fn all(&self, op: Op) -> impl Iterator<Item = &Instruction> {
-        self.instructions.iter().filter(move |instruction| instruction.opcode == op as u32)
+    pub fn all(&self, op: Op) -> impl Iterator<Item = Instruction<'_>> {
+        self.instructions().filter(move |instruction| instruction.opcode == op as u32)
     }
 
     /// An id that is free.
@@ -144,7 +154,7 @@ mod tests {
         for text in ["", "abc", "abcd", "unitvec_oct16_encode"] {
             let words = literal(text);
             assert_eq!(words.last().unwrap() >> 24, 0);
-            assert_eq!(Instruction::new(Op::Name, words).text(0), text);
+            assert_eq!(Instruction { opcode: Op::Name as u32, operands: &words }.text(0), text);
         }
     }
 }

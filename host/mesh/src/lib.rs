@@ -14,6 +14,7 @@ use glam::{DVec3, Vec3};
 use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use unitvec::direction::{is_usable, l1_norm};
 use unitvec_files::one_line;
 
@@ -83,8 +84,8 @@ pub struct Frames {
 pub struct Part {
     /// Index of the mesh in the file.
     pub mesh: usize,
-    /// The mesh's name, where a glTF file gives one.
-    pub name: Option<String>,
+    /// The mesh's name, where a glTF file gives one; of long names the first 200 characters.
+    pub name: Option<Arc<str>>,
     /// Index of the primitive in its mesh.
     pub primitive: usize,
     /// Index of its first vector or frame.
@@ -172,6 +173,14 @@ pub enum MeshError {
         /// The first primitive without them, after ": "; empty where no primitive has any.
         lacking: String,
     },
+    /// The elements do not fit into memory.
+    #[error("{path} has {count} elements, too many for the memory; split the mesh, or take a larger machine")]
+    Memory {
+        /// The mesh file.
+        path: PathBuf,
+        /// Number of elements that memory was wanted for at once.
+        count: usize,
+    },
     /// Neither the ending nor the first bytes are those of a mesh.
     #[error("{path} is no known mesh file; use .obj, .ply, .gltf or .glb")]
     UnknownFormat {
@@ -197,9 +206,19 @@ pub enum MeshError {
         path: PathBuf,
         /// Index of the buffer in the file.
         buffer: usize,
-        /// The extension's fault, in one line.
+        /// The fault, in one line.
         reason: String,
     },
+}
+
+/// The files in which the buffers of a glTF file may lie.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Reach {
+    /// Those in its folder and in folders below.
+    #[default]
+    Folder,
+    /// Also those that its URIs reach by `../`.
+    Anywhere,
 }
 
 /// Reads the vertex normals of a mesh file; [`FileFormat::of`] determines its format.
@@ -211,19 +230,19 @@ pub fn read(path: &Path) -> Result<Mesh, MeshError> {
     let bytes = std::fs::read(path).map_err(|source| MeshError::Read { path: path.into(), source })?;
     let format =
         FileFormat::of(path, &bytes).ok_or_else(|| MeshError::UnknownFormat { path: path.into() })?;
-    parse(path, format, &bytes)
+    parse(path, format, &bytes, Reach::Folder)
 }
 
-/// Reads the vertex normals of a mesh file in memory; `path` stands in errors, and files beside it may be read.
+/// Reads the vertex normals of a mesh file in memory; `path` stands in errors, and files within `reach` of it may be read.
 ///
 /// # Errors
 ///
 /// The errors of [`read`].
-pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, MeshError> {
+pub fn parse(path: &Path, format: FileFormat, bytes: &[u8], reach: Reach) -> Result<Mesh, MeshError> {
     match format {
         FileFormat::Obj => obj::parse(path, bytes),
         FileFormat::Ply => ply::parse(path, bytes),
-        FileFormat::Gltf => gltf::parse(path, bytes),
+        FileFormat::Gltf => gltf::parse(path, bytes, reach),
     }
 }
 
@@ -232,9 +251,14 @@ pub fn parse(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Mesh, Mesh
 /// # Errors
 ///
 /// The errors of [`parse`]; [`MeshError::NoTangents`] for a file without tangents.
-pub fn parse_frames(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Frames, MeshError> {
+pub fn parse_frames(
+    path: &Path,
+    format: FileFormat,
+    bytes: &[u8],
+    reach: Reach,
+) -> Result<Frames, MeshError> {
     match format {
-        FileFormat::Gltf => gltf::parse_frames(path, bytes),
+        FileFormat::Gltf => gltf::parse_frames(path, bytes, reach),
         FileFormat::Obj | FileFormat::Ply => {
             Err(MeshError::NoTangents { path: path.into(), lacking: String::new() })
         }
@@ -257,6 +281,17 @@ fn one_part(path: &Path, normals: Vec<[f32; 3]>, computed: bool) -> Result<Mesh,
     }
     let part = Part { mesh: 0, name: None, primitive: 0, first: 0, count, computed };
     Ok(Mesh { normals, parts: vec![part] })
+}
+
+/// Makes room for so many more elements. A file's counts are checked against its size before.
+fn reserve<T>(path: &Path, list: &mut Vec<T>, count: usize) -> Result<(), MeshError> {
+    list.try_reserve_exact(count).map_err(|_| MeshError::Memory { path: path.into(), count })
+}
+
+/// An empty list with room for so many elements.
+fn list_of<T>(path: &Path, count: usize) -> Result<Vec<T>, MeshError> {
+    let mut list = Vec::new();
+    reserve(path, &mut list, count).map(|()| list)
 }
 
 /// A [`MeshError::Parse`] of one line.
@@ -336,7 +371,8 @@ impl<'p> Sums<'p> {
     fn add(&mut self, triangle: [i64; 3]) -> Result<(), MeshError> {
         let [a, b, c] = resolve(self.path, triangle, self.positions.len())?;
         if self.sums.is_empty() {
-            self.sums = vec![DVec3::ZERO; self.positions.len()];
+            reserve(self.path, &mut self.sums, self.positions.len())?;
+            self.sums.resize(self.positions.len(), DVec3::ZERO);
         }
         let [at_a, at_b, at_c] = [a, b, c].map(|corner| self.positions.get(corner));
         // Twice the area long, so that adding it weights the face by its area.

@@ -3,7 +3,9 @@
 //! The parser is our own, over the file's bytes: crates for it keep 40 bytes for a corner that takes two in the file.
 
 use super::format::without_mark;
-use super::{Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, one_part, parse_error, resolve};
+use super::{
+    Fan, Mesh, MeshError, Positions, Sums, Surface, check_finite, list_of, one_part, parse_error, resolve,
+};
 use glam::Vec3;
 use std::path::Path;
 use std::str::FromStr;
@@ -23,8 +25,8 @@ pub fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
         let count = lines(bytes).filter(|line| line.keyword == keyword).count();
         count.min(bytes.len() / SHORTEST)
     };
-    let mut positions = Vec::with_capacity(count(b"v"));
-    let mut normals = Vec::with_capacity(count(b"vn"));
+    let mut positions = list_of(path, count(b"v"))?;
+    let mut normals = list_of(path, count(b"vn"))?;
     for line in lines(bytes) {
         match line.keyword {
             b"v" => {

@@ -10,12 +10,15 @@ use ply_rs_bw::ply::{
 
 use glam::DVec3;
 
-use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, one_part, parse_error};
+use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, list_of, one_part, parse_error};
 
 const FORMAT: &str = "PLY";
 
-/// The longest header, and the longest line of an ASCII file: the parser takes many times their size.
-const MAX_TEXT: usize = 1 << 20;
+/// The longest header: the parser takes many times its size. Those of scanners and of Gaussian splats have some kB.
+const MAX_HEADER: usize = 1 << 15;
+
+/// The longest line of an ASCII file: the parser takes many times its size.
+const MAX_LINE: usize = 1 << 20;
 
 /// Reads the normals of a PLY file: `nx ny nz` of the element `vertex`, else from the lists
 /// `vertex_indices` or `vertex_index` of the element `face`. Triangle strips are not read.
@@ -59,7 +62,11 @@ struct Payload<'b> {
 
 impl<'b> Payload<'b> {
     fn after_header(path: &'b Path, bytes: &'b [u8]) -> Result<(Header, Self), MeshError> {
-        let head = &bytes[..bytes.len().min(MAX_TEXT)];
+        const END: &[u8] = b"\nend_header";
+        let head = &bytes[..bytes.len().min(MAX_HEADER)];
+        if head.len() < bytes.len() && !head.windows(END.len()).any(|bytes| bytes == END) {
+            return Err(parse_error(path, FORMAT, format!("no header of up to {MAX_HEADER} bytes")));
+        }
         let mut reader = Reader::new(head);
         let header = Parser::<Skipped>::new().read_header(&mut reader);
         let header = header.map_err(|error| parse_error(path, FORMAT, error))?;
@@ -81,9 +88,9 @@ impl<'b> Payload<'b> {
 
     fn next_line<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
         let ElementDef { name, .. } = element;
-        let end = self.rest.iter().take(MAX_TEXT).position(|byte| *byte == b'\n').map(|end| end + 1);
-        let line = match end.or_else(|| (self.rest.len() <= MAX_TEXT).then_some(self.rest.len())) {
-            None => Err(format!("it has more than {MAX_TEXT} bytes")),
+        let end = self.rest.iter().take(MAX_LINE).position(|byte| *byte == b'\n').map(|end| end + 1);
+        let line = match end.or_else(|| (self.rest.len() <= MAX_LINE).then_some(self.rest.len())) {
+            None => Err(format!("it has more than {MAX_LINE} bytes")),
             Some(0) => Err("the file ends before it".to_owned()),
             Some(end) => std::str::from_utf8(&self.rest[..end]).map_err(|error| error.to_string()),
         };
@@ -98,6 +105,9 @@ impl<'b> Payload<'b> {
     }
 
     fn skip(&mut self, element: &ElementDef) -> Result<(), MeshError> {
+        if self.encoding != Encoding::Ascii && element.properties.is_empty() {
+            return Ok(());
+        }
         (0..element.count).try_for_each(|_| self.next::<Skipped>(element).map(drop))
     }
 
@@ -106,20 +116,23 @@ impl<'b> Payload<'b> {
     }
 }
 
-/// Refuses a count that the file cannot hold, before memory is taken for it.
+/// Refuses counts that the file cannot hold together, before memory and time are taken for them.
 fn check_counts(path: &Path, header: &Header, bytes: usize) -> Result<(), MeshError> {
-    let holds = |element: &&ElementDef| {
-        // An element without properties takes no bytes, but time.
-        let least =
-            element.properties.values().map(|p| least_bytes(header.encoding, &p.data_type)).sum::<usize>();
-        element.count.checked_mul(least.max(1)).is_some_and(|least| least <= bytes)
-    };
-    match header.elements.values().find(|element| !holds(element)) {
-        Some(ElementDef { name, count, .. }) => {
-            Err(parse_error(path, FORMAT, format!("{count} elements {name} in a file of {bytes} bytes")))
+    let mut all = 0_usize;
+    for ElementDef { name, count, properties, .. } in header.elements.values() {
+        let least = properties.values().map(|p| least_bytes(header.encoding, &p.data_type)).sum::<usize>();
+        // In text an element without properties takes a line.
+        let least = least.max(usize::from(header.encoding == Encoding::Ascii));
+        all = all.saturating_add(count.saturating_mul(least));
+        if all > bytes {
+            return Err(parse_error(
+                path,
+                FORMAT,
+                format!("{count} elements {name} in a file of {bytes} bytes"),
+            ));
         }
-        None => Ok(()),
     }
+    Ok(())
 }
 
 /// The fewest bytes that a property takes. In text those are a digit and a space.
@@ -159,7 +172,7 @@ impl Source {
 
 /// The normals of all vertices, whose positions are checked too.
 fn read_normals(payload: &mut Payload, element: &ElementDef) -> Result<Vec<[f32; 3]>, MeshError> {
-    let mut normals = Vec::with_capacity(element.count);
+    let mut normals = list_of(payload.path, element.count)?;
     for vertex in 0..element.count {
         let Vertex { position, normal } = payload.next(element)?;
         check_finite(payload.path, vertex, position)?;
@@ -176,8 +189,8 @@ fn read_positions(payload: &mut Payload, element: &ElementDef) -> Result<Positio
         matches!(kind, Some(PropertyType::Scalar(Double | Int | UInt)))
     };
     let mut positions = match ["x", "y", "z"].iter().any(is_wide) {
-        true => Positions::Double(Vec::with_capacity(element.count)),
-        false => Positions::Single(Vec::with_capacity(element.count)),
+        true => Positions::Double(list_of(payload.path, element.count)?),
+        false => Positions::Single(list_of(payload.path, element.count)?),
     };
     for vertex in 0..element.count {
         let Vertex { position, .. } = payload.next(element)?;
@@ -431,8 +444,11 @@ mod tests {
     #[test]
     fn absurd_counts_fail() {
         for (header, elements) in [
-            ("element vertex 18446744073709551615\n", vec![]),
-            ("element face 99999999999999\nelement vertex 1\nproperty float x\n", vec![]),
+            ("element vertex 18446744073709551615\nproperty float x\n", vec![]),
+            (
+                "element face 99999999999999\nproperty list uchar int vertex_index\nelement vertex 1\nproperty float x\n",
+                vec![],
+            ),
             (
                 "element face 1\nproperty list uint int vertex_index\nelement vertex 1\n\
                 property float x\nproperty float y\nproperty float z\n",
@@ -444,6 +460,19 @@ mod tests {
                 assert!(matches!(result, Err(MeshError::Parse { .. })), "{header}: {result:?}");
             }
         }
+    }
+
+    /// Elements without properties take no time in binary files, and a line each in text. The sum counts.
+    #[test]
+    fn many_empty_elements() {
+        let empty = |count: usize| (0..9).map(|n| format!("element a{n} {count}\n")).collect::<String>();
+        let vertex = "element vertex 1\nproperty uchar nx\nproperty uchar ny\nproperty uchar nz\n";
+        let vertices = [vec![number!(0u8), number!(0u8), number!(1u8)]];
+        for encoding in &ENCODINGS[1..] {
+            let mesh = read(&file(encoding, &(empty(usize::MAX) + vertex), &vertices)).unwrap();
+            assert_eq!(mesh.normals, [[0.0, 0.0, 1.0]]);
+        }
+        assert!(read(&file(ENCODINGS[0], &(empty(50) + vertex), &vertices)).is_err());
     }
 
     /// A binary file cut off at any byte is an error, and so is an empty one. (`tests/fuzz` damages files otherwise.)

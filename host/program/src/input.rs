@@ -3,11 +3,13 @@
 use crate::container::{self, Header};
 use crate::raw::{Dtype, Npy, swap_if_big_endian};
 use crate::{Error, Result};
+use std::fmt;
 use std::io::{self, Cursor, Read};
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::Element;
+use unitvec_files::shown;
 use unitvec_mesh as mesh;
-use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part};
+use unitvec_mesh::{FileFormat, Frames, Mesh, MeshError, Part, Reach};
 
 /// Endings of files that hold raw floats.
 pub const RAW_ENDINGS: [&str; 3] = ["bin", "f32", "raw"];
@@ -17,6 +19,38 @@ pub fn has_ending(path: &Path, endings: &[&str]) -> bool {
     let own = path.extension().unwrap_or_default();
     endings.iter().any(|ending| own.eq_ignore_ascii_case(ending))
 }
+
+/// The name of a file in JSON: text, or, where it is not UTF-8, the list of its bytes.
+#[derive(Clone, Debug, serde::Serialize, schemars::JsonSchema)]
+#[serde(untagged)]
+pub enum FileName {
+    /// The name.
+    Text(String),
+    /// The bytes of a name that is no text.
+    Bytes(Vec<u8>),
+}
+
+impl From<&Path> for FileName {
+    fn from(path: &Path) -> Self {
+        match path.to_str() {
+            Some(text) => Self::Text(text.to_owned()),
+            None => Self::Bytes(path.as_os_str().as_encoded_bytes().to_vec()),
+        }
+    }
+}
+
+/// The name as a terminal shows it, which may be less than the whole of it.
+impl fmt::Display for FileName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&match self {
+            Self::Text(text) => shown(text),
+            Self::Bytes(bytes) => shown(String::from_utf8_lossy(bytes)),
+        })
+    }
+}
+
+/// A function that parses a whole mesh.
+pub type Parse<T> = fn(&Path, FileFormat, &[u8], Reach) -> Result<T, MeshError>;
 
 /// A file or stream that was opened to be read.
 pub struct Input {
@@ -122,11 +156,11 @@ impl Input {
     ///
     /// # Errors
     /// [`MeshError::UnknownFormat`] where it is none, and any error of `parse`.
-    pub fn parse<T>(mut self, parse: fn(&Path, FileFormat, &[u8]) -> Result<T, MeshError>) -> Result<T> {
+    pub fn parse<T>(mut self, parse: Parse<T>, reach: Reach) -> Result<T> {
         let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: self.path.clone() })?;
         let bytes =
             self.read_all(format).map_err(|source| unitvec_files::Error::reading(&self.path, source))?;
-        Ok(parse(&self.path, format, &bytes)?)
+        Ok(parse(&self.path, format, &bytes, reach)?)
     }
 
     /// Reads a whole mesh. Input that cannot be one is found before it fills the memory: 100 GB of zeros are quickly
@@ -192,6 +226,8 @@ pub struct Kind {
     pub raw: bool,
     /// The kind of raw floats; f32 if not given.
     pub dtype: Option<Dtype>,
+    /// The files that a mesh may name as its buffers.
+    pub reach: Reach,
 }
 
 impl Elements {
@@ -226,11 +262,11 @@ impl Elements {
                 Ok(Self { floats: dtype.as_f32(input), count, parts: None, is_guess })
             }
             (Some(_), Element::Vector) => {
-                let Mesh { normals, parts } = input.parse(mesh::parse)?;
+                let Mesh { normals, parts } = input.parse(mesh::parse, kind.reach)?;
                 Ok(Self::of_mesh(normals, parts))
             }
             (Some(_), Element::Frame) => {
-                let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+                let Frames { frames, parts } = input.parse(mesh::parse_frames, kind.reach)?;
                 Ok(Self::of_mesh(frames, parts))
             }
         }
@@ -329,7 +365,7 @@ mod tests {
             ] {
                 assert_eq!(matches!(found, Err(Error::TextInput { .. })), is_text, "{}", content.len());
             }
-            let raw = Kind { raw: true, dtype: None };
+            let raw = Kind { raw: true, ..Kind::default() };
             let raw = Elements::open(&path, Element::Vector, raw).map(drop);
             assert!(matches!(raw, Ok(()) | Err(Error::Truncated { .. })), "{raw:?}");
         }

@@ -1,10 +1,12 @@
 //! Losses of files' vectors and frames to codecs: the angles between them and the decoded ones.
 
+use crate::input::FileName;
 use crate::raw::Suspicion;
 use crate::stream::{self, Input};
 use crate::{Error, Result};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::path::Path;
 use unitvec::angle_deg;
 use unitvec_catalogue::{AnyCodec, Element};
 use unitvec_mesh::has_direction;
@@ -15,7 +17,7 @@ use unitvec_run::backend::{Backend, CHUNK};
 pub struct Row {
     /// The file; `None` for all of them.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<String>,
+    pub file: Option<FileName>,
     /// Codec.
     pub id: &'static str,
     /// The part that the errors are of: `vector`, or `normal` and `tangent` of frames.
@@ -50,7 +52,7 @@ pub struct Errors {
 #[derive(Clone, Debug, Serialize, schemars::JsonSchema)]
 pub struct Worst {
     /// The file of the vector.
-    pub file: String,
+    pub file: FileName,
     /// The vector's place in the file, counted from 0.
     pub index: u64,
     /// The vector.
@@ -67,7 +69,7 @@ pub struct Report {
     /// A row for each codec and part, over all files.
     pub totals: Vec<Row>,
     /// Files that have no normals, or not all, so that these were computed from the faces.
-    pub computed: Vec<String>,
+    pub computed: Vec<FileName>,
     /// What raw floats seem to be instead, and the remedy: a line for each such file.
     pub warnings: Vec<String>,
 }
@@ -118,7 +120,7 @@ impl Meter {
         progress: &mut dyn FnMut(u64),
     ) -> Result<Option<Suspicion>> {
         let (element, parts) = (self.element, parts(self.element));
-        let file = input.path.display().to_string();
+        let file = input.path;
         let mut tallies = vec![Tally::default(); self.totals.len()];
         let bytes = self.formats.iter().map(|format| format.bytes).max().unwrap_or(0);
         let mut codes = vec![0; CHUNK * bytes];
@@ -131,7 +133,7 @@ impl Meter {
                 backend.decode(format, codes, decoded)?;
                 for (part, tally) in tallies.iter_mut().enumerate() {
                     tally.add_all(&Chunk {
-                        file: &file,
+                        file,
                         id: format.id,
                         before,
                         element,
@@ -144,7 +146,7 @@ impl Meter {
             progress(before + (elements.len() / element.floats()) as u64);
             Ok(())
         })?;
-        self.rows.extend(rows(&self.formats, parts, &tallies, Some(&file)));
+        self.rows.extend(rows(&self.formats, parts, &tallies, Some(file)));
         self.totals.iter_mut().zip(tallies).for_each(|(total, tally)| total.merge(tally));
         Ok(suspicion)
     }
@@ -168,11 +170,11 @@ fn rows(
     formats: &[&'static AnyCodec],
     parts: &[&'static str],
     tallies: &[Tally],
-    file: Option<&str>,
+    file: Option<&Path>,
 ) -> impl Iterator<Item = Row> {
     let names = formats.iter().flat_map(|format| parts.iter().map(move |part| (format, part)));
     names.zip(tallies).map(move |((format, part), tally)| Row {
-        file: file.map(str::to_owned),
+        file: file.map(FileName::from),
         id: format.id,
         part,
         bits: format.bits,
@@ -184,7 +186,7 @@ fn rows(
 
 /// A part of the elements of a file, and their decoded ones.
 struct Chunk<'a> {
-    file: &'a str,
+    file: &'a Path,
     id: &'static str,
     before: u64,
     element: Element,
@@ -204,7 +206,7 @@ impl Chunk<'_> {
     fn worst(&self, at: usize) -> Worst {
         let of = |elements: &[f32]| vector(&elements[at * self.element.floats()..], self.part);
         Worst {
-            file: self.file.to_owned(),
+            file: self.file.into(),
             index: self.before + at as u64,
             original: of(self.elements),
             decoded: of(self.decoded),
@@ -312,7 +314,6 @@ impl Tally {
 mod tests {
     use super::*;
     use crate::stream::Named;
-    use std::path::Path;
     use unitvec_catalogue::find;
 
     /// Decodes the last element to NaN.

@@ -2,8 +2,6 @@
 
 mod cli;
 
-use clap::Parser;
-use std::io::Write;
 use std::process::ExitCode;
 
 /// The status that shells report for a program that an interrupt ended.
@@ -15,20 +13,13 @@ fn main() -> ExitCode {
         unitvec_files::remove_unfinished();
         std::process::exit(INTERRUPTED);
     });
-    match cli::Arguments::parse().run() {
+    unitvec_files::fail_beyond_limits();
+    match cli::run() {
         Ok(code) => code,
         Err(unitvec_host::Error::Files(unitvec_files::Error::ReaderGone)) => ExitCode::SUCCESS,
         Err(error) => {
-            // Where the standard error is closed, the exit status suffices.
-            let _ = writeln!(std::io::stderr(), "unitvec: {}", printable(&error.to_string()));
+            cli::tell(&error);
             ExitCode::from(if error.is_usage() { 2 } else { 1 })
         }
     }
-}
-
-/// One line of text for a terminal: names of files may have control characters, and those of others escape sequences.
-fn printable(text: &str) -> String {
-    let escaped =
-        |char: char| if char.is_control() { char.escape_default().to_string() } else { char.to_string() };
-    text.chars().map(escaped).collect()
 }

@@ -1,36 +1,36 @@
 //! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate.
 
+mod buffers;
 #[cfg(test)]
 mod tests;
 
-use std::borrow::Cow;
-use std::collections::HashMap;
 use std::collections::hash_map::Entry;
+use std::collections::{HashMap, HashSet};
 use std::path::Path;
+use std::sync::Arc;
 
+use ::gltf::accessor::sparse::Sparse;
 use ::gltf::accessor::{DataType, Dimensions, Item, Iter};
 use ::gltf::binary::Glb;
 use ::gltf::buffer::View;
 use ::gltf::json;
 use ::gltf::mesh::Mode;
 use ::gltf::{Accessor, Buffer, Document, Primitive, Semantic};
-use base64::Engine;
-use base64::alphabet;
-use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 
 use glam::Vec3;
-use percent_encoding::percent_decode_str;
 
 use super::format::without_mark;
-use super::{Fan, Frames, Mesh, MeshError, Part, Positions, Sums, check_finite, parse_error, place};
-use unitvec_files::one_line;
-use unitvec_files::read_start;
+use super::{
+    Fan, Frames, Mesh, MeshError, Part, Positions, Reach, Sums, check_finite, list_of, parse_error, place,
+    reserve,
+};
+use buffers::Content;
 
 const FORMAT: &str = "glTF";
 
 /// Reads the normals of all primitives of all meshes, in the order of [`Mesh`].
-pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
-    let (document, file) = load(path, bytes)?;
+pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, MeshError> {
+    let (document, file) = load(path, bytes, reach, &[Semantic::Positions, Semantic::Normals])?;
     let faces = file.primitives_with_faces(&document)?;
     let (mut all, mut has_faces) = (Collected::new(&file), false);
     for (mesh, primitive) in primitives(&document) {
@@ -39,7 +39,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
                 file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
                 all.add(&mesh, &primitive, Accessors::Normals(accessor.index()), |normals| {
                     file.positions(&primitive, |_| ())?;
-                    normals.reserve(accessor.count());
+                    reserve(path, normals, accessor.count())?;
                     file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |normal| {
                         normals.push(normal)
                     })
@@ -48,15 +48,17 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
             None => {
                 let accessor = file.attribute(&primitive, &Semantic::Positions)?.index();
                 all.add(&mesh, &primitive, Accessors::Faces(accessor), |normals| {
-                    let mut positions =
-                        Vec::with_capacity(file.attribute(&primitive, &Semantic::Positions)?.count());
+                    let count = file.attribute(&primitive, &Semantic::Positions)?.count();
+                    let mut positions = list_of(path, count)?;
                     file.positions(&primitive, |position| positions.push(position))?;
                     let mut sums = Sums::new(path, Positions::Single(positions));
                     for primitive in faces.get(&accessor).into_iter().flatten() {
                         sums.add_all(triangles(primitive.mode(), file.corners(primitive)?))?;
                     }
                     has_faces |= sums.has_faces();
-                    normals.extend(sums.normals());
+                    let computed = sums.normals();
+                    reserve(path, normals, computed.len())?;
+                    normals.extend(computed);
                     Ok(())
                 })?;
             }
@@ -71,8 +73,9 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
 }
 
 /// Reads the tangent frames of all primitives of all meshes, in the order of [`Frames`].
-pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshError> {
-    let (document, file) = load(path, bytes)?;
+pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Frames, MeshError> {
+    let semantics = [Semantic::Positions, Semantic::Normals, Semantic::Tangents];
+    let (document, file) = load(path, bytes, reach, &semantics)?;
     let mut all = Collected::new(&file);
     for (mesh, primitive) in primitives(&document) {
         let [Some(normals), Some(tangents)] =
@@ -85,7 +88,7 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8]) -> Result<Frames, MeshErro
         file.check_counts(&primitive, [Semantic::Normals, Semantic::Tangents])?;
         all.add(&mesh, &primitive, Accessors::Frames(normals.index(), tangents.index()), |frames| {
             file.positions(&primitive, |_| ())?;
-            frames.reserve(normals.count());
+            reserve(path, frames, normals.count())?;
             let first = frames.len();
             file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
                 frames.push([x, y, z, 0.0, 0.0, 0.0, 0.0]);
@@ -146,12 +149,14 @@ impl<'f, const N: usize> Collected<'f, N> {
             Entry::Vacant(place) => {
                 let (first, vertices) =
                     (self.elements.len(), self.file.attribute(primitive, &Semantic::Positions)?);
-                self.file.check_total(first.saturating_add(vertices.count()))?;
+                self.file.check_vertices(first.saturating_add(vertices.count()))?;
                 read(&mut self.elements)?;
                 *place.insert((first, self.elements.len() - first))
             }
         };
-        let name = mesh.name().map(str::to_owned);
+        // One name for all primitives of a mesh.
+        let named = self.parts.last().filter(|part| part.mesh == mesh.index());
+        let name = named.map_or_else(|| mesh.name().map(short), |part| part.name.clone());
         let (mesh, primitive) = (mesh.index(), primitive.index());
         self.parts.push(Part { mesh, name, primitive, first, count, computed });
         Ok(())
@@ -159,7 +164,12 @@ impl<'f, const N: usize> Collected<'f, N> {
 }
 
 /// Parses and validates the parts that hold geometry.
-fn load<'p>(path: &'p Path, bytes: &'p [u8]) -> Result<(Document, File<'p>), MeshError> {
+fn load<'p>(
+    path: &'p Path,
+    bytes: &'p [u8],
+    reach: Reach,
+    semantics: &[Semantic],
+) -> Result<(Document, File<'p>), MeshError> {
     let error = |error: ::gltf::Error| parse_error(path, FORMAT, error);
     let bytes = without_mark(bytes);
     let (json, blob) = if bytes.starts_with(b"glTF") {
@@ -178,11 +188,21 @@ fn load<'p>(path: &'p Path, bytes: &'p [u8]) -> Result<(Document, File<'p>), Mes
     let root = geometry.into_root();
     check_not_compressed(path, &root)?;
     check_position_indices(path, &root)?;
-    let mut root = Document::from_json(root).map_err(error)?.into_json();
-    let buffers = read_buffers(path, &mut root.buffers, blob)?;
-    let outside = |buffer: &Cow<[u8]>| if matches!(buffer, Cow::Owned(_)) { buffer.len() } else { 0 };
-    let size = bytes.len() + buffers.iter().map(outside).sum::<usize>();
+    let document = Document::from_json(root).map_err(error)?;
+    let used = buffers::used(&document, semantics);
+    let mut root = document.into_json();
+    let (buffers, outside) = buffers::read(path, &mut root.buffers, &used, blob, reach)?;
+    let size = bytes.len() + outside;
     Ok((Document::from_json_without_validation(root), File { path, buffers, size }))
+}
+
+/// A name as far as anybody reads it. Each primitive of a mesh tells it in JSON.
+fn short(name: &str) -> Arc<str> {
+    const MOST: usize = 200;
+    match name.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}...", &name[..end]).into(),
+        None => name.into(),
+    }
 }
 
 /// The part of a document that normals and tangents depend on. The rest is skipped.
@@ -275,75 +295,28 @@ fn check_position_indices(path: &Path, root: &json::Root) -> Result<(), MeshErro
     }
 }
 
-/// The contents of the buffers. URIs, which may be contents themselves, are taken out of them.
-fn read_buffers<'p>(
-    path: &Path,
-    buffers: &mut [json::Buffer],
-    blob: Option<Cow<'p, [u8]>>,
-) -> Result<Vec<Cow<'p, [u8]>>, MeshError> {
-    let read = |(buffer, declared): (usize, &mut json::Buffer)| {
-        let length = declared.byte_length.0;
-        let bytes = match declared.uri.take() {
-            Some(uri) => read_uri(path, &uri, length).map(Cow::Owned),
-            None => blob.clone().ok_or_else(|| "it has neither a URI nor a BIN chunk".into()),
-        };
-        bytes
-            .and_then(|bytes| match (bytes.len() as u64) < length {
-                true => Err(format!("it has {} of its {length} bytes", bytes.len())),
-                false => Ok(bytes),
-            })
-            .map_err(|reason| MeshError::MissingBuffer {
-                path: path.into(),
-                buffer,
-                reason: one_line(reason),
-            })
-    };
-    buffers.iter_mut().enumerate().map(read).collect()
-}
-
-fn read_uri(path: &Path, uri: &str, length: u64) -> Result<Vec<u8>, String> {
-    if let Some(data) = uri.strip_prefix("data:") {
-        return decode_data(data);
-    }
-    let name = percent_decode_str(uri).decode_utf8_lossy();
-    if uri.contains(':') || Path::new(name.as_ref()).is_absolute() {
-        return Err("its URI is neither a relative file name nor base64 data".into());
-    }
-    if path == Path::new("-") {
-        return Err(format!("it lies in {name}, and the standard input has no folder; name the .gltf file"));
-    }
-    let file = path.with_file_name(name.as_ref());
-    read_start(&file, length).map_err(|error| format!("cannot read {}: {error}", file.display()))
-}
-
-fn decode_data(data: &str) -> Result<Vec<u8>, String> {
-    // Exporters differ over the padding.
-    const LENIENT: GeneralPurposeConfig =
-        GeneralPurposeConfig::new().with_decode_padding_mode(DecodePaddingMode::Indifferent);
-    let (_, encoded) = data.split_once(";base64,").ok_or("its data URI is not in base64")?;
-    let engine = GeneralPurpose::new(&alphabet::STANDARD, LENIENT);
-    engine.decode(encoded).map_err(|error| format!("its data URI is not in base64: {error}"))
-}
-
-/// A document's buffers, at least as long as it declares them.
+/// A document's buffers. Those that are used are at least as long as it declares them, the others empty.
 struct File<'p> {
     path: &'p Path,
-    buffers: Vec<Cow<'p, [u8]>>,
-    /// Bytes of the document and its buffers.
+    buffers: Vec<Content<'p>>,
+    /// Bytes of the document and these buffers.
     size: usize,
 }
 
 impl File<'_> {
     /// Refuses more vertices than a file of this size has: where accessors overlap, or have no bytes at all, a short file
     /// could ask for any memory.
-    fn check_total(&self, vertices: usize) -> Result<(), MeshError> {
-        /// Three components take a byte each, at least.
-        const LEAST_BYTES: usize = 3;
+    fn check_vertices(&self, vertices: usize) -> Result<(), MeshError> {
+        // Three components take a byte each, at least.
+        self.check_total(vertices, self.size / 3, "vertices")
+    }
+
+    fn check_total(&self, count: usize, most: usize, what: &str) -> Result<(), MeshError> {
         /// Accessors of zeros without bytes are rare, and short.
         const ZEROS: usize = 1 << 16;
-        match vertices <= self.size / LEAST_BYTES + ZEROS {
+        match count <= most + ZEROS {
             true => Ok(()),
-            false => Err(self.error(format!("{vertices} vertices in a file of {} bytes", self.size))),
+            false => Err(self.error(format!("{count} {what} in a file of {} bytes", self.size))),
         }
     }
 
@@ -361,18 +334,28 @@ impl File<'_> {
     }
 
     /// The primitives without normals, by their accessor of positions: where primitives share one, all their faces count
-    /// at each vertex.
+    /// at each vertex, the same faces once.
     fn primitives_with_faces<'a>(
         &self,
         document: &'a Document,
     ) -> Result<HashMap<usize, Vec<Primitive<'a>>>, MeshError> {
-        let mut faces: HashMap<usize, Vec<_>> = HashMap::new();
+        /// An index takes a byte at least. Files of several levels of detail may share some.
+        const SHARED: usize = 4;
+        let (mut faces, mut seen) = (HashMap::<usize, Vec<_>>::new(), HashSet::new());
+        let mut corners = 0_usize;
         for (_, primitive) in primitives(document) {
-            if primitive.get(&Semantic::Normals).is_none() {
-                let positions = self.attribute(&primitive, &Semantic::Positions)?;
+            if primitive.get(&Semantic::Normals).is_some() {
+                continue;
+            }
+            let (positions, indices) =
+                (self.attribute(&primitive, &Semantic::Positions)?, primitive.indices());
+            let of_indices = indices.as_ref().map(Accessor::index);
+            if seen.insert((positions.index(), of_indices, primitive.mode().as_gl_enum())) {
+                corners = corners.saturating_add(indices.as_ref().unwrap_or(&positions).count());
                 faces.entry(positions.index()).or_default().push(primitive);
             }
         }
+        self.check_total(corners, SHARED * self.size, "corners of faces")?;
         Ok(faces)
     }
 
@@ -472,19 +455,43 @@ impl File<'_> {
         let mut parts = Vec::new();
         match accessor.view() {
             Some(view) => parts.push((view, accessor.offset(), accessor.count(), accessor.size())),
-            None => self.check_total(accessor.count())?,
+            None => self.check_vertices(accessor.count())?,
         }
         if let Some(sparse) = accessor.sparse() {
             let (indices, values) = (sparse.indices(), sparse.values());
             parts.push((indices.view(), indices.offset(), sparse.count(), indices.index_type().size()));
             parts.push((values.view(), values.offset(), sparse.count(), accessor.size()));
         }
-        match parts.iter().all(|(view, offset, count, size)| self.holds(view, *offset, *count, *size)) {
+        let index = accessor.index();
+        if !parts.iter().all(|(view, offset, count, size)| self.holds(view, *offset, *count, *size)) {
+            return Err(self.error(format!("accessor {index} is empty or ends past its buffer")));
+        }
+        match accessor.sparse().is_none_or(|sparse| self.increase(&sparse, accessor.count())) {
             true => Ok(()),
             false => {
-                Err(self.error(format!("accessor {} is empty or ends past its buffer", accessor.index())))
+                let reason = "has sparse indices that do not increase, or lie beyond its count";
+                Err(self.error(format!("accessor {index} {reason}")))
             }
         }
+    }
+
+    /// True where sparse indices, which lie in their buffer, increase and are below the accessor's count: at the first that
+    /// does not, the reader would stop to put values in.
+    fn increase(&self, sparse: &Sparse, count: usize) -> bool {
+        let (indices, view) = (sparse.indices(), sparse.indices().view());
+        let size = indices.index_type().size();
+        let bytes = self.data(view.buffer()).unwrap_or_default();
+        let bytes = bytes.get(view.offset() + indices.offset()..).unwrap_or_default();
+        // Little-endian, of one, two or four bytes.
+        let number =
+            |bytes: &[u8]| bytes.iter().take(size).rev().fold(0, |sum, byte| sum << 8 | usize::from(*byte));
+        let mut indices = bytes.chunks(view.stride().unwrap_or(size)).take(sparse.count()).map(number);
+        let mut least = 0;
+        indices.all(|index| {
+            let is_next = (least..count).contains(&index);
+            least = index + 1;
+            is_next
+        })
     }
 
     fn holds(&self, view: &View, offset: usize, count: usize, size: usize) -> bool {
@@ -498,7 +505,7 @@ impl File<'_> {
     }
 
     fn data(&self, buffer: Buffer) -> Option<&[u8]> {
-        self.buffers.get(buffer.index()).map(|bytes| &**bytes)
+        self.buffers.get(buffer.index()).map(|bytes| &***bytes)
     }
 
     fn error(&self, reason: impl std::fmt::Display) -> MeshError {

@@ -3,9 +3,10 @@
 use super::super::mesh_count;
 use super::super::tests::{CUBE_CORNERS, CUBE_FACES, assert_close, cube_normals};
 use super::*;
+use base64::Engine;
 
 fn read(bytes: &[u8]) -> Result<Mesh, MeshError> {
-    parse(Path::new("a.glb"), bytes)
+    parse(Path::new("a.glb"), bytes, Reach::Folder)
 }
 
 fn floats<const N: usize>(vectors: &[[f32; N]]) -> Vec<u8> {
@@ -152,7 +153,7 @@ fn quantized_normals() {
         [(of_bytes, [1.0 / 127.0, -64.0 / 127.0]), (of_words, [1.0 / 32767.0, -16384.0 / 32767.0])]
     {
         let value = |k: usize| [0.0, 1.0, -1.0, -1.0, one, low][k % 6];
-        let Frames { frames, .. } = parse_frames(path, &file).unwrap();
+        let Frames { frames, .. } = parse_frames(path, &file, Reach::Folder).unwrap();
         assert_eq!(frames.len(), 8);
         for (vertex, frame) in frames.iter().enumerate() {
             let expected = [0, 1, 2, 32, 33, 34, 35].map(|k| value(4 * vertex + k));
@@ -186,7 +187,7 @@ fn frames() {
         .zip(tangents())
         .map(|([x, y, z], [a, b, c, d])| [*x, *y, *z, a, b, c, d])
         .collect();
-    let read = |bytes: &[u8]| parse_frames(Path::new("a.glb"), bytes);
+    let read = |bytes: &[u8]| parse_frames(Path::new("a.glb"), bytes, Reach::Folder);
     let twice = format!("{WITH_TANGENTS},{WITH_TANGENTS}");
     let Frames { frames, parts } = read(&cube(&twice)).unwrap();
     assert_eq!(frames, expected);
@@ -217,7 +218,8 @@ fn counts_must_agree() {
     let fewer = positions.replace("\"count\":8", "\"count\":7");
     let document = json(WITH_TANGENTS, "").replace(positions, &fewer);
     let file = glb(&document, Some(&cube_buffer()));
-    for error in [read(&file).unwrap_err(), parse_frames(Path::new("a.glb"), &file).unwrap_err()] {
+    let of_frames = parse_frames(Path::new("a.glb"), &file, Reach::Folder).unwrap_err();
+    for error in [read(&file).unwrap_err(), of_frames] {
         assert!(error.to_string().contains("7 Positions and 8 Normals"), "{error}");
     }
     let other = r#"{"attributes":{"POSITION":4,"NORMAL":1}}"#;
@@ -247,7 +249,7 @@ fn paths_are_quoted() {
 #[test]
 fn external_buffers_of_the_standard_input() {
     let document = json(WITH_NORMALS, r#","uri":"Cargo.toml""#);
-    let error = parse(Path::new("-"), document.as_bytes()).unwrap_err().to_string();
+    let error = parse(Path::new("-"), document.as_bytes(), Reach::Folder).unwrap_err().to_string();
     assert!(error.contains("Cargo.toml") && error.contains("name the .gltf file"), "{error}");
 }
 
@@ -279,6 +281,74 @@ fn external_buffers() {
         std::fs::write(&path, json(WITH_NORMALS, &format!(r#","uri":"{uri}""#))).unwrap();
         assert_eq!(super::super::read(&path).unwrap().normals, cube_normals());
     }
+}
+
+/// Of a file that several buffers name, as far as the longest goes, and of a document whose other buffers are absent: only
+/// buffers that are used are read.
+#[test]
+fn buffers_are_read_once_and_if_used() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("a.bin"), cube_buffer()).unwrap();
+    let document = json(WITHOUT_NORMALS, r#","uri":"a.bin""#)
+        .replace(
+            r#""buffers":["#,
+            r#""buffers":[{"byteLength":9,"uri":"absent.bin"},{"byteLength":96,"uri":"./a.bin"},"#,
+        )
+        .replace(r#""buffer":0"#, r#""buffer":2"#)
+        .replacen(r#""buffer":2"#, r#""buffer":1"#, 1);
+    let path = folder.path().join("a.gltf");
+    let (_, file) =
+        load(&path, document.as_bytes(), Reach::Folder, &[Semantic::Positions, Semantic::Normals]).unwrap();
+    assert_eq!(file.size, document.len() + cube_buffer().len());
+    assert_eq!(file.buffers.iter().map(|buffer| buffer.len()).collect::<Vec<_>>(), [0, 392, 392]);
+    assert_close(&parse(&path, document.as_bytes(), Reach::Folder).unwrap().normals, &cube_normals());
+}
+
+/// A buffer outside the file's folder is read where that is allowed, and not else, however its URI is written.
+#[test]
+fn buffers_outside_the_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let inner = folder.path().join("inner");
+    std::fs::create_dir(&inner).unwrap();
+    std::fs::write(folder.path().join("a.bin"), cube_buffer()).unwrap();
+    for uri in ["../a.bin", "%2e%2e/a.bin", "./../a.bin", "../inner/../a.bin"] {
+        let (path, document) = (inner.join("a.gltf"), json(WITH_NORMALS, &format!(r#","uri":"{uri}""#)));
+        let read = |reach| parse(&path, document.as_bytes(), reach);
+        let error = read(Reach::Folder).unwrap_err().to_string();
+        assert!(error.contains("leaves the folder"), "{error}");
+        assert_eq!(read(Reach::Anywhere).unwrap().normals, cube_normals());
+    }
+}
+
+/// The name of a mesh is there once, however many primitives it has, and not at any length.
+#[test]
+fn names_are_shared() {
+    let name = "\u{e9}".repeat(300);
+    let document = json(&format!("{WITH_NORMALS},{WITHOUT_NORMALS}"), "")
+        .replace(r#""meshes":[{"#, &format!(r#""meshes":[{{"name":"{name}","#));
+    let mesh = read(&glb(&document, Some(&cube_buffer()))).unwrap();
+    let [first, second] = [0, 1].map(|part| mesh.parts[part].name.as_ref().unwrap());
+    assert!(Arc::ptr_eq(first, second));
+    assert_eq!(&**first, "\u{e9}".repeat(200) + "...");
+}
+
+/// Primitives that share their positions count each face once; more corners than the file can hold are refused at once.
+#[test]
+fn faces_are_bounded() {
+    let mesh = read(&cube(&[WITHOUT_NORMALS; 9].join(","))).unwrap();
+    assert_eq!((mesh.parts.len(), mesh.normals), (9, read(&cube(WITHOUT_NORMALS)).unwrap().normals));
+    let accessors = 3000;
+    let primitive = |k: usize| format!(r#"{{"attributes":{{"POSITION":0}},"indices":{}}}"#, 4 + k);
+    let document = json(&(0..accessors).map(primitive).collect::<Vec<_>>().join(","), "");
+    let indices = r#",{"bufferView":2,"componentType":5121,"count":72,"type":"SCALAR"}"#.repeat(accessors);
+    let document = document.replace(r#""type":"VEC4"}"#, &format!(r#""type":"VEC4"}}{indices}"#));
+    assert!(document.len() * 4 + (1 << 16) > accessors * 72);
+    let more = document
+        .replace(r#""byteLength":72"#, r#""byteLength":20000"#)
+        .replace(r#""count":72"#, r#""count":20000"#);
+    let more = more.replace(r#""byteLength":392"#, r#""byteLength":30000"#);
+    let error = read(&glb(&more, Some(&vec![0; 30_000]))).unwrap_err().to_string();
+    assert!(error.contains("corners of faces"), "{error}");
 }
 
 /// Each way in which a buffer can be missing names the buffer.
@@ -347,6 +417,14 @@ fn sparse_accessors() {
         assert_eq!((normals.len(), normals[3], normals[0]), (8, CUBE_CORNERS[0], other));
     }
     assert!(is_parse(&read(&glb(&sparse("", 1 << 40), Some(&buffer)))));
+    // Indices 2 and 1; twice 7; and one beyond the eight.
+    for indices in [[2, 1], [7, 7], [7, 8]] {
+        let mut buffer = buffer.clone();
+        buffer[194..198].copy_from_slice(&indices.map(u16::to_le_bytes).concat());
+        let document = sparse("", 8).replace(r#""sparse":{"count":1"#, r#""sparse":{"count":2"#);
+        let error = read(&glb(&document, Some(&buffer))).unwrap_err().to_string();
+        assert!(error.contains("sparse indices that do not increase"), "{indices:?}: {error}");
+    }
 }
 
 /// Extensions of materials and attributes of the application do not matter; compression does.

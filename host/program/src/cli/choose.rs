@@ -8,7 +8,7 @@ use std::process::ExitCode;
 use unitvec_catalogue::Element;
 use unitvec_choose::costs::USUAL;
 use unitvec_choose::{Answer, Candidate, Costs, Demand, Limit, Miss, choose, degrees};
-use unitvec_files::read_small;
+use unitvec_files::{read_small, shown};
 use unitvec_host::Result;
 
 #[derive(Args)]
@@ -173,7 +173,8 @@ fn text(report: &Report, demand: &Demand, columns: Option<usize>) -> String {
         let first = if demand.max_error_deg.is_some() { "bytes" } else { "bound" };
         let legend = format!(
             "errors in degrees: no direction exceeds the bound, max and mean are measured; cost: {encode} x encode + {decode} x decode, \
-             multiples of oct32's on {costs_of}; order: {first}, cost, mean"
+             multiples of oct32's on {}; order: {first}, cost, mean",
+            shown(costs_of)
         );
         text = wrapped(&legend, "", columns) + "\n" + &table(candidates, &layout);
     }

@@ -11,6 +11,7 @@ use unitvec_host::input::Input;
 #[cfg(feature = "lab")]
 use unitvec_lab::imprecise::{self, Bounds, Model};
 use unitvec_mesh as mesh;
+use unitvec_mesh::Reach;
 use unitvec_run::backend::BackendKind;
 use unitvec_run::conform::{
     self, Arithmetic, Options, Plain, Plan, Report, Rounding, Roundings, Row, Summary,
@@ -197,7 +198,7 @@ fn normals(meshes: &[PathBuf]) -> Result<Vec<[f32; 3]>> {
     }
     let mut normals = Vec::new();
     for path in meshes {
-        normals.extend(Input::open(path)?.parse(mesh::parse)?.normals);
+        normals.extend(Input::open(path)?.parse(mesh::parse, Reach::Folder)?.normals);
     }
     Ok(normals)
 }

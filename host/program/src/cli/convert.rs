@@ -1,6 +1,6 @@
 use super::run::Live;
 use super::summary::{Options, Summary};
-use super::{OpenBackend, Vulkan, dtype, files_of, is_mesh, write_output};
+use super::{Buffers, OpenBackend, Vulkan, dtype, files_of, is_mesh, tell, write_output};
 use clap::Args;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -30,6 +30,8 @@ pub struct Encode {
     /// Take the input as raw floats, whatever its name and first bytes say.
     #[arg(long)]
     raw: bool,
+    #[command(flatten)]
+    buffers: Buffers,
     #[command(flatten)]
     work: Work,
     /// Input file, - for the standard input, or a folder, whose meshes are taken, also from folders below it.
@@ -82,6 +84,8 @@ pub struct Normals {
     #[arg(long)]
     frames: bool,
     #[command(flatten)]
+    buffers: Buffers,
+    #[command(flatten)]
     summary: Options,
     /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY; or a folder, whose meshes are taken.
     #[arg(value_name = "MESH", required = true, num_args = 1..)]
@@ -93,7 +97,7 @@ pub struct Normals {
 
 pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     let format = find(&arguments.codec)?;
-    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
+    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
     if let Some((_, out)) = pairs.iter().find(|(_, out)| has_ending(out, &RAW_ENDINGS)) {
         let words = format!("{} has the name of raw floats; give the codes another, as .uvec", out.display());
@@ -196,11 +200,11 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
         let input = Input::open(path)?;
         let mut counts = Counts::default();
         let (element, floats, parts, filled) = if arguments.frames {
-            let Frames { frames, parts } = input.parse(mesh::parse_frames)?;
+            let Frames { frames, parts } = input.parse(mesh::parse_frames, arguments.buffers.reach())?;
             counts.add(Element::Frame, frames.as_flattened());
             (Element::Frame, frames.into_flattened(), parts, 0)
         } else {
-            let mut mesh = input.parse(mesh::parse)?;
+            let mut mesh = input.parse(mesh::parse, arguments.buffers.reach())?;
             counts.add(Element::Vector, mesh.normals.as_flattened());
             let filled = mesh.fill_with_z() as u64;
             (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled)
@@ -255,7 +259,7 @@ fn pairs(
 
 /// Refuses an output that would replace the input, or what is called a mesh: as where OUT was forgotten after `*.obj`.
 fn check_output(input: &Path, out: &Path) -> Result<()> {
-    let is_input = input != Path::new("-") && input.is_file() && is_same_file(input, out);
+    let is_input = is_same_file(input, out);
     if is_input || is_mesh(out) {
         let what = if is_input { "the input" } else { "the name of a mesh" };
         let message = format!("{} is {what}; give the output another name", out.display());
@@ -287,8 +291,7 @@ impl Work {
                 Err(error) if pairs.len() == 1 => return Err(error),
                 Err(error) => {
                     failed += 1;
-                    // Where the standard error is closed, the exit status has to do.
-                    let _ = writeln!(io::stderr(), "unitvec: {error}");
+                    tell(error);
                 }
             }
         }

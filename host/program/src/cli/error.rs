@@ -1,12 +1,13 @@
 use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{OpenBackend, Vulkan, chosen_formats, degrees, dtype, files_of, is_mesh};
+use super::{Buffers, OpenBackend, Vulkan, chosen_formats, degrees, dtype, files_of, is_mesh};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find};
-use unitvec_host::input::{Elements, Kind};
+use unitvec_files::shown;
+use unitvec_host::input::{Elements, FileName, Kind};
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
 use unitvec_host::raw::Dtype;
 use unitvec_host::stream::Named;
@@ -28,6 +29,8 @@ pub struct Arguments {
     /// Take the files as raw floats, whatever their names and first bytes say.
     #[arg(long)]
     raw: bool,
+    #[command(flatten)]
+    buffers: Buffers,
     #[command(flatten)]
     json: Json,
     #[command(flatten)]
@@ -51,7 +54,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let files = files_of(&arguments.file, is_mesh)?;
     arguments.json.spare(&files)?;
     files.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
-    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype };
+    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
     let work = Some(files.len() as u64);
     let live = Live::new(work, "{wide_msg} file {pos} of {len}, {elapsed}", true);
     let (mut computed, mut warnings) = (Vec::new(), Vec::new());
@@ -60,14 +63,14 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         let Elements { floats: mut input, parts, is_guess, .. } =
             Elements::open(path, meter.element(), kind)?;
         if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
-            computed.push(path.display().to_string());
+            computed.push(FileName::from(path.as_path()));
         }
         let unit = meter.element().plural();
         let suspicion = meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
             live.name(format!("{}: {done} {unit}", path.display()));
         })?;
         let suspicion = suspicion.filter(|found| found.applies(is_guess));
-        warnings.extend(suspicion.map(|words| format!("{}: {words}", path.display())));
+        warnings.extend(suspicion.map(|words| shown(format_args!("{}: {words}", path.display()))));
     }
     live.finish();
     let report = Report { computed, warnings, ..meter.report() };
@@ -120,11 +123,8 @@ fn text(report: &Report, columns: Option<usize>) -> String {
         text += &wrapped(&format!("warning: {words}\n"), "    ", columns);
     }
     if !report.computed.is_empty() {
-        text += &wrapped(
-            &format!("normals computed from faces: {}\n", report.computed.join(", ")),
-            "    ",
-            columns,
-        );
+        let names: Vec<_> = report.computed.iter().map(FileName::to_string).collect();
+        text += &wrapped(&format!("normals computed from faces: {}\n", names.join(", ")), "    ", columns);
     }
     if report.totals.iter().any(|row| find(row.id).is_ok_and(|codec| codec.domain == Domain::Hemisphere)) {
         let words = "hemioct and xyonly take z < 0 as z = 0: that counts as error\n";
@@ -154,12 +154,12 @@ fn cells(row: &Row, columns: Option<usize>) -> [String; 11] {
 
 /// A row's file; the end of a long name on a terminal.
 fn file(row: &Row, columns: Option<usize>) -> String {
-    let name = row.file.as_deref().unwrap_or("all files");
+    let name = row.file.as_ref().map_or_else(|| "all files".to_owned(), FileName::to_string);
     match columns.and_then(|_| name.char_indices().rev().nth(SHOWN)) {
         Some(_) => {
             format!("...{}", &name[name.char_indices().rev().nth(SHOWN - 4).map_or(0, |(at, _)| at)..])
         }
-        None => name.to_owned(),
+        None => name,
     }
 }
 

@@ -32,18 +32,19 @@ mod table;
 use clap::Arg;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use std::fmt::Display;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec_catalogue::{AnyCodec, CODECS, find};
-use unitvec_files::Output;
+use unitvec_files::{Output, shown, shown_lines};
 use unitvec_host::raw::{DTYPES, Dtype};
 use unitvec_host::{Error, Result};
 #[cfg(feature = "lab")]
 use unitvec_lab::imprecise::Gpus;
 use unitvec_manifest::modules::Modules;
-use unitvec_mesh::FileFormat;
+use unitvec_mesh::{FileFormat, Reach};
 use unitvec_run::backend::{Backend, BackendKind, Cpu, Gpu, KernelSource};
 use unitvec_run::conform::Backends;
 use unitvec_run::glsl;
@@ -141,7 +142,7 @@ enum Command {
 }
 
 impl Arguments {
-    pub fn run(self) -> Result<ExitCode> {
+    fn run(self) -> Result<ExitCode> {
         match self.command {
             Command::Codecs(arguments) => codecs::run(&arguments),
             Command::Devices(vulkan) => devices::run(&vulkan),
@@ -294,6 +295,20 @@ impl Vulkan {
     }
 }
 
+/// Where the buffers of a glTF file may lie.
+#[derive(Args)]
+struct Buffers {
+    /// Read the buffers of a .gltf file also from outside its folder (`../`), for files that you trust.
+    #[arg(long)]
+    buffers_anywhere: bool,
+}
+
+impl Buffers {
+    fn reach(&self) -> Reach {
+        if self.buffers_anywhere { Reach::Anywhere } else { Reach::Folder }
+    }
+}
+
 /// Hides the options of modules in the help of a command that takes none.
 #[cfg(feature = "render")]
 fn hide_modules(option: Arg) -> Arg {
@@ -336,17 +351,37 @@ fn write_output(mut output: Output, bytes: &[u8]) -> Result<()> {
     Ok(output.finish()?)
 }
 
+/// Runs what the command line says.
+pub fn run() -> Result<ExitCode> {
+    match Arguments::try_parse() {
+        Ok(arguments) => arguments.run(),
+        // Help and the version, which clap would print to a full disk without a word.
+        Err(text) if !text.use_stderr() => {
+            let printed = text.print().and_then(|()| io::stdout().flush());
+            printed.map_err(|source| unitvec_files::Error::writing(Path::new("-"), source))?;
+            Ok(ExitCode::SUCCESS)
+        }
+        Err(error) => error.exit(),
+    }
+}
+
+/// Prints lines to the standard output.
 fn print(text: &str) -> Result<ExitCode> {
-    let written = io::stdout().lock().write_all(text.as_bytes());
+    let mut stdout = io::stdout().lock();
+    let written = stdout.write_all(shown_lines(text).as_bytes()).and_then(|()| stdout.flush());
     written.map_err(|source| unitvec_files::Error::writing(Path::new("-"), source))?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// Tells one line on the standard error. Where that is closed, the exit status has to do.
+pub fn tell(words: impl Display) {
+    let _ = writeln!(io::stderr(), "unitvec: {}", shown(words));
 }
 
 /// The exit status after a run with these validation messages, which go to the standard error.
 fn status_after_validation(messages: &[String]) -> ExitCode {
     for message in messages {
-        // Where the standard error is closed, the exit status has to do.
-        let _ = writeln!(io::stderr(), "unitvec: validation: {message}");
+        tell(format_args!("validation: {message}"));
     }
     if messages.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }

@@ -1,20 +1,19 @@
 //! Options and output that the runs over codecs share.
 
 use super::table::{Column, Layout, Wide, left_out, wrapped};
-use super::{Vulkan, chosen_formats, is_mesh, print, status_after_validation, to_json};
+use super::{Vulkan, chosen_formats, is_mesh, print, status_after_validation, tell, to_json};
 use clap::Args;
 use clap::builder::{PathBufValueParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use std::fmt::Display;
-use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
-use unitvec_files::is_same_file;
+use unitvec_files::{is_same_file, shown};
 use unitvec_host::input::{RAW_ENDINGS, has_ending};
 use unitvec_host::{Error, Result};
 use unitvec_vulkan::{Device, DeviceInfo};
@@ -158,8 +157,7 @@ impl Live {
             let (done, name) = (self.bar.position(), self.bar.message());
             let of = self.bar.length().map_or_else(String::new, |length| format!(" of {length}"));
             let colon = if name.is_empty() { "" } else { ": " };
-            // Where the standard error is closed, nobody wants to know.
-            let _ = writeln!(io::stderr(), "unitvec: {name}{colon}{done}{of} done in {seconds} s");
+            tell(format_args!("{name}{colon}{done}{of} done in {seconds} s"));
         }
         &self.bar
     }
@@ -176,7 +174,7 @@ impl Live {
 
     /// Shows a name or some words beside the bar.
     pub fn name(&self, words: impl Into<String>) {
-        self.bar().set_message(words.into());
+        self.bar().set_message(shown(words.into()));
     }
 
     /// Prints above the bar, unless a report takes the standard output.

@@ -1,14 +1,16 @@
 //! What `encode`, `decode` and `normals` say when they are done.
 
 use super::run::Json;
-use super::{counted, to_json};
+use super::{counted, tell, to_json};
 use clap::Args;
 use serde::Serialize;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use unitvec_catalogue::{AnyCodec, Domain, Element};
+use unitvec_files::shown;
 use unitvec_host::Result;
+use unitvec_host::input::FileName;
 use unitvec_host::stream::{Counts, keeps_lengths};
 use unitvec_mesh::{Part, mesh_count};
 
@@ -29,15 +31,14 @@ impl Options {
 
     /// Prints what was read from one file, one of `all`, and written to the other, which is the standard output or not.
     pub fn told(&self, summary: Summary, files: [&Path; 2], all: usize, to_stdout: bool) -> (Report, bool) {
-        let [input, output] = files.map(|path| path.display().to_string());
+        let [input, output] = files.map(FileName::from);
         let name = if all > 1 { format!("{input}: ") } else { String::new() };
-        // Where the standard error is closed, the exit status has to do.
-        let mut stderr = std::io::stderr();
         if !self.quiet && !self.json.is_to_stdout() {
-            let _ = writeln!(stderr, "{name}{}", summary.line());
+            // Where the standard error is closed, the exit status has to do.
+            let _ = writeln!(std::io::stderr(), "{}", shown(name + &summary.line()));
         }
         for words in summary.warnings.iter().filter(|_| !self.json.is_to_stdout()) {
-            let _ = writeln!(stderr, "unitvec: warning: {input}: {words}");
+            tell(format_args!("warning: {input}: {words}"));
         }
         (Report { input, output, summary }, to_stdout)
     }
@@ -70,9 +71,9 @@ pub enum Reports {
 #[derive(Serialize, schemars::JsonSchema)]
 pub struct Report {
     /// The file that was read; - is the standard input.
-    input: String,
+    input: FileName,
     /// The file that was written; - is the standard output.
-    output: String,
+    output: FileName,
     #[serde(flatten)]
     summary: Summary,
 }

@@ -5,6 +5,7 @@ use std::fmt::Display;
 use std::io;
 use terminal_size::{Width, terminal_size_of};
 use textwrap::Options;
+use unitvec_files::shown;
 use unitvec_host::{Error, Result};
 
 #[derive(Args)]
@@ -124,7 +125,7 @@ impl Layout {
 
     /// A line of the table: a cell for each column, shown or not.
     pub fn line(&self, cells: &[&dyn Display]) -> String {
-        self.joined(|column| cells.get(column).map(ToString::to_string).unwrap_or_default())
+        self.joined(|column| cells.get(column).map(shown).unwrap_or_default())
     }
 
     fn joined(&self, cell: impl Fn(usize) -> String) -> String {
