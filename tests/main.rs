@@ -24,6 +24,7 @@ mod framing;
 mod fuzz;
 #[cfg(feature = "glsl")]
 mod glsl;
+mod harm;
 mod house;
 mod ico;
 #[cfg(feature = "glsl")]
