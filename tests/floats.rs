@@ -211,9 +211,14 @@ fn several_files_and_folders() {
     said(folder.path(), "decode codes codes");
     assert_eq!(fs::metadata(at("codes/c.f32")).unwrap().len(), 1839 * 12);
     fs::write(at("meshes/a.glb"), "no mesh").unwrap();
-    let mut some = command("encode --codec oct32 --json all.json meshes/a.glb c.obj codes".split(' '));
-    let output = some.current_dir(folder.path()).output().unwrap();
-    assert!(output.status.code() == Some(1) && stderr(&output).contains("1 of 2 inputs failed"));
+    for command_line in ["encode --codec oct32", "normals"] {
+        let line = format!("{command_line} --json all.json meshes/a.glb c.obj codes");
+        let output = command(line.split(' ')).current_dir(folder.path()).output().unwrap();
+        assert!(
+            output.status.code() == Some(1) && stderr(&output).contains("1 of 2 inputs failed"),
+            "{line}"
+        );
+    }
     fs::remove_file(at("meshes/a.glb")).unwrap();
     for (line, words) in [
         ("encode --codec oct16 c.obj meshes none", "none is none"),

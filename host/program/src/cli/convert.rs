@@ -1,6 +1,6 @@
 use super::run::Live;
 use super::summary::{Options, Summary};
-use super::{Buffers, OpenBackend, Vulkan, dtype, files_of, is_mesh, tell, write_output};
+use super::{Buffers, OpenBackend, Vulkan, dtype, files_of, is_mesh, tell};
 use clap::Args;
 use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
@@ -17,7 +17,7 @@ use unitvec_host::stream::{Counts, Named, Sink};
 use unitvec_host::{Error, Result};
 use unitvec_mesh as mesh;
 use unitvec_mesh::Frames;
-use unitvec_run::backend::{Backend, BackendKind};
+use unitvec_run::backend::{Backend, BackendKind, Cpu};
 
 #[derive(Args)]
 pub struct Encode {
@@ -193,32 +193,24 @@ fn codec_of(
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &Normals) -> Result<ExitCode> {
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "f32")?;
-    arguments.summary.spare(&pairs)?;
-    let mut done = Vec::new();
-    for (path, out) in &pairs {
-        let mut output = Output::create_binary(out)?;
-        let input = Input::open(path)?;
+    let reach = arguments.buffers.reach();
+    each(&arguments.summary, &pairs, &arguments.out, &mut Cpu, |conversion| {
+        let input = Input::open(conversion.input)?;
         let mut counts = Counts::default();
         let (element, floats, parts, filled) = if arguments.frames {
-            let Frames { frames, parts } = input.parse(mesh::parse_frames, arguments.buffers.reach())?;
+            let Frames { frames, parts } = input.parse(mesh::parse_frames, reach)?;
             counts.add(Element::Frame, frames.as_flattened());
             (Element::Frame, frames.into_flattened(), parts, 0)
         } else {
-            let mut mesh = input.parse(mesh::parse, arguments.buffers.reach())?;
+            let mut mesh = input.parse(mesh::parse, reach)?;
             counts.add(Element::Vector, mesh.normals.as_flattened());
             let filled = mesh.fill_with_z() as u64;
             (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled)
         };
-        let to_stdout = output.is_stdout();
-        if has_ending(out, &["npy"]) {
-            let header = Npy::new("<f4", counts.elements, element.floats()).to_bytes();
-            output.write_all(&header).map_err(|source| unitvec_files::Error::writing(out, source))?;
-        }
-        write_output(output, &to_bytes(&floats))?;
-        let summary = Summary::of_export(element, counts, parts, filled);
-        done.push(arguments.summary.told(summary, [path, out], pairs.len(), to_stdout));
-    }
-    arguments.summary.write(done, &arguments.out)?;
+        conversion.begin_array(Some(counts.elements), ("<f4", element.floats()))?;
+        conversion.write(&to_bytes(&floats))?;
+        Ok(Summary::of_export(element, counts, parts, filled))
+    })?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -273,49 +265,59 @@ type Convert<T> =
     fn(&mut dyn Backend, &AnyCodec, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
 
 impl Work {
-    /// Converts each input to its output. One of several that fails does not stop the others.
     fn each(
         &self,
         pairs: &[(PathBuf, PathBuf)],
         out: &Path,
         convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
     ) -> Result<ExitCode> {
-        self.summary.spare(pairs)?;
         let mut open = OpenBackend::open(self.backend, &self.vulkan)?;
-        let (mut done, mut failed) = (Vec::new(), 0);
-        for (input, out) in pairs {
-            match self.one(input, out, open.backend.as_mut(), &convert) {
-                Ok((summary, to_stdout)) => {
-                    done.push(self.summary.told(summary, [input, out], pairs.len(), to_stdout));
-                }
-                Err(error) if pairs.len() == 1 => return Err(error),
-                Err(error) => {
-                    failed += 1;
-                    tell(error);
-                }
+        let converted = each(&self.summary, pairs, out, open.backend.as_mut(), convert);
+        let status = open.close();
+        converted.map(|()| status)
+    }
+}
+
+/// Converts each input to its output. One of several that fails does not stop the others.
+fn each(
+    summary: &Options,
+    pairs: &[(PathBuf, PathBuf)],
+    out: &Path,
+    backend: &mut dyn Backend,
+    convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
+) -> Result<()> {
+    summary.spare(pairs)?;
+    let (mut done, mut failed) = (Vec::new(), 0);
+    for (input, out) in pairs {
+        match one(input, out, backend, &convert) {
+            Ok((one, to_stdout)) => done.push(summary.told(one, [input, out], pairs.len(), to_stdout)),
+            Err(error) if pairs.len() == 1 => return Err(error),
+            Err(error) => {
+                failed += 1;
+                tell(error);
             }
         }
-        self.summary.write(done, out)?;
-        match failed {
-            0 => Ok(open.close()),
-            _ => Err(Error::Some { failed, all: pairs.len() }),
-        }
     }
+    summary.write(done, out)?;
+    match failed {
+        0 => Ok(()),
+        _ => Err(Error::Some { failed, all: pairs.len() }),
+    }
+}
 
-    fn one(
-        &self,
-        input: &Path,
-        out: &Path,
-        backend: &mut dyn Backend,
-        convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
-    ) -> Result<(Summary, bool)> {
-        let output = Hashed::new(Output::create_binary(out)?, false);
-        let mut conversion = Conversion { input, out, output, backend };
-        let summary = convert(&mut conversion)?;
-        let to_stdout = conversion.output.stream.is_stdout();
-        conversion.output.stream.finish()?;
-        Ok((summary, to_stdout))
-    }
+/// Converts an input. Returns what is told of it, and whether it went to the standard output.
+fn one(
+    input: &Path,
+    out: &Path,
+    backend: &mut dyn Backend,
+    convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
+) -> Result<(Summary, bool)> {
+    let output = Hashed::new(Output::create_binary(out)?, false);
+    let mut conversion = Conversion { input, out, output, backend };
+    let summary = convert(&mut conversion)?;
+    let to_stdout = conversion.output.stream.is_stdout();
+    conversion.output.stream.finish()?;
+    Ok((summary, to_stdout))
 }
 
 /// A file on its way through a backend.
