@@ -204,8 +204,13 @@ impl Archive {
 
     /// Fails where the archive is not the expected one.
     fn check(&self, archive: &Path) -> Result<(), String> {
-        let sum = output(Command::new("sha256sum").arg(archive))?;
-        let sum = sum.split_whitespace().next().unwrap_or_default();
+        let mut tool = Command::new(if cfg!(windows) { "certutil" } else { "sha256sum" });
+        let printed = output(match cfg!(windows) {
+            true => tool.arg("-hashfile").arg(archive).arg("SHA256"),
+            false => tool.arg(archive),
+        })?;
+        // certutil prints lines before and after it.
+        let sum = printed.split_whitespace().find(|word| word.len() == self.sha256.len()).unwrap_or_default();
         if sum == self.sha256 {
             return Ok(());
         }
