@@ -5,7 +5,7 @@ use super::{Error, Instance, Named};
 use ash::{khr, vk};
 use gpu_allocator::vulkan::Allocator;
 use serde::{Deserialize, Serialize};
-use std::ffi::c_char;
+use std::ffi::CStr;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex};
 
@@ -194,6 +194,7 @@ impl Device {
             .queue_family_index(queue_family)
             .queue_priorities(&priorities)];
         let extensions = extensions(&offered(instance, physical)?, has_statistics);
+        let extensions: Vec<_> = extensions.into_iter().map(CStr::as_ptr).collect();
         let mut features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default()
             .pipeline_executable_info(true);
         let mut create =
@@ -273,11 +274,10 @@ fn offered(instance: &Instance, device: vk::PhysicalDevice) -> Result<Vec<vk::Ex
 }
 
 /// The extensions to enable. Vulkan demands the first where a device has it: one that lacks parts of Vulkan.
-fn extensions(offered: &[vk::ExtensionProperties], has_statistics: bool) -> Vec<*const c_char> {
+fn extensions(offered: &[vk::ExtensionProperties], has_statistics: bool) -> Vec<&'static CStr> {
     let portability = khr::portability_subset::NAME;
-    let mut names: Vec<_> =
-        offers(offered, portability).then_some(portability.as_ptr()).into_iter().collect();
-    names.extend(has_statistics.then_some(khr::pipeline_executable_properties::NAME.as_ptr()));
+    let mut names: Vec<_> = offers(offered, portability).then_some(portability).into_iter().collect();
+    names.extend(has_statistics.then_some(khr::pipeline_executable_properties::NAME));
     names
 }
 
@@ -394,9 +394,9 @@ mod tests {
         let (portability, statistics) =
             (khr::portability_subset::NAME, khr::pipeline_executable_properties::NAME);
         let offered = [vk::ExtensionProperties::default().extension_name(portability).unwrap()];
-        assert_eq!(extensions(&offered, false), [portability.as_ptr()]);
-        assert_eq!(extensions(&offered, true), [portability.as_ptr(), statistics.as_ptr()]);
-        assert_eq!(extensions(&[], false), []);
+        assert_eq!(extensions(&offered, false), [portability]);
+        assert_eq!(extensions(&offered, true), [portability, statistics]);
+        assert!(extensions(&[], false).is_empty());
     }
 
     /// A device that only computes runs kernels and draws nothing; one that does both in different families draws in the

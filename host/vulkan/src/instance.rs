@@ -1,6 +1,6 @@
 use super::{Error, Named};
 use ash::{Entry, ext, khr, vk};
-use std::ffi::{CStr, c_char, c_void};
+use std::ffi::{CStr, c_void};
 use std::sync::{Mutex, PoisonError};
 
 const VALIDATION_LAYER: &CStr = c"VK_LAYER_KHRONOS_validation";
@@ -49,6 +49,7 @@ impl Instance {
         let offered = unsafe { entry.enumerate_instance_extension_properties(None) }
             .named("vkEnumerateInstanceExtensionProperties")?;
         let (extensions, flags) = extensions(&offered, validate);
+        let extensions: Vec<_> = extensions.into_iter().map(CStr::as_ptr).collect();
         let features = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
         let mut validation_features =
             vk::ValidationFeaturesEXT::default().enabled_validation_features(&features);
@@ -155,15 +156,15 @@ pub(super) fn offers(offered: &[vk::ExtensionProperties], name: &CStr) -> bool {
 fn extensions(
     offered: &[vk::ExtensionProperties],
     validate: bool,
-) -> (Vec<*const c_char>, vk::InstanceCreateFlags) {
+) -> (Vec<&'static CStr>, vk::InstanceCreateFlags) {
     let mut names = Vec::new();
     let mut flags = vk::InstanceCreateFlags::empty();
     if offers(offered, khr::portability_enumeration::NAME) {
-        names.push(khr::portability_enumeration::NAME.as_ptr());
+        names.push(khr::portability_enumeration::NAME);
         flags = vk::InstanceCreateFlags::ENUMERATE_PORTABILITY_KHR;
     }
     if validate {
-        names.push(ext::debug_utils::NAME.as_ptr());
+        names.push(ext::debug_utils::NAME);
     }
     (names, flags)
 }
@@ -183,10 +184,10 @@ mod tests {
     fn devices_that_lack_parts_are_asked_for_where_they_can_be() {
         let portability = khr::portability_enumeration::NAME;
         let offered = [vk::ExtensionProperties::default().extension_name(portability).unwrap()];
-        let debug = ext::debug_utils::NAME.as_ptr();
+        let debug = ext::debug_utils::NAME;
         let flags = vk::InstanceCreateFlags::ENUMERATE_PORTABILITY_KHR;
-        assert_eq!(extensions(&offered, true), (vec![portability.as_ptr(), debug], flags));
-        assert_eq!(extensions(&offered, false), (vec![portability.as_ptr()], flags));
+        assert_eq!(extensions(&offered, true), (vec![portability, debug], flags));
+        assert_eq!(extensions(&offered, false), (vec![portability], flags));
         assert_eq!(extensions(&[], true), (vec![debug], vk::InstanceCreateFlags::empty()));
     }
 }
