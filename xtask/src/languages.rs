@@ -51,7 +51,7 @@ const FXC: Archive = Archive {
 };
 
 /// The packages that run it, and build the program that calls it.
-const FOR_FXC: [&str; 5] = ["wine64", "wine", "xvfb", "gcc-mingw-w64-x86-64", "libgl1-mesa-dri"];
+pub const FOR_FXC: [&str; 5] = ["wine64", "wine", "xvfb", "gcc-mingw-w64-x86-64", "libgl1-mesa-dri"];
 
 /// The compiler of Slang. Its library serves any Python.
 const SLANG: Archive = Archive {

@@ -1,4 +1,5 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, renew and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, renew and packages,
+//! each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -11,6 +12,7 @@ mod renew;
 mod setup;
 #[cfg(test)]
 mod tests;
+mod windows;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         "shaders" => shaders(rest),
         "examples" => examples::run(rest),
         "processors" => processors::run(rest),
+        "windows" => windows::run(rest),
         "renew" => renew::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),
         "help" | "--help" | "-h" => {
