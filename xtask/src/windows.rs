@@ -81,8 +81,9 @@ struct Wine {
 impl Wine {
     fn new(folder: PathBuf) -> Result<Self, String> {
         let wine = Self { folder };
-        let system = wine.folder.join("prefix/drive_c/windows/system32");
-        let library = system.join("bcryptprimitives.dll");
+        let prefix = wine.folder.join("prefix");
+        let library = prefix.join("drive_c/windows/system32/bcryptprimitives.dll");
+        told(&prefix, fs::create_dir_all(&prefix))?;
         // Services live as long as the server. Those that a program starts write into its errors.
         for line in [["wineserver", "--persistent"].as_slice(), &["wine", "wineboot", "--init"]] {
             let mut command = Command::new(line[0]);
