@@ -1,7 +1,8 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, renew and packages, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, renew, packages and dist, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
+mod dist;
 mod drivers;
 mod examples;
 mod languages;
@@ -11,6 +12,7 @@ mod renew;
 mod setup;
 #[cfg(test)]
 mod tests;
+mod wine;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
@@ -36,6 +38,7 @@ fn main() -> ExitCode {
         "examples" => examples::run(rest),
         "processors" => processors::run(rest),
         "renew" => renew::run(rest),
+        "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");
