@@ -13,7 +13,8 @@ use std::sync::OnceLock;
 /// If it does not build.
 pub fn path() -> &'static Path {
     static PATH: OnceLock<PathBuf> = OnceLock::new();
-    PATH.get_or_init(|| build(&["--package", "unitvec-host", "--bin", "unitvec"]).join("unitvec"))
+    let name = format!("unitvec{}", std::env::consts::EXE_SUFFIX);
+    PATH.get_or_init(|| build(&["--package", "unitvec-host", "--bin", "unitvec"]).join(name))
 }
 
 /// Builds the package that these arguments name to cargo in the profile of the tests, and returns the output's folder.

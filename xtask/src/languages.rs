@@ -51,7 +51,7 @@ const FXC: Archive = Archive {
 };
 
 /// The packages that run it, and build the program that calls it.
-const FOR_FXC: [&str; 5] = ["wine64", "wine", "xvfb", "gcc-mingw-w64-x86-64", "libgl1-mesa-dri"];
+pub const FOR_FXC: [&str; 5] = ["wine64", "wine", "xvfb", "gcc-mingw-w64-x86-64", "libgl1-mesa-dri"];
 
 /// The compiler of Slang. Its library serves any Python.
 const SLANG: Archive = Archive {
@@ -204,8 +204,13 @@ impl Archive {
 
     /// Fails where the archive is not the expected one.
     fn check(&self, archive: &Path) -> Result<(), String> {
-        let sum = output(Command::new("sha256sum").arg(archive))?;
-        let sum = sum.split_whitespace().next().unwrap_or_default();
+        let mut tool = Command::new(if cfg!(windows) { "certutil" } else { "sha256sum" });
+        let printed = output(match cfg!(windows) {
+            true => tool.arg("-hashfile").arg(archive).arg("SHA256"),
+            false => tool.arg(archive),
+        })?;
+        // certutil prints lines before and after it.
+        let sum = printed.split_whitespace().find(|word| word.len() == self.sha256.len()).unwrap_or_default();
         if sum == self.sha256 {
             return Ok(());
         }

@@ -1,4 +1,5 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, renew, packages and dist, each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, renew, packages and dist,
+//! each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
@@ -12,10 +13,11 @@ mod renew;
 mod setup;
 #[cfg(test)]
 mod tests;
-mod wine;
+mod windows;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
+use std::sync::OnceLock;
 use std::time::Instant;
 use std::{env, fs};
 
@@ -37,6 +39,7 @@ fn main() -> ExitCode {
         "shaders" => shaders(rest),
         "examples" => examples::run(rest),
         "processors" => processors::run(rest),
+        "windows" => windows::run(rest),
         "renew" => renew::run(rest),
         "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),
@@ -62,8 +65,18 @@ fn main() -> ExitCode {
     }
 }
 
-/// All commands build with the same features, so that cargo does not build dependencies twice.
-const WITH_GLSL: [&str; 2] = ["--features", "unitvec-tests/glsl"];
+/// All commands build with the same features, so that cargo does not build dependencies twice. GLSL is left out where it cannot
+/// be compiled.
+fn features() -> &'static [&'static str] {
+    static FEATURES: OnceLock<&[&str]> = OnceLock::new();
+    FEATURES.get_or_init(|| match &setup::missing_for_glsl()[..] {
+        [] => &["--features", "unitvec-tests/glsl"],
+        missing => {
+            println!("xtask: GLSL and HLSL are left out: shaderc is built by {}", missing.join(", "));
+            &[]
+        }
+    })
+}
 
 fn conform(arguments: &[String]) -> Result<(), String> {
     let of_drivers = drivers::Options::of(arguments)?;
@@ -71,21 +84,40 @@ fn conform(arguments: &[String]) -> Result<(), String> {
     if let Some(options) = of_drivers {
         return drivers::run(&options, &unitvec);
     }
-    let mut command = Command::new(unitvec);
-    // A subcommand comes first.
-    command.arg("conform").args(arguments).arg("--validate");
-    let chosen = env::var_os("UNITVEC_DEVICE").is_some()
+    let is_chosen = env::var_os("UNITVEC_DEVICE").is_some()
         || arguments.iter().any(|argument| argument.starts_with("--device"));
-    if !chosen {
-        command.args(["--device", "lavapipe"]);
+    let devices = |validate: &[&str]| match setup::has_apt() {
+        true => Ok("llvmpipe".to_owned()),
+        false => output(Command::new(&unitvec).arg("devices").args(validate)),
+    };
+    let options = options(is_chosen, devices);
+    // A subcommand comes first.
+    run(Command::new(&unitvec).arg("conform").args(arguments).args(options))
+}
+
+/// The options of `conform`: validation, and lavapipe unless a device is chosen. Where Debian's packages are not installed it goes
+/// on without what `unitvec devices` lacks, and says so.
+fn options(is_chosen: bool, devices: impl Fn(&[&str]) -> Result<String, String>) -> Vec<&'static str> {
+    let mut options = Vec::new();
+    match devices(&["--validate"]) {
+        Err(reason) if reason.contains("validation layer") => eprintln!("xtask: NOT VALIDATED: {reason}"),
+        _ => options.push("--validate"),
     }
-    run(&mut command)
+    if !is_chosen {
+        match devices(&[]) {
+            Ok(list) if !list.contains("llvmpipe") => {
+                println!("xtask: no lavapipe here: the best device is taken, which has a star:\n{list}");
+            }
+            _ => options.extend(["--device", "lavapipe"]),
+        }
+    }
+    options
 }
 
 /// Builds `unitvec`, and installs its requirements.
 fn program() -> Result<PathBuf, String> {
     let packages = ["--package", "unitvec-host", "--package", "unitvec-tests"];
-    built(cargo(&["build", "--bin", "unitvec"]).args(packages).args(WITH_GLSL))?;
+    built(cargo(&["build", "--bin", "unitvec"]).args(packages).args(features()))?;
     Ok(target()?.join("debug/unitvec"))
 }
 
@@ -122,7 +154,7 @@ fn test(arguments: &[String]) -> Result<(), String> {
     ];
     let all = || {
         let mut command = cargo(&["test", "--workspace"]);
-        command.args(left_out).args(WITH_GLSL);
+        command.args(left_out).args(features());
         command
     };
     let of_cargo: Vec<_> = others.iter().take_while(|argument| *argument != "--").collect();
@@ -147,7 +179,7 @@ fn test(arguments: &[String]) -> Result<(), String> {
 /// The tests of all packages together, in one program.
 fn integration(arguments: &[&str]) -> Command {
     let mut command = cargo(&["test", "--package", "unitvec-tests", "--test", "unitvec"]);
-    command.args(WITH_GLSL).args(arguments);
+    command.args(features()).args(arguments);
     command
 }
 

@@ -13,7 +13,8 @@ const LIBRARIES: [&str; 5] =
 const PROGRAM: &str = "unitvec-files unitvec-vulkan unitvec-manifest unitvec-mesh unitvec-run unitvec-choose \
     unitvec-lab unitvec-render unitvec-link unitvec-host";
 
-fn packages() -> impl Iterator<Item = &'static str> {
+/// All published packages.
+pub fn names() -> impl Iterator<Item = &'static str> {
     LIBRARIES.into_iter().chain(PROGRAM.split(' '))
 }
 
@@ -35,9 +36,9 @@ impl Unpacked {
         let target = self.folder.join("package");
         fs::create_dir_all(&target).map_err(|error| format!("{}: {error}", target.display()))?;
         let mut package = cargo(&["package", "--no-verify", "--allow-dirty"]);
-        package.args(packages().flat_map(|name| ["--package", name])).arg("--target-dir").arg(&target);
+        package.args(names().flat_map(|name| ["--package", name])).arg("--target-dir").arg(&target);
         run_command(&mut package)?;
-        packages().try_for_each(|name| {
+        names().try_for_each(|name| {
             let file = target.join("package").join(format!("{}.crate", versioned(name)));
             run_command(Command::new("tar").arg("xzf").arg(file).arg("-C").arg(&self.folder))
         })
@@ -108,7 +109,7 @@ impl Unpacked {
     fn cargo(&self, name: &str, command: &str) -> Command {
         let mut cargo = cargo(&[command]);
         cargo.current_dir(self.path(name)).env("CARGO_TARGET_DIR", self.folder.join("target"));
-        for other in packages().filter(|other| *other != name) {
+        for other in names().filter(|other| *other != name) {
             let patch = format!("patch.crates-io.{other}.path={:?}", self.path(other));
             cargo.args(["--config", &patch]);
         }

@@ -78,6 +78,9 @@ fn obstacle(path: &Path, source: &io::Error) -> String {
         io::ErrorKind::IsADirectory => {
             "a folder has this name: name another path, or move the folder away".to_owned()
         }
+        io::ErrorKind::PermissionDenied if path.is_file() => {
+            "access denied: it is read-only or another program has it open; allow writing, or name another path".to_owned()
+        }
         io::ErrorKind::Other => source.to_string(),
         _ => format!("{source}; check that its folder may be written to and has room"),
     }

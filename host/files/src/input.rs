@@ -3,7 +3,7 @@
 use crate::{Error, Result};
 use std::fs::{DirEntry, File};
 use std::io::{self, Read};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf, Prefix};
 
 /// Opens a file, or the standard input for `-`. Returns its length where it is a file.
 ///
@@ -14,11 +14,21 @@ pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
         return Ok((Box::new(io::stdin().lock()), None));
     }
     let file = File::open(path)?;
+    if is_device(path) {
+        return Ok((Box::new(file), None));
+    }
     let metadata = file.metadata()?;
     if metadata.is_dir() {
         return Err(io::ErrorKind::IsADirectory.into());
     }
     Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
+}
+
+/// True for a name that Windows keeps for a device or a pipe: `NUL`, `CON`, `\\.\pipe\name`. Windows tells nothing else of those,
+/// and a look at a pipe opens it.
+pub(crate) fn is_device(path: &Path) -> bool {
+    let whole = std::path::absolute(path).unwrap_or_default();
+    matches!(whole.components().next(), Some(Component::Prefix(it)) if matches!(it.kind(), Prefix::DeviceNS(_)))
 }
 
 /// Adds the files that are wanted in a folder and in those below it, in the order of their names. Links to folders are

@@ -1,5 +1,6 @@
 //! Output files that exist whole or not at all.
 
+use crate::input::is_device;
 use crate::{Error, Result};
 use std::fs::OpenOptions;
 #[cfg(unix)]
@@ -117,10 +118,22 @@ impl Write for Output {
 /// The path to write to. A link stays one: its target is replaced. The target has to exist, since a file that nobody
 /// named would appear in an unknown place.
 fn target(path: &Path) -> io::Result<PathBuf> {
+    if is_device(path) {
+        return Ok(path.to_owned());
+    }
     if path.is_symlink() && path.metadata().is_err() {
         return Err(io::Error::other("it is a link to nothing"));
     }
-    Ok(path.canonicalize().unwrap_or_else(|_| path.to_owned()))
+    Ok(path.canonicalize().ok().or_else(|| of_any_length(path)).unwrap_or_else(|| path.to_owned()))
+}
+
+/// The path of a new file that Windows takes at any length: the folder's canonical path begins with `\\?\`.
+fn of_any_length(path: &Path) -> Option<PathBuf> {
+    if !cfg!(windows) || path.to_string_lossy().ends_with(std::path::is_separator) {
+        return None;
+    }
+    let whole = std::path::absolute(path).ok()?;
+    Some(whole.parent()?.canonicalize().ok()?.join(whole.file_name()?))
 }
 
 /// True where both paths exist and lead to one file, by links of any kind.
@@ -142,7 +155,7 @@ fn identity_of(metadata: &Metadata) -> (u64, u64) {
 
 #[cfg(not(unix))]
 fn identity(path: &Path) -> Option<PathBuf> {
-    path.canonicalize().ok()
+    if is_device(path) { None } else { path.canonicalize().ok() }
 }
 
 /// True for `-` and, where the system shows it, for a path that the standard output is open to.
@@ -169,8 +182,8 @@ fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
         let is_terminal = stdout.is_terminal();
         return Ok((Destination::Direct(Box::new(stdout)), is_terminal));
     }
-    let is_special = path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
-    if is_special {
+    let is_special = || path.metadata().is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir());
+    if is_device(path) || is_special() {
         let file = OpenOptions::new().write(true).open(path)?;
         let is_terminal = file.is_terminal();
         return Ok((Destination::Direct(Box::new(file)), is_terminal));
@@ -188,6 +201,9 @@ fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
         Ok(existing) => {
             // Rename would replace a file that must not be written to.
             OpenOptions::new().append(true).open(path)?;
+            if cfg!(windows) && existing.permissions().readonly() {
+                return Err(io::ErrorKind::PermissionDenied.into());
+            }
             builder.permissions(existing.permissions());
         }
         Err(_) => plain_permissions(&mut builder),

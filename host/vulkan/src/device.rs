@@ -1,9 +1,11 @@
+use super::instance::offers;
 use super::kernel::{GROUP, MAX_ELEMENT, WORKGROUP};
 use super::memory::{allocator, unified_types};
 use super::{Error, Instance, Named};
 use ash::{khr, vk};
 use gpu_allocator::vulkan::Allocator;
 use serde::{Deserialize, Serialize};
+use std::ffi::CStr;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex};
 
@@ -191,14 +193,16 @@ impl Device {
         let queues = [vk::DeviceQueueCreateInfo::default()
             .queue_family_index(queue_family)
             .queue_priorities(&priorities)];
-        let extensions = [khr::pipeline_executable_properties::NAME.as_ptr()];
+        let extensions = extensions(&offered(instance, physical)?, has_statistics);
+        let extensions: Vec<_> = extensions.into_iter().map(CStr::as_ptr).collect();
         let mut features = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default()
             .pipeline_executable_info(true);
-        let mut create = vk::DeviceCreateInfo::default().queue_create_infos(&queues);
+        let mut create =
+            vk::DeviceCreateInfo::default().queue_create_infos(&queues).enabled_extension_names(&extensions);
         if has_statistics {
-            create = create.enabled_extension_names(&extensions).push_next(&mut features);
+            create = create.push_next(&mut features);
         }
-        // SAFETY: the physical device is the instance's; the queue family, the extension and its feature are ones it has.
+        // SAFETY: the physical device is the instance's; the queue family, the extensions and the feature are ones it has.
         let raw = unsafe { instance.raw.create_device(physical, &create, None) };
         let raw = RawDevice(raw.named("vkCreateDevice")?);
         // SAFETY: the device was created with one queue of this family.
@@ -262,13 +266,24 @@ fn physical_devices(instance: &Instance) -> Result<Vec<vk::PhysicalDevice>, Erro
     }
 }
 
+/// The extensions that a device has.
+fn offered(instance: &Instance, device: vk::PhysicalDevice) -> Result<Vec<vk::ExtensionProperties>, Error> {
+    // SAFETY: a query of a physical device of the instance.
+    unsafe { instance.raw.enumerate_device_extension_properties(device) }
+        .named("vkEnumerateDeviceExtensionProperties")
+}
+
+/// The extensions to enable. Vulkan demands the first where a device has it: one that lacks parts of Vulkan.
+fn extensions(offered: &[vk::ExtensionProperties], has_statistics: bool) -> Vec<&'static CStr> {
+    let portability = khr::portability_subset::NAME;
+    let mut names: Vec<_> = offers(offered, portability).then_some(portability).into_iter().collect();
+    names.extend(has_statistics.then_some(khr::pipeline_executable_properties::NAME));
+    names
+}
+
 /// True where the device has VK_KHR_pipeline_executable_properties.
 fn offers_statistics(instance: &Instance, device: vk::PhysicalDevice) -> Result<bool, Error> {
-    // SAFETY: a query of a physical device of the instance.
-    let extensions = unsafe { instance.raw.enumerate_device_extension_properties(device) }
-        .named("vkEnumerateDeviceExtensionProperties")?;
-    let name = khr::pipeline_executable_properties::NAME;
-    if !extensions.iter().any(|extension| extension.extension_name_as_c_str() == Ok(name)) {
+    if !offers(&offered(instance, device)?, khr::pipeline_executable_properties::NAME) {
         return Ok(false);
     }
     let mut statistics = vk::PhysicalDevicePipelineExecutablePropertiesFeaturesKHR::default();
@@ -372,6 +387,16 @@ mod tests {
         assert_eq!(choose("3"), None);
         assert_eq!(choose("voodoo"), None);
         assert_eq!(choose(""), None);
+    }
+
+    #[test]
+    fn what_a_device_lacks_is_admitted() {
+        let (portability, statistics) =
+            (khr::portability_subset::NAME, khr::pipeline_executable_properties::NAME);
+        let offered = [vk::ExtensionProperties::default().extension_name(portability).unwrap()];
+        assert_eq!(extensions(&offered, false), [portability]);
+        assert_eq!(extensions(&offered, true), [portability, statistics]);
+        assert!(extensions(&[], false).is_empty());
     }
 
     /// A device that only computes runs kernels and draws nothing; one that does both in different families draws in the

@@ -1,12 +1,40 @@
 use ash::vk;
 
+/// The way to install the loader, a driver or the validation layer on this system.
+const LOADER: &str = on(
+    "Debian: apt-get install libvulkan1 mesa-vulkan-drivers",
+    "the GPU's driver has it",
+    "brew install vulkan-loader molten-vk, or the Vulkan SDK",
+);
+const DRIVER: &str = on(
+    "Debian: apt-get install mesa-vulkan-drivers",
+    "from the GPU's vendor",
+    "brew install molten-vk, or the Vulkan SDK",
+);
+const LAYER: &str = on(
+    "Debian: apt-get install vulkan-validationlayers",
+    "the Vulkan SDK has it",
+    "brew install vulkan-validationlayers, or the Vulkan SDK",
+);
+
+/// The words for the system that this is built for.
+const fn on(linux: &'static str, windows: &'static str, mac: &'static str) -> &'static str {
+    if cfg!(windows) {
+        windows
+    } else if cfg!(target_os = "macos") {
+        mac
+    } else {
+        linux
+    }
+}
+
 /// Failures between the program and a Vulkan device.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
     /// The Vulkan loader is missing.
     #[error(
-        "the Vulkan loader {library} cannot be loaded ({reason}); install it (Debian: apt-get install libvulkan1 \
-         mesa-vulkan-drivers) or name one in UNITVEC_VULKAN_LOADER"
+        "the Vulkan loader {library} cannot be loaded ({reason}); install it ({LOADER}) or name one in \
+         UNITVEC_VULKAN_LOADER"
     )]
     NoLoader {
         /// Library that was tried.
@@ -16,8 +44,7 @@ pub enum Error {
     },
     /// There is a loader, but no device behind it.
     #[error(
-        "no Vulkan device: no driver was found; install one (Debian: apt-get install mesa-vulkan-drivers) and check \
-         VK_DRIVER_FILES and VK_ICD_FILENAMES"
+        "no Vulkan device: no driver was found; install one ({DRIVER}) and check VK_DRIVER_FILES and VK_ICD_FILENAMES"
     )]
     NoDevice,
     /// No device has this name or index.
@@ -49,10 +76,7 @@ pub enum Error {
         offering: Vec<String>,
     },
     /// Validation was asked for and is not installed.
-    #[error(
-        "the validation layer VK_LAYER_KHRONOS_validation is not installed (Debian: apt-get install \
-         vulkan-validationlayers)"
-    )]
+    #[error("the validation layer VK_LAYER_KHRONOS_validation is not installed ({LAYER})")]
     NoValidationLayer,
     /// A SPIR-V module is not made of whole words.
     #[error(

@@ -1,9 +1,22 @@
 use super::{Error, Named};
-use ash::{Entry, ext, vk};
+use ash::{Entry, ext, khr, vk};
 use std::ffi::{CStr, c_void};
 use std::sync::{Mutex, PoisonError};
 
 const VALIDATION_LAYER: &CStr = c"VK_LAYER_KHRONOS_validation";
+
+/// Further places of a loader, or of MoltenVK, which serves without one. macOS looks into none of Homebrew's folders by itself.
+const OTHER_LOADERS: &[&str] = if cfg!(target_os = "macos") {
+    &[
+        "/opt/homebrew/lib/libvulkan.dylib",
+        "/usr/local/lib/libvulkan.dylib",
+        "libMoltenVK.dylib",
+        "/opt/homebrew/lib/libMoltenVK.dylib",
+        "/usr/local/lib/libMoltenVK.dylib",
+    ]
+} else {
+    &[]
+};
 
 /// A Vulkan instance, with the validation layer's messages collected where that was asked for.
 pub struct Instance {
@@ -32,18 +45,22 @@ impl Instance {
             return Err(Error::NoValidationLayer);
         }
         let layers = [VALIDATION_LAYER.as_ptr()];
-        let extensions = [ext::debug_utils::NAME.as_ptr()];
+        // SAFETY: a query without preconditions.
+        let offered = unsafe { entry.enumerate_instance_extension_properties(None) }
+            .named("vkEnumerateInstanceExtensionProperties")?;
+        let (extensions, flags) = extensions(&offered, validate);
+        let extensions: Vec<_> = extensions.into_iter().map(CStr::as_ptr).collect();
         let features = [vk::ValidationFeatureEnableEXT::SYNCHRONIZATION_VALIDATION];
         let mut validation_features =
             vk::ValidationFeaturesEXT::default().enabled_validation_features(&features);
         let application =
             vk::ApplicationInfo::default().application_name(c"unitvec").api_version(vk::API_VERSION_1_1);
-        let mut create = vk::InstanceCreateInfo::default().application_info(&application);
+        let mut create = vk::InstanceCreateInfo::default()
+            .application_info(&application)
+            .flags(flags)
+            .enabled_extension_names(&extensions);
         if validate {
-            create = create
-                .enabled_layer_names(&layers)
-                .enabled_extension_names(&extensions)
-                .push_next(&mut validation_features);
+            create = create.enabled_layer_names(&layers).push_next(&mut validation_features);
         }
         // SAFETY: `create` and all it points to outlive the call.
         let raw = match unsafe { entry.create_instance(&create, None) } {
@@ -118,8 +135,38 @@ fn load(loader: Option<&str>) -> Result<Entry, Error> {
     let library = loader.unwrap_or("of the system");
     // SAFETY: loading a Vulkan loader runs its initialisers, which have no preconditions; the library is the system's
     // own or the one the user named.
-    unsafe { loader.map_or_else(|| Entry::load(), |library| Entry::load_from(library)) }
-        .map_err(|error| Error::NoLoader { library: library.to_owned(), reason: error.to_string() })
+    let load_from = |library: &&str| unsafe { Entry::load_from(*library) };
+    let loaded = match &loader {
+        Some(library) => load_from(library),
+        // SAFETY: as above.
+        None => OTHER_LOADERS.iter().fold(unsafe { Entry::load() }, |found, library| {
+            found.or_else(|first| load_from(library).map_err(|_| first))
+        }),
+    };
+    loaded.map_err(|error| Error::NoLoader { library: library.to_owned(), reason: error.to_string() })
+}
+
+/// True where an extension is among those offered.
+pub(super) fn offers(offered: &[vk::ExtensionProperties], name: &CStr) -> bool {
+    offered.iter().any(|extension| extension.extension_name_as_c_str() == Ok(name))
+}
+
+/// The extensions of an instance, and its flags. Loaders hide devices that lack parts of Vulkan, such as those of MoltenVK, from
+/// programs that do not ask for them.
+fn extensions(
+    offered: &[vk::ExtensionProperties],
+    validate: bool,
+) -> (Vec<&'static CStr>, vk::InstanceCreateFlags) {
+    let mut names = Vec::new();
+    let mut flags = vk::InstanceCreateFlags::empty();
+    if offers(offered, khr::portability_enumeration::NAME) {
+        names.push(khr::portability_enumeration::NAME);
+        flags = vk::InstanceCreateFlags::ENUMERATE_PORTABILITY_KHR;
+    }
+    if validate {
+        names.push(ext::debug_utils::NAME);
+    }
+    (names, flags)
 }
 
 fn has_validation_layer(entry: &Entry) -> Result<bool, Error> {
@@ -127,4 +174,20 @@ fn has_validation_layer(entry: &Entry) -> Result<bool, Error> {
     let layers =
         unsafe { entry.enumerate_instance_layer_properties() }.named("vkEnumerateInstanceLayerProperties")?;
     Ok(layers.iter().any(|layer| layer.layer_name_as_c_str() == Ok(VALIDATION_LAYER)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn devices_that_lack_parts_are_asked_for_where_they_can_be() {
+        let portability = khr::portability_enumeration::NAME;
+        let offered = [vk::ExtensionProperties::default().extension_name(portability).unwrap()];
+        let debug = ext::debug_utils::NAME;
+        let flags = vk::InstanceCreateFlags::ENUMERATE_PORTABILITY_KHR;
+        assert_eq!(extensions(&offered, true), (vec![portability, debug], flags));
+        assert_eq!(extensions(&offered, false), (vec![portability], flags));
+        assert_eq!(extensions(&[], true), (vec![debug], vk::InstanceCreateFlags::empty()));
+    }
 }

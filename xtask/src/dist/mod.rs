@@ -4,6 +4,7 @@
 mod licences;
 mod trial;
 
+use crate::windows::GCC;
 use crate::{cache, cargo, output, program, repository, run as run_command, setup, target};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -111,7 +112,7 @@ impl Platform {
         };
         build.args(["--release", "--locked", "--package=unitvec-host", "--bin=unitvec"]);
         build.arg("--target-dir").arg(target()?).env("CARGO_ZIGBUILD_ZIG_PATH", zig.join("ziglang/zig"));
-        build.env("CARGO_TARGET_X86_64_PC_WINDOWS_GNU_LINKER", "x86_64-w64-mingw32-gcc");
+        build.env("CARGO_TARGET_X86_64_PC_WINDOWS_GNU_LINKER", GCC);
         // The date of linking is no part of the program, nor are the names of this machine's folders.
         build.env("SOURCE_DATE_EPOCH", "315532800");
         let folders = [(repository(), "/unitvec"), (cargo_home()?, "/cargo")];

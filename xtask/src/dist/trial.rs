@@ -1,7 +1,8 @@
 //! The archives, unpacked and run where nothing is installed: their results are those of the program built for this machine.
 
 use super::{GLIBC, Platform, at, emptied};
-use crate::{output, repository, run as run_command, wine};
+use crate::windows::Wine;
+use crate::{cache, output, repository, run as run_command};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -33,12 +34,14 @@ type Results = BTreeMap<String, Vec<u8>>;
 struct Trial {
     folder: PathBuf,
     words: Vec<String>,
+    wine: Option<Wine>,
 }
 
 /// Checks the sums, and runs each archive's program beside `native`.
 pub fn run(platforms: &[Platform], archives: &Path, scratch: &Path, native: &Path) -> Result<(), String> {
     run_command(Command::new("sha256sum").args(["--check", "--quiet", "SHA256SUMS"]).current_dir(archives))?;
-    let here = Trial { folder: emptied(scratch, "here")?, words: vec![native.display().to_string()] };
+    let here =
+        Trial { folder: emptied(scratch, "here")?, words: vec![native.display().to_string()], wine: None };
     let expected = here.results()?;
     for platform in platforms {
         let (folder, archive) = (emptied(scratch, platform.name)?, archives.join(platform.archive()));
@@ -63,16 +66,16 @@ impl Trial {
     /// An empty root for this machine's processor, an emulator for the other, or Wine.
     fn of(platform: &Platform, folder: PathBuf, program: &Path) -> Result<Self, String> {
         let path = program.display().to_string();
+        let mut wine = None;
         let words = match platform.name {
             "linux-x86_64" => chroot(&folder, program)?,
             "linux-aarch64" => {
                 ["qemu-aarch64", "-L", "/usr/aarch64-linux-gnu", &path].map(str::to_owned).to_vec()
             }
             _ => {
-                let prefix = format!("WINEPREFIX={}", wine::prefix()?.display());
+                wine = Some(Wine::new(cache("windows")?)?);
                 // Wine has a loader of its own.
-                let variables = [&prefix, "WINEDEBUG=-all", "UNITVEC_VULKAN_LOADER=none.dll"];
-                [&["env"], &variables[..], &["wine", &path]].concat().into_iter().map(str::to_owned).collect()
+                ["env", "UNITVEC_VULKAN_LOADER=none.dll", "wine", &path].map(str::to_owned).to_vec()
             }
         };
         if platform.is_linux() {
@@ -82,12 +85,15 @@ impl Trial {
                 other => return Err(format!("the program needs glibc {other:?}, not {GLIBC:?} at most")),
             }
         }
-        Ok(Self { folder, words })
+        Ok(Self { folder, words, wine })
     }
 
     fn command(&self, line: &str) -> Command {
         let mut command = Command::new(&self.words[0]);
         command.args(&self.words[1..]).args(line.split(' ')).current_dir(&self.folder).stdin(Stdio::null());
+        if let Some(wine) = &self.wine {
+            wine.set(&mut command);
+        }
         command
     }
 

@@ -7,7 +7,7 @@
 use super::state::matches;
 use crate::{
     built, cache, cargo, conform, drivers, integration, languages, processors, program, repository, run,
-    shaders, spirv, write,
+    shaders, spirv, windows, write,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -309,6 +309,25 @@ pub static RECORDS: &[Record] = &[
         minutes: 10,
         needs: "Debian's cross compilers, qemu and Node.js, which it installs",
         renew: || processors::run(&["--record".to_owned()]),
+        ..RUN
+    },
+    Record {
+        name: "windows",
+        from: "libraries and program under Wine, checked for macOS: a run that leaves no file",
+        // The places where systems differ, and the arithmetic.
+        inputs: &[
+            CODECS,
+            &[
+                Code(
+                    "host/files/src/*.rs host/vulkan/src/instance.rs host/vulkan/src/device.rs host/program/src/main.rs",
+                ),
+                Code("xtask/src/windows.rs xtask/src/windows/*"),
+                Versions(|| locked(&["ash", "ctrlc", "libloading", "tempfile"])),
+            ],
+        ],
+        minutes: 12,
+        needs: "Debian's MinGW, Wine and lavapipe, which it installs, and rustup",
+        renew: || windows::run(&[]),
         ..RUN
     },
     Record {

@@ -39,9 +39,9 @@ pub fn svg(rows: &[Row]) -> Result<String, Box<dyn Error>> {
         let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
         root.fill(&WHITE)?;
         let families = families(rows);
-        let (degrees, rest) = root.split_vertically(420);
+        let (top, rest) = root.split_vertically(420);
         let (mean, max) = rest.split_vertically(340);
-        draw_degrees(&degrees, &families)?;
+        draw_degrees(&top, &families)?;
         let ratio = "as a multiple of the covering bound";
         draw_ratio(&mean, &format!("Mean error, {ratio}"), &families, |row| {
             Some(row.mean_deg / row.least_mean_deg?)
@@ -52,6 +52,11 @@ pub fn svg(rows: &[Row]) -> Result<String, Box<dyn Error>> {
         root.present()?;
     }
     Ok(text)
+}
+
+/// A power of ten at an axis. The plotting library computes it with the system's `powf`, which is inexact on Windows.
+pub(crate) fn degrees(value: &f64) -> String {
+    format!("{:?}", format!("{value:.6e}").parse().unwrap_or(*value))
 }
 
 /// Rows by family, which is the identifier without its digits; by bits, each codec once.
@@ -84,6 +89,7 @@ fn draw_degrees(
         .configure_mesh()
         .x_label_formatter(&|bits| format!("{bits:.0}"))
         .x_desc("bits")
+        .y_label_formatter(&degrees)
         .y_desc("degrees")
         .light_line_style(WHITE)
         .draw()?;
@@ -162,4 +168,15 @@ fn drawn_last_if_coloured<'a>(
 ) -> impl Iterator<Item = (&'a String, &'a Vec<&'a Row>)> {
     let grey = families.iter().filter(|(family, _)| colour_of(family).0.is_none());
     grey.chain(families.iter().filter(|(family, _)| colour_of(family).0.is_some()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_have_round_numbers() {
+        let labels = [1.0000000000000006e-5, 1e-4, 0.1, 10.000000000000007].map(|value| degrees(&value));
+        assert_eq!(labels, ["1e-5", "0.0001", "0.1", "10.0"]);
+    }
 }

@@ -2,6 +2,7 @@
 //! other.
 
 use super::{Report, Source};
+use crate::accuracy::chart::degrees;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -101,6 +102,7 @@ fn draw(
         .x_labels(COST_LABELS.len())
         .x_label_formatter(&|cost| format!("{cost:.0}"))
         .x_desc("inverse throughput: cycles for 64 invocations of four vectors")
+        .y_label_formatter(&degrees)
         .y_desc("degrees")
         .light_line_style(WHITE)
         .draw()?;

@@ -2,6 +2,7 @@ use super::super::buffer::Buffer;
 use super::super::memory::Place;
 use super::super::{Error, FormatUse, ImageFormat, bytes_per_texel};
 use super::Graphics;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// Vertices, each attribute in a buffer of its own, and maybe indices.
@@ -42,7 +43,8 @@ impl Mesh {
             .map_err(|_| Error::BadDraw { reason: "a mesh has more than 2^32 vertices" })?;
         for (format, bytes) in attributes {
             graphics.device.expect(*format, FormatUse::Vertex)?;
-            mesh.attributes.push((*format, mesh.filled(bytes)?));
+            let size = bytes_per_texel(*format).unwrap_or_default();
+            mesh.attributes.push((*format, mesh.filled(&spread(bytes, size))?));
         }
         mesh.indices = indices.map(|indices| mesh.filled(bytemuck::cast_slice(indices))).transpose()?;
         Ok(mesh)
@@ -65,6 +67,20 @@ impl Mesh {
     }
 }
 
+/// The bytes from a vertex to the next, for an attribute of this size: whole words, since Metal takes no others.
+pub(super) const fn stride(size: usize) -> usize {
+    size.next_multiple_of(4)
+}
+
+/// An attribute of this size, with as many bytes for each vertex as the stride has.
+fn spread(bytes: &[u8], size: usize) -> Cow<'_, [u8]> {
+    let rest = [0; 3];
+    match stride(size) - size {
+        0 => bytes.into(),
+        lacking => bytes.chunks(size).flat_map(|vertex| [vertex, &rest[..lacking]].concat()).collect(),
+    }
+}
+
 /// The number of vertices: at least one, and the same for each attribute.
 fn vertices(attributes: &[(ImageFormat, &[u8])]) -> Result<usize, Error> {
     let mut counts = attributes.iter().map(|(format, bytes)| {
@@ -81,6 +97,13 @@ fn vertices(attributes: &[(ImageFormat, &[u8])]) -> Result<usize, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn vertices_begin_at_words() {
+        assert_eq!(*spread(&[1, 2, 3, 4, 5, 6], 3), [1, 2, 3, 0, 4, 5, 6, 0]);
+        assert_eq!(*spread(&[1, 2, 3, 4], 2), [1, 2, 0, 0, 3, 4, 0, 0]);
+        assert!(matches!(spread(&[1; 8], 4), Cow::Borrowed([1, ..])));
+    }
 
     #[test]
     fn attributes_are_of_equally_many_vertices() {

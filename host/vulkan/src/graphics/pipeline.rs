@@ -3,6 +3,7 @@ use super::super::layout::Layout;
 use super::super::module::Module;
 use super::super::{Error, FormatUse, ImageFormat, bytes_per_texel};
 use super::Target;
+use super::mesh::stride;
 use super::target::{RenderPass, colour_pass};
 use ash::vk;
 
@@ -129,7 +130,7 @@ fn vertex_input(
     formats: &[ImageFormat],
 ) -> (Vec<vk::VertexInputBindingDescription>, Vec<vk::VertexInputAttributeDescription>) {
     let binding = |(format, binding)| {
-        let stride = bytes_per_texel(format).unwrap_or_default() as u32;
+        let stride = stride(bytes_per_texel(format).unwrap_or_default()) as u32;
         vk::VertexInputBindingDescription { binding, stride, input_rate: vk::VertexInputRate::VERTEX }
     };
     let attribute = |(format, location)| vk::VertexInputAttributeDescription {
