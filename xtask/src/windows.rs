@@ -81,11 +81,9 @@ pub struct Wine {
 impl Wine {
     pub fn new(folder: PathBuf) -> Result<Self, String> {
         let wine = Self { folder };
-        // The server does not make its folder.
         let prefix = wine.folder.join("prefix");
-        fs::create_dir_all(&prefix).map_err(|error| format!("{}: {error}", prefix.display()))?;
-        let system = wine.folder.join("prefix/drive_c/windows/system32");
-        let library = system.join("bcryptprimitives.dll");
+        let library = prefix.join("drive_c/windows/system32/bcryptprimitives.dll");
+        told(&prefix, fs::create_dir_all(&prefix))?;
         // Services live as long as the server. Those that a program starts write into its errors.
         for line in [["wineserver", "--persistent"].as_slice(), &["wine", "wineboot", "--init"]] {
             let mut command = Command::new(line[0]);

@@ -325,7 +325,7 @@ pub static RECORDS: &[Record] = &[
                 Versions(|| locked(&["ash", "ctrlc", "libloading", "tempfile"])),
             ],
         ],
-        minutes: 12,
+        minutes: 10,
         needs: "Debian's MinGW, Wine and lavapipe, which it installs, and rustup",
         renew: || windows::run(&[]),
         ..RUN

@@ -6,15 +6,16 @@ int main(int count, char **words) {
     PROCESS_INFORMATION child;
     WIN32_FIND_DATAA found;
     DWORD status = 255;
+    int tries = 300;
     // Ctrl-C reaches the programs of a console; under Wine there is none yet.
     FreeConsole();
     AllocConsole();
     SetConsoleCtrlHandler(NULL, FALSE);
     if (count != 2 || !CreateProcessA(NULL, words[1], NULL, NULL, TRUE, 0, NULL, NULL, &start, &child)) return 254;
-    for (int i = 0; i < 300 && FindFirstFileA(".unitvec-*", &found) == INVALID_HANDLE_VALUE; i++) Sleep(100);
+    while (FindFirstFileA(".unitvec-*", &found) == INVALID_HANDLE_VALUE && --tries) Sleep(100);
     SetConsoleCtrlHandler(NULL, TRUE);
     GenerateConsoleCtrlEvent(CTRL_C_EVENT, 0);
     WaitForSingleObject(child.hProcess, 20000);
     GetExitCodeProcess(child.hProcess, &status);
-    return (int)status;
+    return tries ? (int)status : 253;
 }
