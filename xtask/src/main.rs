@@ -1,8 +1,9 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, renew and packages,
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, renew, packages and dist,
 //! each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
+mod dist;
 mod drivers;
 mod examples;
 mod languages;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         "processors" => processors::run(rest),
         "windows" => windows::run(rest),
         "renew" => renew::run(rest),
+        "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),
         "help" | "--help" | "-h" => {
             print!("{USAGE}");

@@ -16,7 +16,7 @@ const WINDOWS: &str = "x86_64-pc-windows-gnu";
 /// Targets whose programs nothing runs here.
 const CHECKED: [&str; 2] = ["aarch64-apple-darwin", "x86_64-pc-windows-msvc"];
 
-const GCC: &str = "x86_64-w64-mingw32-gcc";
+pub const GCC: &str = "x86_64-w64-mingw32-gcc";
 const SOURCES: &str = "xtask/src/windows";
 
 /// Command lines that do the same on both systems: bytes, messages, status and files. `<` gives the vectors as standard input.
@@ -74,12 +74,12 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
 }
 
 /// Wine with a folder of its own.
-struct Wine {
+pub struct Wine {
     folder: PathBuf,
 }
 
 impl Wine {
-    fn new(folder: PathBuf) -> Result<Self, String> {
+    pub fn new(folder: PathBuf) -> Result<Self, String> {
         let wine = Self { folder };
         let prefix = wine.folder.join("prefix");
         let library = prefix.join("drive_c/windows/system32/bcryptprimitives.dll");
@@ -98,7 +98,7 @@ impl Wine {
     }
 
     /// Sets the variables of Wine, and those by which cargo links for Windows and runs under Wine.
-    fn set<'a>(&self, command: &'a mut Command) -> &'a mut Command {
+    pub fn set<'a>(&self, command: &'a mut Command) -> &'a mut Command {
         command.env("WINEPREFIX", self.folder.join("prefix")).env("WINEDEBUG", "-all");
         // Without menus, and without questions for packages that only other programs need.
         command.env("WINEDLLOVERRIDES", "winemenubuilder.exe,mscoree,mshtml=");
