@@ -8,6 +8,8 @@ mod folder;
 mod input;
 mod output;
 mod text;
+#[cfg(target_os = "linux")]
+mod unnamed;
 
 pub use error::{Error, Result};
 pub use folder::Folder;

@@ -1,6 +1,8 @@
 //! Output files that exist whole or not at all.
 
 use crate::input::is_device;
+#[cfg(target_os = "linux")]
+use crate::unnamed;
 use crate::{Error, Result};
 #[cfg(unix)]
 use std::fs::Metadata;
@@ -15,10 +17,10 @@ use tempfile::NamedTempFile;
 /// Names that temporary files and folders were given; those of finished ones are gone.
 static TEMPORARY: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// A file being written. Until [`finish`](Self::finish) it has no name or, where the file system has no such files, a
-/// temporary one in the same folder; dropped before that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself: those are written
-/// directly. Another name of the standard output, such as `/dev/stdout`, is as `-`. A link stays, and the file that it leads to
-/// is replaced.
+/// A file being written. Until [`finish`](Self::finish) it has no name or, where the system has no such files, a temporary one in
+/// the same folder; dropped before that, it leaves nothing behind. `-` is the standard output and a device or pipe is itself:
+/// those are written directly. Another name of the standard output, such as `/dev/stdout`, is as `-`. A link stays, and the file
+/// that it leads to is replaced.
 pub struct Output {
     path: PathBuf,
     target: PathBuf,
@@ -252,37 +254,6 @@ fn builder() -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".unitvec-");
     builder
-}
-
-/// Files that have no name before they are whole.
-#[cfg(target_os = "linux")]
-mod unnamed {
-    use rustix::fs::{AtFlags, CWD, OFlags, linkat};
-    use std::fs::{File, OpenOptions, Permissions};
-    use std::io;
-    use std::os::fd::AsRawFd;
-    use std::os::unix::fs::OpenOptionsExt;
-    use std::path::{Path, PathBuf};
-
-    /// The path by which the kernel shows an open file.
-    fn shown(file: &File) -> PathBuf {
-        format!("/proc/self/fd/{}", file.as_raw_fd()).into()
-    }
-
-    /// Opens a file that is in no folder yet, and can be linked into this one. `None` where the file system has none, or where
-    /// no /proc shows it.
-    pub fn create(folder: &Path, permissions: Option<&Permissions>) -> Option<File> {
-        let mut options = OpenOptions::new();
-        options.read(true).write(true).mode(0o666).custom_flags(OFlags::TMPFILE.bits().cast_signed());
-        let file = options.open(folder).ok()?;
-        permissions.map_or(Ok(()), |permissions| file.set_permissions(permissions.clone())).ok()?;
-        shown(&file).is_symlink().then_some(file)
-    }
-
-    /// Gives a file a name that nothing has.
-    pub fn link(file: &File, path: &Path) -> io::Result<()> {
-        Ok(linkat(CWD, shown(file), CWD, path, AtFlags::SYMLINK_FOLLOW)?)
-    }
 }
 
 /// Makes a write beyond the size that the shell allows for files an error, where it would end the program.
