@@ -48,12 +48,11 @@ fn glb(name: &str, accessors: &str, primitives: &str) -> Vec<u8> {
 #[test]
 fn names_and_primitives() {
     let normals = r#"{"bufferView":0,"componentType":5126,"count":300,"type":"VEC3"}"#;
-    // A primitive has attributes the parser stores in fifty times its text: the names weigh beside that.
     let bytes =
-        glb(&"x".repeat(1 << 20), normals, &repeated(r#"{"attributes":{"POSITION":0,"NORMAL":1}}"#, 4000));
+        glb(&"x".repeat(1 << 17), normals, &repeated(r#"{"attributes":{"POSITION":0,"NORMAL":1}}"#, 4000));
     let mesh = read(Path::new("names.glb"), &bytes, 0).unwrap();
     assert_eq!((mesh.parts.len(), mesh.normals.len()), (4000, 300));
-    assert!(serde_json::to_string(&mesh.parts).unwrap().len() < 2 * bytes.len());
+    assert!(serde_json::to_string(&mesh.parts).unwrap().len() < 4 * bytes.len());
 }
 
 /// Primitives that share their positions, all with the same indices, and each with an accessor of its own over the same bytes.
@@ -61,7 +60,7 @@ fn names_and_primitives() {
 fn primitives_and_indices() {
     let indices = r#"{"bufferView":0,"componentType":5121,"count":4095,"type":"SCALAR"}"#;
     let one = r#"{"attributes":{"POSITION":0},"indices":1}"#;
-    let padding = "x".repeat(1 << 20);
+    let padding = "x".repeat(1 << 17);
     let bytes = glb(&padding, indices, &repeated(one, 8000));
     assert_eq!(read(Path::new("same_indices.glb"), &bytes, 0).unwrap().normals.len(), 300);
     let each: Vec<_> =

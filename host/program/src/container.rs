@@ -57,11 +57,14 @@ impl Header {
 
     /// The bytes before the codes, `length` at least.
     pub fn to_bytes(&self, length: usize) -> Vec<u8> {
+        const START: usize = MAGIC.len() + 8;
+        let mut bytes = [&MAGIC[..], &[0; 8]].concat();
         // Serialising plain structs and strings to memory has no way to fail.
-        let mut json = serde_json::to_vec(self).unwrap_or_default();
-        let length = (MAGIC.len() + 8 + json.len()).next_multiple_of(64).max(length) - MAGIC.len() - 8;
-        json.resize(length, b' ');
-        [&MAGIC[..], &(length as u64).to_le_bytes(), &json].concat()
+        let _ = serde_json::to_writer(&mut bytes, self);
+        bytes.resize(bytes.len().next_multiple_of(64).max(length), b' ');
+        let length = (bytes.len() - START) as u64;
+        bytes[MAGIC.len()..START].copy_from_slice(&length.to_le_bytes());
+        bytes
     }
 
     /// Reads a header, up to the first code.

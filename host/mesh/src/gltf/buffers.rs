@@ -1,4 +1,4 @@
-//! Buffers of glTF files: those that are used, each file once.
+//! Buffers of glTF files, each file once.
 
 use std::borrow::Cow;
 use std::cmp::Reverse;
@@ -7,35 +7,16 @@ use std::path::{Component, Path, PathBuf};
 use std::rc::Rc;
 
 use ::gltf::json;
-use ::gltf::{Accessor, Document, Semantic};
 use base64::Engine;
 use base64::alphabet;
 use base64::engine::{DecodePaddingMode, GeneralPurpose, GeneralPurposeConfig};
 use percent_encoding::percent_decode_str;
 use unitvec_files::{one_line, read_start};
 
-use super::primitives;
 use crate::{MeshError, Reach};
 
 /// The contents of a buffer, which may be those of others as well.
 pub(super) type Content<'p> = Rc<Cow<'p, [u8]>>;
-
-/// The buffers that these attributes lie in and, where a primitive has no normals, its indices.
-pub(super) fn used(document: &Document, semantics: &[Semantic]) -> BTreeSet<usize> {
-    let mut used = BTreeSet::new();
-    let mut add = |accessor: Accessor| {
-        let sparse = accessor.sparse().map(|sparse| [sparse.indices().view(), sparse.values().view()]);
-        let views = accessor.view().into_iter().chain(sparse.into_iter().flatten());
-        used.extend(views.map(|view| view.buffer().index()));
-    };
-    for (_, primitive) in primitives(document) {
-        semantics.iter().filter_map(|semantic| primitive.get(semantic)).for_each(&mut add);
-        if primitive.get(&Semantic::Normals).is_none() {
-            primitive.indices().into_iter().for_each(&mut add);
-        }
-    }
-    used
-}
 
 /// The contents of the buffers that are `used`, and their bytes outside of the file; the others are empty. URIs, which may
 /// be contents themselves, are taken out of all.

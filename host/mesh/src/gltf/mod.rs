@@ -5,7 +5,7 @@ mod buffers;
 mod tests;
 
 use std::collections::hash_map::Entry;
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -14,8 +14,9 @@ use ::gltf::accessor::{DataType, Dimensions, Item, Iter};
 use ::gltf::binary::Glb;
 use ::gltf::buffer::View;
 use ::gltf::json;
+use ::gltf::json::validation::Checked;
 use ::gltf::mesh::Mode;
-use ::gltf::{Accessor, Buffer, Document, Primitive, Semantic};
+use ::gltf::{Accessor, Buffer, Document, Semantic};
 
 use glam::Vec3;
 
@@ -30,30 +31,29 @@ const FORMAT: &str = "glTF";
 
 /// Reads the normals of all primitives of all meshes, in the order of [`Mesh`].
 pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, MeshError> {
-    let (document, file) = load(path, bytes, reach, &[Semantic::Positions, Semantic::Normals])?;
-    let faces = file.primitives_with_faces(&document)?;
+    let file = load(path, bytes, reach, &[Semantic::Positions, Semantic::Normals])?;
+    let faces = file.primitives_with_faces()?;
     let (mut all, mut has_faces) = (Collected::new(&file), false);
-    for (mesh, primitive) in primitives(&document) {
+    for (mesh, at, primitive) in file.primitives() {
         match primitive.get(&Semantic::Normals) {
             Some(accessor) => {
-                file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
-                all.add(&mesh, &primitive, Accessors::Normals(accessor.index()), |normals| {
-                    file.positions(&primitive, |_| ())?;
-                    reserve(path, normals, accessor.count())?;
-                    file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |normal| {
+                file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
+                all.add(mesh, at, Accessors::Normals(accessor), |normals| {
+                    file.positions(primitive, |_| ())?;
+                    reserve(path, normals, file.accessor(accessor)?.count())?;
+                    file.vectors(primitive, &Semantic::Normals, Dimensions::Vec3, |normal| {
                         normals.push(normal)
                     })
                 })?;
             }
             None => {
-                let accessor = file.attribute(&primitive, &Semantic::Positions)?.index();
-                all.add(&mesh, &primitive, Accessors::Faces(accessor), |normals| {
-                    let count = file.attribute(&primitive, &Semantic::Positions)?.count();
-                    let mut positions = list_of(path, count)?;
-                    file.positions(&primitive, |position| positions.push(position))?;
+                let accessor = file.attribute(primitive, &Semantic::Positions)?;
+                all.add(mesh, at, Accessors::Faces(accessor.index()), |normals| {
+                    let mut positions = list_of(path, accessor.count())?;
+                    file.positions(primitive, |position| positions.push(position))?;
                     let mut sums = Sums::new(path, Positions::Single(positions));
-                    for primitive in faces.get(&accessor).into_iter().flatten() {
-                        sums.add_all(triangles(primitive.mode(), file.corners(primitive)?))?;
+                    for primitive in faces.get(&accessor.index()).into_iter().flatten() {
+                        sums.add_all(triangles(file.mode(primitive)?, file.corners(primitive)?))?;
                     }
                     has_faces |= sums.has_faces();
                     let computed = sums.normals();
@@ -75,26 +75,26 @@ pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, Mes
 /// Reads the tangent frames of all primitives of all meshes, in the order of [`Frames`].
 pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Frames, MeshError> {
     let semantics = [Semantic::Positions, Semantic::Normals, Semantic::Tangents];
-    let (document, file) = load(path, bytes, reach, &semantics)?;
+    let file = load(path, bytes, reach, &semantics)?;
     let mut all = Collected::new(&file);
-    for (mesh, primitive) in primitives(&document) {
+    for (mesh, at, primitive) in file.primitives() {
         let [Some(normals), Some(tangents)] =
             [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
         else {
-            let lacking = format!(": {} lacks them", place(primitive.index(), mesh.index(), mesh.name()));
+            let lacking = format!(": {} lacks them", place(at, mesh, file.meshes[mesh].name.as_deref()));
             return Err(MeshError::NoTangents { path: path.into(), lacking });
         };
-        file.check_counts(&primitive, [Semantic::Positions, Semantic::Normals])?;
-        file.check_counts(&primitive, [Semantic::Normals, Semantic::Tangents])?;
-        all.add(&mesh, &primitive, Accessors::Frames(normals.index(), tangents.index()), |frames| {
-            file.positions(&primitive, |_| ())?;
-            reserve(path, frames, normals.count())?;
+        file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
+        file.check_counts(primitive, [Semantic::Normals, Semantic::Tangents])?;
+        all.add(mesh, at, Accessors::Frames(normals, tangents), |frames| {
+            file.positions(primitive, |_| ())?;
+            reserve(path, frames, file.accessor(normals)?.count())?;
             let first = frames.len();
-            file.vectors(&primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
+            file.vectors(primitive, &Semantic::Normals, Dimensions::Vec3, |[x, y, z]| {
                 frames.push([x, y, z, 0.0, 0.0, 0.0, 0.0]);
             })?;
             let mut frames = frames[first..].iter_mut();
-            file.vectors(&primitive, &Semantic::Tangents, Dimensions::Vec4, |tangent: [f32; 4]| {
+            file.vectors(primitive, &Semantic::Tangents, Dimensions::Vec4, |tangent: [f32; 4]| {
                 if let Some(frame) = frames.next() {
                     frame[3..].copy_from_slice(&tangent);
                 }
@@ -107,18 +107,14 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
     Ok(Frames { frames: all.elements, parts: all.parts })
 }
 
-fn primitives(document: &Document) -> impl Iterator<Item = (::gltf::Mesh<'_>, Primitive<'_>)> {
-    document.meshes().flat_map(|mesh| mesh.primitives().map(move |primitive| (mesh.clone(), primitive)))
-}
-
 /// The accessors that the elements of a primitive come from.
 #[derive(PartialEq, Eq, Hash)]
 enum Accessors {
-    Normals(usize),
+    Normals(u32),
     /// Computed: the accessor of positions.
     Faces(usize),
     /// The accessors of normals and of tangents.
-    Frames(usize, usize),
+    Frames(u32, u32),
 }
 
 /// The elements of the primitives so far, and where those of each lie.
@@ -135,11 +131,11 @@ impl<'f, const N: usize> Collected<'f, N> {
         Self { file, elements: Vec::new(), parts: Vec::new(), places: HashMap::new() }
     }
 
-    /// Adds a primitive; elements from the same accessors are read once.
+    /// Adds a primitive of a mesh; elements from the same accessors are read once.
     fn add(
         &mut self,
-        mesh: &::gltf::Mesh,
-        primitive: &Primitive,
+        mesh: usize,
+        primitive: usize,
         from: Accessors,
         read: impl FnOnce(&mut Vec<[f32; N]>) -> Result<(), MeshError>,
     ) -> Result<(), MeshError> {
@@ -147,17 +143,17 @@ impl<'f, const N: usize> Collected<'f, N> {
         let (first, count) = match self.places.entry(from) {
             Entry::Occupied(place) => *place.get(),
             Entry::Vacant(place) => {
-                let (first, vertices) =
-                    (self.elements.len(), self.file.attribute(primitive, &Semantic::Positions)?);
-                self.file.check_vertices(first.saturating_add(vertices.count()))?;
+                let (first, of) = (self.elements.len(), &self.file.meshes[mesh].primitives[primitive]);
+                let vertices = self.file.attribute(of, &Semantic::Positions)?.count();
+                self.file.check_vertices(first.saturating_add(vertices))?;
                 read(&mut self.elements)?;
                 *place.insert((first, self.elements.len() - first))
             }
         };
         // One name for all primitives of a mesh.
-        let named = self.parts.last().filter(|part| part.mesh == mesh.index());
-        let name = named.map_or_else(|| mesh.name().map(short), |part| part.name.clone());
-        let (mesh, primitive) = (mesh.index(), primitive.index());
+        let named = self.parts.last().filter(|part| part.mesh == mesh);
+        let name = || self.file.meshes[mesh].name.as_deref().map(short);
+        let name = named.map_or_else(name, |part| part.name.clone());
         self.parts.push(Part { mesh, name, primitive, first, count, computed });
         Ok(())
     }
@@ -169,7 +165,7 @@ fn load<'p>(
     bytes: &'p [u8],
     reach: Reach,
     semantics: &[Semantic],
-) -> Result<(Document, File<'p>), MeshError> {
+) -> Result<File<'p>, MeshError> {
     let error = |error: ::gltf::Error| parse_error(path, FORMAT, error);
     let bytes = without_mark(bytes);
     let (json, blob) = if bytes.starts_with(b"glTF") {
@@ -185,15 +181,54 @@ fn load<'p>(
     };
     let geometry: Geometry =
         json::deserialize::from_slice(&json).map_err(|error| parse_error(path, FORMAT, error))?;
-    let root = geometry.into_root();
+    let (root, meshes) = geometry.into_root();
     check_not_compressed(path, &root)?;
-    check_position_indices(path, &root)?;
     let document = Document::from_json(root).map_err(error)?;
-    let used = buffers::used(&document, semantics);
-    let mut root = document.into_json();
-    let (buffers, outside) = buffers::read(path, &mut root.buffers, &used, blob, reach)?;
-    let size = bytes.len() + outside;
-    Ok((Document::from_json_without_validation(root), File { path, buffers, size }))
+    let mut file = File { path, document, meshes, buffers: Vec::new(), size: bytes.len() };
+    let used = file.used_buffers(semantics)?;
+    let mut root = file.document.into_json();
+    let outside;
+    (file.buffers, outside) = buffers::read(path, &mut root.buffers, &used, blob, reach)?;
+    file.document = Document::from_json_without_validation(root);
+    file.size += outside;
+    Ok(file)
+}
+
+/// A mesh of a document. That of the `gltf` crate takes fifty times the text of many primitives.
+#[derive(serde::Deserialize)]
+struct Primitives {
+    name: Option<Box<str>>,
+    primitives: Vec<Primitive>,
+}
+
+/// A primitive, as far as normals and tangents depend on it.
+#[derive(serde::Deserialize)]
+struct Primitive {
+    attributes: Attributes,
+    indices: Option<u32>,
+    #[serde(default)]
+    mode: Checked<Mode>,
+}
+
+/// The accessors of a primitive's attributes.
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+struct Attributes {
+    position: Option<u32>,
+    normal: Option<u32>,
+    tangent: Option<u32>,
+}
+
+impl Primitive {
+    /// The accessor of an attribute.
+    fn get(&self, semantic: &Semantic) -> Option<u32> {
+        match semantic {
+            Semantic::Positions => self.attributes.position,
+            Semantic::Normals => self.attributes.normal,
+            Semantic::Tangents => self.attributes.tangent,
+            _ => None,
+        }
+    }
 }
 
 /// A name as far as anybody reads it. Each primitive of a mesh tells it in JSON.
@@ -217,41 +252,27 @@ struct Geometry {
     #[serde(default)]
     buffer_views: Vec<json::buffer::View>,
     #[serde(default)]
-    meshes: Vec<json::Mesh>,
+    meshes: Vec<Primitives>,
     #[serde(default)]
     extensions_required: Vec<String>,
 }
 
 impl Geometry {
-    /// A document without what normals and tangents do not depend on, so that an unknown extension of a material, or an
-    /// attribute of the application's own, does not fail the validation of a mesh that can be read.
-    fn into_root(self) -> json::Root {
+    /// A document without what normals and tangents do not depend on, so that an unknown extension of a material does not fail
+    /// the validation of a mesh that can be read; and its meshes.
+    fn into_root(self) -> (json::Root, Vec<Primitives>) {
         const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
         /// Attributes in integers, which are read here.
         const QUANTIZATION: &str = "KHR_mesh_quantization";
-        let Self { asset, accessors, buffers, buffer_views, mut meshes, mut extensions_required } = self;
+        let Self { asset, accessors, buffers, buffer_views, meshes, mut extensions_required } = self;
         // The validation has a message for each extension that it does not know.
         extensions_required.sort_unstable();
         extensions_required.dedup();
         extensions_required
             .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
-        for primitive in meshes.iter_mut().flat_map(|mesh| &mut mesh.primitives) {
-            primitive.attributes.retain(|semantic, _| {
-                use json::validation::Checked::Valid;
-                matches!(semantic, Valid(Semantic::Positions | Semantic::Normals | Semantic::Tangents))
-            });
-            primitive.material = None;
-            primitive.targets = None;
-        }
-        json::Root {
-            accessors,
-            asset,
-            buffers,
-            buffer_views,
-            meshes,
-            extensions_required,
-            ..Default::default()
-        }
+        let root =
+            json::Root { accessors, asset, buffers, buffer_views, extensions_required, ..Default::default() };
+        (root, meshes)
     }
 }
 
@@ -286,24 +307,52 @@ fn quoted(path: &Path) -> String {
     if path.chars().all(is_plain) { path } else { format!("'{}'", path.replace('\'', r"'\''")) }
 }
 
-/// Checks the one index that the validation of the `gltf` crate uses before it is validated.
-fn check_position_indices(path: &Path, root: &json::Root) -> Result<(), MeshError> {
-    let indices = root.meshes.iter().flat_map(|mesh| &mesh.primitives).flat_map(|p| p.attributes.values());
-    match indices.map(|index| index.value()).find(|&index| index >= root.accessors.len()) {
-        Some(index) => Err(parse_error(path, FORMAT, format!("no accessor {index}"))),
-        None => Ok(()),
-    }
-}
-
-/// A document's buffers. Those that are used are at least as long as it declares them, the others empty.
+/// A document and its buffers. Those that are used are at least as long as it declares them, the others empty.
 struct File<'p> {
     path: &'p Path,
+    document: Document,
+    meshes: Vec<Primitives>,
     buffers: Vec<Content<'p>>,
     /// Bytes of the document and these buffers.
     size: usize,
 }
 
 impl File<'_> {
+    /// The primitives, each with the places of its mesh and of itself there.
+    fn primitives(&self) -> impl Iterator<Item = (usize, usize, &Primitive)> {
+        self.meshes.iter().enumerate().flat_map(|(mesh, all)| {
+            all.primitives.iter().enumerate().map(move |(at, primitive)| (mesh, at, primitive))
+        })
+    }
+
+    fn accessor(&self, index: u32) -> Result<Accessor<'_>, MeshError> {
+        let accessor = self.document.accessors().nth(index as usize);
+        accessor.ok_or_else(|| self.error(format!("no accessor {index}")))
+    }
+
+    fn mode(&self, primitive: &Primitive) -> Result<Mode, MeshError> {
+        match primitive.mode {
+            Checked::Valid(mode) => Ok(mode),
+            Checked::Invalid => Err(self.error("a primitive has a mode that glTF does not know")),
+        }
+    }
+
+    /// The buffers that these attributes lie in and, where a primitive has no normals, its indices.
+    fn used_buffers(&self, semantics: &[Semantic]) -> Result<BTreeSet<usize>, MeshError> {
+        let mut used = BTreeSet::new();
+        for (.., primitive) in self.primitives() {
+            let indices = primitive.indices.filter(|_| primitive.get(&Semantic::Normals).is_none());
+            for index in semantics.iter().filter_map(|semantic| primitive.get(semantic)).chain(indices) {
+                let accessor = self.accessor(index)?;
+                let sparse =
+                    accessor.sparse().map(|sparse| [sparse.indices().view(), sparse.values().view()]);
+                let views = accessor.view().into_iter().chain(sparse.into_iter().flatten());
+                used.extend(views.map(|view| view.buffer().index()));
+            }
+        }
+        Ok(used)
+    }
+
     /// Refuses more vertices than a file of this size has: where accessors overlap, or have no bytes at all, a short file
     /// could ask for any memory.
     fn check_vertices(&self, vertices: usize) -> Result<(), MeshError> {
@@ -335,23 +384,20 @@ impl File<'_> {
 
     /// The primitives without normals, by their accessor of positions: where primitives share one, all their faces count
     /// at each vertex, the same faces once.
-    fn primitives_with_faces<'a>(
-        &self,
-        document: &'a Document,
-    ) -> Result<HashMap<usize, Vec<Primitive<'a>>>, MeshError> {
+    fn primitives_with_faces(&self) -> Result<HashMap<usize, Vec<&Primitive>>, MeshError> {
         /// An index takes a byte at least. Files of several levels of detail may share some.
         const SHARED: usize = 4;
         let (mut faces, mut seen) = (HashMap::<usize, Vec<_>>::new(), HashSet::new());
         let mut corners = 0_usize;
-        for (_, primitive) in primitives(document) {
+        for (.., primitive) in self.primitives() {
             if primitive.get(&Semantic::Normals).is_some() {
                 continue;
             }
-            let (positions, indices) =
-                (self.attribute(&primitive, &Semantic::Positions)?, primitive.indices());
-            let of_indices = indices.as_ref().map(Accessor::index);
-            if seen.insert((positions.index(), of_indices, primitive.mode().as_gl_enum())) {
-                corners = corners.saturating_add(indices.as_ref().unwrap_or(&positions).count());
+            let positions = self.attribute(primitive, &Semantic::Positions)?;
+            if seen.insert((positions.index(), primitive.indices, self.mode(primitive)?.as_gl_enum())) {
+                let corner =
+                    primitive.indices.map_or_else(|| Ok(positions.clone()), |index| self.accessor(index))?;
+                corners = corners.saturating_add(corner.count());
                 faces.entry(positions.index()).or_default().push(primitive);
             }
         }
@@ -360,28 +406,33 @@ impl File<'_> {
     }
 
     /// The vertices that a primitive's faces are made of.
-    fn corners<'a>(
-        &'a self,
-        primitive: &Primitive<'a>,
-    ) -> Result<Box<dyn Iterator<Item = i64> + 'a>, MeshError> {
-        let Some(accessor) = primitive.indices() else {
+    fn corners<'a>(&'a self, primitive: &Primitive) -> Result<Box<dyn Iterator<Item = i64> + 'a>, MeshError> {
+        let Some(index) = primitive.indices else {
             return Ok(Box::new((0..).take(self.attribute(primitive, &Semantic::Positions)?.count())));
         };
-        let is_integer = matches!(accessor.data_type(), DataType::U8 | DataType::U16 | DataType::U32);
-        if !is_integer || accessor.dimensions() != Dimensions::Scalar {
-            return Err(self.error(format!("accessor {} cannot be indices", accessor.index())));
-        }
+        let accessor = self.accessor(index)?;
         self.check_extents(&accessor)?;
-        let indices = primitive.reader(|buffer| self.data(buffer)).read_indices();
-        Ok(Box::new(indices.ok_or_else(|| self.error("unreadable indices"))?.into_u32().map(i64::from)))
+        let kind = (accessor.data_type(), accessor.dimensions());
+        let corners = match kind {
+            (DataType::U8, Dimensions::Scalar) => self.integers::<u8>(accessor),
+            (DataType::U16, Dimensions::Scalar) => self.integers::<u16>(accessor),
+            (DataType::U32, Dimensions::Scalar) => self.integers::<u32>(accessor),
+            _ => None,
+        };
+        corners.ok_or_else(|| self.error(format!("accessor {index} cannot be indices")))
     }
 
-    fn attribute<'a>(
-        &self,
-        primitive: &Primitive<'a>,
-        semantic: &Semantic,
-    ) -> Result<Accessor<'a>, MeshError> {
-        primitive.get(semantic).ok_or_else(|| self.error(format!("a primitive has no {semantic:?}")))
+    fn integers<'a, T: Item + Into<i64> + 'a>(
+        &'a self,
+        accessor: Accessor<'a>,
+    ) -> Option<Box<dyn Iterator<Item = i64> + 'a>> {
+        let integers = Iter::<T>::new(accessor, |buffer| self.data(buffer))?;
+        Some(Box::new(integers.map(Into::into)))
+    }
+
+    fn attribute(&self, primitive: &Primitive, semantic: &Semantic) -> Result<Accessor<'_>, MeshError> {
+        let index = primitive.get(semantic);
+        self.accessor(index.ok_or_else(|| self.error(format!("a primitive has no {semantic:?}")))?)
     }
 
     /// Checks that a primitive has as many of one attribute as of the other.

@@ -297,7 +297,7 @@ fn buffers_are_read_once_and_if_used() {
         .replace(r#""buffer":0"#, r#""buffer":2"#)
         .replacen(r#""buffer":2"#, r#""buffer":1"#, 1);
     let path = folder.path().join("a.gltf");
-    let (_, file) =
+    let file =
         load(&path, document.as_bytes(), Reach::Folder, &[Semantic::Positions, Semantic::Normals]).unwrap();
     assert_eq!(file.size, document.len() + cube_buffer().len());
     assert_eq!(file.buffers.iter().map(|buffer| buffer.len()).collect::<Vec<_>>(), [0, 392, 392]);
