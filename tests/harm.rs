@@ -44,6 +44,16 @@ fn terminals_do_not_obey_names() {
     run(&["encode", "--codec", "oct16", &mesh, "out"], [0, 1]);
     run(&["encode", "--codec", "oct16", &raw, "out"], [0, 2]);
     run(&["encode", "--codec", "oct16", &bad, "out"], [0, 1]);
+    // The command line, where it is quoted, and a setting of the environment.
+    let refused = stderr(&command(["error".to_owned(), format!("--{NAME}")]).output().unwrap());
+    let mut help = command(["encode", "--help"]);
+    let help = stdout(&help.env("UNITVEC_DEVICE", NAME).output().unwrap());
+    for text in [&refused, &help] {
+        assert!(text.contains("--help") && text.chars().all(|c| c == '\n' || !c.is_control()), "{text:?}");
+    }
+    let mut json = command(["error", "--codec", "oct16", "--json", "-", &mesh]);
+    let json = stdout(&json.current_dir(folder.path()).output().unwrap());
+    assert!(json.contains(r"\u009b") && json.chars().all(|c| c == '\n' || !c.is_control()), "{json:?}");
     let folder_of_both = folder.path().join(NAME);
     std::fs::create_dir(&folder_of_both).unwrap();
     run(&["encode", "--codec", "oct16", &mesh, &bad, NAME], [0, 3]);
@@ -119,6 +129,73 @@ fn standard_streams_are_files() {
     let mut encode = command(["encode", "--codec", "oct16", "--raw", "-", "y"]);
     let output = encode.current_dir(folder.path()).stdin(File::open(&path).unwrap()).output();
     assert!(output.unwrap().status.success());
+}
+
+/// A file that the run has read or written is not replaced: a buffer of a glTF file, a report of costs, codes by another name of
+/// their folder; nor is JSON written among codes.
+#[test]
+fn files_in_use_are_not_replaced() {
+    let folder = tempfile::tempdir().unwrap();
+    let floats = [[0.0f32, 0.0, 1.0]; 3].concat();
+    let json = r#"{"asset":{"version":"2.0"},"buffers":[{"byteLength":36,"uri":"a.dat"}],"bufferViews":[{"buffer":0,
+        "byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],
+        "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":0}}]}]}"#;
+    let costs =
+        std::fs::read(unitvec_tests::repository().join("host/choose/data/costs_navi21.json")).unwrap();
+    let files = [
+        ("a.gltf", json.as_bytes().to_vec()),
+        ("a.dat", floats.iter().flat_map(|float| float.to_le_bytes()).collect()),
+        ("costs.json", costs),
+        ("a.vrm", b"glTF".to_vec()),
+    ];
+    for (name, content) in &files {
+        std::fs::write(folder.path().join(name), content).unwrap();
+    }
+    for line in [
+        "normals a.gltf a.dat",
+        "error a.gltf --json ./a.dat",
+        "choose --bits 16 --costs costs.json --json ./costs.json",
+        "encode --codec oct16 --raw a.dat h --json /proc/self/cwd/h",
+    ] {
+        let _ = std::fs::remove_file(folder.path().join("h"));
+        let output = command(line.split(' ')).current_dir(folder.path()).output().unwrap();
+        assert!(matches!(output.status.code(), Some(1 | 2)), "{line}: {}", stderr(&output));
+        let said = stderr(&output);
+        assert!(said.lines().last().unwrap().contains("another name"), "{line}: {said}");
+    }
+    for (name, content) in &files {
+        assert!(std::fs::read(folder.path().join(name)).unwrap() == *content, "{name}");
+    }
+    assert_eq!(std::fs::read(folder.path().join("h")).unwrap().len(), 6);
+    let out = File::create(folder.path().join("o")).unwrap();
+    let mut both = command("encode -q --codec oct16 --raw a.dat - --json /dev/stdout".split(' '));
+    let both = both.current_dir(folder.path()).stdout(out).output().unwrap();
+    assert!(stderr(&both).starts_with('{') && both.status.success());
+    assert_eq!(std::fs::read(folder.path().join("o")).unwrap().len(), 6);
+}
+
+/// An array from a pipe that ends before its header says so is no whole array.
+#[test]
+fn arrays_that_are_cut() {
+    let array = [&unitvec_host::raw::Npy::new("<f4", 3, 3).to_bytes()[..], &[0; 24]].concat();
+    let output = program::run_with_input(["error", "--codec", "oct16", "-"], &array);
+    assert!(program::refusal(&output, 1).contains("ends after 2 of 3"));
+}
+
+/// A reader that goes away takes the text with it, and not the JSON or the exit status.
+#[test]
+fn readers_that_leave_cost_no_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |line: &str| {
+        let mut running = command(line.split(' '));
+        let running = running.current_dir(folder.path()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut running = running.spawn().unwrap();
+        drop(running.stdout.take());
+        running.wait().unwrap().code()
+    };
+    assert_eq!(run("choose --bits 16 --json c.json"), Some(0));
+    assert!(folder.path().join("c.json").exists());
+    assert_eq!(run("choose --bits 1 --max-error 0.0001"), Some(1));
 }
 
 /// What is printed fails on a full disk, help and version too.

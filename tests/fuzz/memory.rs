@@ -161,7 +161,7 @@ fn gltf_of_many_nodes() {
 /// structure of the parser's. In files with vertices the objects are few.
 #[test]
 fn gltf_of_many_objects() {
-    const OBJECTS: usize = 48;
+    const OBJECTS: usize = 24;
     let list = |object: &str| vec![object; COUNT].join(",");
     for (name, part) in [
         (

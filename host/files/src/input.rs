@@ -1,15 +1,17 @@
 //! Files read within bounds.
 
+use crate::used::{is_device, note_read};
 use crate::{Error, Result};
 use std::fs::{DirEntry, File};
 use std::io::{self, Read};
-use std::path::{Component, Path, PathBuf, Prefix};
+use std::path::{Path, PathBuf};
 
 /// Opens a file, or the standard input for `-`. Returns its length where it is a file.
 ///
 /// # Errors
 /// Errors of opening, and one for a folder.
 pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
+    note_read(path);
     if path == Path::new("-") {
         return Ok((Box::new(io::stdin().lock()), None));
     }
@@ -22,13 +24,6 @@ pub fn open(path: &Path) -> io::Result<(Box<dyn Read>, Option<u64>)> {
         return Err(io::ErrorKind::IsADirectory.into());
     }
     Ok((Box::new(file), metadata.is_file().then_some(metadata.len())))
-}
-
-/// True for a name that Windows keeps for a device or a pipe: `NUL`, `CON`, `\\.\pipe\name`. Windows tells nothing else of those,
-/// and a look at a pipe opens it.
-pub(crate) fn is_device(path: &Path) -> bool {
-    let whole = std::path::absolute(path).unwrap_or_default();
-    matches!(whole.components().next(), Some(Component::Prefix(it)) if matches!(it.kind(), Prefix::DeviceNS(_)))
 }
 
 /// Adds the files that are wanted in a folder and in those below it, in the order of their names. Links to folders are
@@ -78,6 +73,7 @@ pub fn read_start(file: &Path, length: u64) -> io::Result<Vec<u8>> {
         return Err(io::Error::other("it is no file"));
     }
     let mut bytes = Vec::new();
+    note_read(file);
     bytes.try_reserve_exact(usize::try_from(length.min(metadata.len())).unwrap_or(usize::MAX))?;
     File::open(file)?.take(length).read_to_end(&mut bytes)?;
     Ok(bytes)

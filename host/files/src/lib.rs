@@ -10,9 +10,11 @@ mod output;
 mod text;
 #[cfg(target_os = "linux")]
 mod unnamed;
+mod used;
 
 pub use error::{Error, Result};
 pub use folder::Folder;
 pub use input::{add_below, open, read_small, read_start};
-pub use output::{Output, fail_beyond_limits, forget, is_same_file, remember, remove_unfinished, write_file};
+pub use output::{Output, fail_beyond_limits, forget, remember, remove_unfinished, write_file};
 pub use text::{one_line, shown, shown_lines};
+pub use used::{check_unused, is_same_file, is_stdout};

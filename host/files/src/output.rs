@@ -1,15 +1,11 @@
 //! Output files that exist whole or not at all.
 
-use crate::input::is_device;
 #[cfg(target_os = "linux")]
 use crate::unnamed;
+use crate::used::{check_unused, is_device, is_stdout, note_written};
 use crate::{Error, Result};
-#[cfg(unix)]
-use std::fs::Metadata;
 use std::fs::{File, OpenOptions};
 use std::io::{self, IsTerminal, Seek, Write};
-#[cfg(unix)]
-use std::os::fd::AsFd;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use tempfile::NamedTempFile;
@@ -87,10 +83,15 @@ impl Output {
     /// Flushes the file and gives it its name, replacing any file that had it.
     ///
     /// # Errors
-    /// [`Error::Write`]; the file that had the name is still there then.
+    /// [`Error::Write`], also for a file that this run has read or written; the file that had the name is still there then.
     pub fn finish(mut self) -> Result<()> {
         let path = self.path.clone();
-        let whole = self.to.file().map_or(Ok(()), |file| file.sync_all());
+        let whole = match self.to.file() {
+            Some(file) => check_unused(&self.target).and_then(|()| file.sync_all()),
+            None => Ok(()),
+        };
+        // Held while there is a temporary name, so that an interrupt leaves none behind.
+        let _held = TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner);
         let finished = whole.and_then(|()| match self.to {
             #[cfg(target_os = "linux")]
             Destination::Unnamed(file) => {
@@ -100,7 +101,7 @@ impl Output {
             Destination::Named(file) => file.persist(&self.target).map(drop).map_err(|error| error.error),
             Destination::Direct(mut writer) => writer.flush(),
         });
-        finished.map_err(|source| Error::writing(&path, source))
+        finished.map(|()| note_written(&self.target)).map_err(|source| Error::writing(&path, source))
     }
 }
 
@@ -156,56 +157,10 @@ fn of_any_length(path: &Path) -> Option<PathBuf> {
     Some(whole.parent()?.canonicalize().ok()?.join(whole.file_name()?))
 }
 
-/// True where what is read and what is written are one file, by links of any kind; `-` is the file that the standard
-/// input, or output, was redirected to.
-pub fn is_same_file(read: &Path, written: &Path) -> bool {
-    let [read, written] = [identity(read, io::stdin()), identity(written, io::stdout())];
-    read.is_some() && read == written
-}
-
-/// The identity of a file, of that behind the stream for `-`.
-#[cfg(unix)]
-fn identity(path: &Path, stream: impl AsFd) -> Option<(u64, u64)> {
-    let metadata = if path == Path::new("-") { behind(stream) } else { path.metadata() };
-    metadata.ok().filter(Metadata::is_file).map(|metadata| identity_of(&metadata))
-}
-
-#[cfg(unix)]
-fn identity_of(metadata: &Metadata) -> (u64, u64) {
-    use std::os::unix::fs::MetadataExt;
-    (metadata.dev(), metadata.ino())
-}
-
-#[cfg(unix)]
-fn behind(stream: impl AsFd) -> io::Result<Metadata> {
-    File::from(stream.as_fd().try_clone_to_owned()?).metadata()
-}
-
-#[cfg(not(unix))]
-fn identity<S>(path: &Path, _: S) -> Option<PathBuf> {
-    if is_device(path) { None } else { path.canonicalize().ok() }
-}
-
-/// True for `-` and, where the system shows it, for a path that the standard output is open to.
-fn is_stdout(path: &Path) -> bool {
-    path == Path::new("-") || is_open_as_stdout(path)
-}
-
-#[cfg(unix)]
-fn is_open_as_stdout(path: &Path) -> bool {
-    let is_it =
-        |stdout: &Metadata| path.metadata().is_ok_and(|data| identity_of(&data) == identity_of(stdout));
-    behind(io::stdout()).is_ok_and(|stdout| is_it(&stdout))
-}
-
-#[cfg(not(unix))]
-fn is_open_as_stdout(_: &Path) -> bool {
-    false
-}
-
 /// Opens the destination, and returns it with whether it is a terminal.
 fn open(path: &Path, is_stdout: bool) -> io::Result<(Destination, bool)> {
     if is_stdout {
+        check_unused(Path::new("-"))?;
         let stdout = io::stdout().lock();
         let is_terminal = stdout.is_terminal();
         return Ok((Destination::Direct(Box::new(stdout)), is_terminal));

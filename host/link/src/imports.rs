@@ -24,9 +24,10 @@ type Stubs = Vec<(u32, Rc<Signature>, u32)>;
 
 /// A module that imports the functions that its stubs stand for, and their names.
 pub fn imports(mut module: Module) -> Result<(Module, Vec<String>), Error> {
+    let stubs = find_stubs(&module, stubs::VERSION)?;
     let mut types = Types::of(&module);
     let (mut imports, mut places, mut by_id) = (Vec::new(), HashMap::new(), HashMap::new());
-    for (id, signature, of_type) in find_stubs(&module, stubs::VERSION)? {
+    for (id, signature, of_type) in stubs {
         // A module of several files can have a copy of the stubs of each.
         let place = match places.entry((signature.name.clone(), of_type)) {
             Entry::Occupied(place) => *place.get(),

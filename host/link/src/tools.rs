@@ -14,6 +14,7 @@ use unitvec_files::one_line;
 pub fn link(spirv: &[u8]) -> Result<Vec<u8>, Error> {
     let (module, names) = imports::imports(parse(spirv)?)?;
     let folder = tempfile::tempdir()?;
+    unitvec_files::remember(folder.path());
     let [engine, library, linked, optimised] =
         ["engine.spv", "unitvec.spv", "linked.spv", "optimised.spv"].map(|name| folder.path().join(name));
     fs::write(&engine, module.bytes())?;
@@ -26,7 +27,9 @@ pub fn link(spirv: &[u8]) -> Result<Vec<u8>, Error> {
     run("spirv-opt", &arguments, &[&linked, Path::new("-o"), &optimised])?;
     // Layouts are the engine's affair, and its device's.
     run("spirv-val", &["--target-env", &environment, "--scalar-block-layout"], &[&optimised])?;
-    Ok(fs::read(&optimised)?)
+    let linked = fs::read(&optimised)?;
+    unitvec_files::forget(folder.path());
+    Ok(linked)
 }
 
 fn run(tool: &'static str, arguments: &[&str], files: &[&Path]) -> Result<(), Error> {

@@ -57,8 +57,13 @@ impl Mesh {
 
     /// Replaces the computed normals that are zero by +Z. Returns how many.
     pub fn fill_with_z(&mut self) -> usize {
-        let mut filled = 0;
+        let (mut filled, mut done) = (0, 0);
         for part in self.parts.iter().filter(|part| part.computed) {
+            // Parts that share their normals come after the first of them.
+            if part.first < done {
+                continue;
+            }
+            done = part.first + part.count;
             for normal in &mut self.normals[part.first..][..part.count] {
                 if !has_direction(*normal) {
                     *normal = [0.0, 0.0, 1.0];
@@ -490,9 +495,9 @@ mod tests {
         let (zero, x) = ([0.0; 3], [1.0, 0.0, 0.0]);
         let mut mesh = Mesh {
             normals: vec![zero, x, zero, x],
-            parts: vec![part(0, false), part(2, true), part(2, true)],
+            parts: vec![part(0, false), part(2, true), part(2, true), part(2, true)],
         };
-        assert_eq!(mesh.computed(), 2);
+        assert_eq!(mesh.computed(), 3);
         assert_eq!(mesh.fill_with_z(), 1);
         assert_eq!(mesh.normals, [zero, x, [0.0, 0.0, 1.0], x]);
     }

@@ -94,7 +94,10 @@ struct Line<'b> {
 }
 
 fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
-    without_mark(bytes).split(|byte| *byte == b'\n').enumerate().map(|(at, text)| {
+    // A line may end in a CR alone; before an LF, that makes an empty one with the same number.
+    let lines = without_mark(bytes).split(|byte| *byte == b'\n').enumerate();
+    let lines = lines.flat_map(|(at, text)| text.split(|byte| *byte == b'\r').map(move |text| (at, text)));
+    lines.map(|(at, text)| {
         let text = text.trim_ascii();
         let end = text.iter().position(u8::is_ascii_whitespace).unwrap_or(text.len());
         let (keyword, text) = text.split_at(end);
@@ -196,6 +199,10 @@ mod tests {
     #[test]
     fn normals_alone_are_enough() {
         assert_eq!(read("vn 1 0 0\nvn 0 1 0").unwrap().normals, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]);
+        for ends in ["\r", "\r\n"] {
+            let mesh = read(&["vn 1 0 0", "vn 0 1 0", "", "vn 0 0 1"].join(ends)).unwrap();
+            assert_eq!(mesh.normals, [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        }
         let fewer = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n";
         assert_eq!(read(fewer).unwrap().normals, [[0.0, 0.0, 1.0]]);
     }

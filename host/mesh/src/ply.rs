@@ -70,6 +70,7 @@ impl<'b> Payload<'b> {
         let mut reader = Reader::new(head);
         let header = Parser::<Skipped>::new().read_header(&mut reader);
         let header = header.map_err(|error| parse_error(path, FORMAT, error))?;
+        check_names(path, head, &header)?;
         let (line, left) = (reader.line(), reader.into_inner().len());
         let rest = &bytes[head.len() - left..];
         let encoding = header.encoding;
@@ -113,6 +114,23 @@ impl<'b> Payload<'b> {
 
     fn error(&self, reason: String) -> MeshError {
         parse_error(self.path, FORMAT, reason)
+    }
+}
+
+/// Refuses names that are there twice, since the parser drops all but one of the same name.
+fn check_names(path: &Path, head: &[u8], header: &Header) -> Result<(), MeshError> {
+    let lines = head.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    let lines = lines.take_while(|line| *line != b"end_header");
+    let told = lines.filter(|line| line.starts_with(b"element ") || line.starts_with(b"property ")).count();
+    let of = |element: &ElementDef| 1 + element.properties.len();
+    let lists =
+        |element: &ElementDef| INDICES.iter().filter(|name| element.properties.contains_key(**name)).count();
+    match told > header.elements.values().map(of).sum() || header.elements.values().any(|one| lists(one) > 1)
+    {
+        true => {
+            Err(parse_error(path, FORMAT, "two of its elements, or properties of one, have the same name"))
+        }
+        false => Ok(()),
     }
 }
 
@@ -473,6 +491,20 @@ mod tests {
             assert_eq!(mesh.normals, [[0.0, 0.0, 1.0]]);
         }
         assert!(read(&file(ENCODINGS[0], &(empty(50) + vertex), &vertices)).is_err());
+    }
+
+    /// The parser keeps one element, or property, of a name; the data are of both.
+    #[test]
+    fn names_that_are_there_twice() {
+        let vertex = "element vertex 1\nproperty uchar nx\nproperty uchar ny\nproperty uchar nz\n";
+        let vertices = [vec![number!(0u8), number!(0u8), number!(1u8)]];
+        for more in ["property uchar nx\n", "element vertex 2\nproperty uchar nx\n"] {
+            let error = read(&file(ENCODINGS[1], &(vertex.to_owned() + more), &vertices)).unwrap_err();
+            assert!(error.to_string().contains("the same name"), "{error}");
+        }
+        let lists =
+            "element face 0\nproperty list uchar int vertex_index\nproperty list uchar int vertex_indices\n";
+        assert!(read(&file(ENCODINGS[1], &(vertex.to_owned() + lists), &vertices)).is_err());
     }
 
     /// A binary file cut off at any byte is an error, and so is an empty one. (`tests/fuzz` damages files otherwise.)

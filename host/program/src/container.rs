@@ -42,6 +42,9 @@ pub struct Header {
 const VERSION: u32 = 1;
 
 impl Header {
+    /// The most bytes before the codes.
+    pub const MOST: usize = 1 << 26;
+
     /// A header as long as that of any number of codes.
     pub fn new(format: &AnyCodec, parts: Option<Vec<Part>>) -> Self {
         let (count, sha256) = (u64::MAX, "0".repeat(64));
@@ -72,12 +75,11 @@ impl Header {
     /// # Errors
     /// Errors of reading, and one that tells what is wrong.
     pub fn read(reader: &mut impl Read) -> io::Result<Self> {
-        const MOST: u64 = 1 << 26;
         let mut start = [0; 16];
         reader.read_exact(&mut start)?;
         let length = start[8..].iter().rev().fold(0, |length, byte| length << 8 | u64::from(*byte));
         let mut json = Vec::new();
-        reader.take(length.min(MOST)).read_to_end(&mut json)?;
+        reader.take(length.min(Self::MOST as u64)).read_to_end(&mut json)?;
         // The codec's name stands in messages.
         let is_plain = |header: &Self| header.codec.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
         let header = serde_json::from_slice(&json).ok().filter(is_plain);

@@ -211,8 +211,11 @@ impl Npy {
             reader.read_exact(&mut more)?;
         }
         let length = u32::from_le_bytes([start[8], start[9], more[0], more[1]]);
+        if length > 1 << 16 {
+            return Err(io::Error::other("its header is longer than any of NumPy's"));
+        }
         let mut text = Vec::new();
-        reader.take(u64::from(length.min(1 << 16))).read_to_end(&mut text)?;
+        reader.take(length.into()).read_to_end(&mut text)?;
         Self::parse(&String::from_utf8_lossy(&text)).ok_or_else(|| {
             io::Error::other("it is no array of plain numbers in C's order: save numpy.ascontiguousarray(a)")
         })

@@ -30,9 +30,10 @@ pub(super) fn read<'p>(
     let mut contents = vec![Content::default(); buffers.len()];
     let uris: Vec<_> = buffers.iter_mut().map(|buffer| buffer.uri.take()).collect();
     let (mut files, mut outside) = (HashMap::<PathBuf, Content>::new(), 0);
-    let mut read = |uri: Option<&str>, length: u64| -> Result<Content<'p>, String> {
-        let Some(uri) = uri else {
-            let blob = blob.clone().ok_or("it has neither a URI nor a BIN chunk")?;
+    let mut read = |buffer: usize, length: u64| -> Result<Content<'p>, String> {
+        let Some(uri) = uris[buffer].as_deref() else {
+            // The chunk is that of the first buffer.
+            let blob = blob.clone().filter(|_| buffer == 0).ok_or("it has neither a URI nor a BIN chunk")?;
             return Ok(Rc::new(blob));
         };
         let (place, bytes) = match uri.strip_prefix("data:") {
@@ -57,11 +58,10 @@ pub(super) fn read<'p>(
     order.sort_by_key(|at| Reverse(buffers[*at].byte_length.0));
     for buffer in order {
         let length = buffers[buffer].byte_length.0;
-        let content =
-            read(uris[buffer].as_deref(), length).and_then(|content| match (content.len() as u64) < length {
-                true => Err(format!("it has {} of its {length} bytes", content.len())),
-                false => Ok(content),
-            });
+        let content = read(buffer, length).and_then(|content| match (content.len() as u64) < length {
+            true => Err(format!("it has {} of its {length} bytes", content.len())),
+            false => Ok(content),
+        });
         contents[buffer] = content.map_err(|reason| MeshError::MissingBuffer {
             path: path.into(),
             buffer,
@@ -83,7 +83,7 @@ fn file_of(path: &Path, uri: &str, reach: Reach) -> Result<PathBuf, String> {
     if !Path::new(name.as_ref()).components().all(is_below) {
         return Err(format!("{name} leaves the folder of the file; --buffers-anywhere allows that"));
     }
-    if path == Path::new("-") {
+    if path == Path::new("-") || path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
         return Err(format!("it lies in {name}, and the standard input has no folder; name the .gltf file"));
     }
     Ok(path.with_file_name(name.as_ref()))

@@ -181,6 +181,10 @@ fn load<'p>(
     };
     let geometry: Geometry =
         json::deserialize::from_slice(&json).map_err(|error| parse_error(path, FORMAT, error))?;
+    let version = &geometry.asset.version;
+    if !version.starts_with("2.") {
+        return Err(parse_error(path, FORMAT, format!("its version is {version}, and 2.0 is read")));
+    }
     let (root, meshes) = geometry.into_root();
     check_not_compressed(path, &root)?;
     let document = Document::from_json(root).map_err(error)?;
@@ -246,7 +250,7 @@ fn short(name: &str) -> Arc<str> {
 struct Geometry {
     asset: json::Asset,
     #[serde(default)]
-    accessors: Vec<json::Accessor>,
+    accessors: Vec<AccessorText>,
     #[serde(default)]
     buffers: Vec<json::Buffer>,
     #[serde(default)]
@@ -255,6 +259,44 @@ struct Geometry {
     meshes: Vec<Primitives>,
     #[serde(default)]
     extensions_required: Vec<String>,
+}
+
+/// An accessor without its bounds and its name, which may be anything.
+#[derive(serde::Deserialize)]
+#[serde(from = "Layout")]
+struct AccessorText(json::Accessor);
+
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Layout {
+    buffer_view: Option<json::Index<json::buffer::View>>,
+    byte_offset: Option<json::validation::USize64>,
+    count: json::validation::USize64,
+    component_type: Checked<json::accessor::GenericComponentType>,
+    r#type: Checked<Dimensions>,
+    #[serde(default)]
+    normalized: bool,
+    sparse: Option<json::accessor::sparse::Sparse>,
+}
+
+impl From<Layout> for AccessorText {
+    fn from(layout: Layout) -> Self {
+        let Layout { buffer_view, byte_offset, count, component_type, r#type, normalized, sparse } = layout;
+        Self(json::Accessor {
+            buffer_view,
+            byte_offset,
+            count,
+            component_type,
+            type_: r#type,
+            normalized,
+            sparse,
+            min: None,
+            max: None,
+            name: None,
+            extensions: None,
+            extras: Default::default(),
+        })
+    }
 }
 
 impl Geometry {
@@ -270,6 +312,7 @@ impl Geometry {
         extensions_required.dedup();
         extensions_required
             .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
+        let accessors = accessors.into_iter().map(|AccessorText(accessor)| accessor).collect();
         let root =
             json::Root { accessors, asset, buffers, buffer_views, extensions_required, ..Default::default() };
         (root, meshes)

@@ -320,6 +320,17 @@ fn buffers_outside_the_folder() {
     }
 }
 
+/// The chunk of a GLB is its first buffer, and no other.
+#[test]
+fn the_chunk_is_the_first_buffer() {
+    let document = json(WITH_NORMALS, "")
+        .replace(r#""buffers":["#, r#""buffers":[{"byteLength":392},"#)
+        .replacen(r#""buffer":0,"byteOffset":96"#, r#""buffer":1,"byteOffset":96"#, 1);
+    let result = read(&glb(&document, Some(&cube_buffer())));
+    assert!(matches!(result, Err(MeshError::MissingBuffer { buffer: 1, .. })), "{result:?}");
+    assert!(is_parse(&read(&glb(&json(WITH_NORMALS, "").replace("2.0", "3.0"), Some(&cube_buffer())))));
+}
+
 /// The name of a mesh is there once, however many primitives it has, and not at any length.
 #[test]
 fn names_are_shared() {

@@ -1,10 +1,10 @@
 use super::run::Live;
 use super::summary::{Options, Summary};
-use super::{Buffers, OpenBackend, Vulkan, dtype, files_of, is_mesh, tell};
+use super::{Buffers, OpenBackend, Vulkan, dtype, expect, files_of, is_mesh, tell};
 use clap::Args;
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
-use std::io::{self, Read, Write};
+use std::collections::{BTreeMap, HashSet};
+use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Element, find};
@@ -120,7 +120,7 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
             None => conversion.run(format, &mut elements.floats, elements.count, stream::encode)?,
             Some(header) => conversion.encode_behind(header, format, &mut elements)?,
         };
-        conversion.expect(elements.count, counts.elements)?;
+        expect(conversion.input, elements.count, counts.elements)?;
         counts.suspicion = counts.suspicion.filter(|found| found.applies(elements.is_guess));
         Ok(Summary::of_encoding(format, counts, elements.parts))
     })
@@ -161,7 +161,7 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
         conversion.begin_array(count, ("<f4", format.element.floats()))?;
         let mut input = Hashed::new(input, header.is_some());
         let decoded = conversion.run(format, &mut input, count, stream::decode)?;
-        conversion.expect(count, decoded)?;
+        expect(path, count, decoded)?;
         if let (Some(header), Some(hash)) = (header, input.hash) {
             header.check(path, hash)?;
         }
@@ -208,7 +208,7 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
             (Element::Vector, mesh.normals.into_flattened(), mesh.parts, filled)
         };
         conversion.begin_array(Some(counts.elements), ("<f4", element.floats()))?;
-        conversion.write(&to_bytes(&floats))?;
+        floats.chunks(1 << 16).try_for_each(|floats| conversion.write(&to_bytes(floats)))?;
         Ok(Summary::of_export(element, counts, parts, filled))
     })?;
     Ok(ExitCode::SUCCESS)
@@ -235,10 +235,15 @@ fn pairs(
         );
         return Err(Error::Usage(words));
     }
+    // An output must not replace an input that is yet to be read.
+    let places: HashSet<PathBuf> = found.iter().filter_map(|input| input.canonicalize().ok()).collect();
     let mut taken = BTreeMap::new();
     for input in found {
         let out = out.join(input.file_stem().unwrap_or_default()).with_extension(ending);
         check_output(&input, &out)?;
+        if out.canonicalize().is_ok_and(|place| places.contains(&place)) {
+            return Err(Error::Usage(format!("{} is an input; name another folder", out.display())));
+        }
         if let Some(other) = taken.insert(out.clone(), input.clone()) {
             let [other, input] = [other, input].map(|path| path.display().to_string());
             let words =
@@ -374,22 +379,20 @@ impl Conversion<'_> {
         format: &AnyCodec,
         elements: &mut Elements,
     ) -> Result<Counts> {
-        self.write(&header.to_bytes(0))?;
+        let start = header.to_bytes(0);
+        if start.len() > Header::MOST {
+            let words = format!(
+                "{} has too many primitives for the header of a .uvec file; give OUT another ending, for bare codes",
+                self.input.display()
+            );
+            return Err(Error::Usage(words));
+        }
+        self.write(&start)?;
+        drop(start);
         self.output.hash = Some(Sha256::new());
         let counts = self.run(format, &mut elements.floats, elements.count, stream::encode)?;
         let hash = self.output.hash.take().unwrap_or_default();
         self.output.stream.rewrite_start(&header.finish(counts.elements, hash))?;
         Ok(counts)
-    }
-
-    /// Fails unless as many elements were read as a header promised.
-    fn expect(&self, promised: Option<u64>, read: u64) -> Result<()> {
-        match promised {
-            Some(promised) if promised != read => {
-                let words = format!("it ends after {read} of {promised}; copy it again");
-                Err(unitvec_files::Error::reading(self.input, io::Error::other(words)).into())
-            }
-            _ => Ok(()),
-        }
     }
 }

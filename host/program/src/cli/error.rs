@@ -1,6 +1,6 @@
 use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{Buffers, OpenBackend, Vulkan, chosen_formats, degrees, dtype, files_of, is_mesh};
+use super::{Buffers, OpenBackend, Vulkan, chosen_formats, degrees, dtype, expect, files_of, is_mesh};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
@@ -60,15 +60,18 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let (mut computed, mut warnings) = (Vec::new(), Vec::new());
     for path in &files {
         live.advance(1);
-        let Elements { floats: mut input, parts, is_guess, .. } =
+        let Elements { floats: mut input, parts, is_guess, count } =
             Elements::open(path, meter.element(), kind)?;
         if parts.is_some_and(|parts| parts.iter().any(|part| part.computed)) {
             computed.push(FileName::from(path.as_path()));
         }
         let unit = meter.element().plural();
+        let mut read = 0;
         let suspicion = meter.measure(open.backend.as_mut(), Named::new(path, &mut input), &mut |done| {
+            read = done;
             live.name(format!("{}: {done} {unit}", path.display()));
         })?;
+        expect(path, count, read)?;
         let suspicion = suspicion.filter(|found| found.applies(is_guess));
         warnings.extend(suspicion.map(|words| shown(format_args!("{}: {words}", path.display()))));
     }

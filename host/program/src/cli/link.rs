@@ -31,8 +31,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 }
 
 fn link(path: &Path, out: &Path) -> Result<ExitCode> {
-    let output = Output::create_binary(out)?;
     let module = read_small(path)?;
+    let output = Output::create_binary(out)?;
     let linked = link::link(&module).map_err(|error| Error::Link { path: path.to_owned(), error })?;
     write_output(output, &linked)?;
     Ok(ExitCode::SUCCESS)

@@ -172,7 +172,7 @@ impl Arguments {
 pub struct Vulkan {
     /// Device, by part of its name or by its index in `unitvec devices`; else the first of the best kind, real GPUs
     /// before software.
-    #[arg(long, value_name = "NAME|INDEX", env = "UNITVEC_DEVICE")]
+    #[arg(long, value_name = "NAME|INDEX", env = "UNITVEC_DEVICE", hide_env_values = true)]
     device: Option<String>,
     /// Run with the Vulkan validation layer; any message of it is a failure.
     #[arg(long)]
@@ -361,14 +361,28 @@ pub fn run() -> Result<ExitCode> {
             printed.map_err(|source| unitvec_files::Error::writing(Path::new("-"), source))?;
             Ok(ExitCode::SUCCESS)
         }
-        Err(error) => error.exit(),
+        Err(error) if std::env::args_os().all(|argument| is_tame(&argument.to_string_lossy())) => {
+            error.exit()
+        }
+        // It quotes arguments.
+        Err(error) => {
+            let _ = io::stderr().write_all(shown_lines(error.render()).as_bytes());
+            Ok(ExitCode::from(2))
+        }
     }
+}
+
+/// True for text without control characters.
+fn is_tame(text: &str) -> bool {
+    !text.contains(char::is_control)
 }
 
 /// Prints lines to the standard output.
 fn print(text: &str) -> Result<ExitCode> {
     let mut stdout = io::stdout().lock();
-    let written = stdout.write_all(shown_lines(text).as_bytes()).and_then(|()| stdout.flush());
+    let written = unitvec_files::check_unused(Path::new("-"))
+        .and_then(|()| stdout.write_all(shown_lines(text).as_bytes()))
+        .and_then(|()| stdout.flush());
     written.map_err(|source| unitvec_files::Error::writing(Path::new("-"), source))?;
     Ok(ExitCode::SUCCESS)
 }
@@ -407,6 +421,17 @@ fn files_of(paths: &[PathBuf], is_wanted: fn(&Path) -> bool) -> Result<Vec<PathB
         }
     }
     Ok(files)
+}
+
+/// Fails unless as many elements were read as a header promised.
+fn expect(path: &Path, promised: Option<u64>, read: u64) -> Result<()> {
+    match promised {
+        Some(promised) if promised != read => {
+            let words = format!("it ends after {read} of {promised}; copy it again");
+            Err(unitvec_files::Error::reading(path, io::Error::other(words)).into())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The names of kinds of raw floats.
@@ -475,5 +500,14 @@ fn write_chart(path: &Path, svg: Result<String, Box<dyn std::error::Error>>) -> 
 /// JSON with a final newline.
 fn to_json<T: serde::Serialize>(value: &T) -> String {
     // Serialising plain structs and strings to memory has no way to fail.
-    serde_json::to_string_pretty(value).unwrap_or_default() + "\n"
+    let json = serde_json::to_string_pretty(value).unwrap_or_default() + "\n";
+    // JSON leaves these as they are, which stand in strings only.
+    let is_left = |c: char| c.is_control() && c >= '\u{7f}';
+    match json.contains(is_left) {
+        true => {
+            let escaped = |c: char| if is_left(c) { format!("\\u{:04x}", u32::from(c)) } else { c.into() };
+            json.chars().map(escaped).collect()
+        }
+        false => json,
+    }
 }

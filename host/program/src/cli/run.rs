@@ -13,7 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::time::Duration;
 use unitvec_catalogue::AnyCodec;
-use unitvec_files::{is_same_file, shown};
+use unitvec_files::{is_same_file, is_stdout, shown};
 use unitvec_host::input::{RAW_ENDINGS, has_ending};
 use unitvec_host::{Error, Result};
 use unitvec_vulkan::{Device, DeviceInfo};
@@ -51,9 +51,9 @@ impl Json {
         }
     }
 
-    /// True where the JSON goes to the standard output.
+    /// True where the JSON goes to the standard output, by whatever name.
     pub fn is_to_stdout(&self) -> bool {
-        self.json.as_deref() == Some(Path::new("-"))
+        self.json.as_deref().is_some_and(is_stdout)
     }
 
     /// Writes the report, where it is asked for.
@@ -66,13 +66,22 @@ impl Json {
         self.json.as_ref().map_or(Ok(()), |path| Ok(unitvec_files::write_file(path, json.as_bytes())?))
     }
 
-    /// Prints the report to the standard output where it is to go there, else the text, and writes the report to its file.
+    /// Prints the report to the standard output where it is to go there, else the text, and writes the report to its file, also
+    /// where nobody reads the text.
     pub fn write_or_print(&self, report: &impl Serialize, text: impl FnOnce() -> String) -> Result<ExitCode> {
         if !self.is_to_stdout() {
-            print(&text())?;
+            unless_unread(print(&text()))?;
         }
         self.write(report)?;
         Ok(ExitCode::SUCCESS)
+    }
+}
+
+/// What was printed to a reader that has gone away is no failure: the run's files and its exit status are still wanted.
+fn unless_unread(printed: Result<ExitCode>) -> Result<()> {
+    match printed {
+        Err(Error::Files(unitvec_files::Error::ReaderGone)) => Ok(()),
+        printed => printed.map(drop),
     }
 }
 
@@ -184,7 +193,7 @@ impl Live {
         }
         let mut printed = Ok(ExitCode::SUCCESS);
         self.bar.suspend(|| printed = print(&text()));
-        printed.map(drop)
+        unless_unread(printed)
     }
 
     pub fn finish(&self) {

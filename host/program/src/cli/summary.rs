@@ -50,8 +50,9 @@ impl Options {
         let one = if out.is_dir() { None } else { reports.pop() };
         let json = to_json(&one.map_or(Reports::Many(reports), |one| Reports::One(Box::new(one))));
         if to_stdout && self.json.is_to_stdout() {
-            let _ = write!(std::io::stderr(), "{json}");
-            return Ok(());
+            let written = write!(std::io::stderr(), "{json}");
+            let name = Path::new("the standard error");
+            return Ok(written.map_err(|source| unitvec_files::Error::writing(name, source))?);
         }
         self.json.write_text(&json)
     }
