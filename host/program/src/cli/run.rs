@@ -51,6 +51,11 @@ impl Json {
         }
     }
 
+    /// True where there is JSON to be written.
+    pub fn is_wanted(&self) -> bool {
+        self.json.is_some()
+    }
+
     /// True where the JSON goes to the standard output, by whatever name.
     pub fn is_to_stdout(&self) -> bool {
         self.json.as_deref().is_some_and(is_stdout)
@@ -58,7 +63,7 @@ impl Json {
 
     /// Writes the report, where it is asked for.
     pub fn write(&self, report: &impl Serialize) -> Result<()> {
-        self.write_text(&to_json(report))
+        if self.is_wanted() { self.write_text(&to_json(report)) } else { Ok(()) }
     }
 
     /// Writes a report that is JSON already.

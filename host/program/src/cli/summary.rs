@@ -43,8 +43,11 @@ impl Options {
         (Report { input, output, summary }, to_stdout)
     }
 
-    /// Writes the JSON: a list where OUT is a folder.
+    /// Writes the JSON, where it is asked for: a list where OUT is a folder.
     pub fn write(&self, done: Vec<(Report, bool)>, out: &Path) -> Result<()> {
+        if !self.json.is_wanted() {
+            return Ok(());
+        }
         let to_stdout = done.iter().any(|(_, to_stdout)| *to_stdout);
         let mut reports: Vec<_> = done.into_iter().map(|(report, _)| report).collect();
         let one = if out.is_dir() { None } else { reports.pop() };
