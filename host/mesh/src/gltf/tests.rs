@@ -2,6 +2,7 @@
 
 use super::super::mesh_count;
 use super::super::tests::{CUBE_CORNERS, CUBE_FACES, assert_close, cube_normals};
+use super::document::quoted;
 use super::*;
 use base64::Engine;
 

@@ -1,0 +1,154 @@
+//! The parts of a document that hold geometry, as its JSON has them.
+
+use std::path::Path;
+
+use ::gltf::Semantic;
+use ::gltf::accessor::Dimensions;
+use ::gltf::json;
+use ::gltf::json::validation::Checked;
+use ::gltf::mesh::Mode;
+
+use crate::MeshError;
+
+/// A mesh of a document. That of the `gltf` crate takes fifty times the text of many primitives.
+#[derive(serde::Deserialize)]
+pub(super) struct Primitives {
+    pub(super) name: Option<Box<str>>,
+    pub(super) primitives: Vec<Primitive>,
+}
+
+/// A primitive, as far as normals and tangents depend on it.
+#[derive(serde::Deserialize)]
+pub(super) struct Primitive {
+    attributes: Attributes,
+    pub(super) indices: Option<u32>,
+    #[serde(default)]
+    pub(super) mode: Checked<Mode>,
+}
+
+/// The accessors of a primitive's attributes.
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "UPPERCASE")]
+struct Attributes {
+    position: Option<u32>,
+    normal: Option<u32>,
+    tangent: Option<u32>,
+}
+
+impl Primitive {
+    /// The accessor of an attribute.
+    pub(super) fn get(&self, semantic: &Semantic) -> Option<u32> {
+        match semantic {
+            Semantic::Positions => self.attributes.position,
+            Semantic::Normals => self.attributes.normal,
+            Semantic::Tangents => self.attributes.tangent,
+            _ => None,
+        }
+    }
+}
+
+/// The part of a document that normals and tangents depend on. The rest is skipped.
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) struct Geometry {
+    pub(super) asset: json::Asset,
+    #[serde(default)]
+    accessors: Vec<AccessorText>,
+    #[serde(default)]
+    buffers: Vec<json::Buffer>,
+    #[serde(default)]
+    buffer_views: Vec<json::buffer::View>,
+    #[serde(default)]
+    meshes: Vec<Primitives>,
+    #[serde(default)]
+    extensions_required: Vec<String>,
+}
+
+/// An accessor without its bounds and its name, which may be anything.
+#[derive(serde::Deserialize)]
+#[serde(from = "Layout")]
+struct AccessorText(json::Accessor);
+
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Layout {
+    buffer_view: Option<json::Index<json::buffer::View>>,
+    byte_offset: Option<json::validation::USize64>,
+    count: json::validation::USize64,
+    component_type: Checked<json::accessor::GenericComponentType>,
+    r#type: Checked<Dimensions>,
+    #[serde(default)]
+    normalized: bool,
+    sparse: Option<json::accessor::sparse::Sparse>,
+}
+
+impl From<Layout> for AccessorText {
+    fn from(layout: Layout) -> Self {
+        let Layout { buffer_view, byte_offset, count, component_type, r#type, normalized, sparse } = layout;
+        Self(json::Accessor {
+            buffer_view,
+            byte_offset,
+            count,
+            component_type,
+            type_: r#type,
+            normalized,
+            sparse,
+            min: None,
+            max: None,
+            name: None,
+            extensions: None,
+            extras: Default::default(),
+        })
+    }
+}
+
+impl Geometry {
+    /// A document without what normals and tangents do not depend on, so that an unknown extension of a material does not fail
+    /// the validation of a mesh that can be read; and its meshes.
+    pub(super) fn into_root(self) -> (json::Root, Vec<Primitives>) {
+        const APPEARANCE: [&str; 4] = ["KHR_materials_", "KHR_texture_", "EXT_texture_", "KHR_lights_"];
+        /// Attributes in integers, which are read here.
+        const QUANTIZATION: &str = "KHR_mesh_quantization";
+        let Self { asset, accessors, buffers, buffer_views, meshes, mut extensions_required } = self;
+        // The validation has a message for each extension that it does not know.
+        extensions_required.sort_unstable();
+        extensions_required.dedup();
+        extensions_required
+            .retain(|name| name != QUANTIZATION && !APPEARANCE.iter().any(|prefix| name.starts_with(prefix)));
+        let accessors = accessors.into_iter().map(|AccessorText(accessor)| accessor).collect();
+        let root =
+            json::Root { accessors, asset, buffers, buffer_views, extensions_required, ..Default::default() };
+        (root, meshes)
+    }
+}
+
+/// Refuses geometry that only a decompressor can read. Where an extension is used but not required, the file has the
+/// geometry uncompressed as well.
+pub(super) fn check_not_compressed(path: &Path, root: &json::Root) -> Result<(), MeshError> {
+    /// Extension, what it is, and whether glTF-Transform decompresses it.
+    const COMPRESSIONS: [(&str, &str, bool); 3] = [
+        ("KHR_draco_mesh_compression", "Draco", true),
+        ("EXT_meshopt_compression", "meshoptimizer", true),
+        ("KHR_meshopt_compression", "meshoptimizer", false),
+    ];
+    let is_required = |name: &str| root.extensions_required.iter().any(|required| required == name);
+    let Some((extension, method, decompresses)) = COMPRESSIONS.into_iter().find(|c| is_required(c.0)) else {
+        return Ok(());
+    };
+    let remedy = match decompresses {
+        true => format!(
+            "decompress it first, for example with `gltf-transform copy {} uncompressed.glb` (npm package \
+             @gltf-transform/cli)",
+            quoted(path)
+        ),
+        false => "export it without compression".to_owned(),
+    };
+    Err(MeshError::Compressed { path: path.into(), extension, method, remedy })
+}
+
+/// A path as a shell takes it.
+pub(super) fn quoted(path: &Path) -> String {
+    let path = path.display().to_string();
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./".contains(c);
+    if path.chars().all(is_plain) { path } else { format!("'{}'", path.replace('\'', r"'\''")) }
+}
