@@ -51,9 +51,8 @@ impl Header {
         Self { version: VERSION, codec: format.id.to_owned(), bytes: format.bytes, count, sha256, parts }
     }
 
-    /// The bytes before the codes. `hash` is of all `count` codes.
-    pub fn finish(mut self, count: u64, hash: Sha256) -> Vec<u8> {
-        let length = self.to_bytes(0).len();
+    /// The bytes before the codes, `length` at least. `hash` is of all `count` codes.
+    pub fn finish(mut self, length: usize, count: u64, hash: Sha256) -> Vec<u8> {
         (self.count, self.sha256) = (count, hex(hash));
         self.to_bytes(length)
     }

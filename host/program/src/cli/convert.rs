@@ -388,11 +388,12 @@ impl Conversion<'_> {
             return Err(Error::Usage(words));
         }
         self.write(&start)?;
+        let length = start.len();
         drop(start);
         self.output.hash = Some(Sha256::new());
         let counts = self.run(format, &mut elements.floats, elements.count, stream::encode)?;
         let hash = self.output.hash.take().unwrap_or_default();
-        self.output.stream.rewrite_start(&header.finish(counts.elements, hash))?;
+        self.output.stream.rewrite_start(&header.finish(length, counts.elements, hash))?;
         Ok(counts)
     }
 }
