@@ -4,18 +4,10 @@ use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
 use unitvec_tests::program::{command, refusal, stderr};
-use unitvec_tests::repository;
+use unitvec_tests::{names, repository};
 
 fn figures(folder: &Path, arguments: &[&str]) -> Output {
     command(["figures", "--small"]).args(arguments).arg("--out").arg(folder).output().unwrap()
-}
-
-fn names(folder: &Path) -> Vec<String> {
-    let entries = folder.read_dir().unwrap();
-    let mut names: Vec<String> =
-        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 /// Every picture of figures.json is a file of its kind, figures.md shows it, and nothing else is there.

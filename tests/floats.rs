@@ -6,6 +6,7 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 use unitvec_mesh::BUNNY;
+use unitvec_tests::names;
 use unitvec_tests::program::{command, run_with_input, stderr};
 
 /// Vectors of unit length to within a half's precision, each with a negative component.
@@ -204,10 +205,7 @@ fn several_files_and_folders() {
     assert!(told.lines().count() == 3 && told.contains("meshes/below/a.obj: 1839 vectors"), "{told}");
     let all: Value = serde_json::from_slice(&fs::read(at("all.json")).unwrap()).unwrap();
     assert_eq!(all.as_array().unwrap().len(), 3);
-    let names = fs::read_dir(at("codes")).unwrap().map(|entry| entry.unwrap().file_name());
-    let mut names: Vec<_> = names.collect();
-    names.sort();
-    assert_eq!(names, ["a.uvec", "b.uvec", "c.uvec"]);
+    assert_eq!(names(&at("codes")), ["a.uvec", "b.uvec", "c.uvec"]);
     said(folder.path(), "decode codes codes");
     assert_eq!(fs::metadata(at("codes/c.f32")).unwrap().len(), 1839 * 12);
     fs::write(at("meshes/a.glb"), "no mesh").unwrap();

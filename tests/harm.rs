@@ -8,9 +8,9 @@ use std::ffi::OsStr;
 use std::fs::{File, OpenOptions};
 use std::io::Write;
 use std::os::unix::ffi::OsStrExt;
-use std::path::Path;
 use std::process::{Command, Stdio};
 use unitvec_mesh::BUNNY;
+use unitvec_tests::names;
 use unitvec_tests::program::{self, command, stderr, stdout};
 
 /// Escape sequences and line breaks, as a name of a file can have them.
@@ -102,14 +102,6 @@ fn names_of_any_bytes() {
     assert_eq!([&measured["rows"][0]["file"], &measured["computed"][0]], [&bytes, &bytes]);
     let encoded = report(&["encode", "--codec", "oct16", "--json", "-"], &["out"]);
     assert_eq!((&encoded["input"], &encoded["output"]), (&bytes, &"out".into()));
-}
-
-/// The files in a folder, hidden ones too.
-fn names(folder: &Path) -> Vec<String> {
-    let mut names: Vec<_> =
-        folder.read_dir().unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
-    names.sort();
-    names
 }
 
 /// A stream that was redirected to a file is that file: it is not read and written at once.

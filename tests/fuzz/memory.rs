@@ -8,6 +8,7 @@ use base64::Engine;
 use std::path::Path;
 use unitvec_mesh as mesh;
 use unitvec_mesh::{FileFormat, Reach};
+use unitvec_tests::repository;
 
 /// The size of which four times is allowed: compact files hold vectors in fewer bytes than f32 take.
 pub fn size(file: usize, vectors: usize) -> usize {
@@ -162,6 +163,8 @@ fn gltf_of_many_nodes() {
 #[test]
 fn gltf_of_many_objects() {
     const OBJECTS: usize = 24;
+    let promised = std::fs::read_to_string(repository().join("host/program/README.md")).unwrap();
+    assert!(promised.contains(&format!("up to {OBJECTS} times for a glTF document")));
     let list = |object: &str| vec![object; COUNT].join(",");
     for (name, part) in [
         (

@@ -57,7 +57,7 @@ enum Mutation {
     BinaryNumber(Index, u32, bool),
     /// Exchanges two words of a text.
     Swap(Index, Index),
-    /// Repeats the objects, lines or words at two places until each fills a part of the largest file.
+    /// Multiplies what is at two places, until each fills a part of the largest file: products of two counts.
     Product([Index; 2]),
 }
 

@@ -45,6 +45,17 @@ pub fn files(folder: &Path, extensions: &[&str]) -> Vec<PathBuf> {
     found
 }
 
+/// The names in a folder, hidden ones too, in order.
+///
+/// # Panics
+/// If the folder cannot be read, or a name is no text.
+pub fn names(folder: &Path) -> Vec<String> {
+    let entries = folder.read_dir().unwrap();
+    let mut names: Vec<_> = entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
 /// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and those that serve several of them.
 pub fn glsl_families() -> BTreeSet<String> {
     CODECS.iter().map(AnyCodec::glsl_file).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
