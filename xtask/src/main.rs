@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode, Stdio};
 use std::sync::OnceLock;
 use std::time::Instant;
-use std::{env, fs};
+use std::{env, fs, io};
 
 const USAGE: &str = include_str!("usage.txt");
 
@@ -138,8 +138,21 @@ fn target() -> Result<PathBuf, String> {
 /// A folder below that of cargo, made where it is missing.
 fn cache(name: &str) -> Result<PathBuf, String> {
     let folder = target()?.join(name);
-    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    fs::create_dir_all(&folder).map_err(at(&folder))?;
     Ok(folder)
+}
+
+/// A new, empty folder.
+fn emptied(folder: PathBuf) -> Result<PathBuf, String> {
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).map_err(at(&folder))?;
+    Ok(folder)
+}
+
+/// Names the file in an error.
+fn at(file: &Path) -> impl Fn(io::Error) -> String {
+    let file = file.display().to_string();
+    move |error| format!("{file}: {error}")
 }
 
 fn test(arguments: &[String]) -> Result<(), String> {
@@ -212,7 +225,7 @@ fn cargo(arguments: &[&str]) -> Command {
 
 /// Writes a file of the repository.
 fn write(file: &str, text: impl AsRef<[u8]>) -> Result<(), String> {
-    fs::write(repository().join(file), text).map_err(|error| format!("{file}: {error}"))
+    fs::write(repository().join(file), text).map_err(at(Path::new(file)))
 }
 
 fn repository() -> PathBuf {

@@ -2,7 +2,8 @@
 //! `conform` on lavapipe. For macOS and Visual C++ the compiler checks them.
 
 use crate::{
-    cache, cargo, languages, output, packages, program, repository, run as run_command, setup, target,
+    at, cache, cargo, emptied, languages, output, packages, program, repository, run as run_command, setup,
+    target,
 };
 use std::collections::BTreeMap;
 use std::fs::{self, File};
@@ -83,7 +84,7 @@ impl Wine {
         let wine = Self { folder };
         let prefix = wine.folder.join("prefix");
         let library = prefix.join("drive_c/windows/system32/bcryptprimitives.dll");
-        told(&prefix, fs::create_dir_all(&prefix))?;
+        fs::create_dir_all(&prefix).map_err(at(&prefix))?;
         // Services live as long as the server. Those that a program starts write into its errors.
         for line in [["wineserver", "--persistent"].as_slice(), &["wine", "wineboot", "--init"]] {
             let mut command = Command::new(line[0]);
@@ -146,18 +147,17 @@ struct Checks<'a> {
 impl<'a> Checks<'a> {
     fn new(wine: &'a Wine, linux: &'a Path, windows: &'a Path) -> Result<Self, String> {
         let data = repository().join("host/mesh/data");
-        let folders = ["linux", "windows"].map(|name| wine.folder.join(name));
+        let [first, second] = ["linux", "windows"].map(|name| emptied(wine.folder.join(name)));
+        let folders = [first?, second?];
         let lines = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nvn 0 1 0\nf 1//1 2//2 3//1\n".replace('\n', "\r\n");
         for folder in &folders {
-            let _ = fs::remove_dir_all(folder);
-            told(folder, fs::create_dir_all(folder))?;
             output(
                 Command::new(linux).arg("normals").arg(data.join("bunny.obj")).arg(folder.join("in.bin")),
             )?;
-            told(folder, fs::copy(data.join("torus.glb"), folder.join("torus.glb")))?;
-            told(folder, fs::write(folder.join("lines.obj"), &lines))?;
+            fs::copy(data.join("torus.glb"), folder.join("torus.glb")).map_err(at(folder))?;
+            fs::write(folder.join("lines.obj"), &lines).map_err(at(folder))?;
         }
-        let vectors = told(&folders[0], fs::read(folders[0].join("in.bin")))?;
+        let vectors = fs::read(folders[0].join("in.bin")).map_err(at(&folders[0]))?;
         Ok(Self { wine, linux, windows, folders, vectors, passed: 0, failed: 0 })
     }
 
@@ -192,15 +192,15 @@ impl<'a> Checks<'a> {
         self.ends("decode --codec oct16p out.codes OUT.CODES", 2, "is the input", before)?;
         self.ends("encode --codec oct32p in.bin a|b?.codes", 1, "Invalid name", before)?;
         let output = self.folders[1].join("out.codes");
-        let permissions = told(&output, output.metadata())?.permissions();
+        let permissions = output.metadata().map_err(at(&output))?.permissions();
         let mut read_only = permissions.clone();
         read_only.set_readonly(true);
-        told(&output, fs::set_permissions(&output, read_only))?;
+        fs::set_permissions(&output, read_only).map_err(at(&output))?;
         self.ends("encode --codec oct32p in.bin out.codes", 1, "out.codes: access denied", before)?;
-        told(&output, fs::set_permissions(&output, permissions))?;
+        fs::set_permissions(&output, permissions).map_err(at(&output))?;
 
         let folder = self.folders[1].join(["long"; 40].join("_")).join(["name"; 40].join("_"));
-        told(&folder, fs::create_dir_all(&folder))?;
+        fs::create_dir_all(&folder).map_err(at(&folder))?;
         let on_windows = format!("Z:{}", folder.display()).replace('/', "\\");
         let line = format!(r"encode --codec oct16p in.bin {on_windows}\new.codes");
         for _ in ["new", "replaced"] {
@@ -219,12 +219,12 @@ impl<'a> Checks<'a> {
     /// Ctrl-C, while the program writes a file of gigabytes, leaves no file of its own.
     fn interrupted(&mut self, before: &Files) -> Result<(), String> {
         let huge = self.folders[1].join("huge.f32");
-        told(&huge, File::create(&huge).and_then(|file| file.set_len(12 << 33)))?;
+        File::create(&huge).and_then(|file| file.set_len(12 << 33)).map_err(at(&huge))?;
         let line = format!("{} encode --codec oct32p huge.f32 huge.codes", self.windows.display());
         let mut interrupt = Command::new("wine");
         interrupt.arg(self.wine.folder.join("interrupt.exe")).arg(line).current_dir(&self.folders[1]);
-        let status = told(&huge, self.wine.set(&mut interrupt).status())?;
-        told(&huge, fs::remove_file(&huge))?;
+        let status = self.wine.set(&mut interrupt).status().map_err(at(&huge))?;
+        fs::remove_file(&huge).map_err(at(&huge))?;
         let left = files(&self.folders[1])?;
         let is_right = status.code() == Some(130) && left == *before;
         let names = || left.keys().map(String::as_str).collect::<Vec<_>>().join(" ");
@@ -258,12 +258,12 @@ impl<'a> Checks<'a> {
         command.args((system == 1).then_some(self.windows)).args(line.split(' ')).current_dir(folder);
         command.stdin(if takes_input { Stdio::piped() } else { Stdio::null() });
         command.stdout(Stdio::piped()).stderr(Stdio::piped());
-        let mut child = told(folder, self.wine.set(&mut command).spawn())?;
+        let mut child = self.wine.set(&mut command).spawn().map_err(at(folder))?;
         let output = thread::scope(|scope| {
             if let Some(mut stdin) = child.stdin.take() {
                 scope.spawn(move || stdin.write_all(&self.vectors));
             }
-            told(folder, child.wait_with_output())
+            child.wait_with_output().map_err(at(folder))
         })?;
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         Ok((output.status.code(), output.stdout, said, files(folder)?))
@@ -289,16 +289,12 @@ fn difference(here: &Outcome, there: &Outcome) -> Option<String> {
 
 /// The files of a folder, without those below it.
 fn files(folder: &Path) -> Result<Files, String> {
-    let paths = told(folder, fs::read_dir(folder))?.filter_map(|entry| Some(entry.ok()?.path()));
+    let paths = fs::read_dir(folder).map_err(at(folder))?.filter_map(|entry| Some(entry.ok()?.path()));
     let read = |path: PathBuf| {
         let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        told(&path, fs::read(&path)).map(|bytes| (name, bytes))
+        fs::read(&path).map_err(at(&path)).map(|bytes| (name, bytes))
     };
     paths.filter(|path| path.is_file()).map(read).collect()
-}
-
-fn told<T>(path: &Path, result: std::io::Result<T>) -> Result<T, String> {
-    result.map_err(|error| format!("{}: {error}", path.display()))
 }
 
 #[cfg(test)]

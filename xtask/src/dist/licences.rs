@@ -1,7 +1,7 @@
 //! The licences of the libraries in the program, with their texts.
 
-use super::{Platform, VERSION, at, cargo_home};
-use crate::{cargo, output, repository};
+use super::{Platform, VERSION, cargo_home};
+use crate::{at, cargo, output, repository};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};

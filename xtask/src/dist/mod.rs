@@ -5,10 +5,10 @@ mod licences;
 mod trial;
 
 use crate::windows::GCC;
-use crate::{cache, cargo, output, program, repository, run as run_command, setup, target};
+use crate::{at, cache, cargo, emptied, output, program, repository, run as run_command, setup, target};
 use std::path::{Path, PathBuf};
 use std::process::Command;
-use std::{env, fs, io};
+use std::{env, fs};
 
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
@@ -40,7 +40,7 @@ pub fn run(arguments: &[String]) -> Result<(), String> {
     setup::packages(&PACKAGES.split(' ').collect::<Vec<_>>())?;
     let (zig, native) = (zig()?, program()?);
     // No archive of another run is taken for one of this.
-    let (folder, scratch) = (emptied(&target()?, "dist")?, cache("dist-scratch")?);
+    let (folder, scratch) = (emptied(target()?.join("dist"))?, cache("dist-scratch")?);
     for platform in &chosen {
         let program = platform.build(&zig)?;
         platform.pack(&program, &zig, &scratch, &folder)?;
@@ -126,7 +126,7 @@ impl Platform {
 
     /// Packs the program with its README and licences.
     fn pack(&self, program: &Path, zig: &Path, scratch: &Path, to: &Path) -> Result<(), String> {
-        let folder = emptied(scratch, &self.folder())?;
+        let folder = emptied(scratch.join(self.folder()))?;
         let own = ["LICENSE-MIT", "LICENSE-APACHE"].map(|name| (repository().join(name), name));
         let others = [(program.to_owned(), self.program()), (licences::of_rust()?, "LICENSES-RUST.html")];
         for (from, name) in own.into_iter().chain(others) {
@@ -147,20 +147,6 @@ fn cargo_home() -> Result<PathBuf, String> {
     let home = || env::var_os("HOME").map(|home| Path::new(&home).join(".cargo"));
     let found = env::var_os("CARGO_HOME").map(PathBuf::from).or_else(home);
     found.ok_or_else(|| "neither CARGO_HOME nor HOME says where cargo keeps sources".to_owned())
-}
-
-/// A new, empty folder.
-fn emptied(above: &Path, name: &str) -> Result<PathBuf, String> {
-    let folder = above.join(name);
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).map_err(at(&folder))?;
-    Ok(folder)
-}
-
-/// Names the file in an error.
-fn at(file: &Path) -> impl Fn(io::Error) -> String {
-    let file = file.display().to_string();
-    move |error| format!("{file}: {error}")
 }
 
 #[cfg(test)]

@@ -1,8 +1,8 @@
 //! The archives, unpacked and run where nothing is installed: their results are those of the program built for this machine.
 
-use super::{GLIBC, Platform, at, emptied};
+use super::{GLIBC, Platform};
 use crate::windows::Wine;
-use crate::{cache, output, repository, run as run_command};
+use crate::{at, cache, emptied, output, repository, run as run_command};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,11 +40,14 @@ struct Trial {
 /// Checks the sums, and runs each archive's program beside `native`.
 pub fn run(platforms: &[Platform], archives: &Path, scratch: &Path, native: &Path) -> Result<(), String> {
     run_command(Command::new("sha256sum").args(["--check", "--quiet", "SHA256SUMS"]).current_dir(archives))?;
-    let here =
-        Trial { folder: emptied(scratch, "here")?, words: vec![native.display().to_string()], wine: None };
+    let here = Trial {
+        folder: emptied(scratch.join("here"))?,
+        words: vec![native.display().to_string()],
+        wine: None,
+    };
     let expected = here.results()?;
     for platform in platforms {
-        let (folder, archive) = (emptied(scratch, platform.name)?, archives.join(platform.archive()));
+        let (folder, archive) = (emptied(scratch.join(platform.name))?, archives.join(platform.archive()));
         let mut unpack = Command::new("python3");
         unpack.args(["-c", include_str!("../unpack.py")]).arg(&archive).arg("*");
         run_command(unpack.arg(&folder))?;
@@ -104,7 +107,7 @@ impl Trial {
         }
         let mut results = Results::new();
         for line in LINES {
-            let run = self.command(line).output().map_err(|error| format!("{}: {error}", self.words[0]))?;
+            let run = self.command(line).output().map_err(at(Path::new(&self.words[0])))?;
             if !run.status.success() {
                 let said = String::from_utf8_lossy(&run.stderr);
                 return Err(format!("`{line}` ended with {}: {}", run.status, said.trim()));
@@ -126,7 +129,7 @@ impl Trial {
         if !differ.is_empty() {
             return Err(format!("not this machine's bytes: {}", differ.join(", ")));
         }
-        let run = self.command(OF_DEVICES).output().map_err(|error| format!("{}: {error}", self.words[0]))?;
+        let run = self.command(OF_DEVICES).output().map_err(at(Path::new(&self.words[0])))?;
         let said = String::from_utf8_lossy(&run.stderr);
         if run.status.code() == Some(1) && said.lines().count() == 1 && said.contains("install") {
             return Ok(());
