@@ -2,9 +2,11 @@
 
 pub mod eaoct;
 pub mod hemioct;
+pub(crate) mod nearest;
 pub mod oct;
 pub mod oct_wide;
 pub mod soct;
+pub mod uoct;
 
 use crate::arith::{is_negative, nearest_pair, snorm_integers};
 use crate::direction::is_usable;

@@ -38,6 +38,7 @@
 //!   along that edge. The four corners are all -Z.
 //! * Good for: almost anything. Weakness: codes jump at the folds, so that they cannot be filtered across `z = 0`.
 
+use super::nearest::Corner;
 use super::{fold, unpack, usable_code};
 use crate::arith::{
     SnormDivision, TWO_23, exp2, floor, is_nan, max, min, normalize_octahedral, over, quotient, ratio,
@@ -221,41 +222,26 @@ fn nearest_corner(p: Vec3, m: f32) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// A corner of a lattice cell, and the square of the tangent of its angle from the point sought, as a fraction.
-#[derive(Clone, Copy)]
-struct Corner {
-    at: Vec2,
-    across: f32,
-    along: f32,
-}
-
-impl Corner {
-    /// The corner (x, y), as `p` sees it. One beyond the edge z = 0 is none of the octant's, and farther than any.
-    #[inline(always)]
-    fn new(x: f32, y: f32, p: Vec3, m: f32) -> Self {
-        let z = m - x - y;
-        let a = y * p.z - z * p.y;
-        let b = z * p.x - x * p.z;
-        let c = x * p.y - y * p.x;
-        let (across, along) = ((a * a + b * b) + c * c, (x * p.x + y * p.y) + z * p.z);
-        Self { at: Vec2::new(x, y), across, along: if z < 0.0 { 0.0 } else { along * along } }
-    }
-
-    /// `other` where it is nearer, else `self`.
-    #[inline(always)]
-    fn or_nearer(self, other: Self) -> Self {
-        if other.across * self.along < self.across * other.along { other } else { self }
-    }
+/// The corner (x, y) of a lattice cell, as `p` sees it. One beyond the edge z = 0 is none of the octant's, and farther than
+/// any.
+#[inline(always)]
+fn corner(x: f32, y: f32, p: Vec3, m: f32) -> Corner {
+    let z = m - x - y;
+    let a = y * p.z - z * p.y;
+    let b = z * p.x - x * p.z;
+    let c = x * p.y - y * p.x;
+    let (across, along) = ((a * a + b * b) + c * c, (x * p.x + y * p.y) + z * p.z);
+    Corner { at: Vec2::new(x, y), across, along: if z < 0.0 { 0.0 } else { along * along } }
 }
 
 /// [`nearest_corner`] for any `m`: the best of the four corners, as listing 3 finds it.
 #[inline(always)]
 fn searched_corner(p: Vec3, m: f32) -> Vec2 {
     let (x, y) = (floor(p.x), floor(p.y));
-    let near = Corner::new(x, y, p, m);
-    let right = Corner::new(x + 1.0, y, p, m);
-    let up = Corner::new(x, y + 1.0, p, m);
-    let far = Corner::new(x + 1.0, y + 1.0, p, m);
+    let near = corner(x, y, p, m);
+    let right = corner(x + 1.0, y, p, m);
+    let up = corner(x, y + 1.0, p, m);
+    let far = corner(x + 1.0, y + 1.0, p, m);
     near.or_nearer(right).or_nearer(up).or_nearer(far).at
 }
 
