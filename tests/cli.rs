@@ -405,6 +405,28 @@ fn lines_of_raw_input() {
     }
 }
 
+/// Vectors without a direction come back as zeros: a .uvec file knows it, bare codes need the option. Codecs without a
+/// null code are refused.
+#[test]
+fn null_codes_come_back_as_zeros() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = raw(&[[0.0f32; 3], [0.0, 0.0, -1.0], [3.0, 0.0, 0.0], [f32::NAN; 3]]);
+    let codes = folder.path().join("codes.uvec");
+    let encode = |out| run_with_input(["encode", "--null", "--codec", "hemioct16", "-", out], &input);
+    let line = "4 vectors, 3 without a direction (2 stored as null, 1 stored as +Z; the first is number 0), 0 below \
+        the equator, lengths 1.0000 to 3.0000\n";
+    assert_eq!(stderr(&encode(path(&codes))), line);
+    let expected = raw(&[[0.0f32; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0; 3]]);
+    assert_eq!(run(["decode", path(&codes), "-"]).stdout, expected);
+    let bare = encode("-").stdout;
+    let decode = |null| run_with_input(["decode", null, "--codec", "hemioct16", "-", "-"], &bare).stdout;
+    assert!(decode("--null") == expected && decode("--quiet") != expected);
+    for codec in ["fib16", "frame32"] {
+        let mut command = command(["encode", "--null", "--codec", codec, "-", "-"]);
+        assert_fails(&mut command, 2, &[codec, "has no code to spare", "but latlong16, latlong24"]);
+    }
+}
+
 /// The standard output is known by its other names too: the codes are appended to it, and JSON goes elsewhere.
 #[test]
 fn another_name_of_the_standard_output() {

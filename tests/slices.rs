@@ -11,7 +11,7 @@ use unitvec::slice::{
     decode_slice, decode_slice_i16x4, decode_slice_i16x4_at, encode_slice, par_decode_slice, par_encode_slice,
 };
 use unitvec::table::DecodeTable;
-use unitvec::{Codec, Listed, Oct16, Oct24, Oct48, OctPrecise32, OctPrecise52, for_each_codec};
+use unitvec::{Codec, Listed, Oct16, Oct24, Oct48, OctPrecise32, OctPrecise52, OrNull, for_each_codec};
 use unitvec_catalogue::{self as catalogue, AnyCodec, CODECS};
 use unitvec_run::sampling::special_vectors;
 use unitvec_tests::directions::{Rng, sphere};
@@ -275,4 +275,28 @@ fn i16x4_of_a_wrong_length() {
     assert_eq!(vectors, [[7; 4]; 3]);
     decode_slice_i16x4::<unitvec::Oct32>(&[0; 12], &mut vectors).unwrap();
     assert_eq!(vectors, [[0, 0, 32767, 0]; 3]);
+}
+
+/// With null codes, slices have the catalogue's codes and vectors.
+fn check_nulls<C: Listed>() {
+    let codec = catalogue::find(C::NAME).unwrap();
+    let (null, vectors) = (codec.null().unwrap(), vectors(1000));
+    let (mut codes, mut expected) = (bytes(1000 * C::BYTES), bytes(1000 * C::BYTES));
+    encode_slice::<OrNull<C>>(&vectors, &mut codes).unwrap();
+    codec.encode_here(vectors.as_flattened(), &mut expected).unwrap();
+    null.put(vectors.as_flattened(), &mut expected).unwrap();
+    assert_eq!(codes, expected, "{}", C::NAME);
+    let (mut decoded, mut expected) = ([[1.0; 3]; 1000], [[1.0; 3]; 1000]);
+    decode_slice::<OrNull<C>>(&codes, &mut decoded).unwrap();
+    codec.decode_here(&codes, expected.as_flattened_mut()).unwrap();
+    null.clear(&codes, expected.as_flattened_mut()).unwrap();
+    assert_eq!(bits(&decoded), bits(&expected), "{}", C::NAME);
+}
+
+#[test]
+fn null_codes_in_slices() {
+    check_nulls::<Oct24>();
+    check_nulls::<OctPrecise52>();
+    check_nulls::<unitvec::SOct17>();
+    check_nulls::<unitvec::Snorm16x3>();
 }

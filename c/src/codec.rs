@@ -81,6 +81,16 @@ pub extern "C" fn unitvec_codec_max_error_deg(codec: *const Codec) -> f32 {
     Codec::at(codec).map_or(0.0, |codec| codec.any.max_error_deg())
 }
 
+/// What unitvec_codec_null gives where there is no null code.
+pub const UNITVEC_NO_NULL: u64 = u64::MAX;
+
+/// The null code: one that encoding never writes, so that it can stand for vectors without a direction. UNITVEC_NO_NULL
+/// where there is none, and for an unknown codec.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_codec_null(codec: *const Codec) -> u64 {
+    Codec::at(codec).and_then(|codec| codec.any.null().ok()).map_or(UNITVEC_NO_NULL, |null| null.code)
+}
+
 /// The Vulkan format with the layout of the code, such as "VK_FORMAT_R16G16_SNORM". NULL where there is none, and for an
 /// unknown codec.
 #[unsafe(no_mangle)]

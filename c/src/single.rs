@@ -4,6 +4,7 @@
 //! Rust's libraries: one call that could panic, as far as the compiler knows, would bring 300 KB of them to a program.
 
 use unitvec::codec::RawCode;
+use unitvec::direction::{is_usable, l1_norm};
 use unitvec::{Codec, FrameCodec};
 
 /// A vector of three floats, laid out as three floats of an array.
@@ -29,6 +30,18 @@ pub struct Frame {
     pub tangent: Vec3,
     /// +1 or -1: the bitangent is handedness * cross(normal, tangent), as with glTF's TANGENT.
     pub handedness: f32,
+}
+
+/// The code of a vector, or the null code where the vector has no direction: zeros, infinities, NaN.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_code_or_null(vector: Vec3, code: u64, null_code: u64) -> u64 {
+    if is_usable(l1_norm([vector.x, vector.y, vector.z].into())) { code } else { null_code }
+}
+
+/// The decoded vector of a code, or (0, 0, 0) where the code is the null code. Higher bits of codes must be 0.
+#[unsafe(no_mangle)]
+pub extern "C" fn unitvec_vector_or_zero(decoded: Vec3, code: u64, null_code: u64) -> Vec3 {
+    if code == null_code { Vec3 { x: 0.0, y: 0.0, z: 0.0 } } else { decoded }
 }
 
 #[inline(always)]

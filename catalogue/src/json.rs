@@ -49,6 +49,8 @@ struct OfVectors {
     bound_deg: f32,
     /// The family, which codecs of other widths share.
     family: &'static str,
+    /// The code for vectors without a direction that `encode --null` writes; null where the codec has none.
+    null_code: Option<u64>,
     /// True where the encoder reads a table.
     encodes_by_table: bool,
 }
@@ -73,6 +75,7 @@ impl Row {
             stable_across_devices: codec.stable_across_devices,
             bound_deg: codec.max_error_deg(),
             family: codec.family,
+            null_code: codec.null().ok().map(|null| null.code),
             encodes_by_table: codec.encodes_by_table,
         };
         Self {

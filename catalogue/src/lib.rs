@@ -19,6 +19,7 @@ mod cpu;
 #[cfg(feature = "serde")]
 mod json;
 mod list;
+mod null;
 mod recommended;
 
 use bytemuck::{cast_slice, cast_slice_mut};
@@ -32,6 +33,7 @@ use unitvec::{Listed, ListedFrame};
 
 pub use cpu::best_fit_table;
 pub use list::{CODECS, frames, vectors};
+pub use null::{NoNull, Null};
 pub use recommended::{Choice, FORMATS, Format, Measured, RECOMMENDED, Recommendation, Usage};
 pub use unitvec::Domain;
 
@@ -64,6 +66,8 @@ pub struct AnyCodec {
     pub stable_across_devices: bool,
     /// Upper bounds of the errors over the domain, in degrees: one for each of [`Element::directions`].
     pub max_errors_deg: &'static [f32],
+    /// The null code, low word first: [`Codec::NULL`]. Codecs of frames have none. See [`null`](Self::null).
+    pub null: Option<[u32; 2]>,
     /// True where the encoder looks lengths up in the table of [`unitvec::best_fit`]: its kernel binds it.
     pub encodes_by_table: bool,
     functions: AnyFunctions,
@@ -99,6 +103,7 @@ impl AnyCodec {
             exact_axes: C::EXACT_AXES,
             stable_across_devices: C::STABLE_ACROSS_DEVICES,
             max_errors_deg: const { &[C::MAX_ERROR_DEG] },
+            null: C::NULL,
             encodes_by_table: false,
             functions: AnyFunctions::Vector(Functions::of_vectors::<C>()),
         }
@@ -126,6 +131,7 @@ impl AnyCodec {
             exact_axes: false,
             stable_across_devices: true,
             max_errors_deg: const { &[F::MAX_NORMAL_ERROR_DEG, F::MAX_TANGENT_ERROR_DEG] },
+            null: None,
             encodes_by_table: false,
             functions: AnyFunctions::Frame(Functions::of_frames::<F>()),
         }

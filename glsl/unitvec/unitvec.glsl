@@ -1,4 +1,5 @@
-// unitvec: all codec families, in the order of the list of codecs, formats and dither. See the family's file for its functions.
+// unitvec: all codec families, in the order of the list of codecs, formats, null codes and dither. See the family's file
+// for its functions.
 
 #include "arith.glsl"
 #include "oct.glsl"
@@ -21,4 +22,5 @@
 #include "parallel.glsl"
 #include "frame.glsl"
 #include "formats.glsl"
+#include "or_null.glsl"
 #include "dither.glsl"

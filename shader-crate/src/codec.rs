@@ -1,7 +1,9 @@
 //! The contract that every codec keeps.
 
+use crate::direction::{is_usable, l1_norm};
 use core::fmt::Debug;
 use core::hash::Hash;
+use core::marker::PhantomData;
 use glam::Vec3;
 
 /// A way to store a direction in [`BITS`](Self::BITS) bits.
@@ -47,6 +49,10 @@ pub trait Codec: Copy + Debug + Default + Eq + Hash + Send + Sync + 'static {
     /// plain shaders, for which Vulkan lets devices divide and take square roots inexactly. The family's docs say why
     /// where it is false.
     const STABLE_ACROSS_DEVICES: bool = true;
+
+    /// The null code, low word first: one that `encode` never writes, for [`OrNull`]. In two's complement the lowest
+    /// pattern of the first component, with zeros above it. `None` where every code is written.
+    const NULL: Option<[u32; 2]> = None;
 
     /// The code as a value: `u32` up to 32 bits, `[u32; 2]` beyond, low word first.
     type Code: RawCode;
@@ -103,6 +109,49 @@ pub enum Domain {
     Sphere,
     /// Directions with z >= 0. Others encode as (x, y, 0), and -Z as +Z; [`Codec::MAX_ERROR_DEG`] does not hold for them.
     Hemisphere,
+}
+
+/// The codec `C`, with a null code: vectors without a usable direction (see [`direction`](crate::direction)) get
+/// [`Codec::NULL`], which decodes to (0, 0, 0). All else is as with `C`. Without a null code it does not compile.
+///
+/// ```
+/// use unitvec::{Codec, Oct32, OrNull};
+///
+/// let decoded: [f32; 3] = OrNull::<Oct32>::decode(OrNull::<Oct32>::encode([f32::NAN, 0.0, 0.0]));
+/// assert_eq!(decoded, [0.0; 3]);
+/// ```
+///
+/// ```compile_fail,E0080
+/// <unitvec::OrNull<unitvec::Fib16> as unitvec::Codec>::encode([0.0; 3]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct OrNull<C>(PhantomData<C>);
+
+impl<C: Codec> Codec for OrNull<C> {
+    const BITS: u32 = C::BITS;
+    const MAX_ERROR_DEG: f32 = C::MAX_ERROR_DEG;
+    const IS_UNIT: bool = C::IS_UNIT;
+    const EXACT_AXES: bool = C::EXACT_AXES;
+    const STABLE_ACROSS_DEVICES: bool = C::STABLE_ACROSS_DEVICES;
+    const NULL: Option<[u32; 2]> = Some(C::NULL.expect("a codec with a null code"));
+    type Code = C::Code;
+
+    #[inline(always)]
+    fn encode_vec3(v: Vec3) -> C::Code {
+        let (code, [low, high]) = (C::encode_vec3(v), const { Self::NULL.unwrap() });
+        if is_usable(l1_norm(v)) { code } else { C::Code::from_low_high(low, high) }
+    }
+
+    #[inline(always)]
+    fn decode_vec3(code: C::Code) -> Vec3 {
+        let (v, [low, high], null) = (C::decode_vec3(code), code.to_words(), const { Self::NULL.unwrap() });
+        let is_null = if C::BITS <= 32 {
+            (low ^ null[0]) << (32 - C::BITS) == 0
+        } else {
+            (low == null[0]) & ((high ^ null[1]) << (64 - C::BITS) == 0)
+        };
+        if is_null { Vec3::ZERO } else { v }
+    }
 }
 
 /// A code as a value, made of one or two 32-bit words.

@@ -82,7 +82,7 @@
 //!
 //! * `encode` takes a vector of any length. Raw component formats other than best fit store the components as given:
 //!   `snorm…` and `unorm…` clamp them to [-1, 1], [`float`](mod@float) to ±65504. A vector without a usable direction gets
-//!   the code of +Z: zero, infinite, NaN, or with an L1 norm outside [2^-64, 2^100).
+//!   the code of +Z: zero, infinite, NaN, or with an L1 norm outside [2^-64, 2^100). [`OrNull`] tells it apart.
 //! * `decode` takes any bit pattern and gives a vector of unit length to within 2 ULP; bits above [`Codec::BITS`] are
 //!   ignored. Raw component formats ([`Codec::IS_UNIT`] is false) leave normalising to the caller; best fit formats decode
 //!   code 0, which no encoder writes, to (0, 0, 0).
@@ -133,7 +133,7 @@ pub mod table;
 
 #[cfg(not(target_arch = "spirv"))]
 pub use angle::angle_deg;
-pub use codec::{Codec, Domain};
+pub use codec::{Codec, Domain, OrNull};
 pub use coded::Code;
 pub use families::{angles::*, components::*, lattices::*, octahedral::*, projections::*};
 #[doc(inline)]
@@ -153,7 +153,7 @@ pub use list::*;
 /// ```
 pub mod prelude {
     #[doc(no_inline)]
-    pub use crate::{Code, Codec, Frame, Frame32, Frame64, FrameCodec, list::*};
+    pub use crate::{Code, Codec, Frame, Frame32, Frame64, FrameCodec, OrNull, list::*};
 }
 
 #[cfg(doctest)]

@@ -73,6 +73,15 @@ static void what_is_known(void) {
     EXPECT(unitvec_codec_id(NULL) == NULL && unitvec_codec_vk_format(NULL) == NULL);
     EXPECT(unitvec_codec_bits(NULL) == 0 && unitvec_codec_bytes(NULL) == 0 && unitvec_codec_floats(NULL) == 0);
     EXPECT(unitvec_codec_max_error_deg(NULL) == 0.0f);
+    EXPECT(unitvec_codec_null(NULL) == UNITVEC_NO_NULL && unitvec_codec_null(frame) == UNITVEC_NO_NULL);
+    EXPECT(unitvec_codec_null(wide) == 0x2000000u);
+}
+
+/* Vectors without a direction get the null code, and it gives zeros. */
+static void null_codes(void) {
+    const unitvec_vec3 zero = {0.0f, -0.0f, 0.0f}, x = {1.0f, 0.0f, 0.0f};
+    EXPECT(unitvec_code_or_null(zero, 1, 7) == 7 && unitvec_code_or_null(x, 1, 7) == 1);
+    EXPECT(unitvec_vector_or_zero(x, 7, 7).x == 0.0f && unitvec_vector_or_zero(x, 1, 7).x == 1.0f);
 }
 
 /* Each status has the text of its meaning, and any other number has one. */
@@ -105,6 +114,7 @@ int main(int argc, char **argv) {
     wrong_arguments(codec);
     right_arguments(codec);
     what_is_known();
+    null_codes();
     texts();
     return 0;
 }

@@ -5,7 +5,7 @@ use super::{
     compare, costs, devices, dither, drivers, formats, imprecise, languages, markdown_table, papers,
     pictures, processors, projected, slices, textbook,
 };
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use unitvec_catalogue::{AnyCodec, CODECS, Choice, Domain, Operation, RECOMMENDED, find, frames, vectors};
 pub use unitvec_choose::degrees;
@@ -24,6 +24,7 @@ pub fn table(name: &str) -> Option<String> {
         "codecs" => codecs(rest),
         "frames" => codecs_of_frames(),
         "bound" => bound(),
+        "nulls" => nulls(),
         "above-survey" => above_survey(),
         "survey-marks" => survey_marks(),
         "components" => textbook::components(),
@@ -289,6 +290,18 @@ fn codecs_of_frames() -> String {
 fn parts(codec: &AnyCodec) -> impl Iterator<Item = (&'static str, f64)> {
     let bounds = codec.max_errors_deg.iter().map(|bound| f64::from(*bound));
     codec.element.directions().iter().copied().zip(bounds)
+}
+
+/// The null codes, each with its codecs; last the codecs without one.
+fn nulls() -> String {
+    let mut codecs: BTreeMap<_, Vec<String>> = BTreeMap::new();
+    for codec in vectors() {
+        let code = codec.null().map_or(u64::MAX, |null| null.code);
+        codecs.entry(code).or_default().push(format!("`{}`", codec.id));
+    }
+    let code = |code| if code == u64::MAX { "none".to_owned() } else { format!("`{code:#x}`") };
+    let rows = codecs.into_iter().map(|(null, codecs)| format!("{} | {}", code(null), codecs.join(", ")));
+    markdown_table("null code | codecs", rows)
 }
 
 /// The error that no code can beat, and how far above it some are.

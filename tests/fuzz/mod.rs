@@ -264,7 +264,7 @@ fn encode_raw(path: &Path, input: &[u8]) -> Result<usize, String> {
     let mut codes = Vec::new();
     let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
         (Named::new(path, &mut elements.floats), Named::new(path, &mut codes));
-    let counts = stream::encode(&mut Cpu, format, from, to, &mut |_| ()).map_err(text)?;
+    let counts = stream::encode(&mut Cpu, format, None, from, to, &mut |_| ()).map_err(text)?;
     assert_eq!(codes.len() as u64, counts.elements * 4);
     Ok(counts.elements as usize)
 }
@@ -280,7 +280,7 @@ fn decode_codes(path: &Path, input: &[u8]) -> Result<usize, String> {
     };
     let (from, to): (stream::Input<'_>, stream::Sink<'_>) =
         (Named::new(path, &mut input), Named::new(path, &mut floats));
-    let count = stream::decode(&mut Cpu, format, from, to, &mut |_| ()).map_err(text)?;
+    let count = stream::decode(&mut Cpu, format, None, from, to, &mut |_| ()).map_err(text)?;
     assert_eq!(floats.len() as u64, count * 28);
     // Each frame is 28 bytes, of which `vectors` counts 12.
     Ok(count as usize * 28 / 12 + 1)

@@ -205,7 +205,7 @@ pub fn raw() -> Vec<Vec<u8>> {
     let count = floats.len() as u64 / 12;
     let array = [&Npy::new("<f4", count, 3).to_bytes()[..], &floats].concat();
     let format = find("frame64").unwrap();
-    let header = Header::new(format, None).finish(0, floats.len() as u64 / 8, Default::default());
+    let header = Header::new(format, false, None).finish(0, floats.len() as u64 / 8, Default::default());
     vec![Vec::new(), [&header[..], &floats].concat(), array, floats, vec![0x7f; 84]]
 }
 

@@ -33,7 +33,7 @@ fn the_readmes_shader_compiles() {
 /// Fragments of shaders, each with the files that itself includes: declarations go before `main`, statements into it.
 #[test]
 fn the_lines_for_formats_and_dither_compile() {
-    for (file, count) in [("docs/formats.md", 8), ("docs/dither.md", 3)] {
+    for (file, count) in [("docs/formats.md", 8), ("docs/dither.md", 3), ("docs/codecs.md", 1)] {
         let blocks = blocks(file);
         assert_eq!(blocks.len(), count, "{file}");
         blocks.iter().for_each(|block| assert_lines_compile(file, block));

@@ -10,6 +10,8 @@ mod projections;
 pub mod versions;
 
 use unitvec::arith;
+use unitvec::direction::{is_usable, l1_norm};
+use unitvec::glam::Vec3;
 use unitvec_catalogue::{Domain, frames, vectors};
 use unitvec_run::glsl;
 use unitvec_run::glsl::Compiler;
@@ -111,6 +113,19 @@ fn scalar_functions_are_the_crates() {
         (format!("vec3({}, 0.0)", call.join(", ")), in_rust)
     });
     assert_same_bits(&functions, &inputs);
+}
+
+/// Vectors without a direction get the null code, and it gives zeros.
+#[test]
+fn null_codes_stand_for_no_direction() {
+    let is_lacking = |w: [u32; 3]| !is_usable(l1_norm(Vec3::from_array(w.map(f32::from_bits))));
+    let inputs: Vec<[u32; 3]> = special_vectors().into_iter().map(|v| v.map(f32::to_bits)).collect();
+    let codes = "uvec3(code_or_null_wide(v, w.xy, uvec2(7u, 8u)), code_or_null(v, w.z, 9u))".to_owned();
+    assert_same_words(&[(codes, |w| if is_lacking(w) { [7, 8, 9] } else { w })], &inputs);
+    let one = "vector_or_zero_wide(vec3(1.0), w.xy, uvec2(0u, 0x3f800000u)).x";
+    let vectors = format!("uvec3(vector_or_zero(vec3(1.0), w.x, 0u).x, {one}, 1.0)");
+    let of_codes = |[x, y, _]: [u32; 3]| [x != 0, x != 0 || y != 0x3f80_0000, true].map(u32::from);
+    assert_same_words(&[(vectors, of_codes)], &inputs);
 }
 
 /// The trigonometry gives the crate's bits, over directions and angles of all sizes.

@@ -7,24 +7,28 @@ use std::collections::BTreeSet;
 use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
-/// The functions of floats besides projections: precise encoders, and the survey's bytes.
-const OF_FLOATS: [(&str, &str); 6] = [
+/// The functions besides projections: precise encoders, the survey's bytes, and null codes.
+const OTHERS: [(&str, &str); 10] = [
     ("oct.glsl", "float32x3_to_octn_precise"),
     ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
     ("oct.glsl", "snorm12x2_to_unorm8x3"),
     ("oct.glsl", "unorm8x3_to_snorm12x2"),
     ("oct.glsl", "snorm12x2_to_uint8x3"),
     ("oct.glsl", "uint8x3_to_snorm12x2"),
+    ("or_null.glsl", "code_or_null"),
+    ("or_null.glsl", "vector_or_zero"),
+    ("or_null.glsl", "code_or_null_wide"),
+    ("or_null.glsl", "vector_or_zero_wide"),
 ];
 
 /// All public functions besides those of the codecs, and their files.
 fn besides_codecs() -> Vec<(&'static str, String)> {
-    let of_floats = OF_FLOATS.iter().map(|(file, name)| (*file, (*name).to_owned()));
+    let others = OTHERS.iter().map(|(file, name)| (*file, (*name).to_owned()));
     let of_formats = FORMATS.iter().flat_map(|format| format.functions().map(|name| ("formats.glsl", name)));
     let of_projections =
         PROJECTIONS.iter().flat_map(|projection| projection.functions().map(|name| (projection.file, name)));
     let of_dither = dither::functions().into_iter().map(|name| ("dither.glsl", name));
-    of_floats.chain(of_formats).chain(of_projections).chain(of_dither).collect()
+    others.chain(of_formats).chain(of_projections).chain(of_dither).collect()
 }
 
 fn text_of(file: &str) -> String {

@@ -58,7 +58,11 @@ pub fn names(folder: &Path) -> Vec<String> {
 
 /// The files of GLSL that a shader includes: those of the families, `oct.glsl`, and those that serve several of them.
 pub fn glsl_families() -> BTreeSet<String> {
-    CODECS.iter().map(AnyCodec::glsl_file).chain(["dither.glsl", "formats.glsl"].map(str::to_owned)).collect()
+    CODECS
+        .iter()
+        .map(AnyCodec::glsl_file)
+        .chain(["dither.glsl", "formats.glsl", "or_null.glsl"].map(str::to_owned))
+        .collect()
 }
 
 /// lavapipe, with validation.

@@ -7,7 +7,7 @@ use crate::expected;
 use crate::tested::{Tested, narrow, widen};
 use glam::Vec3;
 use std::sync::LazyLock;
-use unitvec::direction::{MAX_NORM, MIN_NORM};
+use unitvec::direction::{MAX_NORM, MIN_NORM, is_usable, l1_norm};
 use unitvec_catalogue::Domain;
 use unitvec_oracle::{Summary, angle_deg, normalize};
 use unitvec_run::sampling::special_vectors;
@@ -20,7 +20,7 @@ macro_rules! for_each_property {
             $($first)*
             decodes_as_the_oracle, round_trip_is_stable, other_devices_vectors_come_back, symmetric, keeps_the_axes, errors_are_the_expected_ones,
             takes_anything, norms_end_where_the_contract_says, length_does_not_matter, denormals_count_as_zero,
-            errors_are_the_oracles
+            errors_are_the_oracles, null_code_is_never_written, null_code_is_for_no_direction
         }
     };
 }
@@ -218,4 +218,37 @@ pub fn errors_are_the_oracles(codec: &Tested) {
         .collect();
     let [ours, exact] = [0, 1].map(|i| Summary::of(pairs.iter().map(|pair| pair[i])).mean);
     assert!((ours / exact - 1.0).abs() <= 0.01, "{}: {ours} and {exact}", codec.id);
+}
+
+/// No vector gets the null code. Where there is none, every code comes back, so that there is no room for one.
+pub fn null_code_is_never_written(codec: &Tested) {
+    let codes = codec.codes(13, EVERY_CODE).step_by(if codec.family == "best_fit" { 8 } else { 1 });
+    let decoded = codes.map(|code| (code, codec.decode(code)));
+    let Ok(null) = codec.null() else {
+        return decoded.for_each(|(code, v)| assert_eq!(codec.encode(v), code, "{}: has room", codec.id));
+    };
+    let mut rng = Rng::new(14);
+    let any = (0..100_000).map(|i| any_vector(&mut rng, i % 2 == 0)).chain(directions(15, 100_000));
+    for v in any.chain(decoded.map(|(_, v)| v)) {
+        assert_ne!(codec.encode(v), null.code, "{}: {v:?}", codec.id);
+    }
+}
+
+/// Vectors without a direction get the null code and come back as zeros, whatever the bits above the code. All others
+/// have their codes and vectors.
+pub fn null_code_is_for_no_direction(codec: &Tested) {
+    let Ok(null) = codec.null() else { return };
+    for v in special_vectors() {
+        let code = codec.encode(v.into());
+        let is_null = !is_usable(l1_norm(v.into()));
+        let expected = if is_null { null.code } else { code };
+        assert_ne!(code, null.code, "{}: {v:?}", codec.id);
+        let mut bytes = code.to_le_bytes();
+        assert_eq!(null.put(&v, &mut bytes[..codec.bytes]), Ok(is_null.into()));
+        assert_eq!(u64::from_le_bytes(bytes), expected, "{}: {v:?}", codec.id);
+        let decoded = codec.decode(expected).to_array();
+        let mut cleared = decoded;
+        null.clear(&(expected | !codec.mask()).to_le_bytes()[..codec.bytes], &mut cleared).unwrap();
+        assert_eq!(cleared, if is_null { [0.0; 3] } else { decoded }, "{}: {v:?}", codec.id);
+    }
 }

@@ -33,6 +33,9 @@ pub struct Header {
     pub count: u64,
     /// SHA-256 of the codes, in hexadecimal.
     sha256: String,
+    /// True where the codec's null code stands for vectors without a direction; absent where not.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub null: bool,
     /// The ranges of the codes of a mesh's primitives.
     #[serde(skip_deserializing, skip_serializing_if = "Option::is_none")]
     parts: Option<Vec<Part>>,
@@ -46,9 +49,9 @@ impl Header {
     pub const MOST: usize = 1 << 26;
 
     /// A header as long as that of any number of codes.
-    pub fn new(format: &AnyCodec, parts: Option<Vec<Part>>) -> Self {
-        let (count, sha256) = (u64::MAX, "0".repeat(64));
-        Self { version: VERSION, codec: format.id.to_owned(), bytes: format.bytes, count, sha256, parts }
+    pub fn new(format: &AnyCodec, null: bool, parts: Option<Vec<Part>>) -> Self {
+        let (codec, count, sha256) = (format.id.to_owned(), u64::MAX, "0".repeat(64));
+        Self { version: VERSION, codec, bytes: format.bytes, count, sha256, null, parts }
     }
 
     /// The bytes before the codes, `length` at least. `hash` is of all `count` codes.

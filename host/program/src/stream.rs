@@ -4,7 +4,7 @@ use crate::raw::{Suspicion, read_until_full, suspicion, swap_if_big_endian};
 use crate::{Error, Result};
 use std::io::{Read, Write};
 use std::path::Path;
-use unitvec_catalogue::{AnyCodec, Domain, Element};
+use unitvec_catalogue::{AnyCodec, Domain, Element, Null};
 use unitvec_mesh::has_direction;
 use unitvec_run::backend::{Backend, CHUNK};
 
@@ -53,6 +53,8 @@ pub struct Counts {
     /// Vectors, or normals of frames, without a direction that codecs can use (see [`has_direction`]); in codes also
     /// those with nothing to store: -Z for a codec of the hemisphere, components that all round to 0. Stored as +Z.
     pub no_direction: Places,
+    /// Vectors without a direction that were stored as the null code.
+    pub nulls: u64,
     /// Tangents of frames without one; in codes also those with none in the plane of the decoded normal. Any perpendicular
     /// to the normal is stored.
     pub no_tangent: Places,
@@ -140,13 +142,15 @@ fn turned(frames: &[f32]) -> Vec<f32> {
     turned
 }
 
-/// Encodes raw vectors or frames until the input ends, in bounded memory. `progress` receives the number done so far.
+/// Encodes raw vectors or frames until the input ends, in bounded memory, with null codes where one is given. `progress`
+/// receives the number done so far.
 ///
 /// # Errors
 /// [`Error::Truncated`] if the input ends within an element, and any error of reading, encoding or writing.
 pub fn encode(
     backend: &mut dyn Backend,
     format: &AnyCodec,
+    null: Option<Null<'_>>,
     input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
@@ -161,6 +165,7 @@ pub fn encode(
     let suspicion = for_each_chunk(input, format.element, &mut |elements, _| {
         let codes = &mut codes[..elements.len() / format.element.floats() * format.bytes];
         backend.encode(format, elements, codes)?;
+        done.nulls += null.map_or(Ok(0), |null| null.put(elements, codes))?;
         write(&mut output, codes)?;
         match format.element {
             Element::Vector => done.add_vectors(format, &z_code, elements, codes),
@@ -204,14 +209,15 @@ pub fn for_each_chunk(
     }
 }
 
-/// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory. `progress` receives the
-/// number done so far. Returns their number.
+/// Decodes dense codes into raw vectors or frames until the input ends, in bounded memory, with null codes where one is
+/// given. `progress` receives the number done so far. Returns their number.
 ///
 /// # Errors
 /// [`Error::Truncated`] if the input ends within a code, and any error of reading, decoding or writing.
 pub fn decode(
     backend: &mut dyn Backend,
     format: &AnyCodec,
+    null: Option<Null<'_>>,
     mut input: Input<'_>,
     mut output: Sink<'_>,
     progress: &mut dyn FnMut(u64),
@@ -227,6 +233,7 @@ pub fn decode(
         }
         let elements = &mut elements[..count * floats];
         backend.decode(format, &codes[..count * format.bytes], elements)?;
+        null.map_or(Ok(()), |null| null.clear(&codes[..count * format.bytes], elements))?;
         swap_if_big_endian(elements);
         write(&mut output, bytemuck::cast_slice(elements))?;
         done += count as u64;
@@ -292,7 +299,14 @@ mod tests {
     fn run_encode(codec: &str, elements: &[f32], output: &mut dyn Write) -> Result<Counts> {
         let (codec, input) = (find(codec).unwrap(), to_bytes(elements));
         let (from, to) = (Path::new("in"), Path::new("out"));
-        encode(&mut Cpu, codec, Named::new(from, &mut Trickle(&input)), Named::new(to, output), &mut |_| ())
+        encode(
+            &mut Cpu,
+            codec,
+            None,
+            Named::new(from, &mut Trickle(&input)),
+            Named::new(to, output),
+            &mut |_| (),
+        )
     }
 
     #[test]

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, Element, find};
+use unitvec_catalogue::{AnyCodec, Element, Null, find};
 use unitvec_files::{Output, is_same_file};
 use unitvec_host::container::{Hashed, Header};
 use unitvec_host::input::{Elements, Input, Kind, RAW_ENDINGS, has_ending};
@@ -24,6 +24,9 @@ pub struct Encode {
     /// Codec, as `unitvec codecs` lists them.
     #[arg(long, value_name = "ID")]
     codec: String,
+    /// Give vectors without a direction the codec's null code, not that of +Z.
+    #[arg(long)]
+    null: bool,
     /// Kind of raw floats: f64, f16, or a big-endian one such as f32be; f32 if not given.
     #[arg(long, value_name = "KIND", value_parser = dtype())]
     dtype: Option<Dtype>,
@@ -54,6 +57,9 @@ pub struct Decode {
     /// Codec that the codes are of, as `unitvec codecs` lists them; .uvec files tell it themselves.
     #[arg(long, value_name = "ID")]
     codec: Option<String>,
+    /// Decode the codec's null code to zeros, as `encode --null` writes it; .uvec files tell it themselves.
+    #[arg(long)]
+    null: bool,
     /// Take the input as codes without a header, whatever its first bytes say.
     #[arg(long)]
     raw: bool,
@@ -97,6 +103,7 @@ pub struct Normals {
 
 pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     let format = find(&arguments.codec)?;
+    let null = null_of(format, arguments.null)?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
     if let Some((_, out)) = pairs.iter().find(|(_, out)| has_ending(out, &RAW_ENDINGS)) {
@@ -105,8 +112,10 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     }
     arguments.work.each(&pairs, &arguments.out, |conversion| {
         let mut elements = Elements::open(conversion.input, format.element, kind)?;
-        let header =
-            has_ending(conversion.out, &["uvec"]).then(|| Header::new(format, elements.parts.clone()));
+        conversion.null = null;
+        let is_null = null.is_some();
+        let header = has_ending(conversion.out, &["uvec"])
+            .then(|| Header::new(format, is_null, elements.parts.clone()));
         conversion.begin_array(
             elements.count,
             match format.bytes {
@@ -150,6 +159,8 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
             return Err(Error::Usage(words));
         }
         let format = codec_of(path, named, header.as_ref())?;
+        let is_null = arguments.null || header.as_ref().is_some_and(|header| header.null);
+        conversion.null = null_of(format, is_null)?;
         let count = match (&header, array) {
             (Some(header), _) => input.expect(header.count, format.bytes, "codes")?,
             (None, Some(array)) => {
@@ -188,6 +199,11 @@ fn codec_of(
             Err(Error::Usage(format!("{} does not tell its codec; name it: --codec ID", path.display())))
         }
     }
+}
+
+/// The codec's null code, where it is wanted.
+fn null_of(format: &AnyCodec, is_wanted: bool) -> Result<Option<Null<'_>>> {
+    is_wanted.then(|| format.null()).transpose().map_err(|error| Error::Usage(format!("--null: {error}")))
 }
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
@@ -266,8 +282,14 @@ fn check_output(input: &Path, out: &Path) -> Result<()> {
 }
 
 /// [`stream::encode`] or [`stream::decode`].
-type Convert<T> =
-    fn(&mut dyn Backend, &AnyCodec, stream::Input<'_>, Sink<'_>, &mut dyn FnMut(u64)) -> Result<T>;
+type Convert<T> = fn(
+    &mut dyn Backend,
+    &AnyCodec,
+    Option<Null<'_>>,
+    stream::Input<'_>,
+    Sink<'_>,
+    &mut dyn FnMut(u64),
+) -> Result<T>;
 
 impl Work {
     fn each(
@@ -318,7 +340,7 @@ fn one(
     convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
 ) -> Result<(Summary, bool)> {
     let output = Hashed::new(Output::create_binary(out)?, false);
-    let mut conversion = Conversion { input, out, output, backend };
+    let mut conversion = Conversion { input, out, output, backend, null: None };
     let summary = convert(&mut conversion)?;
     let to_stdout = conversion.output.stream.is_stdout();
     conversion.output.stream.finish()?;
@@ -331,6 +353,7 @@ struct Conversion<'a> {
     out: &'a Path,
     output: Hashed<Output>,
     backend: &'a mut dyn Backend,
+    null: Option<Null<'static>>,
 }
 
 impl Conversion<'_> {
@@ -367,7 +390,7 @@ impl Conversion<'_> {
         let live = Live::new(count, &template, true);
         let from: stream::Input<'_> = Named::new(self.input, input);
         let to: Sink<'_> = Named::new(self.out, &mut self.output);
-        let converted = convert(self.backend, format, from, to, &mut |done| live.reach(done))?;
+        let converted = convert(self.backend, format, self.null, from, to, &mut |done| live.reach(done))?;
         live.finish();
         Ok(converted)
     }

@@ -135,7 +135,9 @@ fn list(columns: Option<usize>) -> String {
     }
     let is_other = |name: &&str| !name.ends_with("_encode") && !name.ends_with("_decode");
     let mut others: Vec<&str> = functions().filter(is_other).collect();
-    for (group, part) in [("projections", "float32x3"), ("formats", "_to_"), ("dither", "")] {
+    for (group, part) in
+        [("projections", "float32x3"), ("formats", "_to_"), ("nulls", "_or_"), ("dither", "")]
+    {
         let names: Vec<&str> = others.extract_if(.., |name| name.contains(part)).collect();
         text += &format!("\n{group}\n{}\n", table::wrapped(&names.join(", "), "", columns.or(Some(120))));
     }

@@ -119,6 +119,9 @@ pub struct Summary {
     /// Computed normals without a direction, in whose place `normals` wrote +Z.
     #[serde(rename = "written_as_z", skip_serializing_if = "Option::is_none")]
     filled: Option<u64>,
+    /// Vectors without a direction that `encode --null` stored as null; absent where there are none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stored_as_null: Option<u64>,
     #[serde(flatten)]
     mesh: Option<MeshSummary>,
 }
@@ -153,6 +156,7 @@ impl Summary {
             below_equator: None,
             keeps_lengths: None,
             filled: None,
+            stored_as_null: None,
             mesh: None,
         }
     }
@@ -175,7 +179,10 @@ impl Summary {
     pub fn of_encoding(format: &AnyCodec, counts: Counts, parts: Option<Vec<Part>>) -> Self {
         let is_clamped = keeps_lengths(format) && counts.lengths.is_some_and(|[_, most]| most > 1.01);
         let lost = [
-            (2 * counts.no_direction.count > counts.elements, "most of them have no direction"),
+            (
+                2 * (counts.no_direction.count - counts.nulls) > counts.elements,
+                "most of them have no direction",
+            ),
             (counts.below > 0, "the codec is for z >= 0 only: take one for all directions, such as oct32p"),
             (is_clamped, "the codec clamps components to 1: normalise the vectors first"),
         ];
@@ -186,6 +193,7 @@ impl Summary {
             codec: Some(format.id),
             below_equator: (format.domain == Domain::Hemisphere).then_some(counts.below),
             keeps_lengths: Some(keeps_lengths(format)),
+            stored_as_null: Some(counts.nulls).filter(|nulls| *nulls > 0),
             mesh: parts.map(MeshSummary::from),
             ..summary
         }
@@ -240,16 +248,16 @@ impl Summary {
 
     /// What became of the vectors or normals without a direction.
     fn stored(&self, count: u64, first: Option<u64>) -> String {
-        let what = match self.filled {
-            Some(0) => "as in the file",
-            Some(filled) if filled < count => {
-                return self
-                    .placed(&format!("{filled} written as +Z, {} as in the file", count - filled), first);
-            }
-            Some(_) => "written as +Z",
-            None => "stored as +Z",
+        let (some, written, rest) = match (self.filled, self.stored_as_null) {
+            (Some(filled), _) => (filled, "written as +Z", "as in the file"),
+            (None, nulls) => (nulls.unwrap_or(0), "stored as null", "stored as +Z"),
         };
-        self.placed(what, first)
+        let what = match some {
+            0 => rest.to_owned(),
+            some if some < count => format!("{some} {written}, {} {rest}", count - some),
+            _ => written.to_owned(),
+        };
+        self.placed(&what, first)
     }
 
     /// What became of elements, and the place of the first of them; nothing where there are none.

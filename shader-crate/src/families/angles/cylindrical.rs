@@ -96,6 +96,7 @@ where
         32 => 0.316_53,
         _ => panic!("no constants for this width"),
     } * (1.0 + snorm_max(BITS / 2) * (1.0 / 4_194_304.0));
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = u32;
 
     #[inline(always)]

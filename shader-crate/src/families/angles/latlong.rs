@@ -190,8 +190,7 @@ fn patch_encode(v: Vec3, rings: Rings, index_bits: u32) -> u32 {
     below | if i > 0.0 { place } else { 0 }
 }
 
-/// The middle of the patch of a code of [`LatLongD`], whose index has `index_bits` bits: unit length to within 2
-/// ULP.
+/// The middle of the patch of a code of [`LatLongD`], whose index has `index_bits` bits: unit length to within 2 ULP.
 #[inline(always)]
 fn patch_decode(code: u32, rings: Rings, index_bits: u32) -> Vec3 {
     let index = code & mask(index_bits);
@@ -295,6 +294,7 @@ where
         32 => 0.0021952,
         _ => panic!("no constants for this width"),
     } + 4.6e-5;
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS - 3), 0]); // the pole's patch, in quarter 1
     type Code = u32;
 
     #[inline(always)]

@@ -111,6 +111,7 @@ where
     /// Half a step of phi times `sqrt(1 + (half_turn / 2m)^2)`, which is greatest at 16 bits, and the errors of
     /// rounding both angles and the decoded vector: at most 8e-7 radians.
     const MAX_ERROR_DEG: f32 = ratio(1.1199 * 90.0, half_turn(BITS)) + 4.6e-5;
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = u32;
 
     #[inline(always)]

@@ -162,6 +162,7 @@ impl Codec for SphericalWide {
     /// Half the diagonal of a cell and `sqrt(3) 2^-25` are 2.61e-7 radians. The arithmetic adds less than 1/15, because
     /// it moves encoded and decoded vectors alike.
     const MAX_ERROR_DEG: f32 = 1.6e-5;
+    const NULL: Option<[u32; 2]> = Some([1 << 23, 0]);
     type Code = [u32; 2];
 
     #[inline(always)]

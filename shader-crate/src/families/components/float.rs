@@ -35,6 +35,7 @@ impl Codec for Float16x3 {
     const IS_UNIT: bool = false;
     /// The bound for vectors of lengths from 2^-13 to 2^15: Meyer's eq. 3 with 10 bits, rounded up.
     const MAX_ERROR_DEG: f32 = 0.0264;
+    const NULL: Option<[u32; 2]> = Some([0; 2]);
     type Code = [u32; 2];
 
     #[inline(always)]

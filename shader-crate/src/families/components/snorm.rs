@@ -56,6 +56,7 @@ where
         32 => 0.0687,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([0; 2]);
     type Code = u32;
 
     #[inline(always)]
@@ -89,6 +90,7 @@ impl Codec for Snorm16x3 {
     const IS_UNIT: bool = false;
     /// The bound for unit vectors: `asin` of the cell's half diagonal, rounded up, which leaves more than `f32` rounds.
     const MAX_ERROR_DEG: f32 = 0.001_53;
+    const NULL: Option<[u32; 2]> = Some([0; 2]);
     type Code = [u32; 2];
 
     #[inline(always)]

@@ -395,6 +395,7 @@ where
         32 => 0.00194902 + 1.17e-5,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([!0 >> (32 - BITS), 0]); // past the last point
     type Code = u32;
 
     #[inline(always)]

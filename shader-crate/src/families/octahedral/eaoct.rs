@@ -254,6 +254,7 @@ where
     /// `sqrt(1/4 + 4 s (s + 1/2) sin^2(pi / 8 s))` rings away: most for s = 1, `sqrt(1/4 + 6 sin^2(pi/8))`. Rings are
     /// farthest apart near a pole: `sqrt(2) / m`.
     const MAX_ERROR_DEG: f32 = error_bound(1.502_6, BITS);
+    const NULL: Option<[u32; 2]> = Some([if BITS == 24 { 0xff_ffff } else { 1 << (BITS / 2 - 1) }, 0]);
     type Code = u32;
 
     #[inline(always)]
@@ -281,6 +282,7 @@ where
     /// Half the diagonal of a cell between two rings, `sqrt(1 / c^2 + pi^2 c^2 / 16) / m`, which is greatest for c =
     /// `sqrt(2)`, at a pole; as great only where the two rings' points lie opposite each other, next to y = 0 or x = 0.
     const MAX_ERROR_DEG: f32 = error_bound(1.316_8, BITS);
+    const NULL: Option<[u32; 2]> = EaOct::<BITS>::NULL;
     type Code = u32;
 
     #[inline(always)]

@@ -93,6 +93,7 @@ where
     const BITS: u32 = BITS;
     /// The bound for directions with z >= 0.
     const MAX_ERROR_DEG: f32 = error_bound(BITS);
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = u32;
 
     #[inline(always)]

@@ -345,6 +345,7 @@ where
 {
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(3.0 * core::f32::consts::FRAC_1_SQRT_2, BITS);
+    const NULL: Option<[u32; 2]> = Some([if BITS == 24 { 0xff_ffff } else { 1 << (BITS / 2 - 1) }, 0]);
     type Code = u32;
 
     #[inline(always)]
@@ -359,8 +360,7 @@ where
     }
 }
 
-/// Octahedral code of `BITS` bits (even, 4 to 32), precise encoder: the format of [`Oct`], a third less
-/// error at most.
+/// Octahedral code of `BITS` bits (even, 4 to 32), precise encoder: the format of [`Oct`], a third less error at most.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct OctPrecise<const BITS: u32>;
 
@@ -370,6 +370,7 @@ where
 {
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(core::f32::consts::SQRT_2, BITS);
+    const NULL: Option<[u32; 2]> = Oct::<BITS>::NULL;
     type Code = u32;
 
     #[inline(always)]

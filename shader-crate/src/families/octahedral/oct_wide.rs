@@ -186,6 +186,7 @@ where
 {
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(3.0 * core::f32::consts::FRAC_1_SQRT_2, BITS);
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = [u32; 2];
 
     #[inline(always)]
@@ -221,6 +222,7 @@ where
     const BITS: u32 = BITS;
     const STABLE_ACROSS_DEVICES: bool = BITS < 52;
     const MAX_ERROR_DEG: f32 = error_bound(core::f32::consts::SQRT_2, BITS);
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = [u32; 2];
 
     #[inline(always)]

@@ -16,9 +16,8 @@
 //!
 //! * Layout: u = x + y in the low bits, v = x - y above it, both snorm of half of `BITS - 1` bits in two's complement;
 //!   in the highest bit 1 for z < 0. 33 bits take two words, with the sign in bit 0 of the higher one.
-//! * Error: that of [`hemioct`](crate::hemioct) with a bit less, at most `sqrt(3/2) / m` radians
-//!   (m the snorm's largest integer). The bit divides [`oct`](crate::oct)'s maximum by
-//!   `sqrt(3)`, where a bit more usually gains `sqrt(2)`.
+//! * Error: that of [`hemioct`](crate::hemioct) with a bit less, at most `sqrt(3/2) / m` radians (m the snorm's largest
+//!   integer). The bit divides [`oct`](crate::oct)'s maximum by `sqrt(3)`, where a bit more usually gains `sqrt(2)`.
 //! * The six axes round-trip exactly. A direction mirrored at a coordinate plane, or with x and y swapped, gets the
 //!   mirrored vector, exactly.
 //! * Good for: formats with a bit to spare beside two snorms, such as packed vertices or G-buffers. Decoding needs no
@@ -94,6 +93,7 @@ where
 {
     const BITS: u32 = BITS;
     const MAX_ERROR_DEG: f32 = error_bound(BITS);
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = C;
 
     #[inline(always)]

@@ -116,6 +116,7 @@ where
         32 => 0.003_92,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([1 << (u_bits(BITS) - 1), 0]);
     type Code = u32;
 
     #[inline(always)]
@@ -167,6 +168,7 @@ impl Codec for CubeWide {
     const BITS: u32 = 48;
     /// `sqrt(a^2 + b^2)`, and `sqrt(3) 2^-25` for the rounding of the decoded vector: 3.19e-7 radians.
     const MAX_ERROR_DEG: f32 = 1.83e-5;
+    const NULL: Option<[u32; 2]> = Some([1 << (Self::U_BITS - 1), 0]);
     type Code = [u32; 2];
 
     #[inline(always)]
@@ -218,6 +220,7 @@ where
         32 => 0.003_44,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([1 << (u_bits(BITS) - 1), 0]);
     type Code = u32;
 
     #[inline(always)]

@@ -137,6 +137,7 @@ macro_rules! codecs_of_24_bits {
             const STABLE_ACROSS_DEVICES: bool = false;
             $(#[$bound_doc])*
             const MAX_ERROR_DEG: f32 = error_bound($length, 1.0 / 16_384.0);
+            const NULL: Option<[u32; 2]> = Some([0; 2]);
             type Code = u32;
 
             #[inline(always)]
@@ -210,6 +211,7 @@ impl Codec for SnormBest16 {
     /// The bound for a length of 32767, which is among those tried. Positions are off by 2^-9 at most along each axis,
     /// both in the choice and in the vector chosen.
     const MAX_ERROR_DEG: f32 = error_bound(snorm_max(16), 1.0 / 128.0);
+    const NULL: Option<[u32; 2]> = Some([0; 2]);
     type Code = [u32; 2];
 
     #[inline(always)]

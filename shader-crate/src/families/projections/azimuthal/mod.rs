@@ -187,6 +187,7 @@ where
     const BITS: u32 = BITS;
     const STABLE_ACROSS_DEVICES: bool = S::INDEX != Plain::INDEX || BITS < 32;
     const MAX_ERROR_DEG: f32 = error_bound(S::STRETCH[P::INDEX as usize], BITS);
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = u32;
 
     #[inline(always)]

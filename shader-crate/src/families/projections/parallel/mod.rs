@@ -154,6 +154,7 @@ where
         48 => 0.064,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([1 << (Self::PLANE.x_bits - 1), 0]);
     type Code = C;
 
     #[inline(always)]
@@ -195,6 +196,7 @@ where
         48 => 8.0e-5,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([1 << (Self::PLANE.x_bits - 1), 0]);
     type Code = C;
 
     #[inline(always)]

@@ -34,6 +34,7 @@ where
         32 => 0.39,
         _ => panic!("no constants for this width"),
     };
+    const NULL: Option<[u32; 2]> = Some([1 << (BITS / 2 - 1), 0]);
     type Code = u32;
 
     #[inline(always)]
@@ -87,6 +88,7 @@ impl Codec for XyOnly32F {
     /// The bound for directions with z >= 0. `arccos(1 - sqrt(2) 2^-12)`, from the halves' steps of 2^-11 below 1, is
     /// 1.506.
     const MAX_ERROR_DEG: f32 = 1.53;
+    const NULL: Option<[u32; 2]> = Some([0x8000, 0]); // -0
     type Code = u32;
 
     #[inline(always)]
