@@ -31,11 +31,13 @@ pub(crate) const fn largest(bits: u32) -> f32 {
     unorm_max(bits) * 0.5
 }
 
-/// The integers of a lattice point, x in the low `bits` bits (at most 16), y in the next.
+/// The integers of a lattice point, x in the low `bits` bits (at most 16), y in the next. Of the corners, which are all -Z,
+/// that of code 0 gets the code of the opposite one: some decoders, such as Cesium's shaders, take 0 for no vector.
 #[inline(always)]
 fn pack(e: Vec2, bits: u32) -> u32 {
     let integer = |e: f32| (e + largest(bits) + TWO_23).to_bits() & mask(bits);
-    integer(e.x) | (integer(e.y) << bits)
+    let code = integer(e.x) | (integer(e.y) << bits);
+    if code == 0 { u32::MAX >> (32 - 2 * bits) } else { code }
 }
 
 /// The direction of a lattice point: unit length to within 2 ULP. All steps before the normalisation are exact.
@@ -71,6 +73,7 @@ where
     const MAX_ERROR_DEG: f32 =
         (core::f32::consts::SQRT_2 * (ratio(1.0, largest(BITS / 2)) + 1.0 / 2_097_152.0)).to_degrees();
     const EXACT_AXES: bool = false;
+    const NULL: Option<[u32; 2]> = Some([0, 0]);
     type Code = u32;
 
     #[inline(always)]
