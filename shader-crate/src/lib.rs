@@ -122,6 +122,8 @@ pub mod dither;
 mod families;
 pub mod formats;
 pub mod frame;
+#[cfg(feature = "std")]
+pub mod interop;
 #[cfg(any(feature = "kernels", feature = "cost-kernels", feature = "library"))]
 #[doc(hidden)]
 pub mod kernels;

@@ -11,6 +11,7 @@ use super::machine::{as_chunks, as_chunks_mut};
 use super::stored::{Stored, with_size};
 use crate::arith::snorm_code;
 use crate::codec::{Codec, RawCode};
+use core::marker::PhantomData;
 use glam::Vec3;
 
 /// Vectors of a block: enough for the loops to stay loops, few enough for the arrays to stay in the nearest cache.
@@ -31,6 +32,33 @@ macro_rules! each {
     };
 }
 
+/// What encodes and decodes: a codec, or a value that stands for a format. Its functions are always inlined.
+pub trait Coder: Copy {
+    /// Bytes of a stored code.
+    fn bytes(self) -> usize;
+    /// The code of a vector: the low and the high word.
+    fn encode(self, v: Vec3) -> [u32; 2];
+    /// The vector of a code.
+    fn decode(self, low: u32, high: u32) -> Vec3;
+}
+
+impl<C: Codec> Coder for PhantomData<C> {
+    #[inline(always)]
+    fn bytes(self) -> usize {
+        C::BYTES
+    }
+
+    #[inline(always)]
+    fn encode(self, v: Vec3) -> [u32; 2] {
+        C::encode_vec3(v).to_words()
+    }
+
+    #[inline(always)]
+    fn decode(self, low: u32, high: u32) -> Vec3 {
+        C::decode_vec3(C::Code::from_low_high(low, high))
+    }
+}
+
 /// At most [`BLOCK`] vectors by components, and codes by words.
 pub struct Block {
     x: [f32; BLOCK],
@@ -48,11 +76,11 @@ impl Block {
 
     /// Encodes the first `count` vectors, and some more that do no harm.
     #[inline(always)]
-    pub fn encode<C: Codec>(&mut self, count: usize) {
+    pub fn encode(&mut self, coder: impl Coder, count: usize) {
         let mut start = 0;
         while start < count && start < BLOCK {
             each!(i in start, start + GROUP => {
-                let code = C::encode_vec3(Vec3::new(self.x[i], self.y[i], self.z[i])).to_words();
+                let code = coder.encode(Vec3::new(self.x[i], self.y[i], self.z[i]));
                 self.low[i] = code[0];
                 self.high[i] = code[1];
             });
@@ -62,11 +90,11 @@ impl Block {
 
     /// Decodes the first `count` codes, and some more that do no harm.
     #[inline(always)]
-    pub fn decode<C: Codec>(&mut self, count: usize) {
+    pub fn decode(&mut self, coder: impl Coder, count: usize) {
         let mut start = 0;
         while start < count && start < BLOCK {
             each!(i in start, start + GROUP => {
-                let v = C::decode_vec3(C::Code::from_low_high(self.low[i], self.high[i]));
+                let v = coder.decode(self.low[i], self.high[i]);
                 self.x[i] = v.x;
                 self.y[i] = v.y;
                 self.z[i] = v.z;
@@ -93,20 +121,20 @@ impl Block {
 
     /// Takes the codes in these bytes.
     #[inline(always)]
-    pub fn load_codes<C: Codec>(&mut self, codes: &[u8]) {
-        if C::BYTES == 3 {
+    pub fn load_codes(&mut self, coder: impl Coder, codes: &[u8]) {
+        if coder.bytes() == 3 {
             return self.load_codes_of_3(codes);
         }
-        with_size!(C::BYTES, SIZE => self.load_codes_of::<SIZE>(codes));
+        with_size!(coder.bytes(), SIZE => self.load_codes_of::<SIZE>(codes));
     }
 
     /// Fills `codes` with the codes' bytes.
     #[inline(always)]
-    pub fn store_codes<C: Codec>(&self, codes: &mut [u8]) {
-        if C::BYTES == 3 {
+    pub fn store_codes(&self, coder: impl Coder, codes: &mut [u8]) {
+        if coder.bytes() == 3 {
             return self.store_codes_of_3(codes);
         }
-        with_size!(C::BYTES, SIZE => self.store_codes_of::<SIZE>(codes));
+        with_size!(coder.bytes(), SIZE => self.store_codes_of::<SIZE>(codes));
     }
 
     #[inline(always)]

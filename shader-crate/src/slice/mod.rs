@@ -40,6 +40,7 @@ pub(crate) mod stored;
 mod strided;
 
 use crate::codec::{Codec, RawCode};
+pub(crate) use block::Coder;
 use block::{BLOCK, Block, Floats, Snorms, Target};
 use core::fmt;
 use core::marker::PhantomData;
@@ -182,8 +183,18 @@ pub fn encode_slice_at<C: Codec>(
     vectors: &[impl Vector],
     codes: &mut [u8],
 ) -> Result<(), LengthMismatch> {
-    expect_length(vectors.len() * C::BYTES, codes.len())?;
-    level.run(Encode { vectors, codes, codec: PhantomData::<C> });
+    encode_slice_by(PhantomData::<C>, level, vectors, codes)
+}
+
+/// [`encode_slice_at`] for any coder.
+pub(crate) fn encode_slice_by(
+    coder: impl Coder,
+    level: Level,
+    vectors: &[impl Vector],
+    codes: &mut [u8],
+) -> Result<(), LengthMismatch> {
+    expect_length(vectors.len() * coder.bytes(), codes.len())?;
+    level.run(Encode { vectors, codes, coder });
     Ok(())
 }
 
@@ -194,8 +205,18 @@ pub fn decode_slice_at<C: Codec>(
     codes: &[u8],
     vectors: &mut [impl Vector],
 ) -> Result<(), LengthMismatch> {
-    expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    level.run(Decode { codes, vectors, codec: PhantomData::<(C, Floats)> });
+    decode_slice_by(PhantomData::<C>, level, codes, vectors)
+}
+
+/// [`decode_slice_at`] for any coder.
+pub(crate) fn decode_slice_by(
+    coder: impl Coder,
+    level: Level,
+    codes: &[u8],
+    vectors: &mut [impl Vector],
+) -> Result<(), LengthMismatch> {
+    expect_length(codes.len(), vectors.len() * coder.bytes())?;
+    level.run(Decode { codes, vectors, coder, target: PhantomData::<Floats> });
     Ok(())
 }
 
@@ -207,7 +228,7 @@ pub fn decode_slice_i16x4_at<C: Codec>(
     vectors: &mut [[i16; 4]],
 ) -> Result<(), LengthMismatch> {
     expect_length(codes.len(), vectors.len() * C::BYTES)?;
-    level.run(Decode { codes, vectors, codec: PhantomData::<(C, Snorms)> });
+    level.run(Decode { codes, vectors, coder: PhantomData::<C>, target: PhantomData::<Snorms> });
     Ok(())
 }
 
@@ -233,22 +254,23 @@ pub(crate) fn is_far<T>(vectors: &[T]) -> bool {
     size_of_val(vectors) >= FAR
 }
 
-struct Encode<'a, C, V> {
+struct Encode<'a, K, V> {
     vectors: &'a [V],
     codes: &'a mut [u8],
-    codec: PhantomData<C>,
+    coder: K,
 }
 
 // Whole blocks and the rest go through one loop, so that each codec is compiled once.
-impl<C: Codec, V: Vector> Task for Encode<'_, C, V> {
+impl<K: Coder, V: Vector> Task for Encode<'_, K, V> {
     #[inline(always)]
     fn run(self) {
+        let (coder, bytes) = (self.coder, self.coder.bytes());
         if ONE_BY_ONE {
-            return with_size!(C::BYTES, SIZE => encode_each::<C, SIZE>(self.vectors, self.codes));
+            return with_size!(bytes, SIZE => encode_each::<SIZE>(coder, self.vectors, self.codes));
         }
         let far = is_far(self.vectors);
         let (blocks, rest) = as_chunks::<_, BLOCK>(self.vectors);
-        let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * C::BYTES);
+        let (codes, codes_of_rest) = self.codes.split_at_mut(blocks.len() * BLOCK * bytes);
         let mut block = Block::new();
         for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
             let whole = i < blocks.len();
@@ -260,47 +282,49 @@ impl<C: Codec, V: Vector> Task for Encode<'_, C, V> {
             } else {
                 block.load_vectors(rest)
             }
-            block.encode::<C>(if whole { BLOCK } else { rest.len() });
+            block.encode(coder, if whole { BLOCK } else { rest.len() });
             if whole {
-                block.store_codes::<C>(&mut codes[i * BLOCK * C::BYTES..][..BLOCK * C::BYTES]);
+                block.store_codes(coder, &mut codes[i * BLOCK * bytes..][..BLOCK * bytes]);
             } else {
-                block.store_codes::<C>(codes_of_rest);
+                block.store_codes(coder, codes_of_rest);
             }
         }
     }
 }
 
-struct Decode<'a, C, T, V> {
+struct Decode<'a, K, T, V> {
     codes: &'a [u8],
     vectors: &'a mut [V],
-    codec: PhantomData<(C, T)>,
+    coder: K,
+    target: PhantomData<T>,
 }
 
-impl<C: Codec, T: Target<V>, V> Task for Decode<'_, C, T, V> {
+impl<K: Coder, T: Target<V>, V> Task for Decode<'_, K, T, V> {
     #[inline(always)]
     fn run(self) {
+        let (coder, bytes) = (self.coder, self.coder.bytes());
         if ONE_BY_ONE {
-            return with_size!(C::BYTES, SIZE => decode_each::<C, T, V, SIZE>(self.codes, self.vectors));
+            return with_size!(bytes, SIZE => decode_each::<T, V, SIZE>(coder, self.codes, self.vectors));
         }
         let far = is_far(self.vectors);
         let (blocks, rest) = as_chunks_mut::<_, BLOCK>(self.vectors);
-        let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * C::BYTES);
+        let (codes, codes_of_rest) = self.codes.split_at(blocks.len() * BLOCK * bytes);
         let mut block = Block::new();
         for i in 0..blocks.len() + usize::from(!rest.is_empty()) {
             let whole = i < blocks.len();
             if far && i + AHEAD < blocks.len() {
                 prefetch(&blocks[i + AHEAD]);
             }
-            if C::BYTES == 2 {
+            if bytes == 2 {
                 // With a compile-time length LLVM turns two-byte loads into scalar ones, so this hides the length.
-                let start = i * BLOCK * C::BYTES;
-                block.load_codes::<C>(&self.codes[start..self.codes.len().min(start + BLOCK * C::BYTES)]);
+                let start = i * BLOCK * bytes;
+                block.load_codes(coder, &self.codes[start..self.codes.len().min(start + BLOCK * bytes)]);
             } else if whole {
-                block.load_codes::<C>(&codes[i * BLOCK * C::BYTES..][..BLOCK * C::BYTES]);
+                block.load_codes(coder, &codes[i * BLOCK * bytes..][..BLOCK * bytes]);
             } else {
-                block.load_codes::<C>(codes_of_rest);
+                block.load_codes(coder, codes_of_rest);
             }
-            block.decode::<C>(if whole { BLOCK } else { rest.len() });
+            block.decode(coder, if whole { BLOCK } else { rest.len() });
             if whole {
                 block.store_vectors::<T, V>(&mut blocks[i])
             } else {
@@ -311,20 +335,20 @@ impl<C: Codec, T: Target<V>, V> Task for Decode<'_, C, T, V> {
 }
 
 /// Encodes one vector at a time. Without iterators, which cost more than a codec where they are not optimised.
-fn encode_each<C: Codec, const SIZE: usize>(vectors: &[impl Vector], codes: &mut [u8])
+fn encode_each<const SIZE: usize>(coder: impl Coder, vectors: &[impl Vector], codes: &mut [u8])
 where
     [u8; SIZE]: Stored,
 {
     let codes = as_chunks_mut::<_, SIZE>(codes).0;
     let mut i = 0;
     while i < vectors.len() {
-        codes[i] = Stored::of_words(C::encode_vec3(Vec3::from_array(vectors[i].into())).to_words());
+        codes[i] = Stored::of_words(coder.encode(Vec3::from_array(vectors[i].into())));
         i += 1;
     }
 }
 
 /// Decodes one code at a time.
-fn decode_each<C: Codec, T: Target<V>, V, const SIZE: usize>(codes: &[u8], vectors: &mut [V])
+fn decode_each<T: Target<V>, V, const SIZE: usize>(coder: impl Coder, codes: &[u8], vectors: &mut [V])
 where
     [u8; SIZE]: Stored,
 {
@@ -332,7 +356,7 @@ where
     let mut i = 0;
     while i < vectors.len() {
         let (low, high) = codes[i].words();
-        vectors[i] = T::vector(C::decode_vec3(C::Code::from_low_high(low, high)));
+        vectors[i] = T::vector(coder.decode(low, high));
         i += 1;
     }
 }

@@ -3,7 +3,7 @@
 use super::block::BLOCK;
 use super::machine::{Level, as_chunks, as_chunks_mut};
 use super::stored::with_size;
-use super::{DecodeAt, EncodeAt, decode_slice_at, encode_slice_at};
+use super::{LengthMismatch, decode_slice_at, encode_slice_at};
 use crate::codec::Codec;
 use core::fmt;
 
@@ -162,7 +162,7 @@ pub fn encode_strided_with<const N: usize>(
     from: Strided<&[u8]>,
     mut to: Strided<&mut [u8]>,
     size: usize,
-    encode: EncodeAt<[f32; N]>,
+    encode: impl Fn(Level, &[[f32; N]], &mut [u8]) -> Result<(), LengthMismatch>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<N>(from, to.shared(), size)?;
     let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);
@@ -187,7 +187,7 @@ pub fn decode_strided_with<const N: usize>(
     from: Strided<&[u8]>,
     mut to: Strided<&mut [u8]>,
     size: usize,
-    decode: DecodeAt<[f32; N]>,
+    decode: impl Fn(Level, &[u8], &mut [[f32; N]]) -> Result<(), LengthMismatch>,
 ) -> Result<(), StrideError> {
     let count = expect_fit::<N>(to.shared(), from, size)?;
     let (mut some_elements, mut some_codes) = ([[0.0; N]; PORTION], [0; PORTION * LARGEST_CODE]);

@@ -1,6 +1,6 @@
 //! The search for the nearest point of an octahedral lattice, whether or not it has one in the middle of the square.
 
-use crate::arith::{dot, floor, max, min, over, with_sign};
+use crate::arith::{dot, floor, max, over, with_sign};
 use glam::{Vec2, Vec3};
 
 /// A point of the lattice, and the square of the tangent of its angle from the direction sought, as a fraction.
@@ -37,14 +37,15 @@ impl Corner {
 /// By symmetry x and y are not negative. On the unfolded faces the lattice goes on across z = 0, and the right and the
 /// upper corner of a cell are the closest to each other, so that they divide it into two triangles, none of them obtuse: the
 /// nearest point is a corner of the triangle. A cell that x = 0 or y = 0 cuts is left of its mirror image: points there are
-/// nearer to the corners that both share with the next cell.
+/// nearer to the corners that both share with the next cell. On the square's border the cell beyond it has two corners that
+/// are none, and farther than the others.
 #[inline(always)]
 pub fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
     let scale = over(m, norm);
     let p = Vec3::new(v.x.abs() * scale, v.y.abs() * scale, v.z * scale);
     let below = max(-p.z, 0.0);
     let (x, y) = (p.x + below, p.y + below);
-    let low = Vec2::new(first_below(x, m, half), first_below(y, m, half));
+    let low = Vec2::new(max(floor(x - half) + half, half), max(floor(y - half) + half, half));
     let depth = m - low.x - low.y;
     let length = dot(p, p);
 
@@ -57,17 +58,13 @@ pub fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
     let up = Vec2::new(low.x, low.y + 1.0);
     let up = Corner::beside(up, square + (2.0 * d.y + 1.0), part + p.y, length);
 
-    let step = if x + y >= low.x + low.y + 1.0 { 1.0 } else { 0.0 };
-    let z = depth - 2.0 * step;
-    let folded = max(-z, 0.0);
+    // The lower or the upper corner differs by 1 in z, and where the edge z = 0 lies between by a part of a fold.
+    let is_far = x + y >= low.x + low.y + 1.0;
+    let (step, z) = if is_far { (1.0, -1.0) } else { (0.0, 1.0) };
+    let moved = (step + folded) - max((step + step) - depth, 0.0);
+    let square = square + 2.0 * ((moved * (d.x + d.y) + moved * moved) + z * d.z) + 1.0;
+    let part = part + moved * (p.x + p.y) + z * p.z;
     let at = Vec2::new(low.x + step, low.y + step);
-    let d = Vec3::new(at.x - folded - p.x, at.y - folded - p.y, z - p.z);
-    let at = Corner::beside(at, dot(d, d), dot(d, p), length).or_nearer(right).or_nearer(up).at;
+    let at = Corner::beside(at, square, part, length).or_nearer(right).or_nearer(up).at;
     Vec2::new(with_sign(at.x, v.x), with_sign(at.y, v.y))
-}
-
-/// The coordinate of the lattice at `x` or below it, that has a next one on the square.
-#[inline(always)]
-fn first_below(x: f32, m: f32, half: f32) -> f32 {
-    max(min(floor(x - half) + half, m - 1.0), half)
 }

@@ -1,0 +1,62 @@
+//! glTF's quantised normals: x, y and z in signed bytes or words, beside an unused lane.
+
+use super::distance;
+use super::plain::snorm;
+use glam::Vec3;
+
+/// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
+pub(super) const VALID: f32 = 0.006_74;
+
+/// The lengths that are tried a step: a quarter step apart no code that is less than 3/8 of a step off is missed.
+const TRIALS_A_STEP: f32 = 4.0;
+
+fn most(bits: u32) -> f32 {
+    ((1u32 << (bits - 1)) - 1) as f32
+}
+
+/// Rounding is among the trials: half the diagonal of a cell.
+pub(super) fn bound_deg(bits: u32) -> f32 {
+    (0.866_025_4 / (most(bits) * (1.0 - VALID))).to_degrees()
+}
+
+fn code([x, y, z]: [i32; 3], bits: u32) -> [u32; 2] {
+    match bits {
+        8 => [u32::from_le_bytes([x as u8, y as u8, z as u8, 0]), 0],
+        _ => [u32::from(x as u16) | u32::from(y as u16) << 16, u32::from(z as u16)],
+    }
+}
+
+/// The vector of a code as glTF defines it: each component divided by the largest, the lowest counting as -1. Not of unit
+/// length.
+pub(super) fn decode([low, high]: [u32; 2], bits: u32) -> Vec3 {
+    let [x, y, z, _] = low.to_le_bytes().map(|byte| f32::from(byte as i8));
+    let v = match bits {
+        8 => Vec3::new(x, y, z),
+        _ => Vec3::from_array([low as i16, (low >> 16) as i16, high as i16].map(f32::from)),
+    };
+    v.to_array().map(|c| (c / most(bits)).max(-1.0)).into()
+}
+
+/// The code of a usable direction: rounded, or the nearest that the validator takes for a unit vector, of the points next to
+/// the ray at lengths a quarter step apart.
+pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
+    let v = v.normalize();
+    let plain = v.to_array().map(|t| snorm(t, bits));
+    if is_plain {
+        return code(plain, bits);
+    }
+    let most = most(bits);
+    let is_valid = |point: &[i32; 3]| {
+        let square: f64 = point.iter().map(|c| f64::from(*c).powi(2)).sum();
+        let fits = point.iter().all(|c| c.abs() <= most as i32);
+        fits && (square.sqrt() / f64::from(most) - 1.0).abs() < f64::from(VALID)
+    };
+    let (least, steps) = (most * (1.0 - VALID), (2.0 * VALID * most * TRIALS_A_STEP) as u32);
+    let trials =
+        (0..=steps).map(|i| (v * (least + i as f32 / TRIALS_A_STEP)).to_array().map(|c| c.round() as i32));
+    let scored = core::iter::once(plain).chain(trials.filter(is_valid)).map(|point| {
+        let direction = Vec3::from_array(point.map(|c| c as f32));
+        (distance(v, direction), point)
+    });
+    code(scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or(plain, |(_, point)| point), bits)
+}

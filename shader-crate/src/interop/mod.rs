@@ -1,0 +1,342 @@
+//! Formats of other software: the nearest code in each, with no decoder changed.
+//!
+//! Most files have normals that somebody's plain rounding wrote. Their decoders stay, their encoders need not: here each
+//! format has an encoder that finds the code that its decoder brings nearest, and beside it the plain encoder of the
+//! original, bit for bit, for who must match it.
+//!
+//! ```
+//! use unitvec::angle_deg;
+//! use unitvec::interop::Format;
+//!
+//! let format = Format::named("tiles3d-oct16")?;
+//! let normal = [0.36, 0.48, 0.8];
+//! let nearest: [f32; 3] = format.decode(format.encode(normal));
+//! let plain: [f32; 3] = format.decode(format.plain().encode(normal));
+//! assert!(angle_deg(normal, nearest) <= angle_deg(normal, plain));
+//! # Ok::<(), unitvec::interop::UnknownFormat>(())
+//! ```
+//!
+//! A format is a value: a lattice of so many bits, the axis of the pole, the order of bits, and the original's rounding; its
+//! name is `draco:10` where it has several widths. [`Format::all`] lists them, `docs/interop.md` of the repository has
+//! their errors, sources and the tools that they were run against. [`Format::SNAP`]: see [`Format::snap`].
+//!
+//! * Codes are little endian in [`Format::bytes`] bytes. All functions are total. Vectors without a usable direction (see
+//!   [`direction`](crate::direction)) get the code of +Z, whatever the original does; [`Format::null`] is a code that stands
+//!   for no vector, where there is one.
+//! * Decoding gives the direction that a code stands for, of unit length to within 2 ULP, but for formats whose decoders
+//!   give integers: there it gives these, scaled. Originals round otherwise in the last bits.
+//! * It needs the feature `std`, and is for CPUs.
+
+mod components;
+mod list;
+mod octahedral;
+mod plain;
+mod tetrahedron;
+
+use crate::slice::machine::Level;
+use crate::slice::{
+    Coder, LengthMismatch, StrideError, Strided, Vector, decode_slice_by, decode_strided_with,
+    encode_slice_by, encode_strided_with,
+};
+use core::fmt;
+use glam::Vec3;
+pub use list::Row;
+use list::{Mapping, ROWS};
+use octahedral::with_lattice;
+
+/// A format of other software, of a number of bits, with the nearest or the [plain](Self::plain) encoder.
+#[derive(Clone, Copy, Debug)]
+pub struct Format {
+    row: &'static Row,
+    bits: u32,
+    is_plain: bool,
+}
+
+impl PartialEq for Format {
+    fn eq(&self, other: &Self) -> bool {
+        (self.row.name, self.bits, self.is_plain) == (other.row.name, other.bits, other.is_plain)
+    }
+}
+
+impl Eq for Format {}
+
+/// The name, as [`Format::named`] takes it.
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.row.has_widths() {
+            true => write!(f, "{}:{}", self.row.name, self.bits),
+            false => f.write_str(self.row.name),
+        }
+    }
+}
+
+/// No format has this name.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum UnknownFormat {
+    /// No format begins so.
+    Name {
+        /// The name asked for.
+        name: String,
+    },
+    /// The format has other widths.
+    Bits {
+        /// The name of the format, without a width.
+        format: &'static str,
+        /// Its least number of bits.
+        least: u32,
+        /// Its greatest number of bits.
+        most: u32,
+    },
+}
+
+impl fmt::Display for UnknownFormat {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Name { name } => {
+                let name: String = name.escape_debug().take(60).collect();
+                write!(f, "unknown format `{name}`; there are")?;
+                ROWS.iter().try_for_each(|row| {
+                    write!(f, " {}{}", row.name, if row.has_widths() { ":BITS" } else { "" })
+                })
+            }
+            Self::Bits { format, least, most } if least == most => {
+                write!(f, "{format} has one width; leave it out")
+            }
+            Self::Bits { format, least, most } => {
+                write!(f, "{format} has {least} to {most} bits; name a number of them, as {format}:{most}")
+            }
+        }
+    }
+}
+
+impl core::error::Error for UnknownFormat {}
+
+impl Format {
+    /// The format of this name: `tiles3d-oct16`, or `draco:10` where there are several widths.
+    ///
+    /// # Errors
+    /// [`UnknownFormat`], which lists the formats, or the widths of this one.
+    pub fn named(name: &str) -> Result<Self, UnknownFormat> {
+        let (base, bits) = name.split_once(':').map_or((name, None), |(base, bits)| (base, Some(bits)));
+        let row = ROWS.iter().find(|row| row.name.eq_ignore_ascii_case(base));
+        let row = row.ok_or_else(|| UnknownFormat::Name { name: name.to_owned() })?;
+        let has = |bits: &u32| (row.least..=row.most).contains(bits);
+        let bits = match (row.has_widths(), bits) {
+            (true, Some(bits)) => bits.parse().ok().filter(has),
+            (false, None) => Some(row.least),
+            _ => None,
+        };
+        let bits = bits.ok_or(UnknownFormat::Bits { format: row.name, least: row.least, most: row.most })?;
+        Ok(Self { row, bits, is_plain: false })
+    }
+
+    /// All formats, at each of their widths.
+    pub fn all() -> impl Iterator<Item = Self> {
+        ROWS.iter()
+            .flat_map(|row| (row.least..=row.most).map(move |bits| Self { row, bits, is_plain: false }))
+    }
+
+    /// The same format with the plain encoder of the original.
+    #[must_use]
+    pub fn plain(self) -> Self {
+        Self { is_plain: true, ..self }
+    }
+
+    /// The facts that do not depend on the width.
+    pub fn row(self) -> &'static Row {
+        self.row
+    }
+
+    /// The number of bits in the name: of a component, mostly.
+    pub fn component_bits(self) -> u32 {
+        self.bits
+    }
+
+    /// Significant bits of a code.
+    pub fn bits(self) -> u32 {
+        match self.row.mapping {
+            Mapping::Octahedral { layout, .. } => layout.bits(self.bits),
+            Mapping::Tetrahedron => 22,
+            Mapping::Snorm => 3 * self.bits,
+        }
+    }
+
+    /// Bytes of a stored code, unused lanes included.
+    pub fn bytes(self) -> usize {
+        match self.row.mapping {
+            Mapping::Octahedral { layout, .. } => layout.bytes(self.bits),
+            Mapping::Tetrahedron => 4,
+            Mapping::Snorm => self.bits as usize / 2,
+        }
+    }
+
+    /// A code that the encoder never writes and that stands for no vector: where the format's users take it for that, or
+    /// where a pattern is free.
+    pub fn null(self) -> Option<u64> {
+        self.row.null
+    }
+
+    /// An upper bound of the nearest encoder's error, in degrees.
+    pub fn max_error_deg(self) -> f32 {
+        match self.row.mapping {
+            Mapping::Octahedral { lattice, layout, .. } => {
+                lattice.bound_deg(self.bits) + layout.rounding_deg()
+            }
+            Mapping::Tetrahedron => tetrahedron::BOUND_DEG,
+            Mapping::Snorm => components::bound_deg(self.bits),
+        }
+    }
+
+    /// The code of the direction of `v`, whose length does not matter.
+    #[must_use]
+    pub fn encode<V: Into<[f32; 3]>>(self, v: V) -> u64 {
+        let [low, high] = self.encode_words(Vec3::from_array(v.into()));
+        u64::from(low) | u64::from(high) << 32
+    }
+
+    /// The direction of a code. Bits above [`bits`](Self::bits), and lanes that hold no direction, are ignored.
+    #[must_use]
+    pub fn decode<V: From<[f32; 3]>>(self, code: u64) -> V {
+        self.decode_words([code as u32, (code >> 32) as u32]).to_array().into()
+    }
+
+    /// The vector to give to the original's encoder, so that it writes the nearest code: what that decodes to, or where the
+    /// original truncates, the middle of what it truncates to the code.
+    #[must_use]
+    pub fn snap<V: Into<[f32; 3]> + From<[f32; 3]>>(self, v: V) -> V {
+        let code = Self { is_plain: false, ..self }.encode_words(Vec3::from_array(v.into()));
+        let v = match self.row.mapping {
+            Mapping::Octahedral { lattice, layout, pole_x, .. } => {
+                lattice.direction(self.bits, layout.numbers(code, lattice, self.bits), pole_x, self.row.aim)
+            }
+            _ => self.decode_words(code),
+        };
+        v.to_array().into()
+    }
+
+    fn encode_words(self, v: Vec3) -> [u32; 2] {
+        let v = crate::direction::or_z(v).0;
+        match self.row.mapping {
+            Mapping::Octahedral { layout, plain, .. } if self.is_plain => {
+                layout.code(plain(v, self.bits), self.bits)
+            }
+            Mapping::Octahedral { lattice, layout, pole_x, .. } if layout.rounds() => {
+                octahedral::searched(v, lattice, layout, pole_x, self.bits)
+            }
+            Mapping::Octahedral { lattice, layout, pole_x, .. } => {
+                layout.code(lattice.nearest_numbers(v, self.bits, pole_x), self.bits)
+            }
+            Mapping::Tetrahedron => tetrahedron::encode(v, self.is_plain),
+            Mapping::Snorm => components::encode(v, self.bits, self.is_plain),
+        }
+    }
+
+    fn decode_words(self, code: [u32; 2]) -> Vec3 {
+        match self.row.mapping {
+            Mapping::Octahedral { lattice, layout, pole_x, .. } => {
+                layout.decode(code, lattice, pole_x, self.bits)
+            }
+            Mapping::Tetrahedron => tetrahedron::decode(code[0]),
+            Mapping::Snorm => components::decode(code, self.bits),
+        }
+    }
+
+    /// [`encode`](Self::encode) of each vector, into [`bytes`](Self::bytes) little-endian bytes each, without gaps: several
+    /// at a time for pairs of integers, as [`slice`](mod@crate::slice) does.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] unless `codes` is as long as the vectors' codes. Nothing is written then.
+    pub fn encode_slice(self, vectors: &[impl Vector], codes: &mut [u8]) -> Result<(), LengthMismatch> {
+        self.encode_slice_at(Level::best(), vectors, codes)
+    }
+
+    /// The reverse of [`encode_slice`](Self::encode_slice).
+    ///
+    /// # Errors
+    /// The errors of [`encode_slice`](Self::encode_slice).
+    pub fn decode_slice(self, codes: &[u8], vectors: &mut [impl Vector]) -> Result<(), LengthMismatch> {
+        self.decode_slice_at(Level::best(), codes, vectors)
+    }
+
+    /// [`encode_slice`](Self::encode_slice) among other fields: see [`slice::encode_strided`](crate::slice::encode_strided).
+    ///
+    /// # Errors
+    /// [`StrideError`] where the vectors or the codes do not fit their bytes or are not equally many.
+    pub fn encode_strided(
+        self,
+        vectors: Strided<&[u8]>,
+        codes: Strided<&mut [u8]>,
+    ) -> Result<(), StrideError> {
+        let encode =
+            |level, vectors: &[_], codes: &mut [u8]| self.encode_slice_at::<[f32; 3]>(level, vectors, codes);
+        encode_strided_with::<3>(Level::best(), vectors, codes, self.bytes(), encode)
+    }
+
+    /// The reverse of [`encode_strided`](Self::encode_strided).
+    ///
+    /// # Errors
+    /// The errors of [`encode_strided`](Self::encode_strided).
+    pub fn decode_strided(
+        self,
+        codes: Strided<&[u8]>,
+        vectors: Strided<&mut [u8]>,
+    ) -> Result<(), StrideError> {
+        let decode =
+            |level, codes: &[u8], vectors: &mut [_]| self.decode_slice_at::<[f32; 3]>(level, codes, vectors);
+        decode_strided_with::<3>(Level::best(), codes, vectors, self.bytes(), decode)
+    }
+
+    /// [`encode_slice`](Self::encode_slice) with the instructions of a given level.
+    #[doc(hidden)]
+    pub fn encode_slice_at<V: Vector>(
+        self,
+        level: Level,
+        vectors: &[V],
+        codes: &mut [u8],
+    ) -> Result<(), LengthMismatch> {
+        with_lattice!(self, !self.is_plain,
+            coder => encode_slice_by(coder, level, vectors, codes),
+            encode_slice_by(One(self), level, vectors, codes))
+    }
+
+    /// [`decode_slice`](Self::decode_slice) with the instructions of a given level.
+    #[doc(hidden)]
+    pub fn decode_slice_at<V: Vector>(
+        self,
+        level: Level,
+        codes: &[u8],
+        vectors: &mut [V],
+    ) -> Result<(), LengthMismatch> {
+        with_lattice!(self, true,
+            coder => decode_slice_by(coder, level, codes, vectors),
+            decode_slice_by(One(self), level, codes, vectors))
+    }
+}
+
+/// A format as a coder of slices, one vector at a time.
+#[derive(Clone, Copy)]
+struct One(Format);
+
+impl Coder for One {
+    fn bytes(self) -> usize {
+        self.0.bytes()
+    }
+
+    fn encode(self, v: Vec3) -> [u32; 2] {
+        self.0.encode_words(v)
+    }
+
+    fn decode(self, low: u32, high: u32) -> Vec3 {
+        self.0.decode_words([low, high])
+    }
+}
+
+/// The square of the tangent of half the angle, or a measure that grows like it, between two directions: in float64, so
+/// that it tells the codes of any format apart.
+fn distance(a: Vec3, b: Vec3) -> f64 {
+    let ([a, b, c], [x, y, z]) = ([a.x, a.y, a.z].map(f64::from), [b.x, b.y, b.z].map(f64::from));
+    let (p, q, r) = (b * z - c * y, c * x - a * z, a * y - b * x);
+    let along = (a * x + b * y) + c * z;
+    if along > 0.0 { ((p * p + q * q) + r * r) / (along * along) } else { f64::INFINITY }
+}

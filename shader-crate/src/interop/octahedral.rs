@@ -1,0 +1,331 @@
+//! Octahedral lattices in the numberings and layouts of other software.
+
+use super::distance;
+use crate::arith::{ONE_AND_A_HALF_2_23, mask, max, min, with_sign};
+use crate::codec::storage_bytes;
+use crate::direction::{is_usable, l1_norm};
+use crate::families::octahedral::nearest::nearest;
+use crate::slice::Coder;
+use crate::uoct::from_lattice;
+use glam::{Vec2, Vec3};
+
+/// The square of an octahedral format: where its points lie, and how they are numbered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lattice {
+    /// From 0 to `2^b - 1`: no point in the middle.
+    Unorm,
+    /// From `1 - 2^(b-1)` to `2^(b-1) - 1`, in two's complement.
+    Snorm,
+    /// The points of [`Snorm`](Self::Snorm), numbered from 0.
+    Biased,
+    /// From -126 to 126.
+    Of126,
+}
+
+impl Lattice {
+    /// The largest coordinate, the middle (0, or 1/2 where there is no point), and the number of the coordinate 0.
+    #[inline(always)]
+    fn sizes(self, bits: u32) -> (f32, f32, f32) {
+        let (unorm, snorm) = (mask(bits) as f32 * 0.5, mask(bits - 1) as f32);
+        match self {
+            Self::Unorm => (unorm, 0.5, unorm),
+            Self::Snorm => (snorm, 0.0, 0.0),
+            Self::Biased => (snorm, 0.0, snorm),
+            Self::Of126 => (126.0, 0.0, 0.0),
+        }
+    }
+
+    /// The sign bit of a number.
+    fn sign(self, bits: u32) -> u32 {
+        if self == Self::Snorm { 1 << (bits - 1) } else { 0 }
+    }
+
+    /// The largest coordinate.
+    pub(super) fn largest(self, bits: u32) -> f32 {
+        self.sizes(bits).0
+    }
+
+    /// The bound of [`oct`](crate::oct)'s precise codes, for this lattice's steps, and the error of rounding positions in f32.
+    pub(super) fn bound_deg(self, bits: u32) -> f32 {
+        // An octahedron's vertices alone are as far as acos(1 / sqrt(3)) from the middle of its faces.
+        const OF_VERTICES_DEG: f32 = 54.74;
+        let m = self.largest(bits);
+        let bound = (core::f32::consts::SQRT_2 * (1.0 / m + 1.0 / 2_097_152.0)).to_degrees();
+        min(bound, OF_VERTICES_DEG)
+    }
+
+    /// The numbers of the point that is nearest to a usable direction.
+    #[inline(always)]
+    pub(super) fn nearest_numbers(self, v: Vec3, bits: u32, pole_x: bool) -> [i32; 2] {
+        let (m, half, offset) = self.sizes(bits);
+        let v = turned(v, pole_x);
+        let e = canonical(nearest(v, l1_norm(v), m, half), m, pole_x);
+        [whole(e.x + offset), whole(e.y + offset)]
+    }
+
+    /// The direction of a point, moved by `aim` of a step up in each number.
+    pub(super) fn direction(self, bits: u32, numbers: [i32; 2], pole_x: bool, aim: f32) -> Vec3 {
+        let (m, _, offset) = self.sizes(bits);
+        let [x, y] = numbers.map(|number| min(max(number as f32 - offset + aim, -m), m));
+        turned_back(from_lattice(Vec2::new(x, y), m), pole_x)
+    }
+}
+
+/// A whole number as an integer.
+#[inline(always)]
+fn whole(x: f32) -> i32 {
+    (x + ONE_AND_A_HALF_2_23).to_bits().wrapping_sub(ONE_AND_A_HALF_2_23.to_bits()) as i32
+}
+
+/// The components with the pole last: Draco's is x, and its plane is (y, z).
+#[inline(always)]
+fn turned(v: Vec3, pole_x: bool) -> Vec3 {
+    if pole_x { Vec3::new(v.y, v.z, v.x) } else { v }
+}
+
+#[inline(always)]
+fn turned_back(v: Vec3, pole_x: bool) -> Vec3 {
+    if pole_x { Vec3::new(v.z, v.x, v.y) } else { v }
+}
+
+/// The point that Draco writes, of several for one direction: those of the square's border have the sign of their side, and
+/// all corners, which are the pole's opposite, become (m, m). With other formats only that one of code 0 does, which may stand
+/// for no vector.
+#[inline(always)]
+fn canonical(e: Vec2, m: f32, is_draco: bool) -> Vec2 {
+    if !is_draco {
+        return if e.x + e.y == -2.0 * m { Vec2::splat(m) } else { e };
+    }
+    let x = if e.y.abs() == m { with_sign(e.x.abs(), e.y) } else { e.x };
+    let y = if e.x.abs() == m { with_sign(e.y.abs(), e.x) } else { e.y };
+    if x.abs() + y.abs() == 2.0 * m { Vec2::splat(m) } else { Vec2::new(x, y) }
+}
+
+/// The place of the numbers in a code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Layout {
+    /// x in the low bits, y in the next.
+    Pair,
+    /// The low bytes of x and of y, then their high four bits, x low: three bytes.
+    Bytes888,
+    /// The magnitudes of x and y in 10 bits each, then a bit for each that is positive.
+    Signs,
+    /// OpenVDB's: the signs of the direction's x, y and z from bit 15 down, x in 6 bits, y in 7.
+    Octant,
+    /// x, y and m in three signed bytes, and a fourth.
+    Lanes8,
+    /// The same in words of 16 bits.
+    Lanes16,
+}
+
+impl Layout {
+    pub(super) fn bits(self, bits: u32) -> u32 {
+        match self {
+            Self::Pair | Self::Bytes888 => 2 * bits,
+            Self::Signs => 22,
+            Self::Octant => 16,
+            Self::Lanes8 => 24,
+            Self::Lanes16 => 48,
+        }
+    }
+
+    pub(super) fn bytes(self, bits: u32) -> usize {
+        match self {
+            Self::Lanes8 => 4,
+            Self::Lanes16 => 8,
+            _ => storage_bytes(self.bits(bits)),
+        }
+    }
+
+    /// True where decoders give integers, whose rounding counts.
+    pub(super) fn rounds(self) -> bool {
+        matches!(self, Self::Lanes8 | Self::Lanes16)
+    }
+
+    /// The error that the rounding of the decoder's result adds at most, half a step in each component.
+    pub(super) fn rounding_deg(self) -> f32 {
+        const HALF_DIAGONAL: f32 = 0.866_025_4;
+        match self {
+            Self::Lanes8 => (HALF_DIAGONAL / 126.0).to_degrees(),
+            Self::Lanes16 => (HALF_DIAGONAL / 32_766.0).to_degrees(),
+            _ => 0.0,
+        }
+    }
+
+    /// The code of a point's numbers.
+    #[inline(always)]
+    pub(super) fn code(self, [x, y]: [i32; 2], bits: u32) -> [u32; 2] {
+        let low = |number: i32, bits: u32| number as u32 & mask(bits);
+        match self {
+            Self::Pair => [low(x, bits) | low(y, bits) << bits, 0],
+            Self::Bytes888 => [low(x, 8) | low(y, 8) << 8 | low(x >> 8, 4) << 16 | low(y >> 8, 4) << 20, 0],
+            Self::Signs => {
+                let positive = u32::from(x > 0) | u32::from(y > 0) << 1;
+                [x.unsigned_abs() | y.unsigned_abs() << 10 | positive << 20, 0]
+            }
+            Self::Octant => [octant(x, y), 0],
+            Self::Lanes8 => [low(x, 8) | low(y, 8) << 8 | mask(bits - 1) << 16, 0],
+            Self::Lanes16 => [low(x, 16) | low(y, 16) << 16, mask(bits - 1)],
+        }
+    }
+
+    /// The numbers of the point of a code.
+    #[inline(always)]
+    pub(super) fn numbers(self, [low, _]: [u32; 2], lattice: Lattice, bits: u32) -> [i32; 2] {
+        let at = |first: u32, bits: u32| (low >> first & mask(bits)) as i32;
+        if self == Self::Pair {
+            return pair(low, bits, lattice.sign(bits));
+        }
+        match self {
+            Self::Pair | Self::Bytes888 => [at(0, 8) | at(16, 4) << 8, at(8, 8) | at(20, 4) << 8],
+            Self::Signs => [at(0, 10) * (2 * at(20, 1) - 1), at(10, 10) * (2 * at(21, 1) - 1)],
+            Self::Octant => from_octant(low),
+            Self::Lanes8 => [i32::from(low as i8), i32::from((low >> 8) as i8)],
+            Self::Lanes16 => [i32::from(low as i16), i32::from((low >> 16) as i16)],
+        }
+    }
+
+    /// The vector that the original's decoder makes of a code.
+    pub(super) fn decode(self, code: [u32; 2], lattice: Lattice, pole_x: bool, bits: u32) -> Vec3 {
+        let [x, y] = self.numbers(code, lattice, bits);
+        let (one, most) = match self {
+            Self::Lanes8 => ((code[0] >> 16) as u8 as i8 as f32, 127.0),
+            Self::Lanes16 => (code[1] as u16 as i16 as f32, 32_767.0),
+            _ => return lattice.direction(bits, [x, y], pole_x, 0.0),
+        };
+        rounded(Vec2::new(x as f32, y as f32), one, most)
+    }
+}
+
+/// The numbers of a pair; `sign` is the bit that is one, or 0.
+#[inline(always)]
+fn pair(code: u32, bits: u32, sign: u32) -> [i32; 2] {
+    let (x, y) = (code & mask(bits), code >> bits & mask(bits));
+    [(x ^ sign).wrapping_sub(sign) as i32, (y ^ sign).wrapping_sub(sign) as i32]
+}
+
+/// The signs and components of a point of the lattice of 126, as OpenVDB numbers them. A component of 0 has no sign.
+fn octant(x: i32, y: i32) -> u32 {
+    let z = 126 - x.abs() - y.abs();
+    let (a, b) = if z < 0 { (126 - y.abs(), 126 - x.abs()) } else { (x.abs(), y.abs()) };
+    let sign = |is_negative: bool, bit: u32| u32::from(is_negative) << bit;
+    let signs = sign(x < 0 && a > 0, 15) | sign(y < 0 && b > 0, 14) | sign(z < 0, 13);
+    // Of x, 63 numbers have no room in 6 bits: they are mirrored into the other half of the triangle.
+    let (a, b) = if a > 63 { (127 - a, 127 - b) } else { (a, b) };
+    signs | (a << 7 | b) as u32
+}
+
+/// The reverse of [`octant`]. Patterns beyond the edge count as points of the edge.
+fn from_octant(code: u32) -> [i32; 2] {
+    let (a, b) = ((code >> 7 & 63) as i32, (code & 127) as i32);
+    let (a, b) = if a + b > 126 { (127 - a, 127 - b) } else { (a, b) };
+    let b = b.min(126 - a);
+    let (a, b) = if code >> 13 & 1 == 1 { (126 - b, 126 - a) } else { (a, b) };
+    let signed = |number: i32, bit: u32| if code >> bit & 1 == 1 { -number } else { number };
+    [signed(a, 15), signed(b, 14)]
+}
+
+/// The decoder of meshoptimizer's filter: a vector of length `most`, rounded, ties away from 0; here divided by `most`.
+fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
+    let z = one - e.x.abs() - e.y.abs();
+    let below = min(z, 0.0);
+    let v = Vec3::new(
+        e.x + if e.x >= 0.0 { below } else { -below },
+        e.y + if e.y >= 0.0 { below } else { -below },
+        z,
+    );
+    let length = (v.x * v.x + v.y * v.y + v.z * v.z).sqrt();
+    let scale = if length > 0.0 { most / length } else { 0.0 };
+    (v * scale).to_array().map(|c| c.round() / most).into()
+}
+
+/// The code of the 3 by 3 points around the nearest one whose decoded integers are nearest.
+pub(super) fn searched(v: Vec3, lattice: Lattice, layout: Layout, pole_x: bool, bits: u32) -> [u32; 2] {
+    let ([x, y], m) = (lattice.nearest_numbers(v, bits, pole_x), lattice.largest(bits) as i32);
+    // The point itself comes first: of equals it stays.
+    let steps = [0, 1, -1];
+    let around = steps.into_iter().flat_map(|i| steps.map(|j| [x + i, y + j]));
+    let codes =
+        around.filter(|point| point.iter().all(|i| i.abs() <= m)).map(|point| layout.code(point, bits));
+    let scored = codes.map(|code| (distance(v, layout.decode(code, lattice, pole_x, bits)), code));
+    scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or([0, 0], |(_, code)| code)
+}
+
+/// An octahedral format as a coder of slices: of pairs, or with `IS_BYTES` of [`Layout::Bytes888`]. Without closures, which
+/// would not get the instructions of the slice's level.
+#[derive(Clone, Copy)]
+pub(super) struct Fast<const IS_BYTES: bool, const POLE_X: bool> {
+    bits: u32,
+    sign: u32,
+    largest: f32,
+    middle: f32,
+    offset: f32,
+    code_of_z: u32,
+}
+
+impl<const IS_BYTES: bool, const POLE_X: bool> Fast<IS_BYTES, POLE_X> {
+    pub(super) fn new(lattice: Lattice, bits: u32) -> Self {
+        let (largest, middle, offset) = lattice.sizes(bits);
+        let layout = if IS_BYTES { Layout::Bytes888 } else { Layout::Pair };
+        let [code_of_z, _] = layout.code(lattice.nearest_numbers(Vec3::Z, bits, POLE_X), bits);
+        Self { bits, sign: lattice.sign(bits), largest, middle, offset, code_of_z }
+    }
+}
+
+impl<const IS_BYTES: bool, const POLE_X: bool> Coder for Fast<IS_BYTES, POLE_X> {
+    #[inline(always)]
+    fn bytes(self) -> usize {
+        if IS_BYTES { 3 } else { storage_bytes(2 * self.bits) }
+    }
+
+    #[inline(always)]
+    fn encode(self, v: Vec3) -> [u32; 2] {
+        let v = turned(v, POLE_X);
+        let norm = l1_norm(v);
+        let e = canonical(nearest(v, norm, self.largest, self.middle), self.largest, POLE_X);
+        let (x, y) = (whole(e.x + self.offset) as u32, whole(e.y + self.offset) as u32);
+        let code = if IS_BYTES {
+            (x & 255) | (y & 255) << 8 | (x >> 8 & 15) << 16 | (y >> 8 & 15) << 20
+        } else {
+            (x & mask(self.bits)) | (y & mask(self.bits)) << self.bits
+        };
+        [if is_usable(norm) { code } else { self.code_of_z }, 0]
+    }
+
+    #[inline(always)]
+    fn decode(self, low: u32, _: u32) -> Vec3 {
+        let [x, y] = if IS_BYTES {
+            [(low & 255 | (low >> 16 & 15) << 8) as i32, (low >> 8 & 255 | (low >> 20 & 15) << 8) as i32]
+        } else {
+            pair(low, self.bits, self.sign)
+        };
+        let (x, y) = (x as f32 - self.offset, y as f32 - self.offset);
+        let (x, y) = (min(max(x, -self.largest), self.largest), min(max(y, -self.largest), self.largest));
+        turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X)
+    }
+}
+
+/// `$fast`, in which `$coder` is the coder of an octahedral format that has one, where `$is_wanted`; else `$other`.
+macro_rules! with_lattice {
+    ($format:expr, $is_wanted:expr, $coder:ident => $fast:expr, $other:expr) => {{
+        use octahedral::{Fast, Layout};
+        let bits = $format.bits;
+        match $format.row.mapping {
+            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: false, .. } if $is_wanted => {
+                let $coder = Fast::<false, false>::new(lattice, bits);
+                $fast
+            }
+            Mapping::Octahedral { lattice, layout: Layout::Pair, pole_x: true, .. } if $is_wanted => {
+                let $coder = Fast::<false, true>::new(lattice, bits);
+                $fast
+            }
+            Mapping::Octahedral { lattice, layout: Layout::Bytes888, .. } if $is_wanted => {
+                let $coder = Fast::<true, false>::new(lattice, bits);
+                $fast
+            }
+            _ => $other,
+        }
+    }};
+}
+
+pub(super) use with_lattice;
