@@ -3,6 +3,7 @@
 use std::sync::OnceLock;
 use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
 use unitvec::codec::RawCode;
+use unitvec::interop::Format;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
     DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_slice_at, encode_frames, encode_slice_at,
@@ -26,6 +27,8 @@ pub struct Functions<const N: usize> {
 pub enum AnyFunctions {
     Vector(Functions<3>),
     Frame(Functions<7>),
+    /// A value, whose functions need it.
+    Format(Format),
 }
 
 impl Functions<3> {
@@ -52,12 +55,51 @@ impl Functions<7> {
     }
 }
 
+/// [`Functions`] that hold a value.
+pub struct OfFormat<A, B, C, D> {
+    pub encode_one: A,
+    pub decode_one: B,
+    pub encode: C,
+    pub encode_at: C,
+    pub decode_at: D,
+}
+
+/// The functions of a format of other software.
+pub fn of_format(
+    format: Format,
+) -> OfFormat<
+    impl Fn([f32; 3]) -> [u32; 2],
+    impl Fn([u32; 2]) -> [f32; 3],
+    impl Fn(Level, &[[f32; 3]], &mut [u8]) -> Result<(), LengthMismatch>,
+    impl Fn(Level, &[u8], &mut [[f32; 3]]) -> Result<(), LengthMismatch>,
+> {
+    let encode = move |level, vectors: &[_], codes: &mut [u8]| format.encode_slice_at(level, vectors, codes);
+    OfFormat {
+        encode_one: move |v| words(format.encode(v)),
+        decode_one: move |[low, high]: [u32; 2]| format.decode(u64::from(low) | u64::from(high) << 32),
+        encode,
+        encode_at: encode,
+        decode_at: move |level, codes: &[u8], vectors: &mut [_]| {
+            format.decode_slice_at(level, codes, vectors)
+        },
+    }
+}
+
+/// The low and the high word of a code.
+pub fn words(code: u64) -> [u32; 2] {
+    [code as u32, (code >> 32) as u32]
+}
+
 /// Evaluates an expression with the [`Functions`] of a codec, whatever its elements are.
 macro_rules! with_functions {
     ($codec:expr, $functions:ident => $result:expr) => {
         match &$codec.functions {
             AnyFunctions::Vector($functions) => $result,
             AnyFunctions::Frame($functions) => $result,
+            AnyFunctions::Format(format) => {
+                let $functions = $crate::cpu::of_format(*format);
+                $result
+            }
         }
     };
 }

@@ -16,6 +16,7 @@
 //! with `schemars`, they have JSON schemas.
 
 mod cpu;
+mod formats;
 #[cfg(feature = "serde")]
 mod json;
 mod list;
@@ -25,6 +26,7 @@ mod recommended;
 use bytemuck::{cast_slice, cast_slice_mut};
 use cpu::{AnyFunctions, Functions, resized, with_functions};
 use std::hash::{Hash, Hasher};
+use unitvec::interop::UnknownFormat;
 use unitvec::slice::machine::Level;
 use unitvec::slice::{EncodeAt, LengthMismatch, expect_length, par_decode_with, par_encode_with};
 #[cfg(doc)]
@@ -32,6 +34,7 @@ use unitvec::{Codec, FrameCodec};
 use unitvec::{Listed, ListedFrame};
 
 pub use cpu::best_fit_table;
+pub use formats::{find_any, formats};
 pub use list::{CODECS, frames, vectors};
 pub use null::{NoNull, Null};
 pub use recommended::{Choice, FORMATS, Format, Measured, RECOMMENDED, Recommendation, Usage};
@@ -301,10 +304,19 @@ impl std::fmt::Display for Operation {
 /// No codec has this name.
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
-#[error("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id))]
+#[error("{}", message(id, of_format.as_ref()))]
 pub struct UnknownCodec {
     /// The name asked for.
     pub id: String,
+    /// The error of a format of other software, where one begins so.
+    pub of_format: Option<UnknownFormat>,
+}
+
+fn message(id: &str, of_format: Option<&UnknownFormat>) -> String {
+    match of_format {
+        Some(error) => error.to_string(),
+        None => format!("unknown codec `{id}`; {}`unitvec codecs` lists them all", suggestion(id)),
+    }
 }
 
 /// Codecs that begin with the same letters.
@@ -343,5 +355,8 @@ pub fn find_vector(name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
 }
 
 fn find_among(codecs: &'static [AnyCodec], name: &str) -> Result<&'static AnyCodec, UnknownCodec> {
-    codecs.iter().find(|codec| codec.is_named(name)).ok_or_else(|| UnknownCodec { id: name.to_owned() })
+    codecs
+        .iter()
+        .find(|codec| codec.is_named(name))
+        .ok_or_else(|| UnknownCodec { id: name.to_owned(), of_format: None })
 }

@@ -2,6 +2,7 @@
 
 use super::octahedral::{Lattice, Layout};
 use super::plain::{self, Plain};
+use core::fmt;
 
 /// The facts of a format that do not depend on its width.
 #[derive(Debug)]
@@ -32,6 +33,14 @@ impl Row {
     }
 }
 
+/// The name, with the widths: `draco:2-16`.
+impl fmt::Display for Row {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name)?;
+        if self.has_widths() { write!(f, ":{}-{}", self.least, self.most) } else { Ok(()) }
+    }
+}
+
 /// The way from directions to numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Mapping {
@@ -57,7 +66,7 @@ const UNORM_16: &str = "x and y, unsigned words";
 const UNDEFINED: &str = "NaN: no defined code";
 
 /// All formats.
-pub(super) static ROWS: [Row; 17] = [
+pub static ROWS: [Row; 17] = [
     Row {
         name: "tiles3d-oct16",
         least: 8,

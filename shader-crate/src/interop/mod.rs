@@ -40,8 +40,8 @@ use crate::slice::{
 };
 use core::fmt;
 use glam::Vec3;
-pub use list::Row;
-use list::{Mapping, ROWS};
+use list::Mapping;
+pub use list::{ROWS, Row};
 use octahedral::with_lattice;
 
 /// A format of other software, of a number of bits, with the nearest or the [plain](Self::plain) encoder.
@@ -96,9 +96,7 @@ impl fmt::Display for UnknownFormat {
             Self::Name { name } => {
                 let name: String = name.escape_debug().take(60).collect();
                 write!(f, "unknown format `{name}`; there are")?;
-                ROWS.iter().try_for_each(|row| {
-                    write!(f, " {}{}", row.name, if row.has_widths() { ":BITS" } else { "" })
-                })
+                ROWS.iter().try_for_each(|row| write!(f, " {row}"))
             }
             Self::Bits { format, least, most } if least == most => {
                 write!(f, "{format} has one width; leave it out")

@@ -1,8 +1,9 @@
 //! Slices on all cores. A codec comes as a function pointer, so that rayon's machinery is compiled once for each type of
-//! element and not for each codec: in a program with all codecs that was a third of the build.
+//! element and not for each codec: in a program with all codecs that was a third of the build. A format of other software
+//! comes as a closure.
 
+use super::LengthMismatch;
 use super::machine::Level;
-use super::{DecodeAt, EncodeAt, LengthMismatch};
 use rayon::prelude::*;
 
 /// Elements that one core takes at a time: some ten microseconds.
@@ -16,7 +17,7 @@ pub fn par_encode_with<T: Sync>(
     elements: &[T],
     codes: &mut [u8],
     size: usize,
-    encode: EncodeAt<T>,
+    encode: impl Fn(Level, &[T], &mut [u8]) -> Result<(), LengthMismatch> + Sync,
 ) -> Result<(), LengthMismatch> {
     let level = Level::best();
     if elements.len() <= PORTION {
@@ -35,7 +36,7 @@ pub fn par_decode_with<T: Send>(
     codes: &[u8],
     elements: &mut [T],
     size: usize,
-    decode: DecodeAt<T>,
+    decode: impl Fn(Level, &[u8], &mut [T]) -> Result<(), LengthMismatch> + Sync,
 ) -> Result<(), LengthMismatch> {
     let level = Level::best();
     if elements.len() <= PORTION {

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, HashSet};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, Element, Null, find};
+use unitvec_catalogue::{AnyCodec, Element, Null, find_any};
 use unitvec_files::{Output, is_same_file};
 use unitvec_host::container::{Hashed, Header};
 use unitvec_host::input::{Elements, Input, Kind, RAW_ENDINGS, has_ending};
@@ -21,9 +21,12 @@ use unitvec_run::backend::{Backend, BackendKind, Cpu};
 
 #[derive(Args)]
 pub struct Encode {
-    /// Codec, as `unitvec codecs` lists them.
-    #[arg(long, value_name = "ID")]
+    /// Codec, or format of other software such as tiles3d-oct16 or draco:10, as `unitvec codecs` lists them.
+    #[arg(long, visible_alias = "format", value_name = "ID")]
     codec: String,
+    /// Encode as the format's own software does, bit for bit, and not to the nearest code.
+    #[arg(long)]
+    plain: bool,
     /// Give vectors without a direction the codec's null code, not that of +Z.
     #[arg(long)]
     null: bool,
@@ -54,8 +57,8 @@ pub struct Encode {
 
 #[derive(Args)]
 pub struct Decode {
-    /// Codec that the codes are of, as `unitvec codecs` lists them; .uvec files tell it themselves.
-    #[arg(long, value_name = "ID")]
+    /// Codec or format that the codes are of, as `unitvec codecs` lists them; .uvec files tell it themselves.
+    #[arg(long, visible_alias = "format", value_name = "ID")]
     codec: Option<String>,
     /// Decode the codec's null code to zeros, as `encode --null` writes it; .uvec files tell it themselves.
     #[arg(long)]
@@ -102,7 +105,9 @@ pub struct Normals {
 }
 
 pub fn encode(arguments: &Encode) -> Result<ExitCode> {
-    let format = find(&arguments.codec)?;
+    let format = find_any(&arguments.codec)?;
+    let format = if arguments.plain { plain_of(format)? } else { format };
+    arguments.work.check(format)?;
     let null = null_of(format, arguments.null)?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
@@ -136,7 +141,7 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
 }
 
 pub fn decode(arguments: &Decode) -> Result<ExitCode> {
-    let named = arguments.codec.as_deref().map(find).transpose()?;
+    let named = arguments.codec.as_deref().map(find_any).transpose()?;
     let is_container = |path: &Path| has_ending(path, &["uvec"]);
     let pairs = pairs(&arguments.r#in, &arguments.out, is_container, "f32")?;
     if let Some((_, out)) = pairs.iter().find(|(_, out)| is_container(out)) {
@@ -159,6 +164,7 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
             return Err(Error::Usage(words));
         }
         let format = codec_of(path, named, header.as_ref())?;
+        arguments.work.check(format)?;
         let is_null = arguments.null || header.as_ref().is_some_and(|header| header.null);
         conversion.null = null_of(format, is_null)?;
         let count = match (&header, array) {
@@ -180,13 +186,21 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
     })
 }
 
+/// The same format with the encoder of its own software.
+pub fn plain_of(format: &AnyCodec) -> Result<&'static AnyCodec> {
+    format.plain().ok_or_else(|| {
+        let words = format!("--plain is for formats of other software; {} is a codec of this one", format.id);
+        Error::Usage(words)
+    })
+}
+
 /// The codec that the command line names, and the header, if there is one.
 fn codec_of(
     path: &Path,
     named: Option<&'static AnyCodec>,
     header: Option<&Header>,
 ) -> Result<&'static AnyCodec> {
-    let told = header.map(|header| find(&header.codec)).transpose()?;
+    let told = header.map(|header| find_any(&header.codec)).transpose()?;
     match (named, told) {
         (Some(named), Some(told)) if named != told => Err(Error::Usage(format!(
             "{} has codes of {}, not of {}; leave --codec out",
@@ -292,6 +306,11 @@ type Convert<T> = fn(
 ) -> Result<T>;
 
 impl Work {
+    /// Refuses a format of other software on a GPU.
+    fn check(&self, format: &AnyCodec) -> Result<()> {
+        super::check_backend(format, self.backend)
+    }
+
     fn each(
         &self,
         pairs: &[(PathBuf, PathBuf)],

@@ -1,11 +1,11 @@
 use super::run::{Json, Live};
 use super::table::{Layout, Wide, left, left_out, right, wrapped};
-use super::{Buffers, OpenBackend, Vulkan, chosen_formats, degrees, dtype, expect, files_of, is_mesh};
+use super::{Buffers, OpenBackend, Vulkan, check_backend, degrees, dtype, expect, files_of, is_mesh};
 use clap::Args;
 use std::fmt::Display;
 use std::path::PathBuf;
 use std::process::ExitCode;
-use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find};
+use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find, find_any};
 use unitvec_files::shown;
 use unitvec_host::input::{Elements, FileName, Kind};
 use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
@@ -16,9 +16,10 @@ use unitvec_run::backend::BackendKind;
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Codec, as `unitvec codecs` lists them; may be given again: all of vectors, or all of frames. If none is given, those
-    /// that the README recommends for vectors in any direction.
-    #[arg(long, value_name = "ID,...", value_delimiter = ',')]
+    /// Codec, or format of other software, as `unitvec codecs` lists them; may be given again: all of vectors, or all of
+    /// frames. If none is given, those that the README recommends for vectors in any direction. A format has a row for its
+    /// own software's encoder, and one for the nearest codes.
+    #[arg(long, visible_alias = "format", value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]
@@ -45,7 +46,9 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let columns = arguments.wide.columns()?;
-    let mut meter = Meter::new(formats(&arguments.codec)?)?;
+    let formats = formats(&arguments.codec)?;
+    formats.iter().try_for_each(|format| check_backend(format, arguments.backend))?;
+    let mut meter = Meter::new(formats)?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
     if arguments.file.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
         return Err(Error::Usage("- can be read once; name it once".to_owned()));
@@ -84,7 +87,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
 /// The codecs chosen; else those of the README's table that take any vector.
 fn formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     if !ids.is_empty() {
-        return chosen_formats(ids);
+        let chosen = ids.iter().map(|id| Ok(find_any(id)?)).collect::<Result<Vec<_>>>()?;
+        let mut rows: Vec<_> =
+            chosen.into_iter().flat_map(|one| one.plain().into_iter().chain([one])).collect();
+        rows.dedup();
+        return Ok(rows);
     }
     let recommended =
         RECOMMENDED.iter().flat_map(Recommendation::short).filter_map(|choice| find(choice.id).ok());

@@ -454,6 +454,18 @@ fn chosen_formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     Ok(chosen)
 }
 
+/// Refuses a format of other software on a GPU.
+fn check_backend(format: &AnyCodec, backend: BackendKind) -> Result<()> {
+    if format.format().is_some() && backend != BackendKind::Cpu {
+        let words = format!(
+            "{} is a format of other software, which the CPU alone encodes; leave --backend out",
+            format.id
+        );
+        return Err(Error::Usage(words));
+    }
+    Ok(())
+}
+
 /// Counts of random directions: at least one, and what a day's run could use.
 fn counts() -> clap::builder::RangedU64ValueParser<u64> {
     clap::value_parser!(u64).range(1..=1 << 40)
