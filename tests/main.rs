@@ -29,6 +29,7 @@ mod house;
 mod ico;
 #[cfg(feature = "glsl")]
 mod imprecise;
+mod interop;
 mod isa;
 mod latlong;
 mod lattices;

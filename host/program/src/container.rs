@@ -83,7 +83,8 @@ impl Header {
         let mut json = Vec::new();
         reader.take(length.min(Self::MOST as u64)).read_to_end(&mut json)?;
         // The codec's name stands in messages.
-        let is_plain = |header: &Self| header.codec.chars().all(|c| c.is_ascii_alphanumeric() || "_-: ".contains(c));
+        let is_plain =
+            |header: &Self| header.codec.chars().all(|c| c.is_ascii_alphanumeric() || "_-: ".contains(c));
         let header = serde_json::from_slice(&json).ok().filter(is_plain);
         let header: Self =
             header.ok_or_else(|| io::Error::other("its header is damaged; encode the mesh again"))?;

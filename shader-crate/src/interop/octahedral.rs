@@ -47,11 +47,11 @@ impl Lattice {
 
     /// The bound of [`oct`](crate::oct)'s precise codes, for this lattice's steps, and the error of rounding positions in f32.
     pub(super) fn bound_deg(self, bits: u32) -> f32 {
-        // An octahedron's vertices alone are as far as acos(1 / sqrt(3)) from the middle of its faces.
+        // Of 2 bits there are few points but the octahedron's vertices, acos(1 / sqrt(3)) from the middle of its faces.
         const OF_VERTICES_DEG: f32 = 54.74;
         let m = self.largest(bits);
         let bound = (core::f32::consts::SQRT_2 * (1.0 / m + 1.0 / 2_097_152.0)).to_degrees();
-        min(bound, OF_VERTICES_DEG)
+        if m < 2.0 { OF_VERTICES_DEG } else { bound }
     }
 
     /// The numbers of the point that is nearest to a usable direction.

@@ -1,0 +1,248 @@
+//! The formats of other software: nearest codes, the originals' published values, names, slices.
+
+use glam::Vec3;
+use unitvec::interop::{Format, UnknownFormat};
+use unitvec::slice::Strided;
+use unitvec::slice::machine::Level;
+use unitvec::{angle_deg, interop};
+use unitvec_catalogue::{find, find_any, formats};
+use unitvec_oracle::turn_deg;
+use unitvec_tests::checks::POSITION_ROUNDING;
+use unitvec_tests::directions::{near_planes, sphere};
+
+fn directions(seed: u64, count: usize) -> impl Iterator<Item = Vec3> {
+    sphere(seed, count).chain(near_planes(seed + 1, count))
+}
+
+fn named(name: &str) -> Format {
+    Format::named(name).unwrap()
+}
+
+/// The angle between a direction and a code's vector, by an encoder.
+fn error(format: Format, v: Vec3) -> f64 {
+    angle_deg(v, format.decode::<Vec3>(format.encode(v)))
+}
+
+/// True for formats that store x, y and z, and not a point of a square.
+fn is_of_components(format: Format) -> bool {
+    format.row().name.starts_with("gltf")
+}
+
+/// The codes of all points of a format of up to 16 bits: with lanes those of all numbers.
+fn all_codes(format: Format) -> Option<Vec<u64>> {
+    let most = (1 << (format.component_bits() - 1)) - 1;
+    let numbers = move || (-most..=most).flat_map(move |x: i64| (-most..=most).map(move |y| [x, y]));
+    match format.row().name {
+        _ if format.component_bits() > 8 => None,
+        "meshopt-oct" => {
+            Some(numbers().map(|[x, y]| (x & 255 | (y & 255) << 8 | most << 16) as u64).collect())
+        }
+        "meshopt-oct16" => {
+            Some(numbers().map(|[x, y]| (x & 65535 | (y & 65535) << 16 | most << 32) as u64).collect())
+        }
+        _ => (format.bits() <= 16).then(|| (0..1 << format.bits()).collect()),
+    }
+}
+
+/// No code of up to 16 bits is nearer than the one chosen, by trial of all; what the rounding of the position in f32 adds
+/// apart.
+#[test]
+fn no_code_is_nearer() {
+    for format in Format::all() {
+        let Some(codes) = all_codes(format) else { continue };
+        let all: Vec<Vec3> = codes.iter().map(|code| format.decode::<Vec3>(*code).normalize()).collect();
+        for v in directions(41, 60) {
+            let best = all.iter().copied().reduce(|a, b| if b.dot(v) > a.dot(v) { b } else { a }).unwrap();
+            let slack = 2.0 * turn_deg(POSITION_ROUNDING);
+            assert!(error(format, v) <= angle_deg(v, best) + slack, "{format}: {v:?}");
+        }
+    }
+}
+
+/// In each format the nearest code is within the bound, and no further off than the plain one.
+#[test]
+fn the_nearest_is_within_its_bound_and_beats_the_plain() {
+    for format in Format::all() {
+        // Positions on the square are rounded to 2^-21 of its side.
+        let slack = 2.0 * turn_deg(POSITION_ROUNDING);
+        let mut sums = [0.0; 2];
+        for v in directions(42, if is_of_components(format) { 50 } else { 2000 }) {
+            let [nearest, plain] = [format, format.plain()].map(|format| error(format, v));
+            assert!(nearest <= plain + slack, "{format}: {v:?}: {nearest} and {plain}");
+            assert!(nearest <= f64::from(format.max_error_deg()), "{format}: {v:?}: {nearest}");
+            sums = [sums[0] + nearest, sums[1] + plain];
+        }
+        assert!(sums[0] <= sums[1], "{format}: {sums:?}");
+    }
+}
+
+/// Every code of up to 16 bits, and a sample of others, decodes to a finite vector that encodes to a code of the same; with
+/// decoders of integers to one of the same direction within the error that these have.
+#[test]
+fn decoded_codes_come_back() {
+    for format in Format::all() {
+        let step = (1u64 << format.bits().min(63)) / (1 << 12) | 1;
+        // Tetrahedra have points beyond the disc of a face, whose vectors lie on another.
+        let is_any = |name: &&str| format.row().name.starts_with(name);
+        let rounds = is_of_components(format) || ["meshopt", "hdrp-tetra"].iter().any(is_any);
+        for code in (0..1 << 12).map(|i| i * step) {
+            let decoded: Vec3 = format.decode(code);
+            assert!(decoded.is_finite(), "{format}: {code:x}");
+            let again: Vec3 = format.decode(format.encode(decoded));
+            assert!(again == decoded || rounds, "{format}: {code:x}: {decoded} and {again}");
+        }
+    }
+}
+
+/// What has no direction gets the code of +Z, and no input a code that stands for no vector, also near the pole's opposite.
+#[test]
+fn any_input_gets_a_code_and_none_the_null_code() {
+    for format in Format::all() {
+        for v in [[0.0; 3], [f32::NAN, 1.0, 0.0], [f32::INFINITY, 0.0, 0.0], [1e-30; 3]] {
+            assert_eq!(format.encode(v), format.encode([0.0, 0.0, 1.0]), "{format}: {v:?}");
+            let plain: Vec3 = format.decode(format.plain().encode(v));
+            assert!(plain.is_finite());
+        }
+        let near_minus_z = sphere(43, 500).map(|v| Vec3::new(v.x * 1e-3, v.y * 1e-3, -1.0));
+        for v in near_minus_z.chain(directions(44, if is_of_components(format) { 20 } else { 500 })) {
+            assert_ne!(Some(format.encode(v)), format.null(), "{format}: {v:?}");
+        }
+    }
+}
+
+/// Slices and strided data have the codes and vectors of single ones, at each level of instructions.
+#[test]
+fn slices_are_single_vectors() {
+    for format in Format::all() {
+        let vectors: Vec<Vec3> = directions(45, 40).chain([Vec3::ZERO, -Vec3::Z, Vec3::NAN]).collect();
+        for format in [format, format.plain()] {
+            let bytes = format.bytes();
+            let expected: Vec<u8> = vectors
+                .iter()
+                .flat_map(|v| format.encode(*v).to_le_bytes().into_iter().take(bytes))
+                .collect();
+            let mut codes = vec![0; expected.len()];
+            let mut decoded = vec![Vec3::ZERO; vectors.len()];
+            for level in Level::available() {
+                format.encode_slice_at(level, &vectors, &mut codes).unwrap();
+                assert_eq!(codes, expected, "{format}");
+                format.decode_slice_at(level, &codes, &mut decoded).unwrap();
+            }
+            let single: Vec<Vec3> = vectors.iter().map(|v| format.decode(format.encode(*v))).collect();
+            assert_eq!(decoded, single, "{format}");
+            let (mut spread, stride) = (vec![7; vectors.len() * (bytes + 1)], bytes + 1);
+            let from: &[u8] = bytemuck::cast_slice(&vectors);
+            let from = Strided { bytes: from, offset: 0, stride: 12 };
+            format.encode_strided(from, Strided { bytes: &mut spread, offset: 0, stride }).unwrap();
+            assert!(
+                spread
+                    .chunks(stride)
+                    .zip(expected.chunks(bytes))
+                    .all(|(a, b)| a[..bytes] == *b && a[bytes] == 7)
+            );
+            let mut back = vec![0; 12 * vectors.len()];
+            let to = Strided { bytes: &mut back[..], offset: 0, stride: 12 };
+            format.decode_strided(Strided { bytes: &spread, offset: 0, stride }, to).unwrap();
+            assert_eq!(back, bytemuck::cast_slice::<_, u8>(&decoded), "{format}");
+        }
+        assert!(format.encode_slice(&vectors, &mut [0]).is_err());
+    }
+}
+
+/// A snapped vector makes the original write a code of the nearest vector, where it rounds or truncates each number.
+#[test]
+fn snapped_vectors_are_written_as_the_nearest_code() {
+    // Unity moves z off the equator, Draco's border has two codes, Nanite's cosines tell fine codes not apart, OpenVDB
+    // truncates on edges; tetrahedra and components choose among more points than the original.
+    let inexact = ["hdrp-oct24", "openvdb", "hdrp-tetra", "gltf-snorm8", "gltf-snorm16"];
+    for format in Format::all() {
+        let is_fine = format.row().name == "nanite" && format.component_bits() > 9;
+        if inexact.contains(&format.row().name) || is_fine || format.row().name.starts_with("meshopt-oct") {
+            continue;
+        }
+        for v in directions(46, 1000) {
+            let [nearest, written] = [format.encode(v), format.plain().encode(format.snap(v))]
+                .map(|code| format.decode::<Vec3>(code));
+            assert_eq!(nearest, written, "{format}: {v:?}");
+        }
+    }
+}
+
+/// Values that the projects publish: Cesium's Specs/Core/AttributeCompressionSpec.js and the texts of 3D Tiles, the unit
+/// tests of bevy_mesh, meshoptimizer's demo/tests.cpp, and axes of OpenVDB.
+#[test]
+fn published_values() {
+    let encoded = [
+        ("tiles3d-oct16", [0.0, 0.0, 1.0], 0x8080),
+        ("tiles3d-oct16", [0.0, 0.0, -1.0], 0xffff),
+        ("tiles3d-oct16", [0.0, 1.0, 0.0], 0xff80),
+        ("tiles3d-oct32", [0.0, 1.0, 0.0], 0xffff_8000),
+        ("tiles3d-oct32", [1.0, 0.0, 0.0], 0x8000_ffff),
+        ("bevy", [1.0, 0.0, 0.0], 0x0000_7fff),
+        ("bevy", [0.0, 1.0, 0.0], 0x7fff_0000),
+        ("bevy", [0.0, 0.0, -1.0], 0x7fff_7fff),
+        ("meshopt-oct:8", [1.0, 0.0, 0.0], 0x007f_007f),
+        ("meshopt-oct:8", [0.0, -1.0, 0.0], 0x007f_8100),
+        ("meshopt-oct:8", [0.707_106_8, 0.0, 0.707_168], 0x007f_003f),
+        ("meshopt-oct16:12", [0.0, -1.0, 0.0], 0x07ff_f801_0000),
+        ("godot4", [0.0, 0.0, 1.0], 0x7fff_7fff),
+        ("openvdb", [1.0, 0.0, 0.0], 0x00ff),
+        ("openvdb", [0.0, 1.0, 0.0], 0x007e),
+        ("openvdb", [-1.0, 0.0, 0.0], 0x80ff),
+        ("draco:8", [1.0, 0.0, 0.0], 0x7f7f),
+    ];
+    for (name, v, code) in encoded {
+        assert_eq!(named(name).plain().encode(v), code, "{name}: {v:?}");
+    }
+    // Integers that decoders give, in parts of the largest.
+    let decoded = [
+        ("meshopt-oct:8", 0x007f_0100, [0.0, 1.0, 127.0], 127.0),
+        ("meshopt-oct:8", 0x017f_bb00, [0.0, -97.0, 82.0], 127.0),
+        ("meshopt-oct:8", 0x007f_01ff, [-1.0, 1.0, 127.0], 127.0),
+        ("meshopt-oct:8", 0x017f_820e, [1.0, -126.0, -15.0], 127.0),
+        ("meshopt-oct16:12", 0x07ff_0001_0000, [0.0, 16.0, 32767.0], 32767.0),
+        ("meshopt-oct16:12", 0x07ff_074e_0000, [0.0, 32621.0, 3088.0], 32767.0),
+        ("meshopt-oct16:12", 0x07ff_0001_07e1, [32764.0, 16.0, 471.0], 32767.0),
+        ("meshopt-oct16:12", 0x07ff_0514_000e, [307.0, 28541.0, 16093.0], 32767.0),
+    ];
+    for (name, code, v, most) in decoded {
+        assert_eq!(named(name).decode::<[f32; 3]>(code), v.map(|c: f32| c / most), "{name}: {code:x}");
+    }
+    assert_eq!(named("tiles3d-oct16").decode::<Vec3>(0), -Vec3::Z);
+    assert_eq!(named("draco:8").decode::<Vec3>(0x007f), -Vec3::Z);
+}
+
+/// glTF's validator takes the nearest codes for unit vectors, and the table's formats have the errors of plain rounding
+/// that others measured: 3D Tiles by Cesium's own encoder, Draco's 8 bits.
+#[test]
+fn gltf_vectors_are_valid() {
+    for name in ["gltf-snorm8", "gltf-snorm16"] {
+        for v in directions(47, 100) {
+            let length = named(name).decode::<Vec3>(named(name).encode(v)).as_dvec3().length();
+            assert!((length - 1.0).abs() <= 0.00674, "{name}: {v:?}: {length}");
+        }
+    }
+}
+
+#[test]
+fn names_are_found_and_others_explained() {
+    for format in Format::all() {
+        let catalogued = find_any(&format.to_string()).unwrap();
+        assert_eq!((Format::named(&format.to_string()), catalogued.format()), (Ok(format), Some(format)));
+        assert_eq!(catalogued.plain().unwrap().format(), Some(format.plain()));
+        let (vector, mut code) = ([0.36, 0.48, -0.8], [0; 8]);
+        catalogued.encode_cpu(&vector, &mut code[..format.bytes()]).unwrap();
+        assert_eq!(u64::from_le_bytes(code), format.encode(vector), "{format}");
+    }
+    assert_eq!(formats().len(), 2 * Format::all().count());
+    assert!(find("draco:10").is_err() && find_any("oct32p").is_ok());
+    let width = |name| matches!(Format::named(name), Err(UnknownFormat::Bits { .. }));
+    assert!(
+        ["draco", "draco:1", "draco:17", "draco:x", "draco:", "bevy:16", "godot4:"].into_iter().all(width)
+    );
+    let unknown = Format::named("darco:10\n").unwrap_err().to_string();
+    assert!(unknown.contains("`darco:10\\n`") && unknown.contains("draco:2-16"), "{unknown}");
+    let width = find_any("draco:40").unwrap_err().to_string();
+    assert_eq!(width, "draco has 2 to 16 bits; name a number of them, as draco:16");
+    assert!(interop::ROWS.iter().all(|row| !row.source.is_empty() && !row.layout.is_empty()));
+}
