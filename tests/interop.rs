@@ -1,10 +1,10 @@
 //! The formats of other software: nearest codes, the originals' published values, names, slices.
 
 use glam::Vec3;
-use unitvec::interop::{Format, UnknownFormat};
+use unitvec::interop::{FRAMES, Format, FrameFormat, UnknownFormat};
 use unitvec::slice::Strided;
 use unitvec::slice::machine::Level;
-use unitvec::{angle_deg, interop};
+use unitvec::{Frame, angle_deg, interop};
 use unitvec_catalogue::{find, find_any, formats};
 use unitvec_oracle::turn_deg;
 use unitvec_tests::checks::POSITION_ROUNDING;
@@ -224,6 +224,86 @@ fn gltf_vectors_are_valid() {
     }
 }
 
+/// A random frame: a normal and a tangent perpendicular to it.
+fn frames(count: usize) -> impl Iterator<Item = Frame> {
+    let pairs = directions(48, count).zip(sphere(50, 2 * count));
+    pairs.enumerate().map(|(i, (normal, other))| {
+        let tangent = normal.cross(other);
+        Frame { normal, tangent, handedness: if i % 3 == 0 { -1.0 } else { 1.0 } }
+    })
+}
+
+/// Frames come back within the bounds, with their handedness, and twice the same.
+#[test]
+fn frames_come_back_within_their_bounds() {
+    for format in FRAMES {
+        let [most_normal, most_tangent] = format.max_errors_deg().map(f64::from);
+        for frame in frames(2000) {
+            let code = format.encode(frame);
+            assert!(format.bits == 64 || code >> format.bits == 0, "{}: {code:x}", format.name);
+            let decoded = format.decode(code);
+            let errors = [angle_deg(frame.normal, decoded.normal), angle_deg(frame.tangent, decoded.tangent)];
+            assert!(
+                errors[0] <= most_normal && errors[1] <= most_tangent,
+                "{}: {frame:?}: {errors:?}",
+                format.name
+            );
+            assert_eq!(decoded.handedness, frame.handedness, "{}", format.name);
+            assert!(
+                decoded.normal.is_normalized() && decoded.tangent.is_normalized(),
+                "{}: {frame:?}",
+                format.name
+            );
+            let again = format.decode(format.encode(decoded));
+            assert_eq!(
+                (again.normal, again.handedness),
+                (decoded.normal, decoded.handedness),
+                "{}",
+                format.name
+            );
+            // A direction on the edge of a pair's square is no point of the opposite edge where y holds the handedness.
+            let turned = angle_deg(again.tangent, decoded.tangent);
+            assert!(
+                again == decoded || format.bits == 64 && turned <= most_tangent,
+                "{}: {frame:?}",
+                format.name
+            );
+        }
+        for frame in [
+            Frame::new([0.0; 3], [f32::NAN; 3], f32::NAN),
+            Frame::new([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], -1.0),
+        ] {
+            let decoded = format.decode(format.encode(frame));
+            assert!(decoded.normal.is_finite() && decoded.tangent.is_finite(), "{}", format.name);
+        }
+    }
+}
+
+/// A tangent of length 0 stays so in the format for it; and bevy_mesh's own tests of tangents, as it stores them.
+#[test]
+fn tangents_of_other_software() {
+    let format = FrameFormat::named("frame32-or-zero").unwrap();
+    let frame = Frame::new([0.0, 0.6, 0.8], [0.0; 3], -1.0);
+    let decoded = format.decode(format.encode(frame));
+    assert_eq!((decoded.tangent, decoded.handedness), (Vec3::ZERO, -1.0));
+
+    let bevy = FrameFormat::named("bevy-frame").unwrap();
+    let third = Vec3::new(1.0, 2.0, 3.0).normalize();
+    let tangents = [
+        (Vec3::X, -1.0, [1.0, -0.5]),
+        (Vec3::Y, -1.0, [0.0, -1.0]),
+        (-Vec3::Z, 1.0, [1.0, 1.0]),
+        (-Vec3::Z, -1.0, [1.0, -1.0]),
+        (third, 1.0, [1.0 / 6.0, 2.0 / 3.0]),
+    ];
+    for (tangent, handedness, expected) in tangents {
+        let code = bevy.encode(Frame { normal: Vec3::Z, tangent, handedness }) >> 32;
+        let stored = [code as i16, (code >> 16) as i16].map(|i| f32::from(i) / 32767.0);
+        let off = (stored[0] - expected[0]).abs().max((stored[1] - expected[1]).abs());
+        assert!(off < 2.0 / 32767.0, "{tangent}: {stored:?}");
+    }
+}
+
 #[test]
 fn names_are_found_and_others_explained() {
     for format in Format::all() {
@@ -234,7 +314,7 @@ fn names_are_found_and_others_explained() {
         catalogued.encode_cpu(&vector, &mut code[..format.bytes()]).unwrap();
         assert_eq!(u64::from_le_bytes(code), format.encode(vector), "{format}");
     }
-    assert_eq!(formats().len(), 2 * Format::all().count());
+    assert_eq!(formats().len(), 2 * Format::all().count() + FRAMES.len());
     assert!(find("draco:10").is_err() && find_any("oct32p").is_ok());
     let width = |name| matches!(Format::named(name), Err(UnknownFormat::Bits { .. }));
     assert!(

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 use unitvec::best_fit::{EncodeByTable, TABLE_WORDS, fill_table};
 use unitvec::codec::RawCode;
-use unitvec::interop::Format;
+use unitvec::interop::{Format, FrameFormat};
 use unitvec::slice::machine::Level;
 use unitvec::slice::{
     DecodeAt, EncodeAt, LengthMismatch, decode_frames, decode_slice_at, encode_frames, encode_slice_at,
@@ -29,6 +29,7 @@ pub enum AnyFunctions {
     Frame(Functions<7>),
     /// A value, whose functions need it.
     Format(Format),
+    FrameFormat(FrameFormat),
 }
 
 impl Functions<3> {
@@ -85,6 +86,27 @@ pub fn of_format(
     }
 }
 
+/// The functions of a format of frames of other software.
+pub fn of_frame_format(
+    format: FrameFormat,
+) -> OfFormat<
+    impl Fn([f32; 7]) -> [u32; 2],
+    impl Fn([u32; 2]) -> [f32; 7],
+    impl Fn(Level, &[[f32; 7]], &mut [u8]) -> Result<(), LengthMismatch>,
+    impl Fn(Level, &[u8], &mut [[f32; 7]]) -> Result<(), LengthMismatch>,
+> {
+    let encode = move |_: Level, frames: &[[f32; 7]], codes: &mut [u8]| format.encode_slice(frames, codes);
+    OfFormat {
+        encode_one: move |frame: [f32; 7]| words(format.encode(frame.into())),
+        decode_one: move |[low, high]: [u32; 2]| {
+            format.decode(u64::from(low) | u64::from(high) << 32).to_array()
+        },
+        encode,
+        encode_at: encode,
+        decode_at: move |_: Level, codes: &[u8], frames: &mut [[f32; 7]]| format.decode_slice(codes, frames),
+    }
+}
+
 /// The low and the high word of a code.
 pub fn words(code: u64) -> [u32; 2] {
     [code as u32, (code >> 32) as u32]
@@ -98,6 +120,10 @@ macro_rules! with_functions {
             AnyFunctions::Frame($functions) => $result,
             AnyFunctions::Format(format) => {
                 let $functions = $crate::cpu::of_format(*format);
+                $result
+            }
+            AnyFunctions::FrameFormat(format) => {
+                let $functions = $crate::cpu::of_frame_format(*format);
                 $result
             }
         }

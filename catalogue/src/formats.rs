@@ -4,40 +4,58 @@ use crate::cpu::{AnyFunctions, words};
 use crate::{AnyCodec, Element, UnknownCodec, find};
 use std::sync::LazyLock;
 use unitvec::Domain;
-use unitvec::interop::{Format, UnknownFormat};
+use unitvec::interop::{FRAMES, Format, FrameFormat, UnknownFormat};
 
 /// The word after a name that stands for the plain encoder of the original.
 const PLAIN: &str = " plain";
 
-/// All formats of [`unitvec::interop`], at each width, each with its nearest encoder and then with its plain one, whose names
-/// end in ` plain`. No backend but the CPU has them.
+/// All formats of [`unitvec::interop`]: of vectors at each width, each with its nearest encoder and then with its plain one,
+/// whose names end in ` plain`; and those of frames. No backend but the CPU has them.
 pub fn formats() -> &'static [AnyCodec] {
-    static FORMATS: LazyLock<Vec<AnyCodec>> = LazyLock::new(|| {
-        Format::all().flat_map(|format| [of(format, ""), of(format.plain(), PLAIN)]).collect()
-    });
+    static FORMATS: LazyLock<Vec<AnyCodec>> =
+        LazyLock::new(|| Format::all().flat_map(of_vectors).chain(FRAMES.iter().map(of_frames)).collect());
     &FORMATS
 }
 
-/// Names live as long as the program: there are as many as formats.
-fn of(format: Format, ending: &str) -> AnyCodec {
-    let id = String::leak(format!("{format}{ending}"));
+/// The nearest and the plain encoder of a format. Names live as long as the program: there are as many as formats.
+fn of_vectors(format: Format) -> [AnyCodec; 2] {
+    [("", format), (PLAIN, format.plain())].map(|(ending, format)| AnyCodec {
+        bits: format.bits(),
+        bytes: format.bytes(),
+        max_errors_deg: Vec::leak(vec![format.max_error_deg()]),
+        null: format.null().map(words),
+        ..of(String::leak(format!("{format}{ending}")), Element::Vector, AnyFunctions::Format(format))
+    })
+}
+
+fn of_frames(format: &'static FrameFormat) -> AnyCodec {
+    AnyCodec {
+        bits: format.bits,
+        bytes: format.bytes(),
+        max_errors_deg: Vec::leak(format.max_errors_deg().to_vec()),
+        ..of(format.name, Element::Frame, AnyFunctions::FrameFormat(*format))
+    }
+}
+
+/// What all formats have in common.
+fn of(id: &'static str, element: Element, functions: AnyFunctions) -> AnyCodec {
     AnyCodec {
         id,
         rust_type: id,
         survey_name: id,
         family: AnyCodec::FORMATS,
-        element: Element::Vector,
-        bits: format.bits(),
-        bytes: format.bytes(),
+        element,
+        bits: 0,
+        bytes: 0,
         vk_format: None,
         domain: Domain::Sphere,
         is_unit: false,
         exact_axes: false,
         stable_across_devices: false,
-        max_errors_deg: Vec::leak(vec![format.max_error_deg()]),
+        max_errors_deg: &[],
         encodes_by_table: false,
-        null: format.null().map(words),
-        functions: AnyFunctions::Format(format),
+        null: None,
+        functions,
     }
 }
 
@@ -45,7 +63,12 @@ impl AnyCodec {
     /// The family of the formats of other software.
     pub const FORMATS: &str = "interop";
 
-    /// The format of other software that this stands for.
+    /// True for formats of other software, of vectors or frames.
+    pub fn is_format(&self) -> bool {
+        self.family == Self::FORMATS
+    }
+
+    /// The format of other software that this stands for, of vectors.
     pub fn format(&self) -> Option<Format> {
         match self.functions {
             AnyFunctions::Format(format) => Some(format),

@@ -130,7 +130,7 @@ fn vectors(element: Element, floats: &[f32], at: usize) -> impl Iterator<Item = 
 
 /// True for codecs that store components as given, so that a vector's length is kept, or is lost with small ones.
 pub fn keeps_lengths(format: &AnyCodec) -> bool {
-    !format.is_unit && format.family != "best_fit" && format.format().is_none()
+    !format.is_unit && format.family != "best_fit" && !format.is_format()
 }
 
 /// Frames with their tangents turned round.

@@ -28,6 +28,7 @@
 //! * It needs the feature `std`, and is for CPUs.
 
 mod components;
+mod frames;
 mod list;
 mod octahedral;
 mod plain;
@@ -39,6 +40,7 @@ use crate::slice::{
     encode_slice_by, encode_strided_with,
 };
 use core::fmt;
+pub use frames::{FRAMES, FrameFormat};
 use glam::Vec3;
 use list::Mapping;
 pub use list::{ROWS, Row};

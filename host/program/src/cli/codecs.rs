@@ -2,7 +2,7 @@ use super::run::Json;
 use super::table::{self, Layout, left, right};
 use clap::Args;
 use std::process::ExitCode;
-use unitvec::interop::ROWS;
+use unitvec::interop::{FRAMES, ROWS};
 use unitvec_catalogue::{CODECS, Domain, frames, vectors};
 use unitvec_host::Result;
 
@@ -85,7 +85,9 @@ fn tables(columns: Option<usize>) -> String {
             &codec.glsl_file(),
         ]);
     }
-    let names = ROWS.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ");
+    let names =
+        ROWS.iter().map(ToString::to_string).chain(FRAMES.iter().map(|format| format.name.to_owned()));
+    let names = names.collect::<Vec<_>>().join(", ");
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
     text + &table::wrapped(&words, "    ", columns) + &table::left_out(&[&of_vectors, &of_frames])
 }

@@ -456,7 +456,7 @@ fn chosen_formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
 
 /// Refuses a format of other software on a GPU.
 fn check_backend(format: &AnyCodec, backend: BackendKind) -> Result<()> {
-    if format.format().is_some() && backend != BackendKind::Cpu {
+    if format.is_format() && backend != BackendKind::Cpu {
         let words = format!(
             "{} is a format of other software, which the CPU alone encodes; leave --backend out",
             format.id
