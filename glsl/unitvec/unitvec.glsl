@@ -4,6 +4,7 @@
 #include "arith.glsl"
 #include "oct.glsl"
 #include "hemioct.glsl"
+#include "uoct.glsl"
 #include "eaoct.glsl"
 #include "soct.glsl"
 #include "oct_wide.glsl"

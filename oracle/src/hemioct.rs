@@ -1,6 +1,7 @@
 //! The hemi-octahedral mapping of the hemisphere z >= 0.
 
-use super::{Oracle, largest};
+use super::oct::tangent_squared;
+use super::{Oracle, cheapest, largest, neighbourhood};
 
 /// The hemi-oct mapping (survey, listing 6) and its codes' bits.
 pub struct HemiOct;
@@ -36,4 +37,13 @@ impl Oracle for HemiOct {
 /// origin: `sqrt(3/2) eps`.
 pub fn bound_deg(bits: u32) -> f64 {
     (1.5f64.sqrt() / largest(bits)).to_degrees()
+}
+
+/// The code nearest in angle to the direction of `v`, by trial of the 7 x 7 lattice points around its position.
+pub fn nearest_in_neighbourhood(v: [f64; 3], bits: u32) -> u64 {
+    let (v, m) = (HemiOct::domain(v), largest(bits));
+    let centre = HemiOct::position(v).map(|t| (t * m).round() as i64);
+    let around = neighbourhood(centre, 3).filter(|point| point.iter().all(|i| i.abs() <= m as i64));
+    let vector = |point: [i64; 2]| HemiOct::direction(point.map(|i| i as f64 / m));
+    HemiOct::pack(cheapest(around, |point| tangent_squared(v, vector(*point))).unwrap_or(centre), bits)
 }

@@ -21,6 +21,7 @@ pub mod reference;
 pub mod soct;
 pub mod spherical;
 pub mod survey;
+pub mod uoct;
 
 pub use cylindrical::Cylindrical;
 pub use eaoct::EaOct;

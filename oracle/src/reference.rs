@@ -7,7 +7,7 @@ use crate::azimuthal::{self, Azimuthal, CONCENTRIC, ELLIPSE, EQAREA, EQDIST, PLA
 use crate::parallel::{self, Kind};
 use crate::{
     Cylindrical, EaOct, Fib, HemiOct, Ico, LatLong, LatLongD, Oct, Oracle, Spherical, best_fit, cube, eaoct,
-    ico, latlong, oct, raw, soct,
+    hemioct, ico, latlong, oct, raw, soct, uoct,
 };
 
 /// A codec.
@@ -126,6 +126,11 @@ fn of_family(family: &str, suffix: &str) -> Option<Functions> {
         ("eaoct", "p") => functions!(eaoct::nearest_in_neighbourhood, EaOct::decode),
         ("soct", "") => functions!(soct::encode, soct::decode),
         ("hemioct", "") => Functions::of::<HemiOct>(),
+        ("hemioct", "p") => Functions {
+            domain: HemiOct::domain,
+            ..functions!(hemioct::nearest_in_neighbourhood, HemiOct::decode)
+        },
+        ("uoct", "p") => functions!(uoct::nearest, uoct::decode),
         ("spherical", "") => Functions::of::<Spherical>(),
         ("cylindrical", "") => Functions::of::<Cylindrical>(),
         ("latlong", "") => Functions::of::<LatLong>(),

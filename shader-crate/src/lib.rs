@@ -67,7 +67,7 @@
 //!
 //! The families, each with a module that says what it is good for:
 //!
-//! * octahedral: [`oct`]; [`oct_wide`], finer than `f32`; [`eaoct`], with equal areas; [`soct`], with the sign of z
+//! * octahedral: [`oct`]; [`uoct`], in two unorms; [`oct_wide`], finer than `f32`; [`eaoct`], with equal areas; [`soct`], with the sign of z
 //!   apart; [`hemioct`], for a hemisphere;
 //! * numbered points: [`ico`], the lattice of an icosahedron; [`fib`], spherical Fibonacci points;
 //! * angles: [`spherical`]; [`spherical_wide`], finer than `f32`; [`cylindrical`]; [`latlong`];

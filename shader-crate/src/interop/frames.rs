@@ -321,7 +321,7 @@ impl Start {
         match self {
             Self::OrZero if !is_usable => mask(bits),
             // The place in a quarter comes first, and then the quarter.
-            Self::Frostbite => angle % 255 | (angle / 255) << 8,
+            Self::Frostbite => (angle % 255) | ((angle / 255) << 8),
             _ => angle,
         }
     }

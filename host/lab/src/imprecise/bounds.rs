@@ -152,7 +152,7 @@ fn derivation(family: &str) -> (Encoder, Decoder) {
     let exact = way(0, 0, 0);
     match family {
         // m / norm.
-        "oct" | "hemioct" | "soct" => (Encoder::Way(way(1, 0, 0)), Scaled),
+        "oct" | "hemioct" | "soct" | "uoct" => (Encoder::Way(way(1, 0, 0)), Scaled),
         // The reciprocal of the norm corrects the error of a coordinate's first float.
         "oct_wide" => (Encoder::TwoFloats(way(1, 0, 0)), Scaled),
         // The length, r^2 by that, and r; the turn's way is shorter. Decoding: turn and 1 / m, and the distance from the axis.

@@ -14,13 +14,16 @@
 //! <!-- end -->
 //!
 //! * Layout: u = x + y in the low half of the code, v = x - y in the high half, both snorm in two's complement.
-//! * Error: at most `sqrt(3/2) / m` radians (m the snorm's largest integer), in the middle of the octants.
+//! * Error: at most `sqrt(3/2) / m` radians (m the snorm's largest integer), in the middle of the octants. There cells are
+//!   rectangles, of which rounding finds the nearest corner: the precise encoder lowers the mean alone.
 //! * Domain: z >= 0. A direction below the equator gets the code of its horizontal part, (x, y, 0); one without a
 //!   horizontal part, -Z, gets that of +Z.
 //! * Good for: tangent-space normal maps. The map is continuous, and bends where x or y is 0.
 
+use super::nearest::Corner;
 use crate::arith::{
-    max, nearest_pair, normalize_octahedral, over, ratio, snorm_clamp, snorm_integers, snorm_max,
+    SnormDivision, dot, floor, max, nearest_pair, normalize_octahedral, over, ratio, snorm_clamp,
+    snorm_integers, snorm_max,
 };
 use crate::codec::{Codec, Width};
 use crate::direction::{MAX_NORM, MIN_NORM};
@@ -76,6 +79,50 @@ pub fn unproject(e: Vec2) -> Vec3 {
 
 unorm_projection!();
 
+/// The lattice point that is nearest in angle to `v`, which has a z of at least 0 and the L1 norm `norm`: of the four corners
+/// of its cell. At an octant's middle cells are rectangles, whose nearest corner rounding finds; elsewhere they are askew.
+#[inline(always)]
+fn precise_point(v: Vec3, norm: f32, m: f32) -> Vec2 {
+    let e = position(v, norm, m);
+    let scale = over(2.0 * m, norm);
+    let p = Vec3::new(v.x * scale, v.y * scale, v.z * scale);
+    let (x, y, length) = (floor(e.x), floor(e.y), dot(p, p));
+    let near = corner(x, y, p, m, length);
+    let right = corner(x + 1.0, y, p, m, length);
+    let up = corner(x, y + 1.0, p, m, length);
+    let far = corner(x + 1.0, y + 1.0, p, m, length);
+    near.or_nearer(right).or_nearer(up).or_nearer(far).at
+}
+
+/// The corner (u, v) of a cell, as `p` sees it, of an L1 norm of `2 m`. Beyond the square's border z is below 0, and the corner
+/// farther than another.
+#[inline(always)]
+fn corner(u: f32, v: f32, p: Vec3, m: f32, length: f32) -> Corner {
+    let z = 2.0 * (m - max(u.abs(), v.abs()));
+    let d = Vec3::new((u + v) - p.x, (u - v) - p.y, z - p.z);
+    Corner::beside(Vec2::new(u, v), dot(d, d), dot(d, p), length)
+}
+
+/// The precise point of any `v`; (0, 0), which is +Z, where it has no direction above the equator or on it.
+#[inline(always)]
+fn lattice_precise(v: Vec3, m: f32) -> Vec2 {
+    let (whole, upper) = norms(v);
+    let e = precise_point(Vec3::new(v.x, v.y, max(v.z, 0.0)), upper, m);
+    if is_usable(whole, upper) { e } else { Vec2::ZERO }
+}
+
+/// The precise code of `BITS` bits (16, 24 or 32) as values of an SNORM format of half as many bits, which stores them
+/// exactly.
+#[must_use]
+#[inline(always)]
+pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2
+where
+    HemiOct<BITS>: Width,
+{
+    let (e, by_m) = (lattice_precise(v, snorm_max(BITS / 2)), const { SnormDivision::new(BITS / 2) });
+    Vec2::new(by_m.of(e.x), by_m.of(e.y))
+}
+
 /// `sqrt(3/2) / m` radians in degrees, and the error of rounding the position in f32 (at most 2^-21 of the square's
 /// half side). The snorms have half of `bits`, rounded down.
 pub(super) const fn error_bound(bits: u32) -> f32 {
@@ -106,5 +153,30 @@ where
     #[inline(always)]
     fn decode_vec3(code: u32) -> Vec3 {
         from_lattice(snorm_integers(code, BITS / 2), snorm_max(BITS / 2))
+    }
+}
+
+/// Hemi-octahedral code of `BITS` bits (16, 24 or 32), precise encoder: the format of [`HemiOct`], the nearest codes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct HemiOctPrecise<const BITS: u32>;
+
+impl<const BITS: u32> Codec for HemiOctPrecise<BITS>
+where
+    HemiOct<BITS>: Width,
+{
+    const BITS: u32 = BITS;
+    /// The bound of [`HemiOct`]: it is attained at the octants' middles, where rounding finds the nearest code.
+    const MAX_ERROR_DEG: f32 = error_bound(BITS);
+    const NULL: Option<[u32; 2]> = HemiOct::<BITS>::NULL;
+    type Code = u32;
+
+    #[inline(always)]
+    fn encode_vec3(v: Vec3) -> u32 {
+        nearest_pair(lattice_precise(v, snorm_max(BITS / 2)), BITS / 2)
+    }
+
+    #[inline(always)]
+    fn decode_vec3(code: u32) -> Vec3 {
+        HemiOct::<BITS>::decode_vec3(code)
     }
 }

@@ -42,7 +42,7 @@ use super::nearest::Corner;
 use super::{fold, unpack, usable_code};
 use crate::arith::{
     SnormDivision, TWO_23, exp2, floor, is_nan, max, min, normalize_octahedral, over, quotient, ratio,
-    snorm_clamp, snorm_max, whole_to_u32, with_sign,
+    snorm_clamp, snorm_max, unorm_max, whole_to_u32, with_sign,
 };
 use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
@@ -128,6 +128,33 @@ where
 {
     let (e, by_m) = (lattice_precise(v, snorm_max(BITS / 2)), const { SnormDivision::new(BITS / 2) });
     Vec2::new(by_m.of(e.x), by_m.of(e.y))
+}
+
+/// A pair of snorm values of half of `BITS` bits, as [`project_precise`] gives them, on \[0, 1\] for a UNORM format of as many
+/// bits, whose values from 0 to `2^b - 2` stand for them: exact axes at a step a part of `2^(1-b)` longer than that of
+/// [`uoct`](crate::uoct). Values between are rounded, those beyond \[-1, 1\] clamped, a pair with NaN is +Z's.
+#[must_use]
+#[inline(always)]
+pub fn to_unorm<const BITS: u32>(e: Vec2) -> Vec2
+where
+    Oct<BITS>: Width,
+{
+    let (m, by_most) = (snorm_max(BITS / 2), const { SnormDivision::new(BITS / 2 + 1) });
+    let e = snorm_clamp(e);
+    Vec2::new(by_most.of(floor(e.x * m + (m + 0.5))), by_most.of(floor(e.y * m + (m + 0.5))))
+}
+
+/// The inverse of [`to_unorm`], for values from a fetch.
+#[must_use]
+#[inline(always)]
+pub fn from_unorm<const BITS: u32>(u: Vec2) -> Vec2
+where
+    Oct<BITS>: Width,
+{
+    let (m, most, by_m) = (snorm_max(BITS / 2), unorm_max(BITS / 2), const { SnormDivision::new(BITS / 2) });
+    let value = |u: f32| by_m.of(min(floor(min(max(u, 0.0), 1.0) * most + 0.5) - m, m));
+    let e = Vec2::new(value(u.x), value(u.y));
+    if is_nan(u.x.abs() + u.y.abs()) { Vec2::ZERO } else { e }
 }
 
 /// The three bytes of a pair of snorm12 values, whole numbers. Ties go up.

@@ -11,13 +11,14 @@
 //! <!-- end -->
 //!
 //! * Layout: x in the low half of the code, y in the high half, both `i = e + m`, 0 to `2^b - 1`.
-//! * Error: at most `sqrt(2) / m` radians, as with [`oct`](crate::oct), greatest in the middle of the octants. A step
-//!   is a part of 2^-b shorter.
-//! * Of the six axes only -Z round-trips exactly. +Z is `1 / (sqrt(2) m)` radians off, 0.32 degrees at 16 bits, and X and
-//!   Y half as far; flat surfaces show it. Where a shader of yours decodes, store `oct`'s lattice in the same format:
-//!   [`biased`] and [`unbiased`]. Its axes are exact, at an error `1 / (2 m)` larger.
-//! * Good for: formats that exist, see [`interop`](crate::interop), and UNORM formats, which are renderable where SNORM
-//!   formats are not. Weaknesses: the axes, and [`oct`](crate::oct)'s folds.
+//! * Error: at most `sqrt(2) / m` radians, as with [`oct`](crate::oct), greatest in the middle of the octants. Steps are a
+//!   part of 2^-b shorter than its own.
+//! * Of the six axes only -Z round-trips exactly. +Z lies between four points, `1 / (sqrt(2) (m - 1))` radians from each: 0.32
+//!   degrees at 16 bits. Flat surfaces show it. Where your own shader decodes, store [`oct`](crate::oct)'s lattice in the same
+//!   format by [`oct::to_unorm`](crate::oct::to_unorm): its axes are exact, its error greater by a part of 2^-b.
+//! * Code 0, one of the four corners that stand for -Z, is never written.
+//! * Good for: files and formats of others, see `interop`, and UNORM formats, which devices can render to where they
+//!   cannot to SNORM ones. Weaknesses: the axes, and [`oct`](crate::oct)'s folds.
 
 use super::nearest::nearest;
 use crate::arith::{SnormDivision, TWO_23, mask, normalize, ratio, unorm_max, with_sign};
