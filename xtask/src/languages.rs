@@ -21,15 +21,15 @@ const PACKAGE: [&str; 2] = ["--package", "unitvec-language-tests"];
 
 /// A file of a package registry, and the pattern of the files unpacked from it.
 #[derive(Debug)]
-struct Archive {
+pub struct Archive {
     /// Package and version: the name of the folder.
-    name: &'static str,
-    url: &'static str,
-    sha256: &'static str,
+    pub name: &'static str,
+    pub url: &'static str,
+    pub sha256: &'static str,
     /// Files in it, by a pattern.
-    members: &'static str,
+    pub members: &'static str,
     /// The file among them that is handed on.
-    file: &'static str,
+    pub file: &'static str,
 }
 
 /// The compiler of HLSL, for Linux: no package has it by itself.
@@ -177,7 +177,7 @@ impl Found {
 
 impl Archive {
     /// The file, fetched and unpacked where it is not there yet.
-    fn fetch(&self, cache: &Path) -> Result<PathBuf, String> {
+    pub fn fetch(&self, cache: &Path) -> Result<PathBuf, String> {
         if !cfg!(all(target_os = "linux", target_arch = "x86_64")) {
             return Err(format!("{} is fetched for Linux on x86-64 only", self.name));
         }
@@ -222,6 +222,7 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::interop::DRACO;
     use crate::tests::strings;
 
     #[test]
@@ -235,7 +236,7 @@ mod tests {
 
     #[test]
     fn archives_are_pinned() {
-        for archive in [&DXC, &FXC, &SLANG, &DAWN] {
+        for archive in [&DXC, &FXC, &SLANG, &DAWN, &DRACO] {
             let Archive { name, url, sha256, .. } = archive;
             assert!(url.starts_with("https://") && url.contains(name), "{url}");
             assert!(sha256.len() == 64 && sha256.chars().all(|c| c.is_ascii_hexdigit()), "{sha256}");

@@ -1,11 +1,12 @@
-//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, renew, packages and dist,
-//! each ending in a clear verdict.
+//! `cargo xtask`: set-up, conform, test, spirv, shaders, examples, processors, windows, interop, renew, packages and
+//! dist, each ending in a clear verdict.
 //!
 //! No dependencies, so that it starts at once on a fresh machine.
 
 mod dist;
 mod drivers;
 mod examples;
+mod interop;
 mod languages;
 mod packages;
 mod processors;
@@ -40,6 +41,7 @@ fn main() -> ExitCode {
         "examples" => examples::run(rest),
         "processors" => processors::run(rest),
         "windows" => windows::run(rest),
+        "interop" => interop::run(rest),
         "renew" => renew::run(rest),
         "dist" => dist::run(rest),
         "packages" => setup::run().and_then(|()| packages::run()),

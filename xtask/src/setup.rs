@@ -177,7 +177,7 @@ fn missing_of(has: impl Fn(&str) -> bool) -> Vec<&'static str> {
     BUILDS_SHADERC.iter().filter(|names| !names.iter().any(|name| has(name))).map(|names| names[0]).collect()
 }
 
-fn is_there(program: &str) -> bool {
+pub fn is_there(program: &str) -> bool {
     succeeds(program, &["--version"])
 }
 

@@ -6,8 +6,8 @@
 
 use super::state::matches;
 use crate::{
-    built, cache, cargo, conform, drivers, integration, languages, processors, program, repository, run,
-    shaders, spirv, windows, write,
+    built, cache, cargo, conform, drivers, integration, interop, languages, processors, program, repository,
+    run, shaders, spirv, windows, write,
 };
 use std::ffi::OsString;
 use std::fs;
@@ -328,6 +328,20 @@ pub static RECORDS: &[Record] = &[
         minutes: 10,
         needs: "Debian's MinGW, Wine and lavapipe, which it installs, and rustup",
         renew: || windows::run(&[]),
+        ..RUN
+    },
+    Record {
+        name: "interop",
+        outputs: &[Bytes("docs/data/interop_outside.csv docs/data/interop_tools.csv")],
+        from: "formats of other software beside that software, and its tools after `unitvec snap`",
+        inputs: &[&[
+            Code("shader-crate/src/interop/*.rs tests/interop/outside.mjs"),
+            Bytes("tests/interop/package-lock.json host/mesh/data/bunny.obj"),
+            Versions(|| format!("{:?}", interop::DRACO)),
+        ]],
+        minutes: 2,
+        needs: "Linux on amd64, npm, which it installs, and 300 MB of packages, which it fetches",
+        renew: || interop::run(&["--record".to_owned()]),
         ..RUN
     },
     Record {
