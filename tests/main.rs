@@ -57,6 +57,7 @@ mod terminal;
 mod textbook;
 mod trig;
 mod unoptimised;
+mod uoct;
 mod vectors;
 mod widths;
 

@@ -66,6 +66,8 @@ pub struct OfFormat<A, B, C, D> {
 }
 
 /// The functions of a format of other software.
+// Closures have no types to name.
+#[allow(clippy::type_complexity)]
 pub fn of_format(
     format: Format,
 ) -> OfFormat<
@@ -87,6 +89,8 @@ pub fn of_format(
 }
 
 /// The functions of a format of frames of other software.
+// As above.
+#[allow(clippy::type_complexity)]
 pub fn of_frame_format(
     format: FrameFormat,
 ) -> OfFormat<
