@@ -116,6 +116,7 @@ fn schemas_describe_what_is_written() {
         ("encode", format!("--codec hemioct16 {mesh} {codes}")),
         ("decode", format!("--codec oct16 {codes} {back}")),
         ("normals", format!("{mesh} {back}")),
+        ("snap", format!("--for oct16 {mesh} {back}")),
         ("error", format!("--codec oct16 {mesh}")),
         ("choose", "--bits 16".into()),
         ("accuracy", "--count 10 --table 3".into()),

@@ -34,7 +34,7 @@ fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
 
 /// Runs a command line in a folder of these files, sorted by name; it fails, and leaves all of them as they were and nothing
 /// else. Settings of the environment may stand before the command, as for a shell.
-fn fails(files: &[(&str, &[u8])], line: &str, status: i32, words: &[&str]) -> String {
+pub fn fails(files: &[(&str, &[u8])], line: &str, status: i32, words: &[&str]) -> String {
     let folder = tempfile::tempdir().unwrap();
     for (name, content) in files {
         std::fs::write(folder.path().join(name), content).unwrap();

@@ -48,6 +48,7 @@ mod report;
 #[cfg(feature = "glsl")]
 mod shaders;
 mod slices;
+mod snap;
 mod soct;
 mod spherical;
 mod streams;

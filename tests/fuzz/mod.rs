@@ -24,6 +24,7 @@ use unitvec_link as link;
 use unitvec_manifest::modules;
 use unitvec_manifest::modules::Modules;
 use unitvec_mesh as mesh;
+use unitvec_mesh::edit::{Change, edit};
 use unitvec_mesh::{FileFormat, Reach};
 use unitvec_run::backend::Cpu;
 use unitvec_vulkan::check_spirv;
@@ -244,7 +245,7 @@ fn text(error: impl std::fmt::Display) -> String {
     error.to_string()
 }
 
-/// Normals and frames. The number is that of the normals.
+/// Normals and frames, read and turned round. The number is that of the normals.
 fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     let Some(format) = FileFormat::of(path, input) else {
         return Err(format!("{} lost its format", path.display()));
@@ -252,7 +253,14 @@ fn read_mesh(path: &Path, input: &[u8]) -> Result<usize, String> {
     if let Err(error) = mesh::parse_frames(path, format, input, Reach::Folder) {
         check_message(&error.to_string(), path)?;
     }
+    let mut turn = |_, _, vectors: &mut [[f32; 3]]| vectors.iter_mut().for_each(|v| *v = v.map(|c| -c));
+    let edited = edit(path, format, input, Reach::Folder, Change::Vectors(&mut turn));
+    let turned = edited.map(|edited| mesh::parse(path, format, &edited.bytes, Reach::Folder));
     let mesh = mesh::parse(path, format, input, Reach::Folder).map_err(text)?;
+    match turned {
+        Ok(turned) => assert_eq!(turned.map_err(text)?.normals.len(), mesh.normals.len()),
+        Err(error) => check_message(&error.to_string(), path)?,
+    }
     assert!(mesh.parts.iter().all(|part| part.first + part.count <= mesh.normals.len()));
     Ok(mesh.normals.len())
 }

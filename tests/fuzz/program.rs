@@ -64,6 +64,7 @@ fn meshes() {
     for target in [OBJ, PLY_ASCII, PLY_LITTLE, PLY_BIG, GLTF, GLB] {
         run(&target, "encode --codec oct24p IN OUT");
         run(&target, "normals --frames --json - IN OUT");
+        run(&target, "snap --for oct16 IN OUT");
     }
 }
 

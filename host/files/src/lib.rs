@@ -17,4 +17,4 @@ pub use folder::Folder;
 pub use input::{add_below, open, read_small, read_start};
 pub use output::{Output, fail_beyond_limits, forget, remember, remove_unfinished, write_file};
 pub use text::{one_line, shown, shown_lines};
-pub use used::{check_unused, is_same_file, is_stdout};
+pub use used::{check_unused, is_same_file, is_stdout, note_read};

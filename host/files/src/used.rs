@@ -18,7 +18,7 @@ type Identity = std::path::PathBuf;
 static USED: LazyLock<Mutex<HashSet<Identity>>> = LazyLock::new(Mutex::default);
 
 /// Notes that a file is read; `-` is that behind the standard input.
-pub(crate) fn note_read(path: &Path) {
+pub fn note_read(path: &Path) {
     note(identity(path, io::stdin()));
 }
 

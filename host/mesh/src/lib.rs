@@ -5,6 +5,7 @@
 
 #![deny(unsafe_code)]
 
+pub mod edit;
 mod format;
 mod gltf;
 mod obj;
@@ -203,6 +204,16 @@ pub enum MeshError {
         method: &'static str,
         /// The remedy.
         remedy: String,
+    },
+    /// Vectors that cannot be moved in their file.
+    #[error("the vectors of {path} cannot be moved: {reason}; {remedy}")]
+    NotMovable {
+        /// The mesh file.
+        path: PathBuf,
+        /// The obstacle.
+        reason: String,
+        /// The remedy.
+        remedy: &'static str,
     },
     /// A glTF buffer is absent, short or of an unknown kind.
     #[error("buffer {buffer} of {path}: {reason}; keep the .bin files beside the .gltf or export a .glb")]

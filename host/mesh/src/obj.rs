@@ -86,14 +86,14 @@ fn each_triangle(
 }
 
 /// A line that begins with a word. Names and comments are in any encoding, and are not looked at.
-struct Line<'b> {
+pub(super) struct Line<'b> {
     /// Counted from 1.
     number: usize,
-    keyword: &'b [u8],
+    pub(super) keyword: &'b [u8],
     text: &'b [u8],
 }
 
-fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
+pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
     // A line may end in a CR alone; before an LF, that makes an empty one with the same number.
     let lines = without_mark(bytes).split(|byte| *byte == b'\n').enumerate();
     let lines = lines.flat_map(|(at, text)| text.split(|byte| *byte == b'\r').map(move |text| (at, text)));
@@ -106,12 +106,12 @@ fn lines(bytes: &[u8]) -> impl Iterator<Item = Line<'_>> {
 }
 
 impl<'b> Line<'b> {
-    fn words(&self) -> impl Iterator<Item = &'b [u8]> + use<'b> {
+    pub(super) fn words(&self) -> impl Iterator<Item = &'b [u8]> + use<'b> {
         self.text.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty())
     }
 
     /// The first three words as numbers; some programs write more.
-    fn vector(&self, path: &Path) -> Result<[f32; 3], MeshError> {
+    pub(super) fn vector(&self, path: &Path) -> Result<[f32; 3], MeshError> {
         let mut numbers = self.words().map_while(number);
         let [x, y, z] = std::array::from_fn(|_| numbers.next());
         match (x, y, z) {

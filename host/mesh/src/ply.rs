@@ -12,7 +12,7 @@ use glam::DVec3;
 
 use super::{Fan, Mesh, MeshError, Positions, Sums, check_finite, list_of, one_part, parse_error};
 
-const FORMAT: &str = "PLY";
+pub(super) const FORMAT: &str = "PLY";
 
 /// The longest header: the parser takes many times its size. Those of scanners and of Gaussian splats have some kB.
 const MAX_HEADER: usize = 1 << 15;
@@ -52,16 +52,16 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Mesh, MeshError> {
 
 /// The data below the header, as far as it is not read.
 #[derive(Clone)]
-struct Payload<'b> {
+pub(super) struct Payload<'b> {
     path: &'b Path,
-    encoding: Encoding,
-    rest: &'b [u8],
+    pub(super) encoding: Encoding,
+    pub(super) rest: &'b [u8],
     /// The line in an ASCII file, counted from 1.
     line: usize,
 }
 
 impl<'b> Payload<'b> {
-    fn after_header(path: &'b Path, bytes: &'b [u8]) -> Result<(Header, Self), MeshError> {
+    pub(super) fn after_header(path: &'b Path, bytes: &'b [u8]) -> Result<(Header, Self), MeshError> {
         const END: &[u8] = b"\nend_header";
         let head = &bytes[..bytes.len().min(MAX_HEADER)];
         if head.len() < bytes.len() && !head.windows(END.len()).any(|bytes| bytes == END) {
@@ -77,7 +77,7 @@ impl<'b> Payload<'b> {
         Ok((header, Self { path, encoding, rest, line }))
     }
 
-    fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
+    pub(super) fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E, MeshError> {
         let parser = Parser::new();
         let read = match self.encoding {
             Encoding::Ascii => return self.next_line(element),
@@ -105,14 +105,14 @@ impl<'b> Payload<'b> {
         read
     }
 
-    fn skip(&mut self, element: &ElementDef) -> Result<(), MeshError> {
+    pub(super) fn skip(&mut self, element: &ElementDef) -> Result<(), MeshError> {
         if self.encoding != Encoding::Ascii && element.properties.is_empty() {
             return Ok(());
         }
         (0..element.count).try_for_each(|_| self.next::<Skipped>(element).map(drop))
     }
 
-    fn error(&self, reason: String) -> MeshError {
+    pub(super) fn error(&self, reason: String) -> MeshError {
         parse_error(self.path, FORMAT, reason)
     }
 }
@@ -135,7 +135,7 @@ fn check_names(path: &Path, head: &[u8], header: &Header) -> Result<(), MeshErro
 }
 
 /// Refuses counts that the file cannot hold together, before memory and time are taken for them.
-fn check_counts(path: &Path, header: &Header, bytes: usize) -> Result<(), MeshError> {
+pub(super) fn check_counts(path: &Path, header: &Header, bytes: usize) -> Result<(), MeshError> {
     let mut all = 0_usize;
     for ElementDef { name, count, properties, .. } in header.elements.values() {
         let least = properties.values().map(|p| least_bytes(header.encoding, &p.data_type)).sum::<usize>();
@@ -156,8 +156,12 @@ fn check_counts(path: &Path, header: &Header, bytes: usize) -> Result<(), MeshEr
 /// The fewest bytes that a property takes. In text those are a digit and a space.
 fn least_bytes(encoding: Encoding, property: &PropertyType) -> usize {
     let (PropertyType::Scalar(scalar) | PropertyType::List(scalar, _)) = property;
+    if encoding == Encoding::Ascii { 2 } else { size(scalar) }
+}
+
+/// The bytes of a number in binary files.
+pub(super) fn size(scalar: &ScalarType) -> usize {
     match scalar {
-        _ if encoding == Encoding::Ascii => 2,
         ScalarType::Char | ScalarType::UChar => 1,
         ScalarType::Short | ScalarType::UShort => 2,
         ScalarType::Int | ScalarType::UInt | ScalarType::Float => 4,
@@ -167,13 +171,13 @@ fn least_bytes(encoding: Encoding, property: &PropertyType) -> usize {
 
 /// The source of the normals.
 #[derive(Clone, Copy, PartialEq)]
-enum Source {
+pub(super) enum Source {
     Normals,
     Faces,
 }
 
 impl Source {
-    fn of(header: &Header) -> Option<Self> {
+    pub(super) fn of(header: &Header) -> Option<Self> {
         let vertex = header.elements.get("vertex")?;
         let has = |name: &&str| {
             let property = vertex.properties.get(*name);
@@ -233,9 +237,9 @@ fn add_faces(payload: &mut Payload, element: &ElementDef, sums: &mut Sums) -> Re
 }
 
 #[derive(Default)]
-struct Vertex {
+pub(super) struct Vertex {
     position: DVec3,
-    normal: [f32; 3],
+    pub(super) normal: [f32; 3],
 }
 
 impl PropertyAccess for Vertex {

@@ -49,9 +49,6 @@ impl fmt::Display for FileName {
     }
 }
 
-/// A function that parses a whole mesh.
-pub type Parse<T> = fn(&Path, FileFormat, &[u8], Reach) -> Result<T, MeshError>;
-
 /// A file or stream that was opened to be read.
 pub struct Input {
     path: PathBuf,
@@ -152,11 +149,15 @@ impl Input {
         self.length
     }
 
-    /// Reads the whole input as a mesh: `parse` is [`mesh::parse`] or [`mesh::parse_frames`].
+    /// Reads the whole input as a mesh, by [`mesh::parse`] for example.
     ///
     /// # Errors
     /// [`MeshError::UnknownFormat`] where it is none, and any error of `parse`.
-    pub fn parse<T>(mut self, parse: Parse<T>, reach: Reach) -> Result<T> {
+    pub fn parse<T>(
+        mut self,
+        parse: impl FnOnce(&Path, FileFormat, &[u8], Reach) -> Result<T, MeshError>,
+        reach: Reach,
+    ) -> Result<T> {
         let format = self.mesh.ok_or_else(|| MeshError::UnknownFormat { path: self.path.clone() })?;
         let bytes =
             self.read_all(format).map_err(|source| unitvec_files::Error::reading(&self.path, source))?;

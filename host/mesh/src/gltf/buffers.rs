@@ -16,7 +16,7 @@ use unitvec_files::{one_line, read_start};
 use crate::{MeshError, Reach};
 
 /// The contents of a buffer, which may be those of others as well.
-pub(super) type Content<'p> = Rc<Cow<'p, [u8]>>;
+pub(crate) type Content<'p> = Rc<Cow<'p, [u8]>>;
 
 /// The contents of the buffers that are `used`, and their bytes outside of the file; the others are empty. URIs, which may
 /// be contents themselves, are taken out of all.
@@ -73,7 +73,7 @@ pub(super) fn read<'p>(
 
 /// The file of a URI, which lies in the folder of `path` or below it, unless `reach` says otherwise. Links are followed:
 /// whoever made them wants that.
-fn file_of(path: &Path, uri: &str, reach: Reach) -> Result<PathBuf, String> {
+pub(crate) fn file_of(path: &Path, uri: &str, reach: Reach) -> Result<PathBuf, String> {
     let name = percent_decode_str(uri).decode_utf8_lossy();
     let is_within = |part| matches!(part, Component::Normal(_) | Component::CurDir);
     let is_below = |part| is_within(part) || (part == Component::ParentDir && reach == Reach::Anywhere);

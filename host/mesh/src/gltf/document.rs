@@ -12,14 +12,14 @@ use crate::MeshError;
 
 /// A mesh of a document. That of the `gltf` crate takes fifty times the text of many primitives.
 #[derive(serde::Deserialize)]
-pub(super) struct Primitives {
-    pub(super) name: Option<Box<str>>,
-    pub(super) primitives: Vec<Primitive>,
+pub(crate) struct Primitives {
+    pub(crate) name: Option<Box<str>>,
+    pub(crate) primitives: Vec<Primitive>,
 }
 
 /// A primitive, as far as normals and tangents depend on it.
 #[derive(serde::Deserialize)]
-pub(super) struct Primitive {
+pub(crate) struct Primitive {
     attributes: Attributes,
     pub(super) indices: Option<u32>,
     #[serde(default)]
@@ -37,7 +37,7 @@ struct Attributes {
 
 impl Primitive {
     /// The accessor of an attribute.
-    pub(super) fn get(&self, semantic: &Semantic) -> Option<u32> {
+    pub(crate) fn get(&self, semantic: &Semantic) -> Option<u32> {
         match semantic {
             Semantic::Positions => self.attributes.position,
             Semantic::Normals => self.attributes.normal,
@@ -124,15 +124,15 @@ impl Geometry {
 
 /// Refuses geometry that only a decompressor can read. Where an extension is used but not required, the file has the
 /// geometry uncompressed as well.
-pub(super) fn check_not_compressed(path: &Path, root: &json::Root) -> Result<(), MeshError> {
+pub(crate) fn check_not_compressed(path: &Path, extensions: &[String]) -> Result<(), MeshError> {
     /// Extension, what it is, and whether glTF-Transform decompresses it.
     const COMPRESSIONS: [(&str, &str, bool); 3] = [
         ("KHR_draco_mesh_compression", "Draco", true),
         ("EXT_meshopt_compression", "meshoptimizer", true),
         ("KHR_meshopt_compression", "meshoptimizer", false),
     ];
-    let is_required = |name: &str| root.extensions_required.iter().any(|required| required == name);
-    let Some((extension, method, decompresses)) = COMPRESSIONS.into_iter().find(|c| is_required(c.0)) else {
+    let is_there = |name: &str| extensions.iter().any(|extension| extension == name);
+    let Some((extension, method, decompresses)) = COMPRESSIONS.into_iter().find(|c| is_there(c.0)) else {
         return Ok(());
     };
     let remedy = match decompresses {

@@ -1,10 +1,11 @@
 //! glTF 2.0 (`.gltf` with its buffers, `.glb`), parsed by the `gltf` crate.
 
-mod buffers;
-mod document;
+pub(super) mod buffers;
+pub(super) mod document;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
 use std::collections::hash_map::Entry;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::Path;
@@ -29,7 +30,7 @@ use super::{
 use buffers::Content;
 use document::{Geometry, Primitive, Primitives, check_not_compressed};
 
-const FORMAT: &str = "glTF";
+pub(super) const FORMAT: &str = "glTF";
 
 /// Reads the normals of all primitives of all meshes, in the order of [`Mesh`].
 pub(super) fn parse(path: &Path, bytes: &[u8], reach: Reach) -> Result<Mesh, MeshError> {
@@ -83,8 +84,7 @@ pub(super) fn parse_frames(path: &Path, bytes: &[u8], reach: Reach) -> Result<Fr
         let [Some(normals), Some(tangents)] =
             [Semantic::Normals, Semantic::Tangents].map(|semantic| primitive.get(&semantic))
         else {
-            let lacking = format!(": {} lacks them", place(at, mesh, file.meshes[mesh].name.as_deref()));
-            return Err(MeshError::NoTangents { path: path.into(), lacking });
+            return Err(file.no_tangents(mesh, at));
         };
         file.check_counts(primitive, [Semantic::Positions, Semantic::Normals])?;
         file.check_counts(primitive, [Semantic::Normals, Semantic::Tangents])?;
@@ -161,26 +161,33 @@ impl<'f, const N: usize> Collected<'f, N> {
     }
 }
 
+/// A chunk of a GLB, or the whole of a `.gltf`.
+type Chunk<'b> = Cow<'b, [u8]>;
+
+/// The JSON of a file, and the binary chunk of a GLB.
+pub(super) fn chunks<'b>(path: &Path, bytes: &'b [u8]) -> Result<(Chunk<'b>, Option<Chunk<'b>>), MeshError> {
+    let bytes = without_mark(bytes);
+    if !bytes.starts_with(b"glTF") {
+        return Ok((bytes.into(), None));
+    }
+    // The parser subtracts the header's size from this length unchecked.
+    let length = bytes.get(8..12).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
+    if length.is_some_and(|length| length < 12) {
+        return Err(parse_error(path, FORMAT, "the GLB header gives a length below its own"));
+    }
+    let Glb { json, bin, .. } = Glb::from_slice(bytes).map_err(|error| parse_error(path, FORMAT, error))?;
+    Ok((json, bin))
+}
+
 /// Parses and validates the parts that hold geometry.
-fn load<'p>(
+pub(super) fn load<'p>(
     path: &'p Path,
     bytes: &'p [u8],
     reach: Reach,
     semantics: &[Semantic],
 ) -> Result<File<'p>, MeshError> {
     let error = |error: ::gltf::Error| parse_error(path, FORMAT, error);
-    let bytes = without_mark(bytes);
-    let (json, blob) = if bytes.starts_with(b"glTF") {
-        // The parser subtracts the header's size from this length unchecked.
-        let length = bytes.get(8..12).and_then(|length| length.try_into().ok()).map(u32::from_le_bytes);
-        if length.is_some_and(|length| length < 12) {
-            return Err(parse_error(path, FORMAT, "the GLB header gives a length below its own"));
-        }
-        let Glb { json, bin, .. } = Glb::from_slice(bytes).map_err(error)?;
-        (json, bin)
-    } else {
-        (bytes.into(), None)
-    };
+    let (json, blob) = chunks(path, bytes)?;
     let geometry: Geometry =
         json::deserialize::from_slice(&json).map_err(|error| parse_error(path, FORMAT, error))?;
     let version = &geometry.asset.version;
@@ -188,7 +195,7 @@ fn load<'p>(
         return Err(parse_error(path, FORMAT, format!("its version is {version}, and 2.0 is read")));
     }
     let (root, meshes) = geometry.into_root();
-    check_not_compressed(path, &root)?;
+    check_not_compressed(path, &root.extensions_required)?;
     let document = Document::from_json(root).map_err(error)?;
     let mut file = File { path, document, meshes, buffers: Vec::new(), size: bytes.len() };
     let used = file.used_buffers(semantics)?;
@@ -201,7 +208,7 @@ fn load<'p>(
 }
 
 /// A name as far as anybody reads it. Each primitive of a mesh tells it in JSON.
-fn short(name: &str) -> Arc<str> {
+pub(super) fn short(name: &str) -> Arc<str> {
     const MOST: usize = 200;
     match name.char_indices().nth(MOST) {
         Some((end, _)) => format!("{}...", &name[..end]).into(),
@@ -210,24 +217,24 @@ fn short(name: &str) -> Arc<str> {
 }
 
 /// A document and its buffers. Those that are used are at least as long as it declares them, the others empty.
-struct File<'p> {
-    path: &'p Path,
-    document: Document,
-    meshes: Vec<Primitives>,
-    buffers: Vec<Content<'p>>,
+pub(super) struct File<'p> {
+    pub(super) path: &'p Path,
+    pub(super) document: Document,
+    pub(super) meshes: Vec<Primitives>,
+    pub(super) buffers: Vec<Content<'p>>,
     /// Bytes of the document and these buffers.
-    size: usize,
+    pub(super) size: usize,
 }
 
 impl File<'_> {
     /// The primitives, each with the places of its mesh and of itself there.
-    fn primitives(&self) -> impl Iterator<Item = (usize, usize, &Primitive)> {
+    pub(super) fn primitives(&self) -> impl Iterator<Item = (usize, usize, &Primitive)> {
         self.meshes.iter().enumerate().flat_map(|(mesh, all)| {
             all.primitives.iter().enumerate().map(move |(at, primitive)| (mesh, at, primitive))
         })
     }
 
-    fn accessor(&self, index: u32) -> Result<Accessor<'_>, MeshError> {
+    pub(super) fn accessor(&self, index: u32) -> Result<Accessor<'_>, MeshError> {
         let accessor = self.document.accessors().nth(index as usize);
         accessor.ok_or_else(|| self.error(format!("no accessor {index}")))
     }
@@ -262,7 +269,7 @@ impl File<'_> {
         self.check_total(vertices, self.size / 3, "vertices")
     }
 
-    fn check_total(&self, count: usize, most: usize, what: &str) -> Result<(), MeshError> {
+    pub(super) fn check_total(&self, count: usize, most: usize, what: &str) -> Result<(), MeshError> {
         /// Accessors of zeros without bytes are rare, and short.
         const ZEROS: usize = 1 << 16;
         match count <= most + ZEROS {
@@ -338,7 +345,11 @@ impl File<'_> {
     }
 
     /// Checks that a primitive has as many of one attribute as of the other.
-    fn check_counts(&self, primitive: &Primitive, semantics: [Semantic; 2]) -> Result<(), MeshError> {
+    pub(super) fn check_counts(
+        &self,
+        primitive: &Primitive,
+        semantics: [Semantic; 2],
+    ) -> Result<(), MeshError> {
         let [a, b] = &semantics;
         let counts = [self.attribute(primitive, a)?.count(), self.attribute(primitive, b)?.count()];
         match counts {
@@ -404,17 +415,11 @@ impl File<'_> {
     }
 
     /// Checks that all parts of an accessor lie in their buffers: the reader takes that for granted.
-    fn check_extents(&self, accessor: &Accessor) -> Result<(), MeshError> {
-        let mut parts = Vec::new();
-        match accessor.view() {
-            Some(view) => parts.push((view, accessor.offset(), accessor.count(), accessor.size())),
-            None => self.check_vertices(accessor.count())?,
+    pub(super) fn check_extents(&self, accessor: &Accessor) -> Result<(), MeshError> {
+        if accessor.view().is_none() {
+            self.check_vertices(accessor.count())?;
         }
-        if let Some(sparse) = accessor.sparse() {
-            let (indices, values) = (sparse.indices(), sparse.values());
-            parts.push((indices.view(), indices.offset(), sparse.count(), indices.index_type().size()));
-            parts.push((values.view(), values.offset(), sparse.count(), accessor.size()));
-        }
+        let parts = extents(accessor);
         let index = accessor.index();
         if !parts.iter().all(|(view, offset, count, size)| self.holds(view, *offset, *count, *size)) {
             return Err(self.error(format!("accessor {index} is empty or ends past its buffer")));
@@ -461,9 +466,28 @@ impl File<'_> {
         self.buffers.get(buffer.index()).map(|bytes| &***bytes)
     }
 
-    fn error(&self, reason: impl std::fmt::Display) -> MeshError {
+    /// The error of a primitive without normals or tangents.
+    pub(super) fn no_tangents(&self, mesh: usize, at: usize) -> MeshError {
+        let lacking = format!(": {} lacks them", place(at, mesh, self.meshes[mesh].name.as_deref()));
+        MeshError::NoTangents { path: self.path.into(), lacking }
+    }
+
+    pub(super) fn error(&self, reason: impl std::fmt::Display) -> MeshError {
         parse_error(self.path, FORMAT, reason)
     }
+}
+
+/// The parts of buffers that an accessor lies in: the view, and the offset there, number and size of the elements.
+pub(super) fn extents<'a>(accessor: &Accessor<'a>) -> Vec<(View<'a>, usize, usize, usize)> {
+    let view = accessor.view().map(|view| (view, accessor.offset(), accessor.count(), accessor.size()));
+    let sparse = accessor.sparse().map(|sparse| {
+        let (indices, values) = (sparse.indices(), sparse.values());
+        [
+            (indices.view(), indices.offset(), sparse.count(), indices.index_type().size()),
+            (values.view(), values.offset(), sparse.count(), accessor.size()),
+        ]
+    });
+    view.into_iter().chain(sparse.into_iter().flatten()).collect()
 }
 
 /// A signed normalised integer as glTF defines it: the lowest value counts as the one above it.

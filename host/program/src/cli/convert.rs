@@ -1,5 +1,5 @@
 use super::run::Live;
-use super::summary::{Options, Summary};
+use super::summary::{Options, Summary, Told};
 use super::{Buffers, OpenBackend, Vulkan, dtype, expect, files_of, is_mesh, tell};
 use clap::Args;
 use sha2::{Digest, Sha256};
@@ -110,7 +110,7 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
     arguments.work.check(format)?;
     let null = null_of(format, arguments.null)?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "uvec")?;
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, Some("uvec"))?;
     if let Some((_, out)) = pairs.iter().find(|(_, out)| has_ending(out, &RAW_ENDINGS)) {
         let words = format!("{} has the name of raw floats; give the codes another, as .uvec", out.display());
         return Err(Error::Usage(words));
@@ -143,7 +143,7 @@ pub fn encode(arguments: &Encode) -> Result<ExitCode> {
 pub fn decode(arguments: &Decode) -> Result<ExitCode> {
     let named = arguments.codec.as_deref().map(find_any).transpose()?;
     let is_container = |path: &Path| has_ending(path, &["uvec"]);
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_container, "f32")?;
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_container, Some("f32"))?;
     if let Some((_, out)) = pairs.iter().find(|(_, out)| is_container(out)) {
         let words = format!("{} has the name of codes; give the decoded floats another", out.display());
         return Err(Error::Usage(words));
@@ -222,9 +222,9 @@ fn null_of(format: &AnyCodec, is_wanted: bool) -> Result<Option<Null<'_>>> {
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &Normals) -> Result<ExitCode> {
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, "f32")?;
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, Some("f32"))?;
     let reach = arguments.buffers.reach();
-    each(&arguments.summary, &pairs, &arguments.out, &mut Cpu, |conversion| {
+    let export = |conversion: &mut Conversion<'_>| {
         let input = Input::open(conversion.input)?;
         let mut counts = Counts::default();
         let (element, floats, parts, filled) = if arguments.frames {
@@ -240,21 +240,23 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
         conversion.begin_array(Some(counts.elements), ("<f4", element.floats()))?;
         floats.chunks(1 << 16).try_for_each(|floats| conversion.write(&to_bytes(floats)))?;
         Ok(Summary::of_export(element, counts, parts, filled))
-    })?;
+    };
+    each(&arguments.summary, &pairs, &arguments.out, |input, out| one(input, out, &mut Cpu, export))?;
     Ok(ExitCode::SUCCESS)
 }
 
-/// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT.
-fn pairs(
+/// The inputs, those of folders among them, each with its output: OUT, or a file in the folder OUT, of its own name but for
+/// the ending. Without an ending, outputs are meshes, and keep their names.
+pub fn pairs(
     inputs: &[PathBuf],
     out: &Path,
     is_wanted: fn(&Path) -> bool,
-    ending: &str,
+    ending: Option<&str>,
 ) -> Result<Vec<(PathBuf, PathBuf)>> {
     let found = files_of(inputs, is_wanted)?;
     if let ([input], false) = (inputs, out.is_dir()) {
         if !input.is_dir() {
-            check_output(input, out)?;
+            check_output(input, out, ending.is_none())?;
             return Ok(vec![(input.clone(), out.to_owned())]);
         }
     }
@@ -269,8 +271,11 @@ fn pairs(
     let places: HashSet<PathBuf> = found.iter().filter_map(|input| input.canonicalize().ok()).collect();
     let mut taken = BTreeMap::new();
     for input in found {
-        let out = out.join(input.file_stem().unwrap_or_default()).with_extension(ending);
-        check_output(&input, &out)?;
+        let out = match ending {
+            Some(ending) => out.join(input.file_stem().unwrap_or_default()).with_extension(ending),
+            None => out.join(input.file_name().unwrap_or_default()),
+        };
+        check_output(&input, &out, ending.is_none())?;
         if out.canonicalize().is_ok_and(|place| places.contains(&place)) {
             return Err(Error::Usage(format!("{} is an input; name another folder", out.display())));
         }
@@ -284,10 +289,11 @@ fn pairs(
     Ok(taken.into_iter().map(|(out, input)| (input, out)).collect())
 }
 
-/// Refuses an output that would replace the input, or what is called a mesh: as where OUT was forgotten after `*.obj`.
-fn check_output(input: &Path, out: &Path) -> Result<()> {
+/// Refuses an output that would replace the input or, if it is none, what is called a mesh: as where OUT was forgotten after
+/// `*.obj`.
+fn check_output(input: &Path, out: &Path, of_mesh: bool) -> Result<()> {
     let is_input = is_same_file(input, out);
-    if is_input || is_mesh(out) {
+    if is_input || (is_mesh(out) && !of_mesh) {
         let what = if is_input { "the input" } else { "the name of a mesh" };
         let message = format!("{} is {what}; give the output another name", out.display());
         return Err(Error::Usage(message));
@@ -318,24 +324,24 @@ impl Work {
         convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
     ) -> Result<ExitCode> {
         let mut open = OpenBackend::open(self.backend, &self.vulkan)?;
-        let converted = each(&self.summary, pairs, out, open.backend.as_mut(), convert);
+        let converted =
+            each(&self.summary, pairs, out, |input, out| one(input, out, open.backend.as_mut(), &convert));
         let status = open.close();
         converted.map(|()| status)
     }
 }
 
-/// Converts each input to its output. One of several that fails does not stop the others.
-fn each(
+/// Converts each input to its output; `convert` says what is told of it, and whether it went to the standard output. One of several that fails does not stop the others.
+pub fn each<S: Told>(
     summary: &Options,
     pairs: &[(PathBuf, PathBuf)],
     out: &Path,
-    backend: &mut dyn Backend,
-    convert: impl Fn(&mut Conversion<'_>) -> Result<Summary>,
+    mut convert: impl FnMut(&Path, &Path) -> Result<(S, bool)>,
 ) -> Result<()> {
     summary.spare(pairs)?;
     let (mut done, mut failed) = (Vec::new(), 0);
     for (input, out) in pairs {
-        match one(input, out, backend, &convert) {
+        match convert(input, out) {
             Ok((one, to_stdout)) => done.push(summary.told(one, [input, out], pairs.len(), to_stdout)),
             Err(error) if pairs.len() == 1 => return Err(error),
             Err(error) => {

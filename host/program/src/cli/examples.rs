@@ -14,6 +14,8 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("decode", "decode --codec frame32 bunny.frames frames.f32", "seven floats each"),
     ("normals", "normals bunny.obj normals.f32", "also where the mesh has none"),
     ("normals", "normals --frames bunny.glb frames.f32", "with tangents"),
+    ("snap", "snap --for oct16 bunny.glb snapped.glb", "for gltfpack, Draco"),
+    ("snap", "snap --for frame32 a.gltf b.glb snapped", "into a folder"),
     ("error", "error bunny.obj", "the recommended codecs"),
     ("error", "error --codec oct24p,ico24 a.glb b.glb", "two codecs over two meshes"),
     ("error", "error --json errors.json normals.f32", "as JSON as well"),

@@ -25,6 +25,7 @@ mod report;
 mod run;
 mod schema;
 mod shader;
+mod snap;
 mod summary;
 mod table;
 
@@ -90,6 +91,18 @@ enum Command {
     /// of `encode --help`.
     #[command(after_help = examples::of("normals"))]
     Normals(convert::Normals),
+    /// Move the normals and tangents of meshes (obj, ply, gltf, glb) to vectors that a codec decodes to, and write the same
+    /// meshes otherwise.
+    ///
+    /// A program that then writes the codec's format by plain rounding writes the nearest codes, as the codec's encoder
+    /// finds them. So glTF tools come to the error of oct16p, for example, which round the components themselves.
+    ///
+    /// Of all else in the file every byte stays, but for `min` and `max` of what was moved. The buffers of a .gltf, and
+    /// images that are not there yet, are written to the folder of OUT under their own names. Vectors without a direction
+    /// (zero, infinite, NaN), handedness and morph targets stay as they are. A codec of vectors moves normals and tangents
+    /// each by themselves; a codec of frames moves them together.
+    #[command(after_help = examples::of("snap"))]
+    Snap(snap::Arguments),
     /// Measure the errors of codecs over the vectors or frames of your own meshes and raw files.
     ///
     /// For each file and codec, and for all files together: mean, median, 99th percentile and maximum of the angles
@@ -149,6 +162,7 @@ impl Arguments {
             Command::Encode(arguments) => convert::encode(&arguments),
             Command::Decode(arguments) => convert::decode(&arguments),
             Command::Normals(arguments) => convert::normals(&arguments),
+            Command::Snap(arguments) => snap::run(&arguments),
             Command::Error(arguments) => error::run(&arguments),
             #[cfg(feature = "lab")]
             Command::Accuracy(arguments) => accuracy::run(&arguments),

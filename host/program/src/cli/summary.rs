@@ -1,4 +1,4 @@
-//! What `encode`, `decode` and `normals` say when they are done.
+//! What `encode`, `decode`, `normals` and `snap` say when they are done.
 
 use super::run::Json;
 use super::{counted, tell, to_json};
@@ -30,21 +30,29 @@ impl Options {
     }
 
     /// Prints what was read from one file, one of `all`, and written to the other, which is the standard output or not.
-    pub fn told(&self, summary: Summary, files: [&Path; 2], all: usize, to_stdout: bool) -> (Report, bool) {
+    pub fn told<S: Told>(
+        &self,
+        summary: S,
+        files: [&Path; 2],
+        all: usize,
+        to_stdout: bool,
+    ) -> (Report<S>, bool) {
         let [input, output] = files.map(FileName::from);
         let name = if all > 1 { format!("{input}: ") } else { String::new() };
         if !self.quiet && !self.json.is_to_stdout() {
-            // Where the standard error is closed, the exit status has to do.
-            let _ = writeln!(std::io::stderr(), "{}", shown(name + &summary.line()));
+            for line in summary.lines() {
+                // Where the standard error is closed, the exit status has to do.
+                let _ = writeln!(std::io::stderr(), "{}", shown(format!("{name}{line}")));
+            }
         }
-        for words in summary.warnings.iter().filter(|_| !self.json.is_to_stdout()) {
+        for words in summary.warnings().iter().filter(|_| !self.json.is_to_stdout()) {
             tell(format_args!("warning: {input}: {words}"));
         }
         (Report { input, output, summary }, to_stdout)
     }
 
     /// Writes the JSON, where it is asked for: a list where OUT is a folder.
-    pub fn write(&self, done: Vec<(Report, bool)>, out: &Path) -> Result<()> {
+    pub fn write<S: Told>(&self, done: Vec<(Report<S>, bool)>, out: &Path) -> Result<()> {
         if !self.json.is_wanted() {
             return Ok(());
         }
@@ -61,25 +69,49 @@ impl Options {
     }
 }
 
+/// The warning of vectors below the equator.
+pub const UPPER_ONLY: &str = "the codec is for z >= 0 only: take one for all directions, such as oct32p";
+
+/// What is told of an input when it is done.
+pub trait Told: Serialize {
+    /// The lines for the standard error.
+    fn lines(&self) -> Vec<String>;
+
+    /// What is lost, in words.
+    fn warnings(&self) -> &[String];
+}
+
+impl Told for Summary {
+    fn lines(&self) -> Vec<String> {
+        vec![self.line()]
+    }
+
+    fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}
+
 /// What was converted: of one input, or, where OUT is a folder, of each.
 #[derive(Serialize, schemars::JsonSchema)]
+#[schemars(rename = "Reports")]
 #[serde(untagged)]
-pub enum Reports {
+pub enum Reports<S = Summary> {
     /// One input, and a file.
-    One(Box<Report>),
+    One(Box<Report<S>>),
     /// Inputs whose outputs are in a folder.
-    Many(Vec<Report>),
+    Many(Vec<Report<S>>),
 }
 
 /// What was converted. Counts that do not apply are absent.
 #[derive(Serialize, schemars::JsonSchema)]
-pub struct Report {
+#[schemars(rename = "Report")]
+pub struct Report<S = Summary> {
     /// The file that was read; - is the standard input.
     input: FileName,
     /// The file that was written; - is the standard output.
     output: FileName,
     #[serde(flatten)]
-    summary: Summary,
+    summary: S,
 }
 
 /// What was converted.
@@ -183,7 +215,7 @@ impl Summary {
                 2 * (counts.no_direction.count - counts.nulls) > counts.elements,
                 "most of them have no direction",
             ),
-            (counts.below > 0, "the codec is for z >= 0 only: take one for all directions, such as oct32p"),
+            (counts.below > 0, UPPER_ONLY),
             (is_clamped, "the codec clamps components to 1: normalise the vectors first"),
         ];
         let lost = lost.into_iter().filter(|(is_lost, _)| *is_lost).map(|(_, words)| words.to_owned());

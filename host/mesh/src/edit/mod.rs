@@ -1,0 +1,172 @@
+//! Files of meshes whose normals and tangents are moved; all else in them stays as it is, byte for byte.
+
+mod gltf;
+mod obj;
+mod ply;
+
+use crate::{FileFormat, MeshError, Reach, list_of};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Vectors that are moved at a time.
+const CHUNK: usize = 1 << 14;
+
+/// An attribute of vertices that holds unit vectors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Attribute {
+    /// The normal.
+    Normal,
+    /// The tangent; its fourth component stays as it is.
+    Tangent,
+}
+
+/// A function that moves vectors of a mesh and a kind.
+pub type ChangeVectors<'c> = dyn FnMut(usize, Attribute, &mut [[f32; 3]]) + 'c;
+
+/// A function that moves vectors in place, some at a time. Its first argument is the mesh: its index in a glTF file, else 0.
+pub enum Change<'c> {
+    /// Moves normals and tangents, each by themselves.
+    Vectors(&'c mut ChangeVectors<'c>),
+    /// Moves normals with their tangents; of the seventh float, the handedness, changes are not kept.
+    Frames(&'c mut dyn FnMut(usize, &mut [[f32; 7]])),
+}
+
+/// A file whose vectors were moved.
+#[derive(Debug)]
+pub struct Edited {
+    /// The contents of the file.
+    pub bytes: Vec<u8>,
+    /// The names of the meshes; none for OBJ and PLY, which have one mesh.
+    pub meshes: Vec<Option<Arc<str>>>,
+    /// The files that it names: buffers and images of glTF.
+    pub files: Vec<Beside>,
+    /// Vectors that were left out, in words: those of morph targets, for example.
+    pub warnings: Vec<String>,
+}
+
+/// A file that a glTF file names.
+#[derive(Debug)]
+pub struct Beside {
+    /// The path from the folder of the glTF file.
+    pub name: PathBuf,
+    /// The path that it was found at.
+    pub source: PathBuf,
+    /// The first bytes, where vectors in them were moved; those after them, and all of other files, stay.
+    pub start: Option<Vec<u8>>,
+}
+
+/// Moves the vectors of a mesh file in memory; `path` stands in errors, and buffers within `reach` of it may be read.
+///
+/// # Errors
+///
+/// [`MeshError::NotMovable`] for vectors that cannot be moved where they are, [`MeshError::NoTangents`] where frames are
+/// wanted and some vertex has none, and the errors of [`parse`](crate::parse).
+pub fn edit(
+    path: &Path,
+    format: FileFormat,
+    bytes: &[u8],
+    reach: Reach,
+    change: Change<'_>,
+) -> Result<Edited, MeshError> {
+    match (format, change) {
+        (FileFormat::Gltf, change) => gltf::edit(path, bytes, reach, change),
+        (FileFormat::Obj, Change::Vectors(change)) => obj::edit(path, bytes, change),
+        (FileFormat::Ply, Change::Vectors(change)) => ply::edit(path, bytes, change),
+        _ => Err(MeshError::NoTangents { path: path.into(), lacking: String::new() }),
+    }
+}
+
+/// The files that a mesh file in memory names, as far as they are there: buffers and images of glTF.
+///
+/// # Errors
+///
+/// [`MeshError::Parse`] for what is no glTF.
+pub fn sources(path: &Path, format: FileFormat, bytes: &[u8]) -> Result<Vec<PathBuf>, MeshError> {
+    if format == FileFormat::Gltf { gltf::sources(path, bytes) } else { Ok(Vec::new()) }
+}
+
+/// The error of a file without normals.
+fn no_normals(path: &Path) -> MeshError {
+    not_movable(path, "there are no normals".into(), "export the mesh with normals")
+}
+
+fn not_movable(path: &Path, reason: String, remedy: &'static str) -> MeshError {
+    MeshError::NotMovable { path: path.into(), reason, remedy }
+}
+
+/// The place of a part of a text in the whole.
+fn span(whole: &[u8], part: &[u8]) -> Option<Range<usize>> {
+    let start = (part.as_ptr() as usize).checked_sub(whole.as_ptr() as usize)?;
+    let end = start.checked_add(part.len())?;
+    (end <= whole.len()).then_some(start..end)
+}
+
+/// The shortest text of a number that is read as the same `f32`.
+fn shortest(value: f32) -> String {
+    let (plain, scientific) = (value.to_string(), format!("{value:e}"));
+    if scientific.len() < plain.len() { scientific } else { plain }
+}
+
+/// A copy of a file with parts of it replaced, from its beginning to its end.
+struct Splice<'b> {
+    bytes: &'b [u8],
+    done: usize,
+    copy: Vec<u8>,
+}
+
+impl<'b> Splice<'b> {
+    fn new(path: &Path, bytes: &'b [u8]) -> Result<Self, MeshError> {
+        Ok(Self { bytes, done: 0, copy: list_of(path, bytes.len())? })
+    }
+
+    /// Replaces a part that begins behind those before; another is left as it is.
+    fn replace(&mut self, part: Range<usize>, with: &[u8]) {
+        if let Some(kept) = self.bytes.get(self.done..part.start) {
+            self.copy.extend_from_slice(kept);
+            self.copy.extend_from_slice(with);
+            self.done = part.end;
+        }
+    }
+
+    fn finish(mut self) -> Vec<u8> {
+        self.copy.extend_from_slice(self.bytes.get(self.done..).unwrap_or_default());
+        self.copy
+    }
+}
+
+/// The normals of a file with one list of them.
+struct Normals<'b, 'c> {
+    splice: Splice<'b>,
+    change: &'c mut ChangeVectors<'c>,
+    /// Writes a component in a place of so many bytes.
+    write: &'c dyn Fn(f32, usize) -> Vec<u8>,
+    waiting: Vec<([Range<usize>; 3], [f32; 3])>,
+}
+
+impl Normals<'_, '_> {
+    /// Takes the next normal, and the places of its components.
+    fn push(&mut self, places: [Range<usize>; 3], normal: [f32; 3]) {
+        self.waiting.push((places, normal));
+        if self.waiting.len() == CHUNK {
+            self.flush();
+        }
+    }
+
+    fn flush(&mut self) {
+        let mut moved: Vec<_> = self.waiting.iter().map(|(_, normal)| *normal).collect();
+        (self.change)(0, Attribute::Normal, &mut moved);
+        for ((places, normal), moved) in self.waiting.drain(..).zip(moved) {
+            let mut axes = [0, 1, 2];
+            axes.sort_by_key(|axis| places[*axis].start);
+            for axis in axes.into_iter().filter(|axis| moved[*axis].to_bits() != normal[*axis].to_bits()) {
+                self.splice.replace(places[axis].clone(), &(self.write)(moved[axis], places[axis].len()));
+            }
+        }
+    }
+
+    fn finish(mut self) -> Edited {
+        self.flush();
+        Edited { bytes: self.splice.finish(), meshes: vec![None], files: Vec::new(), warnings: Vec::new() }
+    }
+}

@@ -1,0 +1,287 @@
+use super::convert::{each, pairs};
+use super::summary::{Options, Told, UPPER_ONLY};
+use super::{Buffers, counted, degrees, is_mesh, write_output};
+use clap::Args;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{self, Seek, SeekFrom, Write};
+use std::path::{Component, Path, PathBuf};
+use std::process::ExitCode;
+use std::sync::Arc;
+use unitvec::angle_deg;
+use unitvec_catalogue::{AnyCodec, Domain, Element, find};
+use unitvec_files::{Output, check_unused, is_stdout, note_read};
+use unitvec_host::input::Input;
+use unitvec_host::{Error, Result};
+use unitvec_mesh::edit::{Attribute, Beside, Change, Edited, edit, sources};
+use unitvec_mesh::{Reach, has_direction};
+
+#[derive(Args)]
+pub struct Arguments {
+    /// Codec that the vectors are for, as `unitvec codecs` lists them: the precise one of the format, such as oct16p, where
+    /// there is one.
+    #[arg(long = "for", value_name = "ID")]
+    codec: String,
+    #[command(flatten)]
+    buffers: Buffers,
+    #[command(flatten)]
+    summary: Options,
+    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY; or a folder, whose meshes are taken.
+    #[arg(value_name = "MESH", required = true, num_args = 1..)]
+    r#in: Vec<PathBuf>,
+    /// Output file, of the same format, - for the standard output; or a folder that exists, which gets a file of the same
+    /// name for each mesh. No input is replaced.
+    out: PathBuf,
+}
+
+pub fn run(arguments: &Arguments) -> Result<ExitCode> {
+    let codec = find(&arguments.codec)?;
+    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, None)?;
+    for (input, out) in &pairs {
+        check_ending(input, out)?;
+    }
+    if pairs.len() > 1 {
+        // No output of one input may replace what another is read from later.
+        pairs.iter().for_each(|(input, _)| note_sources(input));
+    }
+    let reach = arguments.buffers.reach();
+    each(&arguments.summary, &pairs, &arguments.out, |input, out| one(codec, input, out, reach))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// Refuses an output that has the name of another format than the input.
+fn check_ending(input: &Path, out: &Path) -> Result<()> {
+    let [of_input, of_out] =
+        [input, out].map(|path| path.extension().map(|ending| ending.to_ascii_lowercase()));
+    match is_mesh(input) && is_mesh(out) && of_input != of_out {
+        true => Err(Error::Usage(format!(
+            "{} would have the format of {}; give it the same ending",
+            out.display(),
+            input.display()
+        ))),
+        false => Ok(()),
+    }
+}
+
+/// Notes an input and the files that it names as read. One that cannot be read is told of when its turn comes.
+fn note_sources(input: &Path) {
+    note_read(input);
+    if input.is_file() {
+        let named = Input::open(input).and_then(|input| {
+            input.parse(|path, format, bytes, _| sources(path, format, bytes), Reach::Folder)
+        });
+        named.unwrap_or_default().iter().for_each(|source| note_read(source));
+    }
+}
+
+/// Moves the vectors of an input. Returns what is told of it, and whether it went to the standard output.
+fn one(codec: &'static AnyCodec, input: &Path, out: &Path, reach: Reach) -> Result<(Summary, bool)> {
+    let mut tallies = Tallies { codec, all: BTreeMap::new(), below: 0 };
+    let edited = Input::open(input)?.parse(
+        |path, format, bytes, reach| match codec.element {
+            Element::Vector => {
+                let mut change = |mesh, part, vectors: &mut [_]| tallies.snap(mesh, &[part], vectors);
+                edit(path, format, bytes, reach, Change::Vectors(&mut change))
+            }
+            Element::Frame => {
+                let parts = [Attribute::Normal, Attribute::Tangent];
+                let mut change = |mesh, frames: &mut [_]| tallies.snap(mesh, &parts, frames);
+                edit(path, format, bytes, reach, Change::Frames(&mut change))
+            }
+        },
+        reach,
+    )?;
+    let output = Output::create_binary(out)?;
+    let to_stdout = output.is_stdout();
+    let mut summary = tallies.summary(&edited);
+    write_beside(&edited.files, input, out, &mut summary.warnings)?;
+    write_output(output, &edited.bytes)?;
+    Ok((summary, to_stdout))
+}
+
+/// Writes the buffers that were changed to the folder of OUT, and copies other files that it lacks. Fails before anything is
+/// written where that would replace a file that the run reads.
+fn write_beside(files: &[Beside], input: &Path, out: &Path, warnings: &mut Vec<String>) -> Result<()> {
+    files.iter().for_each(|file| note_read(&file.source));
+    check_unused(out).map_err(|source| unitvec_files::Error::writing(out, source))?;
+    let is_file = |path: &Path| path.metadata().map_or(true, |metadata| metadata.is_file());
+    let has_folder = !is_stdout(out) && is_file(out);
+    let is_below = |file: &Beside| file.name.components().all(|part| matches!(part, Component::Normal(_)));
+    for file in files.iter().filter(|file| file.start.is_some()) {
+        let (target, name) = (out.with_file_name(&file.name), file.name.display());
+        let obstacle = match () {
+            () if !is_below(file) => "lies outside of the folder of",
+            () if !has_folder => "cannot lie beside the output of",
+            () if check_unused(&target).is_err() => {
+                "would replace a file that this run reads or has written, from"
+            }
+            () => continue,
+        };
+        let words = format!(
+            "the buffer {name} {obstacle} {}; name an OUT in another folder, or take a .glb",
+            input.display()
+        );
+        return Err(Error::Usage(words));
+    }
+    for file in files.iter().filter(|_| has_folder) {
+        let target = out.with_file_name(&file.name);
+        match target.exists() && file.start.is_none() {
+            true => {}
+            false if is_below(file) => copy(file, &target)?,
+            false => warnings.push(format!("{} is not copied, and not there from OUT", file.name.display())),
+        }
+    }
+    Ok(())
+}
+
+/// Copies a file, with what was changed at its start.
+fn copy(file: &Beside, target: &Path) -> Result<()> {
+    let start = file.start.as_deref().unwrap_or_default();
+    let reading = |source| unitvec_files::Error::reading(&file.source, source);
+    let writing = |source| unitvec_files::Error::writing(target, source);
+    let mut source = File::open(&file.source).map_err(reading)?;
+    source.seek(SeekFrom::Start(start.len() as u64)).map_err(reading)?;
+    if let Some(folder) = target.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        std::fs::create_dir_all(folder).map_err(writing)?;
+    }
+    let mut output = Output::create(target)?;
+    output.write_all(start).and_then(|()| io::copy(&mut source, &mut output)).map_err(writing)?;
+    Ok(output.finish()?)
+}
+
+/// Counts and angles of the vectors of a kind in a mesh.
+#[derive(Default)]
+struct Tally {
+    vectors: u64,
+    moved: u64,
+    sum: f64,
+    max: f64,
+}
+
+impl Tally {
+    fn add(&mut self, angle: Option<f64>) {
+        self.vectors += 1;
+        if let Some(angle) = angle {
+            self.moved += 1;
+            self.sum += angle;
+            self.max = self.max.max(angle);
+        }
+    }
+}
+
+/// The tallies of a file, for each mesh and attribute.
+struct Tallies {
+    codec: &'static AnyCodec,
+    all: BTreeMap<(usize, Attribute), Tally>,
+    /// Vectors that a codec of the hemisphere moved up to the equator.
+    below: usize,
+}
+
+impl Tallies {
+    /// Moves elements, which have a vector for each of the attributes.
+    fn snap<const N: usize>(&mut self, mesh: usize, parts: &[Attribute], elements: &mut [[f32; N]]) {
+        if self.codec.domain == Domain::Hemisphere {
+            self.below += elements.iter().filter(|element| element[2] < 0.0).count();
+        }
+        let snapped = elements.par_iter_mut().map(|element| snap(self.codec, element));
+        for angles in snapped.collect::<Vec<_>>() {
+            for (part, angle) in parts.iter().zip(angles) {
+                self.all.entry((mesh, *part)).or_default().add(angle);
+            }
+        }
+    }
+
+    fn summary(self, edited: &Edited) -> Summary {
+        let row = |((mesh, part), tally): ((usize, Attribute), Tally)| Row {
+            mesh,
+            name: edited.meshes.get(mesh).cloned().flatten(),
+            part: if part == Attribute::Normal { "normal" } else { "tangent" },
+            vectors: tally.vectors,
+            left_alone: tally.vectors - tally.moved,
+            moved: (tally.moved > 0)
+                .then(|| Angles { mean_deg: tally.sum / tally.moved as f64, max_deg: tally.max }),
+        };
+        let below = (self.below > 0).then(|| UPPER_ONLY.to_owned());
+        let warnings = edited.warnings.iter().cloned().chain(below).collect();
+        Summary { codec: self.codec.id, rows: self.all.into_iter().map(row).collect(), warnings }
+    }
+}
+
+/// Moves the vectors of an element to those that it is decoded to, but for those without a direction and tangents of such
+/// normals. Returns the angles of what was moved.
+fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<f64>; 2] {
+    let decoded: [f32; N] = codec.decode_one(codec.encode_one(*element));
+    let (mut angles, mut is_usable) = ([None; 2], true);
+    for ((angle, vector), to) in
+        angles.iter_mut().zip(element.chunks_exact_mut(3)).zip(decoded.chunks_exact(3))
+    {
+        let [from, to] = [[vector[0], vector[1], vector[2]], [to[0], to[1], to[2]]];
+        is_usable &= has_direction(from);
+        if is_usable {
+            vector.copy_from_slice(&to);
+            *angle = Some(angle_deg(from, to));
+        }
+    }
+    angles
+}
+
+/// What was moved.
+#[derive(Serialize, schemars::JsonSchema)]
+pub struct Summary {
+    /// Codec.
+    codec: &'static str,
+    /// A row for each mesh, and for normals and tangents; vectors that meshes share count in the first.
+    rows: Vec<Row>,
+    /// Vectors that were not moved, or too far.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    warnings: Vec<String>,
+}
+
+/// The normals, or the tangents, of a mesh.
+#[derive(Serialize, schemars::JsonSchema)]
+struct Row {
+    /// Index of the mesh in the file.
+    mesh: usize,
+    /// The mesh's name, where a glTF file gives one.
+    name: Option<Arc<str>>,
+    /// `normal` or `tangent`.
+    part: &'static str,
+    /// Number of vectors.
+    vectors: u64,
+    /// Those of them without a usable direction, and tangents of such normals, which stay as they were.
+    left_alone: u64,
+    /// The angles between the others before and after; null where there are none.
+    moved: Option<Angles>,
+}
+
+/// Angles in degrees.
+#[derive(Serialize, schemars::JsonSchema)]
+struct Angles {
+    /// Mean.
+    mean_deg: f64,
+    /// Maximum.
+    max_deg: f64,
+}
+
+impl Told for Summary {
+    fn lines(&self) -> Vec<String> {
+        self.rows.iter().map(Row::line).collect()
+    }
+
+    fn warnings(&self) -> &[String] {
+        &self.warnings
+    }
+}
+
+impl Row {
+    fn line(&self) -> String {
+        let name = self.name.as_ref().map_or_else(String::new, |name| format!(" ({name})"));
+        let vectors = counted(self.vectors, &format!("{}s", self.part));
+        let moved = self.moved.as_ref().map_or_else(String::new, |Angles { mean_deg, max_deg }| {
+            format!(", moved by {} degrees in the mean, {} at most", degrees(*mean_deg), degrees(*max_deg))
+        });
+        format!("mesh {}{name}: {vectors}, {} left as they are{moved}", self.mesh, self.left_alone)
+    }
+}
