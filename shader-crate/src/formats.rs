@@ -34,7 +34,19 @@ fn snorm<const BITS: u32>(code: u32, first: u32) -> f32 {
 /// The unorm in the byte of `code` from bit `first` on: 255 is the largest integer of an snorm of 9 bits.
 #[inline(always)]
 fn unorm8(code: u32, first: u32) -> f32 {
-    const { SnormDivision::new(9) }.of(((code >> first) & 255) as f32)
+    unorm::<9>(code, first)
+}
+
+/// The unorm of one bit less than `SNORM_BITS` in the bits of `code` from bit `first` on: it has the largest integer of such an
+/// snorm.
+#[inline(always)]
+fn unorm<const SNORM_BITS: u32>(code: u32, first: u32) -> f32 {
+    const { SnormDivision::new(SNORM_BITS) }.of(((code >> first) & mask(SNORM_BITS - 1)) as f32)
+}
+
+#[inline(always)]
+fn unorm_code(f: Vec2, bits: u32) -> u32 {
+    unorm_encode(f.x, bits) | (unorm_encode(f.y, bits) << bits)
 }
 
 /// The half nearest to `x`.
@@ -108,6 +120,15 @@ formats! {
         code_to_unorm8x3(code: u32) = Vec3::new(unorm8(code, 0), unorm8(code, 8), unorm8(code, 16)),
         unorm8x3_to_code(f: Vec3) =
             unorm_encode(f.x, 8) | (unorm_encode(f.y, 8) << 8) | (unorm_encode(f.z, 8) << 16);
+    "VK_FORMAT_R8G8_UNORM":
+        code_to_unorm8x2(code: u32) = Vec2::new(unorm8(code, 0), unorm8(code, 8)),
+        unorm8x2_to_code(f: Vec2) = unorm_code(f, 8);
+    "the first two components of VK_FORMAT_A2B10G10R10_UNORM_PACK32":
+        code_to_unorm10x2(code: u32) = Vec2::new(unorm::<11>(code, 0), unorm::<11>(code, 10)),
+        unorm10x2_to_code(f: Vec2) = unorm_code(f, 10);
+    "VK_FORMAT_R16G16_UNORM":
+        code_to_unorm16x2(code: u32) = Vec2::new(unorm::<17>(code, 0), unorm::<17>(code, 16)),
+        unorm16x2_to_code(f: Vec2) = unorm_code(f, 16);
     "VK_FORMAT_R8G8_SINT":
         code_to_sint8x2(code: u32) = sint_pair(code, 8),
         sint8x2_to_code(i: IVec2) = sint_code(i, 8);

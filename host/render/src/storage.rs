@@ -22,6 +22,10 @@ pub enum Storage {
     Snorm16x3,
     /// Three snorm of 10 bits.
     Snorm10x3,
+    /// Two unorm of 8 bits.
+    Unorm8x2,
+    /// Two unorm of 16 bits.
+    Unorm16x2,
     /// Three bytes as unorm.
     Unorm8x3,
     /// Two signed integers of 8 bits.
@@ -39,11 +43,11 @@ pub enum Storage {
 }
 
 /// The storages of codecs' formats.
-const OF_FORMATS: [Storage; 11] = {
+const OF_FORMATS: [Storage; 13] = {
     use Storage::*;
     [
-        Snorm8x2, Snorm16x2, Snorm8x3, Snorm16x3, Snorm10x3, Unorm8x3, Sint8x2, Sint16x2, Float16x3,
-        Float16x2, Uint,
+        Snorm8x2, Snorm16x2, Snorm8x3, Snorm16x3, Snorm10x3, Unorm8x2, Unorm16x2, Unorm8x3, Sint8x2,
+        Sint16x2, Float16x3, Float16x2, Uint,
     ]
 };
 
@@ -69,10 +73,11 @@ impl Storage {
         if is_drawn || own.is_drawn_everywhere() { own } else { Self::integers(format) }
     }
 
-    /// True where Vulkan promises that devices draw to [`texel`](Self::texel): they need not draw to any snorm.
+    /// True where Vulkan promises that devices draw to [`texel`](Self::texel): they need not draw to any snorm, nor to unorm of
+    /// 16 bits.
     pub const fn is_drawn_everywhere(self) -> bool {
-        use Storage::{Snorm8x2, Snorm8x3, Snorm10x3, Snorm16x2, Snorm16x3};
-        !matches!(self, Snorm8x2 | Snorm8x3 | Snorm10x3 | Snorm16x2 | Snorm16x3)
+        use Storage::{Snorm8x2, Snorm8x3, Snorm10x3, Snorm16x2, Snorm16x3, Unorm16x2};
+        !matches!(self, Snorm8x2 | Snorm8x3 | Snorm10x3 | Snorm16x2 | Snorm16x3 | Unorm16x2)
     }
 
     /// The format of attachments and textures. Formats of three components are seldom attachments, so that their siblings of
@@ -108,6 +113,8 @@ impl Storage {
             Self::Snorm8x3 => (F::R8G8B8A8_SNORM, Some(F::R8G8B8_SNORM)),
             Self::Snorm16x3 => (F::R16G16B16A16_SNORM, Some(F::R16G16B16_SNORM)),
             Self::Snorm10x3 => (F::A2B10G10R10_SNORM_PACK32, None),
+            Self::Unorm8x2 => (F::R8G8_UNORM, None),
+            Self::Unorm16x2 => (F::R16G16_UNORM, None),
             Self::Unorm8x3 => (F::R8G8B8A8_UNORM, Some(F::R8G8B8_UNORM)),
             Self::Sint8x2 => (F::R8G8_SINT, None),
             Self::Sint16x2 => (F::R16G16_SINT, None),

@@ -53,11 +53,12 @@ macro_rules! for_each_projection {
 }
 use for_each_projection;
 
-/// Expands to its items for a row of the list whose format is SNORM: Vulkan promises no device that draws to one, so that such
-/// a codec has shaders that store its codes as integers as well.
+/// Expands to its items for a row of the list whose format is SNORM, or UNORM of 16 bits: Vulkan promises no device that draws
+/// to one, so that such a codec has shaders that store its codes as integers as well.
 macro_rules! if_snorm {
     (Some("VK_FORMAT_R8G8_SNORM") $($item:tt)*) => { $($item)* };
     (Some("VK_FORMAT_R16G16_SNORM") $($item:tt)*) => { $($item)* };
+    (Some("VK_FORMAT_R16G16_UNORM") $($item:tt)*) => { $($item)* };
     (Some("VK_FORMAT_R8G8B8_SNORM") $($item:tt)*) => { $($item)* };
     (Some("VK_FORMAT_R16G16B16_SNORM") $($item:tt)*) => { $($item)* };
     (Some("VK_FORMAT_A2B10G10R10_SNORM_PACK32") $($item:tt)*) => { $($item)* };

@@ -65,6 +65,12 @@ macro_rules! storage {
     ($code:ty, Some("VK_FORMAT_R16G16B16_SNORM")) => {
         Snorm16x3
     };
+    ($code:ty, Some("VK_FORMAT_R8G8_UNORM")) => {
+        Unorm8x2
+    };
+    ($code:ty, Some("VK_FORMAT_R16G16_UNORM")) => {
+        Unorm16x2
+    };
     ($code:ty, Some("VK_FORMAT_R8G8B8_UNORM")) => {
         Unorm8x3
     };

@@ -112,6 +112,10 @@ float_storages! {
     Snorm10x3 u32: code => code_to_snorm10x3(code).extend(0.0), value => snorm10x3_to_code(value.truncate());
     /// R16G16B16A16_SNORM, or with three components.
     Snorm16x3 [u32; 2]: code => code_to_snorm16x3(code).extend(0.0), value => snorm16x3_to_code(value.truncate());
+    /// R8G8_UNORM.
+    Unorm8x2 u32: code => code_to_unorm8x2(code).extend(0.0).extend(0.0), value => unorm8x2_to_code(xy(value));
+    /// R16G16_UNORM.
+    Unorm16x2 u32: code => code_to_unorm16x2(code).extend(0.0).extend(0.0), value => unorm16x2_to_code(xy(value));
     /// R8G8B8A8_UNORM, or with three components.
     Unorm8x3 u32: code => code_to_unorm8x3(code).extend(0.0), value => unorm8x3_to_code(value.truncate());
     /// R16G16_SFLOAT.
