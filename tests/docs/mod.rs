@@ -12,6 +12,7 @@ mod drivers;
 mod engines;
 pub mod formats;
 mod imprecise;
+mod interop;
 mod languages;
 mod papers;
 mod pictures;

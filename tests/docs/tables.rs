@@ -2,7 +2,7 @@
 
 use super::accuracy::{self, Errors};
 use super::{
-    compare, costs, devices, dither, drivers, formats, imprecise, languages, markdown_table, papers,
+    compare, costs, devices, dither, drivers, formats, imprecise, interop, languages, markdown_table, papers,
     pictures, processors, projected, slices, textbook,
 };
 use std::collections::{BTreeMap, BTreeSet};
@@ -43,6 +43,9 @@ pub fn table(name: &str) -> Option<String> {
         "dither-costs" => dither::cost_table(),
         "dither-keys" => dither::key_table(),
         "dither-pictures" => pictures::dither(),
+        "interop" => interop::table(),
+        "interop-sources" => interop::sources(),
+        "interop-frames" => interop::of_tangents(),
         "devices" => devices::table(),
         "drivers" => drivers::table(),
         "imprecise" => imprecise::table(rest),

@@ -41,13 +41,15 @@ const EAOCT: f64 = 2.1488 / 1.5026;
 pub type Project = fn(Vec3) -> Vec2;
 
 /// A function that encodes, the codec whose decoder takes the result, and its error as a part of the codec's bound.
-const ENCODERS: [(Project, &str, f64); 10] = [
+const ENCODERS: [(Project, &str, f64); 12] = [
     (oct::project, "oct16", 1.0),
     (oct::project, "oct32", 1.0),
     (oct::project_precise::<16>, "oct16p", 1.0),
     (oct::project_precise::<32>, "oct32p", 1.0),
     (hemioct::project, "hemioct16", 1.0),
     (hemioct::project, "hemioct32", 1.0),
+    (hemioct::project_precise::<16>, "hemioct16p", 1.0),
+    (hemioct::project_precise::<32>, "hemioct32p", 1.0),
     (eaoct::project, "eaoct16", EAOCT),
     (eaoct::project, "eaoct32", EAOCT),
     (eaoct::project_precise::<16>, "eaoct16p", 1.0),

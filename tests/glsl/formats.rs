@@ -54,13 +54,16 @@ macro_rules! of_format {
 }
 
 /// All formats.
-pub const FORMATS: [Format; 10] = [
+pub const FORMATS: [Format; 13] = [
     of_format!("snorm8x2", Snorm, 8, Vec2, 1, code_to_snorm8x2, snorm8x2_to_code),
     of_format!("snorm16x2", Snorm, 16, Vec2, 1, code_to_snorm16x2, snorm16x2_to_code),
     of_format!("snorm8x3", Snorm, 8, Vec3, 1, code_to_snorm8x3, snorm8x3_to_code),
     of_format!("snorm10x3", Snorm, 10, Vec3, 1, code_to_snorm10x3, snorm10x3_to_code),
     of_format!("snorm16x3", Snorm, 16, Vec3, 2, code_to_snorm16x3, snorm16x3_to_code),
     of_format!("unorm8x3", Unorm, 8, Vec3, 1, code_to_unorm8x3, unorm8x3_to_code),
+    of_format!("unorm8x2", Unorm, 8, Vec2, 1, code_to_unorm8x2, unorm8x2_to_code),
+    of_format!("unorm10x2", Unorm, 10, Vec2, 1, code_to_unorm10x2, unorm10x2_to_code),
+    of_format!("unorm16x2", Unorm, 16, Vec2, 1, code_to_unorm16x2, unorm16x2_to_code),
     of_format!("sint8x2", Sint, 8, IVec2, 1, code_to_sint8x2, sint8x2_to_code),
     of_format!("sint16x2", Sint, 16, IVec2, 1, code_to_sint16x2, sint16x2_to_code),
     of_format!("float16x2", Half, 16, Vec2, 1, code_to_float16x2, float16x2_to_code),

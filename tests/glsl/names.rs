@@ -8,9 +8,13 @@ use unitvec_catalogue::{CODECS, Operation};
 use unitvec_tests::{glsl_families, repository};
 
 /// The functions besides projections: precise encoders, the survey's bytes, and null codes.
-const OTHERS: [(&str, &str); 10] = [
+const OTHERS: [(&str, &str); 14] = [
     ("oct.glsl", "float32x3_to_octn_precise"),
     ("eaoct.glsl", "float32x3_to_eaoctn_precise"),
+    ("hemioct.glsl", "float32x3_to_hemioctn_precise"),
+    ("uoct.glsl", "float32x3_to_uoctn_precise"),
+    ("oct.glsl", "octn_to_unorm"),
+    ("oct.glsl", "unorm_to_octn"),
     ("oct.glsl", "snorm12x2_to_unorm8x3"),
     ("oct.glsl", "unorm8x3_to_snorm12x2"),
     ("oct.glsl", "snorm12x2_to_uint8x3"),

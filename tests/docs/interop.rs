@@ -1,0 +1,100 @@
+//! The errors of formats of other software, and what ran beside them, as docs/interop.md has them.
+
+use super::tables::degrees;
+use super::{markdown_table, recorded};
+use std::collections::BTreeMap;
+use unitvec::interop::{FRAMES, Format, FrameFormat, ROWS};
+use unitvec::{Frame, Frame32, Frame64, FrameCodec, angle_deg};
+use unitvec_tests::directions::sphere;
+use unitvec_tests::repository;
+
+/// The formats of the table: the widths that their software takes by default, and the least and the greatest.
+fn formats() -> impl Iterator<Item = Format> {
+    let is_shown = |format: &Format| {
+        let row = format.row();
+        !row.has_widths() || [row.least, row.most, 8, 10, 12].contains(&format.component_bits())
+    };
+    Format::all().filter(is_shown)
+}
+
+/// Mean and largest angle, in degrees.
+fn summary(errors: impl Iterator<Item = f64>) -> [f64; 2] {
+    let (sum, max, count) = errors.fold((0.0, 0f64, 0), |(sum, max, n), e| (sum + e, max.max(e), n + 1));
+    [sum / f64::from(count), max]
+}
+
+/// Random frames: their tangents are perpendicular to the normals.
+fn frames() -> impl Iterator<Item = Frame> {
+    let pairs = sphere(72, 1 << 17).zip(sphere(73, 1 << 17));
+    pairs.map(|(normal, other)| Frame { normal, tangent: normal.cross(other), handedness: 1.0 })
+}
+
+/// Errors of the normal, then of the tangent.
+fn of_frames(trip: impl Fn(Frame) -> Frame) -> [f64; 4] {
+    let [n, t] = [
+        summary(frames().map(|frame| angle_deg(frame.normal, trip(frame).normal))),
+        summary(frames().map(|frame| angle_deg(frame.tangent, trip(frame).tangent))),
+    ];
+    [n[0], n[1], t[0], t[1]]
+}
+
+/// Measures what the docs state.
+#[test]
+#[ignore = "`cargo xtask renew errors` runs it"]
+fn measure() {
+    let mut text = String::from("format,mean_a,max_a,mean_b,max_b\n");
+    let mut write = |name: &str, numbers: [f64; 4]| {
+        text += &format!("{name}{}\n", numbers.map(|number| format!(",{number:.6e}")).concat());
+    };
+    for format in formats() {
+        let count = if format.to_string() == "gltf-snorm16" { 1 << 14 } else { 1 << 18 };
+        let error = |format: Format| {
+            summary(sphere(71, count).map(|v| angle_deg(v, format.decode::<[f32; 3]>(format.encode(v)))))
+        };
+        let [plain, nearest] = [error(format.plain()), error(format)];
+        write(&format.to_string(), [plain[0], plain[1], nearest[0], nearest[1]]);
+    }
+    for format in FRAMES {
+        write(format.name, of_frames(|frame| format.decode(format.encode(frame))));
+    }
+    write("frame32", of_frames(|frame| Frame32::decode(Frame32::encode(frame))));
+    write("frame64", of_frames(|frame| Frame64::decode(Frame64::encode(frame))));
+    unitvec_files::write_file(&repository().join("docs/data/interop.csv"), text.as_bytes()).unwrap();
+}
+
+fn measured() -> BTreeMap<String, [f64; 4]> {
+    let rows = recorded::<(String, f64, f64, f64, f64)>("interop.csv").into_iter();
+    rows.map(|(name, a, b, c, d)| (name, [a, b, c, d])).collect()
+}
+
+/// The table of errors in docs/interop.md.
+pub fn table() -> String {
+    let errors = measured();
+    let rows = formats().map(|format| {
+        let [a, b, c, d] = errors[&format.to_string()].map(degrees);
+        let bound = degrees(format.max_error_deg().into());
+        format!("`{format}` | {} | {} | {a} / {b} | {c} / {d} | {bound}", format.bits(), format.bytes())
+    });
+    markdown_table("format | bits | bytes | plain: mean / max, degrees | nearest: mean / max | bound", rows)
+}
+
+/// The table of layouts and sources.
+pub fn sources() -> String {
+    let rows = ROWS.iter().map(|row| {
+        let null = row.null.map_or("-".to_owned(), |null| format!("{null:#x}"));
+        format!("`{row}` | {} | {} | {null} | {}", row.layout, row.zero, row.source)
+    });
+    markdown_table("format | layout, low bits first | the original's answer to a zero vector | null code | source", rows)
+}
+
+/// The table of frames.
+pub fn of_tangents() -> String {
+    let errors = measured();
+    let ours = [("frame32", "11 + 11, angle 9, sign", 32), ("frame64", "21 + 21, angle 21, sign", 64)];
+    let others = FRAMES.map(|FrameFormat { name, source, bits, .. }| (name, source, bits));
+    let rows = ours.into_iter().chain(others).map(|(name, source, bits)| {
+        let [a, b, c, d] = errors[name].map(degrees);
+        format!("`{name}` | {bits} | {source} | {a} / {b} | {c} / {d}")
+    });
+    markdown_table("format | bits | what | normal: mean / max, degrees | tangent: mean / max", rows)
+}
