@@ -84,7 +84,10 @@ pub fn sources() -> String {
         let null = row.null.map_or("-".to_owned(), |null| format!("{null:#x}"));
         format!("`{row}` | {} | {} | {null} | {}", row.layout, row.zero, row.source)
     });
-    markdown_table("format | layout, low bits first | the original's answer to a zero vector | null code | source", rows)
+    markdown_table(
+        "format | layout, low bits first | the original's answer to a zero vector | null code | source",
+        rows,
+    )
 }
 
 /// The table of frames.

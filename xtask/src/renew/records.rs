@@ -174,7 +174,9 @@ pub static RECORDS: &[Record] = &[
     },
     Record {
         name: "errors",
-        outputs: &[Bytes("catalogue/data/accuracy.csv docs/data/dither.csv docs/data/interop.csv docs/data/projected.csv")],
+        outputs: &[Bytes(
+            "catalogue/data/accuracy.csv docs/data/dither.csv docs/data/interop.csv docs/data/projected.csv",
+        )],
         from: "the codecs, plain, dithered and as projections, on the CPU",
         // The search for the worst direction, and the sample, decide the last digits.
         inputs: &[
@@ -185,7 +187,14 @@ pub static RECORDS: &[Record] = &[
             ],
         ],
         minutes: 3,
-        renew: || bless(&["docs::accuracy::measure", "docs::dither::measure", "docs::interop::measure", "docs::projected::measure"]),
+        renew: || {
+            bless(&[
+                "docs::accuracy::measure",
+                "docs::dither::measure",
+                "docs::interop::measure",
+                "docs::projected::measure",
+            ])
+        },
         ..FILE
     },
     Record {

@@ -11,7 +11,7 @@ use std::path::{Component, Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 use unitvec::angle_deg;
-use unitvec_catalogue::{AnyCodec, Domain, Element, find};
+use unitvec_catalogue::{AnyCodec, Domain, Element, find_any};
 use unitvec_files::{Output, check_unused, is_stdout, note_read};
 use unitvec_host::input::Input;
 use unitvec_host::{Error, Result};
@@ -20,8 +20,8 @@ use unitvec_mesh::{Reach, has_direction};
 
 #[derive(Args)]
 pub struct Arguments {
-    /// Codec that the vectors are for, as `unitvec codecs` lists them: the precise one of the format, such as oct16p, where
-    /// there is one.
+    /// Format of other software that the vectors are for, such as draco:10, or a codec, the precise one where there is one:
+    /// `unitvec codecs` lists them.
     #[arg(long = "for", value_name = "ID")]
     codec: String,
     #[command(flatten)]
@@ -37,7 +37,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
-    let codec = find(&arguments.codec)?;
+    let codec = find_any(&arguments.codec)?;
     let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, None)?;
     for (input, out) in &pairs {
         check_ending(input, out)?;
@@ -156,18 +156,30 @@ fn copy(file: &Beside, target: &Path) -> Result<()> {
 struct Tally {
     vectors: u64,
     moved: u64,
-    sum: f64,
-    max: f64,
+    /// Sums and maxima of what [`Moved`] has.
+    sums: [f64; 3],
+    most: [f64; 3],
 }
 
+/// The angle by which a vector was moved; of formats of other software also the angles between the vector and what their own
+/// encoder makes of it, and makes of the moved one.
+type Moved = [f64; 3];
+
 impl Tally {
-    fn add(&mut self, angle: Option<f64>) {
+    fn add(&mut self, angles: Option<Moved>) {
         self.vectors += 1;
-        if let Some(angle) = angle {
+        if let Some(angles) = angles {
             self.moved += 1;
-            self.sum += angle;
-            self.max = self.max.max(angle);
+            for (i, angle) in angles.into_iter().enumerate() {
+                self.sums[i] += angle;
+                self.most[i] = self.most[i].max(angle);
+            }
         }
+    }
+
+    fn angles(&self, kind: usize) -> Option<Angles> {
+        let mean_deg = self.sums[kind] / self.moved as f64;
+        (self.moved > 0).then_some(Angles { mean_deg, max_deg: self.most[kind] })
     }
 }
 
@@ -200,8 +212,9 @@ impl Tallies {
             part: if part == Attribute::Normal { "normal" } else { "tangent" },
             vectors: tally.vectors,
             left_alone: tally.vectors - tally.moved,
-            moved: (tally.moved > 0)
-                .then(|| Angles { mean_deg: tally.sum / tally.moved as f64, max_deg: tally.max }),
+            moved: tally.angles(0),
+            error_before: tally.angles(1).filter(|_| self.codec.format().is_some()),
+            error_after: tally.angles(2).filter(|_| self.codec.format().is_some()),
         };
         let below = (self.below > 0).then(|| UPPER_ONLY.to_owned());
         let warnings = edited.warnings.iter().cloned().chain(below).collect();
@@ -209,10 +222,18 @@ impl Tallies {
     }
 }
 
-/// Moves the vectors of an element to those that it is decoded to, but for those without a direction and tangents of such
-/// normals. Returns the angles of what was moved.
-fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<f64>; 2] {
-    let decoded: [f32; N] = codec.decode_one(codec.encode_one(*element));
+/// Moves the vectors of an element to those that it is decoded to, or to those that the format's own software encodes alike,
+/// but for those without a direction and tangents of such normals. Returns the angles of what was moved.
+fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<Moved>; 2] {
+    let mut decoded: [f32; N] = codec.decode_one(codec.encode_one(*element));
+    if let Some(format) = codec.format() {
+        decoded[..3].copy_from_slice(&format.snap([element[0], element[1], element[2]]));
+    }
+    let written = |original: [f32; 3], v: [f32; 3]| {
+        codec
+            .format()
+            .map_or(0.0, |format| angle_deg(original, format.decode::<[f32; 3]>(format.plain().encode(v))))
+    };
     let (mut angles, mut is_usable) = ([None; 2], true);
     for ((angle, vector), to) in
         angles.iter_mut().zip(element.chunks_exact_mut(3)).zip(decoded.chunks_exact(3))
@@ -221,7 +242,7 @@ fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<f64
         is_usable &= has_direction(from);
         if is_usable {
             vector.copy_from_slice(&to);
-            *angle = Some(angle_deg(from, to));
+            *angle = Some([angle_deg(from, to), written(from, from), written(from, to)]);
         }
     }
     angles
@@ -254,6 +275,12 @@ struct Row {
     left_alone: u64,
     /// The angles between the others before and after; null where there are none.
     moved: Option<Angles>,
+    /// The errors that the format's own software makes of the original vectors; of formats of other software.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error_before: Option<Angles>,
+    /// The errors that it makes of the moved ones, from the original vectors.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error_after: Option<Angles>,
 }
 
 /// Angles in degrees.
@@ -279,9 +306,21 @@ impl Row {
     fn line(&self) -> String {
         let name = self.name.as_ref().map_or_else(String::new, |name| format!(" ({name})"));
         let vectors = counted(self.vectors, &format!("{}s", self.part));
-        let moved = self.moved.as_ref().map_or_else(String::new, |Angles { mean_deg, max_deg }| {
-            format!(", moved by {} degrees in the mean, {} at most", degrees(*mean_deg), degrees(*max_deg))
-        });
+        let words = |Angles { mean_deg, max_deg }: &Angles| {
+            format!("{} degrees in the mean, {} at most", degrees(*mean_deg), degrees(*max_deg))
+        };
+        let moved =
+            self.moved.as_ref().map_or_else(String::new, |angles| format!(", moved by {}", words(angles)));
+        let moved = match (&self.error_before, &self.error_after) {
+            (Some(before), Some(after)) => {
+                format!(
+                    "{moved}; the format's own encoder is off by {} before, {} now",
+                    words(before),
+                    words(after)
+                )
+            }
+            _ => moved,
+        };
         format!("mesh {}{name}: {vectors}, {} left as they are{moved}", self.mesh, self.left_alone)
     }
 }
