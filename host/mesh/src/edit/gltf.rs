@@ -118,16 +118,20 @@ pub(super) fn edit(
     mut change: Change<'_>,
 ) -> Result<Edited, MeshError> {
     let (json, chunk) = chunks(path, bytes)?;
-    let text = Text::of(path, &json)?;
+    let mut text = Text::of(path, &json)?;
     check_not_compressed(path, &text.extensions_used)?;
+    let others = text.others();
+    let with_targets = text.primitives().filter(|uses| !uses.targets.is_empty()).count();
+    text.meshes = Vec::new();
     let file = load(path, bytes, reach, &[Normals, Tangents])?;
     let stores = stores(path, &text);
-    let plan = Plan::of(&file, &stores, &text.others(), matches!(change, Change::Frames(_)))?;
-    let warnings = warnings(&file, &text);
+    let plan = Plan::of(&file, &stores, &others, matches!(change, Change::Frames(_)))?;
+    let warnings = warnings(&file, with_targets);
     let meshes = file.meshes.iter().map(|mesh| mesh.name.as_deref().map(short)).collect();
+    let moved: HashSet<usize> = plan.places.values().map(|place| place.store).collect();
     let mut contents = vec![Vec::new(); stores.len()];
-    for (content, store) in file.buffers.into_iter().zip(&stores).filter(|(content, _)| !content.is_empty()) {
-        if contents[*store].is_empty() && plan.places.values().any(|place| place.store == *store) {
+    for (content, store) in file.buffers.into_iter().zip(&stores).filter(|(_, store)| moved.contains(store)) {
+        if contents[*store].is_empty() {
             contents[*store] = Rc::unwrap_or_clone(content).into_owned();
         }
     }
@@ -148,19 +152,18 @@ pub(super) fn edit(
 }
 
 /// Vectors of the file that are not moved, in words.
-fn warnings(file: &File, text: &Text) -> Vec<String> {
+fn warnings(file: &File, with_targets: usize) -> Vec<String> {
     let without = file.primitives().filter(|(.., primitive)| primitive.get(&Normals).is_none()).count();
-    let with_targets = text.primitives().filter(|uses| !uses.targets.is_empty()).count();
     let words = [(without, "no normals"), (with_targets, "morph targets, which are left as they are")];
     let words = words.into_iter().filter(|(count, _)| *count > 0);
     words.map(|(count, words)| format!("primitives that have {words}: {count}")).collect()
 }
 
-/// For each buffer the first one that lies in the same file: itself, where none does.
+/// For each buffer the first one that lies in a file of the same name: itself, where none does.
 fn stores(path: &Path, text: &Text) -> Vec<usize> {
     let mut firsts = HashMap::new();
     let store = |(buffer, resource)| match file_named(path, resource) {
-        Some((_, source)) => *firsts.entry(source.canonicalize().unwrap_or(source)).or_insert(buffer),
+        Some((name, _)) => *firsts.entry(name).or_insert(buffer),
         None => buffer,
     };
     text.buffers.iter().enumerate().map(store).collect()

@@ -14,7 +14,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("decode", "decode --codec frame32 bunny.frames frames.f32", "seven floats each"),
     ("normals", "normals bunny.obj normals.f32", "also where the mesh has none"),
     ("normals", "normals --frames bunny.glb frames.f32", "with tangents"),
-    ("snap", "snap --for oct16 bunny.glb snapped.glb", "for gltfpack, Draco"),
+    ("snap", "snap --for oct16p bunny.glb snapped.glb", "for tools that round"),
     ("snap", "snap --for frame32 a.gltf b.glb snapped", "into a folder"),
     ("error", "error bunny.obj", "the recommended codecs"),
     ("error", "error --codec oct24p,ico24 a.glb b.glb", "two codecs over two meshes"),

@@ -94,8 +94,8 @@ enum Command {
     /// Move the normals and tangents of meshes (obj, ply, gltf, glb) to vectors that a codec decodes to, and write the same
     /// meshes otherwise.
     ///
-    /// A program that then writes the codec's format by plain rounding writes the nearest codes, as the codec's encoder
-    /// finds them. So glTF tools come to the error of oct16p, for example, which round the components themselves.
+    /// A program that then writes the codec's format by plain rounding, as tools for glTF do, writes the codes that the
+    /// codec's encoder finds: with oct16p the nearest ones.
     ///
     /// Of all else in the file every byte stays, but for `min` and `max` of what was moved. The buffers of a .gltf, and
     /// images that are not there yet, are written to the folder of OUT under their own names. Vectors without a direction
