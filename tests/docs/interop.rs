@@ -101,3 +101,35 @@ pub fn of_tangents() -> String {
     });
     markdown_table("format | bits | what | normal: mean / max, degrees | tangent: mean / max", rows)
 }
+
+/// A difference between the program and an original: of codes as integers, of decoded numbers as they are.
+type Outside = (String, String, String, u64, u64, f64, f64);
+
+/// The table of what originals made of the same directions and codes.
+pub fn outside() -> String {
+    let rows = recorded::<Outside>("interop_outside.csv").into_iter();
+    let rows = rows.map(|(format, what, original, cases, differing, most, allowed)| {
+        assert!(most <= allowed, "{format}: {most}");
+        format!("`{format}` | {what} | {original} | {cases} | {differing} | {most} | {allowed}")
+    });
+    markdown_table(
+        "format | operation | original | cases | that differ | greatest difference | allowed",
+        rows,
+    )
+}
+
+/// The table of tools that ran after `unitvec snap`.
+pub fn tools() -> String {
+    let rows =
+        csv::Reader::from_path(repository().join("docs/data/interop_tools.csv")).unwrap().into_records();
+    let rows = rows.map(|row| {
+        let row = row.unwrap();
+        let [command, plain, snapped, nearest] = [1, 4, 6, 8].map(|at| &row[at]);
+        let [plain_max, snapped_max, nearest_max] = [5, 7, 9].map(|at| &row[at]);
+        let sizes = format!("{} / {} | {} / {}", &row[10], &row[11], &row[13], &row[14]);
+        format!("`{command}` | {plain} / {plain_max} | {snapped} / {snapped_max} | {nearest} / {nearest_max} | {sizes}")
+    });
+    let titles =
+        "command | plain: mean / max, degrees | after snap | nearest codes | bytes / with zstd | after snap";
+    markdown_table(titles, rows)
+}

@@ -45,6 +45,8 @@ pub fn table(name: &str) -> Option<String> {
         "dither-pictures" => pictures::dither(),
         "interop" => interop::table(),
         "interop-sources" => interop::sources(),
+        "interop-outside" => interop::outside(),
+        "interop-tools" => interop::tools(),
         "interop-frames" => interop::of_tangents(),
         "devices" => devices::table(),
         "drivers" => drivers::table(),
