@@ -88,15 +88,15 @@ const widened = (vectors) =>
   Float32Array.from({ length: vectors.length / 3 * 4 }, (_, i) => (i % 4 < 3 ? vectors[(i >> 2) * 3 + i % 4] : 0));
 
 const call = (program, words) => execFileSync(program, words, { stdio: ["ignore", "ignore", "inherit"] });
-const unitvec = (...words) => call(UNITVEC, words);
+const unitvec = (command, ...words) => call(UNITVEC, [command, "--quiet", ...words]);
 function encoded(format, vectors, ...options) {
   writeFileSync("in.f32", bytesOf(vectors));
-  unitvec("encode", "--format", format, ...options, "in.f32", "out.bin");
-  return readFileSync("out.bin");
+  unitvec("encode", "--format", format, ...options, "in.f32", "out.codes");
+  return readFileSync("out.codes");
 }
 function decoded(format, codes) {
-  writeFileSync("in.bin", bytesOf(codes));
-  unitvec("decode", "--format", format, "in.bin", "out.f32");
+  writeFileSync("in.codes", bytesOf(codes));
+  unitvec("decode", "--format", format, "in.codes", "out.f32");
   return as(Float32Array, readFileSync("out.f32"));
 }
 
@@ -120,6 +120,8 @@ function compare(format, what, original, [input, found, expected], each, allowed
       console.log(`${format}, ${what}: ${from.join(" ")} gives ${here.join(" ")}; by ${original} ${there.join(" ")}`);
     }
   }
+  // Roundings that may differ by 1 seldom do: another encoder differs in more than a hundredth.
+  if (allowed === 1 && differing > cases / 100) faults.push(`${format}, ${what}: ${differing} results differ by 1`);
   if (beyond) faults.push(`${format}, ${what}: ${beyond} results are not those of ${original}`);
   rows.push([format, what, original, cases, differing, ...[greatest, allowed].map((n) => +n.toPrecision(3))].join());
   console.log(rows.at(-1));
@@ -357,7 +359,9 @@ async function tool(name, command, format, mesh) {
   errors.push(angles(decoded(format, encoded(format, mesh.normals)), mesh.normals));
   const [plain, snapped, nearest] = errors.map(([mean]) => mean);
   if (counts[0] !== counts[1]) faults.push(`${command}: ${counts.join(" and ")} vertices`);
-  if (snapped > plain || snapped > nearest + 1e-4) faults.push(`${command}: ${snapped} degrees, not ${nearest}`);
+  // Components need not be the nearest: tools normalise first, which undoes a length that snap chose.
+  const isKept = snapped <= plain && snapped <= nearest + 1e-4;
+  if (!isKept && !format.startsWith("gltf")) faults.push(`${command}: snapped ${snapped} degrees, not ${nearest}`);
   if (sizes.some((size) => /error/.test(size))) faults.push(`${command}: the validator finds ${sizes.join()}`);
   const [title, degrees] = [named(name), errors.flat().map((angle) => angle.toFixed(4))];
   results.push([title, command, format, counts[0], ...degrees, ...sizes].join());

@@ -344,7 +344,8 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/interop_outside.csv docs/data/interop_tools.csv")],
         from: "formats of other software beside that software, and its tools after `unitvec snap`",
         inputs: &[&[
-            Code("shader-crate/src/interop/*.rs tests/interop/outside.mjs"),
+            Code("shader-crate/src/interop/*.rs host/mesh/src/edit/*.rs tests/interop/outside.mjs"),
+            Code("host/program/src/cli/convert.rs host/program/src/cli/snap.rs"),
             Bytes("tests/interop/package-lock.json host/mesh/data/bunny.obj"),
             Versions(|| format!("{:?}", interop::DRACO)),
         ]],
