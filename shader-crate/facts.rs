@@ -17,8 +17,15 @@ macro_rules! facts {
     (oct32) => { "32 bits in 4 bytes, direction at most 0.00377° off; VK_FORMAT_R16G16_SNORM" };
     (oct32p) => { "32 bits in 4 bytes, direction at most 0.00251° off; VK_FORMAT_R16G16_SNORM" };
     (hemioct16) => { "16 bits in 2 bytes, direction at most 0.553° off; VK_FORMAT_R8G8_SNORM" };
+    (hemioct16p) => { "16 bits in 2 bytes, direction at most 0.553° off; VK_FORMAT_R8G8_SNORM" };
     (hemioct24) => { "24 bits in 3 bytes, direction at most 0.0343° off" };
+    (hemioct24p) => { "24 bits in 3 bytes, direction at most 0.0343° off" };
     (hemioct32) => { "32 bits in 4 bytes, direction at most 0.00218° off; VK_FORMAT_R16G16_SNORM" };
+    (hemioct32p) => { "32 bits in 4 bytes, direction at most 0.00218° off; VK_FORMAT_R16G16_SNORM" };
+    (uoct16p) => { "16 bits in 2 bytes, direction at most 0.636° off; VK_FORMAT_R8G8_UNORM" };
+    (uoct20p) => { "20 bits in 3 bytes, direction at most 0.158° off" };
+    (uoct24p) => { "24 bits in 3 bytes, direction at most 0.0396° off" };
+    (uoct32p) => { "32 bits in 4 bytes, direction at most 0.00251° off; VK_FORMAT_R16G16_UNORM" };
     (eaoct16) => { "16 bits in 2 bytes, direction at most 0.678° off; VK_FORMAT_R8G8_SNORM" };
     (eaoct16p) => { "16 bits in 2 bytes, direction at most 0.594° off; VK_FORMAT_R8G8_SNORM" };
     (eaoct20) => { "20 bits in 3 bytes, direction at most 0.169° off" };

@@ -20,6 +20,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/// What unitvec_codec_null gives where there is no null code.
+#define UNITVEC_NO_NULL UINT64_MAX
+
 /// Numbers of elements are `float`.
 #define UNITVEC_FLOAT32 4
 
@@ -50,6 +53,16 @@ typedef enum unitvec_status {
 /// A codec, of vectors or of frames: see unitvec_find. It lives as long as the program.
 typedef struct unitvec_codec unitvec_codec;
 
+/// A vector of three floats, laid out as three floats of an array.
+typedef struct unitvec_vec3 {
+  /// The first component.
+  float x;
+  /// The second component.
+  float y;
+  /// The third component.
+  float z;
+} unitvec_vec3;
+
 /// Vectors or frames among other data: in an array of structs, in arrays of components, or in vertex buffers.
 typedef struct unitvec_elements {
   /// The places of the first element's components, aligned or not: x, y and z; of a frame those of normal and
@@ -62,16 +75,6 @@ typedef struct unitvec_elements {
   /// UNITVEC_FLOAT32 or UNITVEC_FLOAT64.
   uint32_t scalar;
 } unitvec_elements;
-
-/// A vector of three floats, laid out as three floats of an array.
-typedef struct unitvec_vec3 {
-  /// The first component.
-  float x;
-  /// The second component.
-  float y;
-  /// The third component.
-  float z;
-} unitvec_vec3;
 
 /// A tangent frame, laid out as seven floats of an array.
 typedef struct unitvec_frame {
@@ -87,6 +90,14 @@ typedef struct unitvec_frame {
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
+
+/// The code of a vector, or the null code where the vector has no direction: zeros, infinities, NaN.
+uint64_t unitvec_code_or_null(struct unitvec_vec3 vector, uint64_t code, uint64_t null_code);
+
+/// The decoded vector of a code, or (0, 0, 0) where the code is the null code. Higher bits of codes must be 0.
+struct unitvec_vec3 unitvec_vector_or_zero(struct unitvec_vec3 decoded,
+                                           uint64_t code,
+                                           uint64_t null_code);
 
 /// The meaning of a status, in a line of English that lives as long as the program. Any number may be given.
 const char *unitvec_status_text(uint32_t status);
@@ -112,6 +123,10 @@ size_t unitvec_codec_floats(const struct unitvec_codec *codec);
 /// Upper bound of the angle between a direction and its decoded code, in degrees; for frames, the greater of the bounds
 /// for normal and tangent. 0 for an unknown codec.
 float unitvec_codec_max_error_deg(const struct unitvec_codec *codec);
+
+/// The null code: one that encoding never writes, so that it can stand for vectors without a direction. UNITVEC_NO_NULL
+/// where there is none, and for an unknown codec.
+uint64_t unitvec_codec_null(const struct unitvec_codec *codec);
 
 /// The Vulkan format with the layout of the code, such as "VK_FORMAT_R16G16_SNORM". NULL where there is none, and for an
 /// unknown codec.
@@ -280,17 +295,59 @@ uint32_t unitvec_hemioct16_encode(struct unitvec_vec3 vector);
 /// The vector of a code of hemioct16. Higher bits are ignored.
 struct unitvec_vec3 unitvec_hemioct16_decode(uint32_t code);
 
+/// The code of a vector by hemioct16p: 16 bits, directions with z >= 0, at most 0.5525745 degrees off.
+uint32_t unitvec_hemioct16p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of hemioct16p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_hemioct16p_decode(uint32_t code);
+
 /// The code of a vector by hemioct24: 24 bits, directions with z >= 0, at most 0.03431422 degrees off.
 uint32_t unitvec_hemioct24_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of hemioct24. Higher bits are ignored.
 struct unitvec_vec3 unitvec_hemioct24_decode(uint32_t code);
 
+/// The code of a vector by hemioct24p: 24 bits, directions with z >= 0, at most 0.03431422 degrees off.
+uint32_t unitvec_hemioct24p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of hemioct24p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_hemioct24p_decode(uint32_t code);
+
 /// The code of a vector by hemioct32: 32 bits, directions with z >= 0, at most 0.0021750275 degrees off.
 uint32_t unitvec_hemioct32_encode(struct unitvec_vec3 vector);
 
 /// The vector of a code of hemioct32. Higher bits are ignored.
 struct unitvec_vec3 unitvec_hemioct32_decode(uint32_t code);
+
+/// The code of a vector by hemioct32p: 32 bits, directions with z >= 0, at most 0.0021750275 degrees off.
+uint32_t unitvec_hemioct32p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of hemioct32p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_hemioct32p_decode(uint32_t code);
+
+/// The code of a vector by uoct16p: 16 bits, at most 0.63555604 degrees off.
+uint32_t unitvec_uoct16p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of uoct16p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_uoct16p_decode(uint32_t code);
+
+/// The code of a vector by uoct20p: 20 bits, at most 0.15845206 degrees off.
+uint32_t unitvec_uoct20p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of uoct20p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_uoct20p_decode(uint32_t code);
+
+/// The code of a vector by uoct24p: 24 bits, at most 0.039612982 degrees off.
+uint32_t unitvec_uoct24p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of uoct24p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_uoct24p_decode(uint32_t code);
+
+/// The code of a vector by uoct32p: 32 bits, at most 0.0025114678 degrees off.
+uint32_t unitvec_uoct32p_encode(struct unitvec_vec3 vector);
+
+/// The vector of a code of uoct32p. Higher bits are ignored.
+struct unitvec_vec3 unitvec_uoct32p_decode(uint32_t code);
 
 /// The code of a vector by eaoct16: 16 bits, at most 0.6779836 degrees off.
 uint32_t unitvec_eaoct16_encode(struct unitvec_vec3 vector);

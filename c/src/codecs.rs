@@ -272,6 +272,22 @@ mod hemioct16 {
     }
 }
 
+mod hemioct16p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by hemioct16p: 16 bits, directions with z >= 0, at most 0.5525745 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hemioct16p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::HemiOctPrecise16>(vector) as u32
+    }
+
+    /// The vector of a code of hemioct16p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hemioct16p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::HemiOctPrecise16>(code.into())
+    }
+}
+
 mod hemioct24 {
     use crate::single::{Vec3, decode, encode};
 
@@ -288,6 +304,22 @@ mod hemioct24 {
     }
 }
 
+mod hemioct24p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by hemioct24p: 24 bits, directions with z >= 0, at most 0.03431422 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hemioct24p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::HemiOctPrecise24>(vector) as u32
+    }
+
+    /// The vector of a code of hemioct24p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hemioct24p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::HemiOctPrecise24>(code.into())
+    }
+}
+
 mod hemioct32 {
     use crate::single::{Vec3, decode, encode};
 
@@ -301,6 +333,86 @@ mod hemioct32 {
     #[unsafe(no_mangle)]
     pub extern "C" fn unitvec_hemioct32_decode(code: u32) -> Vec3 {
         decode::<unitvec::HemiOct32>(code.into())
+    }
+}
+
+mod hemioct32p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by hemioct32p: 32 bits, directions with z >= 0, at most 0.0021750275 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hemioct32p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::HemiOctPrecise32>(vector) as u32
+    }
+
+    /// The vector of a code of hemioct32p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_hemioct32p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::HemiOctPrecise32>(code.into())
+    }
+}
+
+mod uoct16p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by uoct16p: 16 bits, at most 0.63555604 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct16p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::UOctPrecise16>(vector) as u32
+    }
+
+    /// The vector of a code of uoct16p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct16p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::UOctPrecise16>(code.into())
+    }
+}
+
+mod uoct20p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by uoct20p: 20 bits, at most 0.15845206 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct20p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::UOctPrecise20>(vector) as u32
+    }
+
+    /// The vector of a code of uoct20p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct20p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::UOctPrecise20>(code.into())
+    }
+}
+
+mod uoct24p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by uoct24p: 24 bits, at most 0.039612982 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct24p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::UOctPrecise24>(vector) as u32
+    }
+
+    /// The vector of a code of uoct24p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct24p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::UOctPrecise24>(code.into())
+    }
+}
+
+mod uoct32p {
+    use crate::single::{Vec3, decode, encode};
+
+    /// The code of a vector by uoct32p: 32 bits, at most 0.0025114678 degrees off.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct32p_encode(vector: Vec3) -> u32 {
+        encode::<unitvec::UOctPrecise32>(vector) as u32
+    }
+
+    /// The vector of a code of uoct32p. Higher bits are ignored.
+    #[unsafe(no_mangle)]
+    pub extern "C" fn unitvec_uoct32p_decode(code: u32) -> Vec3 {
+        decode::<unitvec::UOctPrecise32>(code.into())
     }
 }
 

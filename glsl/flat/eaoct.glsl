@@ -41,10 +41,6 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -117,14 +113,6 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -176,6 +164,42 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
+#define UNITVEC_HAS_SNORM_RECIPROCAL
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
+#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#endif
+#ifndef UNITVEC_HAS_QUOTIENT
+#define UNITVEC_HAS_QUOTIENT
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
 #ifndef UNITVEC_HAS_NEAREST_CODE
 #define UNITVEC_HAS_NEAREST_CODE
 uint unitvec_nearest_code(float x, uint bits) {
@@ -206,26 +230,26 @@ bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
-#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
-#define UNITVEC_HAS_SNORM_RECIPROCAL
-float unitvec_snorm_reciprocal(uint bits) {
-    uint m = unitvec_mask(bits - 1u);
-    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
-}
-float unitvec_snorm_part(float x, uint bits) {
-    float h = unitvec_exp2(1 - int(bits));
-    bool few = bits <= 11u;
-    UNITVEC_PRECISE float high = few ? h + h * h : h;
-    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
-    UNITVEC_PRECISE float quotient = x * high + x * low;
-    return quotient;
-}
-#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENT
+#define UNITVEC_HAS_SNORM_QUOTIENT
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_FLIP_SIGN
 #define UNITVEC_HAS_FLIP_SIGN
@@ -247,10 +271,6 @@ vec2 unitvec_unbiased(vec2 e) {
     return on_snorm;
 }
 #endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
 #ifndef UNITVEC_HAS_NEAREST_PAIR
 #define UNITVEC_HAS_NEAREST_PAIR
 uint unitvec_nearest_pair(vec2 e, uint bits) {
@@ -258,17 +278,6 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
-#ifndef UNITVEC_HAS_SNORM_QUOTIENT
-#define UNITVEC_HAS_SNORM_QUOTIENT
-float unitvec_snorm_quotient(float x, uint bits) {
-#ifdef UNITVEC_EXACT
-    return unitvec_snorm_part(x, bits);
-#else
-    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
-    return quotient;
-#endif
 }
 #endif
 #ifndef UNITVEC_HAS_SIGNED_QUOTIENT

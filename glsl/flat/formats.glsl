@@ -10,6 +10,9 @@
 //   code_to_snorm10x3(code), snorm10x3_to_code(f)        A2B10G10R10_SNORM_PACK32
 //   code_to_snorm16x3(code), snorm16x3_to_code(f)        R16G16B16_SNORM, R16G16B16A16_SNORM; the code is a uvec2
 //   code_to_unorm8x3(code), unorm8x3_to_code(f)          R8G8B8_UNORM, R8G8B8A8_UNORM
+//   code_to_unorm8x2(code), unorm8x2_to_code(f)          R8G8_UNORM
+//   code_to_unorm10x2(code), unorm10x2_to_code(f)        the first two of A2B10G10R10_UNORM_PACK32
+//   code_to_unorm16x2(code), unorm16x2_to_code(f)        R16G16_UNORM
 //   code_to_sint8x2(code), sint8x2_to_code(i)            R8G8_SINT, as ivec2
 //   code_to_sint16x2(code), sint16x2_to_code(i)          R16G16_SINT, as ivec2
 //   code_to_float16x2(code), float16x2_to_code(f)        R16G16_SFLOAT
@@ -48,10 +51,6 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -124,14 +123,6 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -183,19 +174,6 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
-}
-#endif
-#ifndef UNITVEC_HAS_IS_NAN
-#define UNITVEC_HAS_IS_NAN
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
-#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -209,6 +187,29 @@ float unitvec_snorm_part(float x, uint bits) {
     UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
     UNITVEC_PRECISE float quotient = x * high + x * low;
     return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
+#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#endif
+#ifndef UNITVEC_HAS_NEGATE_POSITIVE
+#define UNITVEC_HAS_NEGATE_POSITIVE
+float unitvec_negate_positive(bool negative, float x) {
+    return unitvec_negate_if(negative && x > 0.0, x);
+}
+#endif
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
+#ifndef UNITVEC_HAS_IS_NAN
+#define UNITVEC_HAS_IS_NAN
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
 }
 #endif
 #ifndef UNITVEC_HAS_2_23
@@ -288,6 +289,16 @@ float unitvec_formats_unorm8(uint code, uint first) {
     return unitvec_snorm_part(float((code >> first) & 255u), 9u);
 }
 
+// The unorms in the two lowest groups of `bits` bits of a code, and the code of two.
+vec2 unitvec_formats_unorm_pair(uint code, uint bits) {
+    float x = unitvec_snorm_part(float(code & unitvec_mask(bits)), bits + 1u);
+    return vec2(x, unitvec_snorm_part(float((code >> bits) & unitvec_mask(bits)), bits + 1u));
+}
+
+uint unitvec_formats_unorm_code(vec2 f, uint bits) {
+    return unitvec_unorm_encode(f.x, bits) | (unitvec_unorm_encode(f.y, bits) << bits);
+}
+
 // The half nearest to x.
 uint unitvec_formats_half(float x) {
     return unitvec_is_nan(x) ? 0u : unitvec_half_encode(x);
@@ -351,6 +362,14 @@ uint unorm8x3_to_code(vec3 f) {
     uint low = unitvec_unorm_encode(f.x, 8u) | (unitvec_unorm_encode(f.y, 8u) << 8u);
     return low | (unitvec_unorm_encode(f.z, 8u) << 16u);
 }
+
+vec2 code_to_unorm8x2(uint code) { return unitvec_formats_unorm_pair(code, 8u); }
+vec2 code_to_unorm10x2(uint code) { return unitvec_formats_unorm_pair(code, 10u); }
+vec2 code_to_unorm16x2(uint code) { return unitvec_formats_unorm_pair(code, 16u); }
+
+uint unorm8x2_to_code(vec2 f) { return unitvec_formats_unorm_code(f, 8u); }
+uint unorm10x2_to_code(vec2 f) { return unitvec_formats_unorm_code(f, 10u); }
+uint unorm16x2_to_code(vec2 f) { return unitvec_formats_unorm_code(f, 16u); }
 
 ivec2 code_to_sint8x2(uint code) { return unitvec_formats_sint_pair(code, 8u); }
 ivec2 code_to_sint16x2(uint code) { return unitvec_formats_sint_pair(code, 16u); }

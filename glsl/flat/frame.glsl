@@ -39,10 +39,6 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -115,14 +111,6 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -174,6 +162,21 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
+#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#endif
+#ifndef UNITVEC_HAS_QUOTIENT
+#define UNITVEC_HAS_QUOTIENT
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_NEAREST_CODE
 #define UNITVEC_HAS_NEAREST_CODE
 uint unitvec_nearest_code(float x, uint bits) {
@@ -187,12 +190,6 @@ float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
 #endif
-#ifndef UNITVEC_HAS_FLIP_SIGN
-#define UNITVEC_HAS_FLIP_SIGN
-float unitvec_flip_sign(float x, uint sign_bit) {
-    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
-}
-#endif
 #ifndef UNITVEC_HAS_NORMALIZE
 #define UNITVEC_HAS_NORMALIZE
 vec3 unitvec_normalize(vec3 v) {
@@ -203,6 +200,12 @@ vec3 unitvec_normalize(vec3 v) {
 #ifndef UNITVEC_HAS_2_23
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
+#endif
+#ifndef UNITVEC_HAS_FLIP_SIGN
+#define UNITVEC_HAS_FLIP_SIGN
+float unitvec_flip_sign(float x, uint sign_bit) {
+    return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
+}
 #endif
 #ifndef UNITVEC_HAS_NEAREST_PAIR
 #define UNITVEC_HAS_NEAREST_PAIR
@@ -265,6 +268,14 @@ vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
 #define UNITVEC_HAS_SNORM_INTEGER
 float unitvec_snorm_integer(uint code, uint bits) {
     return unitvec_snorm_field(code, 0u, bits);
+}
+#endif
+#ifndef UNITVEC_HAS_NEARER
+#define UNITVEC_HAS_NEARER
+vec4 unitvec_nearer(vec4 a, vec4 b) {
+    UNITVEC_PRECISE float of_b = b.z * a.w;
+    UNITVEC_PRECISE float of_a = a.z * b.w;
+    return of_b < of_a ? b : a;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_BIAS
@@ -349,11 +360,6 @@ vec4 unitvec_oct_corner(float x, float y, vec3 p, float m) {
     UNITVEC_PRECISE float squared = along * along;
     return vec4(x, y, across, z < 0.0 ? 0.0 : squared);
 }
-vec4 unitvec_oct_nearer(vec4 a, vec4 b) {
-    UNITVEC_PRECISE float of_b = b.z * a.w;
-    UNITVEC_PRECISE float of_a = a.z * b.w;
-    return of_b < of_a ? b : a;
-}
 vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec2 low = floor(p.xy);
     UNITVEC_PRECISE vec2 high = low + 1.0;
@@ -361,7 +367,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec4 right = unitvec_oct_corner(high.x, low.y, p, m);
     vec4 up = unitvec_oct_corner(low.x, high.y, p, m);
     vec4 far = unitvec_oct_corner(high.x, high.y, p, m);
-    return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
 }
 vec2 unitvec_oct_precise_point(vec3 v, float norm, float m) {
     UNITVEC_PRECISE vec3 p = abs(v) * unitvec_over(m, norm);

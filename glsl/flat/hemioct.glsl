@@ -5,6 +5,8 @@
 // Source: Cigolle et al. 2014, listing 6.
 //
 //   hemioct16_encode(v), hemioct16_decode(code)      integer codes; also hemioct24, hemioct32
+//   hemioct16p_encode(v), ...                        the nearest codes of the same formats
+//   float32x3_to_hemioctn_precise(v, n)              the nearest code as a pair on [-1, 1], for a format of n bits (even, to 32)
 //   float32x3_to_hemioct(v)                          a pair on [-1, 1], for an snorm format that the hardware converts
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
@@ -37,10 +39,6 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -113,14 +111,6 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -172,6 +162,25 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
+#ifndef UNITVEC_HAS_SNORM_RECIPROCAL
+#define UNITVEC_HAS_SNORM_RECIPROCAL
+float unitvec_snorm_reciprocal(uint bits) {
+    uint m = unitvec_mask(bits - 1u);
+    return uintBitsToFloat(((128u - bits) << 23u) + (8388608u + m / 2u) / m);
+}
+float unitvec_snorm_part(float x, uint bits) {
+    float h = unitvec_exp2(1 - int(bits));
+    bool few = bits <= 11u;
+    UNITVEC_PRECISE float high = few ? h + h * h : h;
+    UNITVEC_PRECISE float low = (few ? h * h : h) * unitvec_snorm_reciprocal(bits);
+    UNITVEC_PRECISE float quotient = x * high + x * low;
+    return quotient;
+}
+#endif
+#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
+#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#endif
 #ifndef UNITVEC_HAS_NEAREST_CODE
 #define UNITVEC_HAS_NEAREST_CODE
 uint unitvec_nearest_code(float x, uint bits) {
@@ -183,6 +192,24 @@ uint unitvec_nearest_code(float x, uint bits) {
 #define UNITVEC_HAS_IS_NAN
 bool unitvec_is_nan(float x) {
     return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENT
+#define UNITVEC_HAS_SNORM_QUOTIENT
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
@@ -197,13 +224,6 @@ vec2 unitvec_biased(vec2 e) {
 vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
-}
-#endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
 }
 #endif
 #ifndef UNITVEC_HAS_NEAREST_PAIR
@@ -251,6 +271,14 @@ vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
 #endif
 }
 #endif
+#ifndef UNITVEC_HAS_NEARER
+#define UNITVEC_HAS_NEARER
+vec4 unitvec_nearer(vec4 a, vec4 b) {
+    UNITVEC_PRECISE float of_b = b.z * a.w;
+    UNITVEC_PRECISE float of_a = a.z * b.w;
+    return of_b < of_a ? b : a;
+}
+#endif
 #ifndef UNITVEC_HAS_HEMIOCT_POSITION
 #define UNITVEC_HAS_HEMIOCT_POSITION
 
@@ -258,6 +286,15 @@ vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
 vec2 unitvec_hemioct_position(vec3 v, float norm, float m) {
     UNITVEC_PRECISE vec2 e = vec2(v.x + v.y, v.x - v.y) * unitvec_over(m, norm);
     return e;
+}
+#endif
+#ifndef UNITVEC_HAS_BESIDE
+#define UNITVEC_HAS_BESIDE
+vec4 unitvec_beside(vec2 at, float square, float part, float len) {
+    UNITVEC_PRECISE float along = len + part;
+    UNITVEC_PRECISE float across = square * len - part * part;
+    UNITVEC_PRECISE float squared = along * along;
+    return vec4(at, across, squared);
 }
 #endif
 #ifndef UNITVEC_HAS_HEMIOCT_NORMS
@@ -302,6 +339,45 @@ vec3 hemioct_to_float32x3(vec2 e) {
 vec2 float32x3_to_hemioct_unorm(vec3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
 vec3 hemioct_unorm_to_float32x3(vec2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 
+// The corner (u, v) of a lattice cell, as p sees it, of an L1 norm of 2 m: unitvec_beside.
+vec4 unitvec_hemioct_corner(vec2 e, vec3 p, float m, float len) {
+    UNITVEC_PRECISE vec3 c = vec3(e.x + e.y, e.x - e.y, 2.0 * (m - max(abs(e.x), abs(e.y))));
+    UNITVEC_PRECISE vec3 d = c - p;
+    return unitvec_beside(e, unitvec_dot(d, d), unitvec_dot(d, p), len);
+}
+
+// Lattice point that is nearest in angle to v, which has z >= 0 and this L1 norm.
+vec2 unitvec_hemioct_precise_point(vec3 v, float norm, float m) {
+    vec2 e = unitvec_hemioct_position(v, norm, m);
+    UNITVEC_PRECISE vec3 p = v * unitvec_over(2.0 * m, norm);
+    vec2 low = floor(e);
+    UNITVEC_PRECISE vec2 high = low + 1.0;
+    float len = unitvec_dot(p, p);
+    vec4 near = unitvec_hemioct_corner(low, p, m, len);
+    vec4 right = unitvec_hemioct_corner(vec2(high.x, low.y), p, m, len);
+    vec4 up = unitvec_hemioct_corner(vec2(low.x, high.y), p, m, len);
+    vec4 far = unitvec_hemioct_corner(high, p, m, len);
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
+}
+
+// Lattice point that is nearest to any v; (0, 0) where it has no direction above the equator or on it.
+vec2 unitvec_hemioct_lattice_precise(vec3 v, float m) {
+    vec2 norms = unitvec_hemioct_norms(v);
+    vec2 e = unitvec_hemioct_precise_point(vec3(v.xy, max(v.z, 0.0)), norms.y, m);
+    return unitvec_hemioct_is_usable(norms) ? e : vec2(0.0);
+}
+
+// The nearest code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
+vec2 float32x3_to_hemioctn_precise(vec3 v, int n) {
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+uint unitvec_hemioct_encode_precise(vec3 v, uint bits) {
+    return unitvec_nearest_pair(unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits / 2u);
+}
+
 uint unitvec_hemioct_encode(vec3 v, uint bits) {
     vec2 norms = unitvec_hemioct_norms(v);
     vec2 e = unitvec_hemioct_position(v, norms.y, unitvec_snorm_max(bits / 2u));
@@ -320,5 +396,13 @@ uint hemioct32_encode(vec3 v) { return unitvec_hemioct_encode(v, 32u); }
 vec3 hemioct16_decode(uint code) { return unitvec_hemioct_decode(code, 16u); }
 vec3 hemioct24_decode(uint code) { return unitvec_hemioct_decode(code, 24u); }
 vec3 hemioct32_decode(uint code) { return unitvec_hemioct_decode(code, 32u); }
+
+uint hemioct16p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 16u); }
+uint hemioct24p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 24u); }
+uint hemioct32p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 32u); }
+
+vec3 hemioct16p_decode(uint code) { return hemioct16_decode(code); }
+vec3 hemioct24p_decode(uint code) { return hemioct24_decode(code); }
+vec3 hemioct32p_decode(uint code) { return hemioct32_decode(code); }
 
 #endif

@@ -10,6 +10,8 @@
 //   float32x3_to_octn_precise(v, n)          the precise code as such a pair, for a format of n bits (even, 4 to 32)
 //   oct_to_float32x3(e)                      the direction of such a pair
 //   float32x3_to_oct_unorm(v), oct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
+//   octn_to_unorm(e, n), unorm_to_octn(u, n)      the pair of a precise code of n bits on [0, 1], for a unorm format of as many:
+//                                                 its values 0 to 2^b - 2; the axes stay exact
 //   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
 //
 //   snorm12x2_to_uint8x3(f), uint8x3_to_snorm12x2(u)         the same as three bytes, for an integer format
@@ -48,10 +50,6 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -124,14 +122,6 @@ float unitvec_exact_root(float x, float inverse) {
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
 }
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT
     UNITVEC_PRECISE float inverse = 1.0 / b;
@@ -183,19 +173,6 @@ bool unitvec_is_usable(float l1_norm) {
     return unitvec_is_within(l1_norm, UNITVEC_MIN_NORM, UNITVEC_MAX_NORM);
 }
 #endif
-#ifndef UNITVEC_HAS_NEAREST_CODE
-#define UNITVEC_HAS_NEAREST_CODE
-uint unitvec_nearest_code(float x, uint bits) {
-    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
-    return floatBitsToUint(sum) & unitvec_mask(bits);
-}
-#endif
-#ifndef UNITVEC_HAS_IS_NAN
-#define UNITVEC_HAS_IS_NAN
-bool unitvec_is_nan(float x) {
-    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
-}
-#endif
 #ifndef UNITVEC_HAS_SNORM_RECIPROCAL
 #define UNITVEC_HAS_SNORM_RECIPROCAL
 float unitvec_snorm_reciprocal(uint bits) {
@@ -211,11 +188,61 @@ float unitvec_snorm_part(float x, uint bits) {
     return quotient;
 }
 #endif
+#ifndef UNITVEC_HAS_ONE_AND_A_HALF_2_23
+#define UNITVEC_HAS_ONE_AND_A_HALF_2_23
+const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
+#endif
+#ifndef UNITVEC_HAS_QUOTIENT
+#define UNITVEC_HAS_QUOTIENT
+float unitvec_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    return unitvec_exact_quotient(a, b);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEAREST_CODE
+#define UNITVEC_HAS_NEAREST_CODE
+uint unitvec_nearest_code(float x, uint bits) {
+    UNITVEC_PRECISE float sum = x + UNITVEC_ONE_AND_A_HALF_2_23;
+    return floatBitsToUint(sum) & unitvec_mask(bits);
+}
+#endif
+#ifndef UNITVEC_HAS_IS_NAN
+#define UNITVEC_HAS_IS_NAN
+bool unitvec_is_nan(float x) {
+    return (floatBitsToUint(x) & 0x7fffffffu) > 0x7f800000u;
+}
+#endif
 #ifndef UNITVEC_HAS_WITH_SIGN
 #define UNITVEC_HAS_WITH_SIGN
 float unitvec_with_sign(float magnitude, float y) {
     return uintBitsToFloat(floatBitsToUint(magnitude) | (floatBitsToUint(y) & UNITVEC_SIGN_BIT));
 }
+#endif
+#ifndef UNITVEC_HAS_SNORM_QUOTIENT
+#define UNITVEC_HAS_SNORM_QUOTIENT
+float unitvec_snorm_quotient(float x, uint bits) {
+#ifdef UNITVEC_EXACT
+    return unitvec_snorm_part(x, bits);
+#else
+    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
+    return quotient;
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_NORMALIZE
+#define UNITVEC_HAS_NORMALIZE
+vec3 unitvec_normalize(vec3 v) {
+    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
+    return n;
+}
+#endif
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
 #define UNITVEC_HAS_SNORM_CLAMP
@@ -231,17 +258,6 @@ vec2 unitvec_unbiased(vec2 e) {
     return on_snorm;
 }
 #endif
-#ifndef UNITVEC_HAS_NORMALIZE
-#define UNITVEC_HAS_NORMALIZE
-vec3 unitvec_normalize(vec3 v) {
-    UNITVEC_PRECISE vec3 n = v * unitvec_inverse_root(unitvec_dot(v, v));
-    return n;
-}
-#endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
 #ifndef UNITVEC_HAS_NEAREST_PAIR
 #define UNITVEC_HAS_NEAREST_PAIR
 uint unitvec_nearest_pair(vec2 e, uint bits) {
@@ -249,17 +265,6 @@ uint unitvec_nearest_pair(vec2 e, uint bits) {
 }
 vec2 unitvec_snorm_integers(uint code, uint bits) {
     return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
-#ifndef UNITVEC_HAS_SNORM_QUOTIENT
-#define UNITVEC_HAS_SNORM_QUOTIENT
-float unitvec_snorm_quotient(float x, uint bits) {
-#ifdef UNITVEC_EXACT
-    return unitvec_snorm_part(x, bits);
-#else
-    UNITVEC_PRECISE float quotient = x / unitvec_snorm_max(bits);
-    return quotient;
-#endif
 }
 #endif
 #ifndef UNITVEC_HAS_WHOLE_TO_U32
@@ -302,6 +307,14 @@ vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
 #else
     return unitvec_normalize(v);
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEARER
+#define UNITVEC_HAS_NEARER
+vec4 unitvec_nearer(vec4 a, vec4 b) {
+    UNITVEC_PRECISE float of_b = b.z * a.w;
+    UNITVEC_PRECISE float of_a = a.z * b.w;
+    return of_b < of_a ? b : a;
 }
 #endif
 #ifndef UNITVEC_HAS_OCT_BIAS
@@ -445,13 +458,6 @@ vec4 unitvec_oct_corner(float x, float y, vec3 p, float m) {
     return vec4(x, y, across, z < 0.0 ? 0.0 : squared);
 }
 
-// b where it is nearer, else a.
-vec4 unitvec_oct_nearer(vec4 a, vec4 b) {
-    UNITVEC_PRECISE float of_b = b.z * a.w;
-    UNITVEC_PRECISE float of_a = a.z * b.w;
-    return of_b < of_a ? b : a;
-}
-
 // unitvec_oct_nearest_corner for any m: the best of the four corners, as listing 3 finds it.
 vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec2 low = floor(p.xy);
@@ -460,7 +466,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec4 right = unitvec_oct_corner(high.x, low.y, p, m);
     vec4 up = unitvec_oct_corner(low.x, high.y, p, m);
     vec4 far = unitvec_oct_corner(high.x, high.y, p, m);
-    return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
 }
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
@@ -519,6 +525,23 @@ vec2 float32x3_to_octn_precise(vec3 v, int n) {
     uint bits = uint(n / 2);
     vec2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
     return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+// A pair of snorm values of n / 2 bits, rounded to the values 0 to 2^b - 2 of a unorm format.
+vec2 octn_to_unorm(vec2 e, int n) {
+    uint bits = uint(n / 2);
+    float m = unitvec_snorm_max(bits);
+    UNITVEC_PRECISE vec2 i = floor(unitvec_snorm_clamp(e) * m + (m + 0.5));
+    return vec2(unitvec_snorm_quotient(i.x, bits + 1u), unitvec_snorm_quotient(i.y, bits + 1u));
+}
+
+// The inverse of octn_to_unorm, from values of a texture fetch.
+vec2 unorm_to_octn(vec2 u, int n) {
+    uint bits = uint(n / 2);
+    float m = unitvec_snorm_max(bits);
+    UNITVEC_PRECISE vec2 i = floor(clamp(u, 0.0, 1.0) * unitvec_snorm_max(bits + 1u) + 0.5) - m;
+    vec2 e = vec2(unitvec_snorm_quotient(min(i.x, m), bits), unitvec_snorm_quotient(min(i.y, m), bits));
+    return unitvec_is_nan(abs(u.x) + abs(u.y)) ? vec2(0.0) : e;
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.

@@ -37,10 +37,6 @@ bool unitvec_is_negative(float x) {
 float unitvec_negate_if(bool negative, float x) {
     return negative ? -x : x;
 }
-float unitvec_negate_positive(bool negative, float x) {
-    return unitvec_negate_if(negative && x > 0.0, x);
-}
-const float UNITVEC_ONE_AND_A_HALF_2_23 = 12582912.0;
 const float UNITVEC_NEGLIGIBLE = 7.888609052210118e-31;
 float unitvec_exp2(int exponent) {
     return uintBitsToFloat(uint(127 + exponent) << 23u);
@@ -112,14 +108,6 @@ float unitvec_exact_root(float x, float inverse) {
     int left = int(square - near * near);
     uint found = near + (left > int(near) ? 1u : 0u);
     return uintBitsToFloat(exponent + found - UNITVEC_EXACT_HIDDEN);
-}
-float unitvec_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    return unitvec_exact_quotient(a, b);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
 }
 float unitvec_over(float m, float b) {
 #ifdef UNITVEC_EXACT

@@ -68,8 +68,8 @@ vec3 hemioct_unorm_to_float32x3(vec2 e) { return hemioct_to_float32x3(unitvec_un
 
 // The corner (u, v) of a lattice cell, as p sees it, of an L1 norm of 2 m: unitvec_beside.
 vec4 unitvec_hemioct_corner(vec2 e, vec3 p, float m, float len) {
-    UNITVEC_PRECISE vec3 point = vec3(e.x + e.y, e.x - e.y, 2.0 * (m - max(abs(e.x), abs(e.y))));
-    UNITVEC_PRECISE vec3 d = point - p;
+    UNITVEC_PRECISE vec3 c = vec3(e.x + e.y, e.x - e.y, 2.0 * (m - max(abs(e.x), abs(e.y))));
+    UNITVEC_PRECISE vec3 d = c - p;
     return unitvec_beside(e, unitvec_dot(d, d), unitvec_dot(d, p), len);
 }
 

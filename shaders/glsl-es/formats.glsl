@@ -12,6 +12,9 @@
 //   code_to_snorm10x3(code), snorm10x3_to_code(f)        A2B10G10R10_SNORM_PACK32
 //   code_to_snorm16x3(code), snorm16x3_to_code(f)        R16G16B16_SNORM, R16G16B16A16_SNORM; the code is a uvec2
 //   code_to_unorm8x3(code), unorm8x3_to_code(f)          R8G8B8_UNORM, R8G8B8A8_UNORM
+//   code_to_unorm8x2(code), unorm8x2_to_code(f)          R8G8_UNORM
+//   code_to_unorm10x2(code), unorm10x2_to_code(f)        the first two of A2B10G10R10_UNORM_PACK32
+//   code_to_unorm16x2(code), unorm16x2_to_code(f)        R16G16_UNORM
 //   code_to_sint8x2(code), sint8x2_to_code(i)            R8G8_SINT, as ivec2
 //   code_to_sint16x2(code), sint16x2_to_code(i)          R16G16_SINT, as ivec2
 //   code_to_float16x2(code), float16x2_to_code(f)        R16G16_SFLOAT
@@ -39,6 +42,16 @@ float unitvec_formats_snorm(uint code, uint first, uint bits) {
 // The unorm in the byte of a code from bit `first` on, likewise: 255 is the largest integer of an snorm of 9 bits.
 float unitvec_formats_unorm8(uint code, uint first) {
     return unitvec_snorm_part(float((code >> first) & 255u), 9u);
+}
+
+// The unorms in the two lowest groups of `bits` bits of a code, and the code of two.
+vec2 unitvec_formats_unorm_pair(uint code, uint bits) {
+    float x = unitvec_snorm_part(float(code & unitvec_mask(bits)), bits + 1u);
+    return vec2(x, unitvec_snorm_part(float((code >> bits) & unitvec_mask(bits)), bits + 1u));
+}
+
+uint unitvec_formats_unorm_code(vec2 f, uint bits) {
+    return unitvec_unorm_encode(f.x, bits) | (unitvec_unorm_encode(f.y, bits) << bits);
 }
 
 // The half nearest to x.
@@ -104,6 +117,14 @@ uint unorm8x3_to_code(vec3 f) {
     uint low = unitvec_unorm_encode(f.x, 8u) | (unitvec_unorm_encode(f.y, 8u) << 8u);
     return low | (unitvec_unorm_encode(f.z, 8u) << 16u);
 }
+
+vec2 code_to_unorm8x2(uint code) { return unitvec_formats_unorm_pair(code, 8u); }
+vec2 code_to_unorm10x2(uint code) { return unitvec_formats_unorm_pair(code, 10u); }
+vec2 code_to_unorm16x2(uint code) { return unitvec_formats_unorm_pair(code, 16u); }
+
+uint unorm8x2_to_code(vec2 f) { return unitvec_formats_unorm_code(f, 8u); }
+uint unorm10x2_to_code(vec2 f) { return unitvec_formats_unorm_code(f, 10u); }
+uint unorm16x2_to_code(vec2 f) { return unitvec_formats_unorm_code(f, 16u); }
 
 ivec2 code_to_sint8x2(uint code) { return unitvec_formats_sint_pair(code, 8u); }
 ivec2 code_to_sint16x2(uint code) { return unitvec_formats_sint_pair(code, 16u); }

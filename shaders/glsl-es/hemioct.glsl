@@ -7,6 +7,8 @@
 // Source: Cigolle et al. 2014, listing 6.
 //
 //   hemioct16_encode(v), hemioct16_decode(code)      integer codes; also hemioct24, hemioct32
+//   hemioct16p_encode(v), ...                        the nearest codes of the same formats
+//   float32x3_to_hemioctn_precise(v, n)              the nearest code as a pair on [-1, 1], for a format of n bits (even, to 32)
 //   float32x3_to_hemioct(v)                          a pair on [-1, 1], for an snorm format that the hardware converts
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
@@ -64,6 +66,45 @@ vec3 hemioct_to_float32x3(vec2 e) {
 vec2 float32x3_to_hemioct_unorm(vec3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
 vec3 hemioct_unorm_to_float32x3(vec2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 
+// The corner (u, v) of a lattice cell, as p sees it, of an L1 norm of 2 m: unitvec_beside.
+vec4 unitvec_hemioct_corner(vec2 e, vec3 p, float m, float len) {
+    vec3 c = vec3(e.x + e.y, e.x - e.y, 2.0 * (m - max(abs(e.x), abs(e.y))));
+    vec3 d = c - p;
+    return unitvec_beside(e, unitvec_dot(d, d), unitvec_dot(d, p), len);
+}
+
+// Lattice point that is nearest in angle to v, which has z >= 0 and this L1 norm.
+vec2 unitvec_hemioct_precise_point(vec3 v, float norm, float m) {
+    vec2 e = unitvec_hemioct_position(v, norm, m);
+    vec3 p = v * unitvec_over(2.0 * m, norm);
+    vec2 low = floor(e);
+    vec2 high = low + 1.0;
+    float len = unitvec_dot(p, p);
+    vec4 near = unitvec_hemioct_corner(low, p, m, len);
+    vec4 right = unitvec_hemioct_corner(vec2(high.x, low.y), p, m, len);
+    vec4 up = unitvec_hemioct_corner(vec2(low.x, high.y), p, m, len);
+    vec4 far = unitvec_hemioct_corner(high, p, m, len);
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
+}
+
+// Lattice point that is nearest to any v; (0, 0) where it has no direction above the equator or on it.
+vec2 unitvec_hemioct_lattice_precise(vec3 v, float m) {
+    vec2 norms = unitvec_hemioct_norms(v);
+    vec2 e = unitvec_hemioct_precise_point(vec3(v.xy, max(v.z, 0.0)), norms.y, m);
+    return unitvec_hemioct_is_usable(norms) ? e : vec2(0.0);
+}
+
+// The nearest code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
+vec2 float32x3_to_hemioctn_precise(vec3 v, int n) {
+    uint bits = uint(n / 2);
+    vec2 e = unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+uint unitvec_hemioct_encode_precise(vec3 v, uint bits) {
+    return unitvec_nearest_pair(unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits / 2u);
+}
+
 uint unitvec_hemioct_encode(vec3 v, uint bits) {
     vec2 norms = unitvec_hemioct_norms(v);
     vec2 e = unitvec_hemioct_position(v, norms.y, unitvec_snorm_max(bits / 2u));
@@ -82,5 +123,13 @@ uint hemioct32_encode(vec3 v) { return unitvec_hemioct_encode(v, 32u); }
 vec3 hemioct16_decode(uint code) { return unitvec_hemioct_decode(code, 16u); }
 vec3 hemioct24_decode(uint code) { return unitvec_hemioct_decode(code, 24u); }
 vec3 hemioct32_decode(uint code) { return unitvec_hemioct_decode(code, 32u); }
+
+uint hemioct16p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 16u); }
+uint hemioct24p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 24u); }
+uint hemioct32p_encode(vec3 v) { return unitvec_hemioct_encode_precise(v, 32u); }
+
+vec3 hemioct16p_decode(uint code) { return hemioct16_decode(code); }
+vec3 hemioct24p_decode(uint code) { return hemioct24_decode(code); }
+vec3 hemioct32p_decode(uint code) { return hemioct32_decode(code); }
 
 #endif

@@ -5,6 +5,8 @@
 // Source: Cigolle et al. 2014, listing 6.
 //
 //   hemioct16_encode(v), hemioct16_decode(code)      integer codes; also hemioct24, hemioct32
+//   hemioct16p_encode(v), ...                        the nearest codes of the same formats
+//   float32x3_to_hemioctn_precise(v, n)              the nearest code as a pair on [-1, 1], for a format of n bits (even, to 32)
 //   float32x3_to_hemioct(v)                          a pair on [-1, 1], for an snorm format that the hardware converts
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
@@ -61,6 +63,45 @@ inline float3 hemioct_to_float32x3(float2 e) {
 inline float2 float32x3_to_hemioct_unorm(float3 v) { return unitvec_biased(float32x3_to_hemioct(v)); }
 inline float3 hemioct_unorm_to_float32x3(float2 e) { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 
+// The corner (u, v) of a lattice cell, as p sees it, of an L1 norm of 2 m: unitvec_beside.
+inline float4 unitvec_hemioct_corner(float2 e, float3 p, float m, float len) {
+    float3 c = float3(e.x + e.y, e.x - e.y, 2.0f * (m - max(abs(e.x), abs(e.y))));
+    float3 d = c - p;
+    return unitvec_beside(e, unitvec_dot(d, d), unitvec_dot(d, p), len);
+}
+
+// Lattice point that is nearest in angle to v, which has z >= 0 and this L1 norm.
+inline float2 unitvec_hemioct_precise_point(float3 v, float norm, float m) {
+    float2 e = unitvec_hemioct_position(v, norm, m);
+    float3 p = v * unitvec_over(2.0f * m, norm);
+    float2 low = floor(e);
+    float2 high = low + 1.0f;
+    float len = unitvec_dot(p, p);
+    float4 near = unitvec_hemioct_corner(low, p, m, len);
+    float4 right = unitvec_hemioct_corner(float2(high.x, low.y), p, m, len);
+    float4 up = unitvec_hemioct_corner(float2(low.x, high.y), p, m, len);
+    float4 far = unitvec_hemioct_corner(high, p, m, len);
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
+}
+
+// Lattice point that is nearest to any v; (0, 0) where it has no direction above the equator or on it.
+inline float2 unitvec_hemioct_lattice_precise(float3 v, float m) {
+    float2 norms = unitvec_hemioct_norms(v);
+    float2 e = unitvec_hemioct_precise_point(float3(v.xy, max(v.z, 0.0f)), norms.y, m);
+    return unitvec_hemioct_is_usable(norms) ? e : float2(0.0f);
+}
+
+// The nearest code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
+inline float2 float32x3_to_hemioctn_precise(float3 v, int n) {
+    uint bits = uint(n / 2);
+    float2 e = unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits));
+    return float2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+inline uint unitvec_hemioct_encode_precise(float3 v, uint bits) {
+    return unitvec_nearest_pair(unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits / 2u);
+}
+
 inline uint unitvec_hemioct_encode(float3 v, uint bits) {
     float2 norms = unitvec_hemioct_norms(v);
     float2 e = unitvec_hemioct_position(v, norms.y, unitvec_snorm_max(bits / 2u));
@@ -79,5 +120,13 @@ inline uint hemioct32_encode(float3 v) { return unitvec_hemioct_encode(v, 32u); 
 inline float3 hemioct16_decode(uint code) { return unitvec_hemioct_decode(code, 16u); }
 inline float3 hemioct24_decode(uint code) { return unitvec_hemioct_decode(code, 24u); }
 inline float3 hemioct32_decode(uint code) { return unitvec_hemioct_decode(code, 32u); }
+
+inline uint hemioct16p_encode(float3 v) { return unitvec_hemioct_encode_precise(v, 16u); }
+inline uint hemioct24p_encode(float3 v) { return unitvec_hemioct_encode_precise(v, 24u); }
+inline uint hemioct32p_encode(float3 v) { return unitvec_hemioct_encode_precise(v, 32u); }
+
+inline float3 hemioct16p_decode(uint code) { return hemioct16_decode(code); }
+inline float3 hemioct24p_decode(uint code) { return hemioct24_decode(code); }
+inline float3 hemioct32p_decode(uint code) { return hemioct32_decode(code); }
 
 #endif

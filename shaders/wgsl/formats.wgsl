@@ -12,6 +12,9 @@
 //   code_to_snorm10x3(code), snorm10x3_to_code(f)        A2B10G10R10_SNORM_PACK32
 //   code_to_snorm16x3(code), snorm16x3_to_code(f)        R16G16B16_SNORM, R16G16B16A16_SNORM; the code is a vec2u
 //   code_to_unorm8x3(code), unorm8x3_to_code(f)          R8G8B8_UNORM, R8G8B8A8_UNORM
+//   code_to_unorm8x2(code), unorm8x2_to_code(f)          R8G8_UNORM
+//   code_to_unorm10x2(code), unorm10x2_to_code(f)        the first two of A2B10G10R10_UNORM_PACK32
+//   code_to_unorm16x2(code), unorm16x2_to_code(f)        R16G16_UNORM
 //   code_to_sint8x2(code), sint8x2_to_code(i)            R8G8_SINT, as vec2i
 //   code_to_sint16x2(code), sint16x2_to_code(i)          R16G16_SINT, as vec2i
 //   code_to_float16x2(code), float16x2_to_code(f)        R16G16_SFLOAT
@@ -33,6 +36,16 @@ fn unitvec_formats_snorm(code: u32, first: u32, bits: u32) -> f32 {
 // The unorm in the byte of a code from bit `first` on, likewise: 255 is the largest integer of an snorm of 9 bits.
 fn unitvec_formats_unorm8(code: u32, first: u32) -> f32 {
     return unitvec_snorm_part(f32((code >> first) & 255u), 9u);
+}
+
+// The unorms in the two lowest groups of `bits` bits of a code, and the code of two.
+fn unitvec_formats_unorm_pair(code: u32, bits: u32) -> vec2f {
+    let x = unitvec_snorm_part(f32(code & unitvec_mask(bits)), bits + 1u);
+    return vec2f(x, unitvec_snorm_part(f32((code >> bits) & unitvec_mask(bits)), bits + 1u));
+}
+
+fn unitvec_formats_unorm_code(f: vec2f, bits: u32) -> u32 {
+    return unitvec_unorm_encode(f.x, bits) | (unitvec_unorm_encode(f.y, bits) << bits);
 }
 
 // The half nearest to x.
@@ -98,6 +111,14 @@ fn unorm8x3_to_code(f: vec3f) -> u32 {
     let low = unitvec_unorm_encode(f.x, 8u) | (unitvec_unorm_encode(f.y, 8u) << 8u);
     return low | (unitvec_unorm_encode(f.z, 8u) << 16u);
 }
+
+fn code_to_unorm8x2(code: u32) -> vec2f { return unitvec_formats_unorm_pair(code, 8u); }
+fn code_to_unorm10x2(code: u32) -> vec2f { return unitvec_formats_unorm_pair(code, 10u); }
+fn code_to_unorm16x2(code: u32) -> vec2f { return unitvec_formats_unorm_pair(code, 16u); }
+
+fn unorm8x2_to_code(f: vec2f) -> u32 { return unitvec_formats_unorm_code(f, 8u); }
+fn unorm10x2_to_code(f: vec2f) -> u32 { return unitvec_formats_unorm_code(f, 10u); }
+fn unorm16x2_to_code(f: vec2f) -> u32 { return unitvec_formats_unorm_code(f, 16u); }
 
 fn code_to_sint8x2(code: u32) -> vec2i { return unitvec_formats_sint_pair(code, 8u); }
 fn code_to_sint16x2(code: u32) -> vec2i { return unitvec_formats_sint_pair(code, 16u); }

@@ -7,6 +7,8 @@
 // Source: Cigolle et al. 2014, listing 6.
 //
 //   hemioct16_encode(v), hemioct16_decode(code)      integer codes; also hemioct24, hemioct32
+//   hemioct16p_encode(v), ...                        the nearest codes of the same formats
+//   float32x3_to_hemioctn_precise(v, n)              the nearest code as a pair on [-1, 1], for a format of n bits (even, to 32)
 //   float32x3_to_hemioct(v)                          a pair on [-1, 1], for an snorm format that the hardware converts
 //   hemioct_to_float32x3(e)                          the direction of such a pair
 //   float32x3_to_hemioct_unorm(v), hemioct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
@@ -58,6 +60,45 @@ fn hemioct_to_float32x3(e: vec2f) -> vec3f {
 fn float32x3_to_hemioct_unorm(v: vec3f) -> vec2f { return unitvec_biased(float32x3_to_hemioct(v)); }
 fn hemioct_unorm_to_float32x3(e: vec2f) -> vec3f { return hemioct_to_float32x3(unitvec_unbiased(e)); }
 
+// The corner (u, v) of a lattice cell, as p sees it, of an L1 norm of 2 m: unitvec_beside.
+fn unitvec_hemioct_corner(e: vec2f, p: vec3f, m: f32, len: f32) -> vec4f {
+    let c = vec3f(e.x + e.y, e.x - e.y, 2.0 * (m - max(abs(e.x), abs(e.y))));
+    let d = c - p;
+    return unitvec_beside(e, unitvec_dot(d, d), unitvec_dot(d, p), len);
+}
+
+// Lattice point that is nearest in angle to v, which has z >= 0 and this L1 norm.
+fn unitvec_hemioct_precise_point(v: vec3f, norm: f32, m: f32) -> vec2f {
+    let e = unitvec_hemioct_position(v, norm, m);
+    let p = v * unitvec_over(2.0 * m, norm);
+    let low = floor(e);
+    let high = low + 1.0;
+    let len = unitvec_dot(p, p);
+    let near = unitvec_hemioct_corner(low, p, m, len);
+    let right = unitvec_hemioct_corner(vec2f(high.x, low.y), p, m, len);
+    let up = unitvec_hemioct_corner(vec2f(low.x, high.y), p, m, len);
+    let far = unitvec_hemioct_corner(high, p, m, len);
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
+}
+
+// Lattice point that is nearest to any v; (0, 0) where it has no direction above the equator or on it.
+fn unitvec_hemioct_lattice_precise(v: vec3f, m: f32) -> vec2f {
+    let norms = unitvec_hemioct_norms(v);
+    let e = unitvec_hemioct_precise_point(vec3f(v.xy, max(v.z, 0.0)), norms.y, m);
+    return select(vec2f(0.0), e, unitvec_hemioct_is_usable(norms));
+}
+
+// The nearest code of n bits (even, up to 32) as a pair of snorm values on [-1, 1].
+fn float32x3_to_hemioctn_precise(v: vec3f, n: i32) -> vec2f {
+    let bits = u32(n / 2);
+    let e = unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits));
+    return vec2f(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+fn unitvec_hemioct_encode_precise(v: vec3f, bits: u32) -> u32 {
+    return unitvec_nearest_pair(unitvec_hemioct_lattice_precise(v, unitvec_snorm_max(bits / 2u)), bits / 2u);
+}
+
 fn unitvec_hemioct_encode(v: vec3f, bits: u32) -> u32 {
     let norms = unitvec_hemioct_norms(v);
     let e = unitvec_hemioct_position(v, norms.y, unitvec_snorm_max(bits / 2u));
@@ -76,3 +117,11 @@ fn hemioct32_encode(v: vec3f) -> u32 { return unitvec_hemioct_encode(v, 32u); }
 fn hemioct16_decode(code: u32) -> vec3f { return unitvec_hemioct_decode(code, 16u); }
 fn hemioct24_decode(code: u32) -> vec3f { return unitvec_hemioct_decode(code, 24u); }
 fn hemioct32_decode(code: u32) -> vec3f { return unitvec_hemioct_decode(code, 32u); }
+
+fn hemioct16p_encode(v: vec3f) -> u32 { return unitvec_hemioct_encode_precise(v, 16u); }
+fn hemioct24p_encode(v: vec3f) -> u32 { return unitvec_hemioct_encode_precise(v, 24u); }
+fn hemioct32p_encode(v: vec3f) -> u32 { return unitvec_hemioct_encode_precise(v, 32u); }
+
+fn hemioct16p_decode(code: u32) -> vec3f { return hemioct16_decode(code); }
+fn hemioct24p_decode(code: u32) -> vec3f { return hemioct24_decode(code); }
+fn hemioct32p_decode(code: u32) -> vec3f { return hemioct32_decode(code); }

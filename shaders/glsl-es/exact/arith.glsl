@@ -946,4 +946,20 @@ vec3 unitvec_angles_around_z(float radius, float z, float quarters) {
     return vec3(unitvec_with_sign(x, ahead), unitvec_negate_positive(quarters < 0.0, y), z);
 }
 
+// A point (x, y) of a lattice on an octahedron, at p + d: x, y, and the square of the tangent of its angle from p as a
+// fraction, z / w. `square` is d . d, `part` d . p, `len` p . p.
+vec4 unitvec_beside(vec2 at, float square, float part, float len) {
+    float along = min(len + part, UNITVEC_HUGE);
+    float across = min(min(square * len, UNITVEC_HUGE) - min(part * part, UNITVEC_HUGE), UNITVEC_HUGE);
+    float squared = min(along * along, UNITVEC_HUGE);
+    return vec4(at, across, squared);
+}
+
+// b where it is nearer, else a.
+vec4 unitvec_nearer(vec4 a, vec4 b) {
+    float of_b = min(b.z * a.w, UNITVEC_HUGE);
+    float of_a = min(a.z * b.w, UNITVEC_HUGE);
+    return of_b < of_a ? b : a;
+}
+
 #endif

@@ -15,6 +15,8 @@
 //   float32x3_to_octn_precise(v, n)          the precise code as such a pair, for a format of n bits (even, 4 to 32)
 //   oct_to_float32x3(e)                      the direction of such a pair
 //   float32x3_to_oct_unorm(v), oct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
+//   octn_to_unorm(e, n), unorm_to_octn(u, n)      the pair of a precise code of n bits on [0, 1], for a unorm format of as many:
+//                                                 its values 0 to 2^b - 2; the axes stay exact
 //   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
 //
 //   snorm12x2_to_uint8x3(f), uint8x3_to_snorm12x2(u)         the same as three bytes, for an integer format
@@ -127,13 +129,6 @@ vec4 unitvec_oct_corner(float x, float y, vec3 p, float m) {
     return vec4(x, y, across, z < 0.0 ? 0.0 : squared);
 }
 
-// b where it is nearer, else a.
-vec4 unitvec_oct_nearer(vec4 a, vec4 b) {
-    float of_b = min(b.z * a.w, UNITVEC_HUGE);
-    float of_a = min(a.z * b.w, UNITVEC_HUGE);
-    return of_b < of_a ? b : a;
-}
-
 // unitvec_oct_nearest_corner for any m: the best of the four corners, as listing 3 finds it.
 vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec2 low = floor(p.xy);
@@ -142,7 +137,7 @@ vec2 unitvec_oct_searched_corner(vec3 p, float m) {
     vec4 right = unitvec_oct_corner(high.x, low.y, p, m);
     vec4 up = unitvec_oct_corner(low.x, high.y, p, m);
     vec4 far = unitvec_oct_corner(high.x, high.y, p, m);
-    return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
 }
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
@@ -193,6 +188,24 @@ vec2 float32x3_to_octn_precise(vec3 v, int n) {
     uint bits = uint(n / 2);
     vec2 e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
     return vec2(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+// A pair of snorm values of n / 2 bits, rounded to the values 0 to 2^b - 2 of a unorm format.
+vec2 octn_to_unorm(vec2 e, int n) {
+    uint bits = uint(n / 2);
+    float m = unitvec_snorm_max(bits);
+    vec2 i = floor(min(min(unitvec_snorm_clamp(e) * m, UNITVEC_HUGE) + min(m + 0.5, UNITVEC_HUGE), UNITVEC_HUGE));
+    return vec2(unitvec_snorm_quotient(i.x, bits + 1u), unitvec_snorm_quotient(i.y, bits + 1u));
+}
+
+// The inverse of octn_to_unorm, from values of a texture fetch.
+vec2 unorm_to_octn(vec2 u, int n) {
+    uint bits = uint(n / 2);
+    float m = unitvec_snorm_max(bits);
+    vec2 i = min(floor(min(min(clamp(u, 0.0, 1.0) * unitvec_snorm_max(bits + 1u), UNITVEC_HUGE) + 0.5, UNITVEC_HUGE))
+        - m, UNITVEC_HUGE);
+    vec2 e = vec2(unitvec_snorm_quotient(min(i.x, m), bits), unitvec_snorm_quotient(min(i.y, m), bits));
+    return unitvec_is_nan(abs(u.x) + abs(u.y)) ? vec2(0.0) : e;
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.

@@ -13,6 +13,9 @@
 //   code_to_snorm10x3(code), snorm10x3_to_code(f)        A2B10G10R10_SNORM_PACK32
 //   code_to_snorm16x3(code), snorm16x3_to_code(f)        R16G16B16_SNORM, R16G16B16A16_SNORM; the code is a uint2
 //   code_to_unorm8x3(code), unorm8x3_to_code(f)          R8G8B8_UNORM, R8G8B8A8_UNORM
+//   code_to_unorm8x2(code), unorm8x2_to_code(f)          R8G8_UNORM
+//   code_to_unorm10x2(code), unorm10x2_to_code(f)        the first two of A2B10G10R10_UNORM_PACK32
+//   code_to_unorm16x2(code), unorm16x2_to_code(f)        R16G16_UNORM
 //   code_to_sint8x2(code), sint8x2_to_code(i)            R8G8_SINT, as int2
 //   code_to_sint16x2(code), sint16x2_to_code(i)          R16G16_SINT, as int2
 //   code_to_float16x2(code), float16x2_to_code(f)        R16G16_SFLOAT
@@ -39,6 +42,16 @@ inline float unitvec_formats_snorm(uint code, uint first, uint bits) {
 // The unorm in the byte of a code from bit `first` on, likewise: 255 is the largest integer of an snorm of 9 bits.
 inline float unitvec_formats_unorm8(uint code, uint first) {
     return unitvec_snorm_part(float((code >> first) & 255u), 9u);
+}
+
+// The unorms in the two lowest groups of `bits` bits of a code, and the code of two.
+inline float2 unitvec_formats_unorm_pair(uint code, uint bits) {
+    float x = unitvec_snorm_part(float(code & unitvec_mask(bits)), bits + 1u);
+    return float2(x, unitvec_snorm_part(float((code >> bits) & unitvec_mask(bits)), bits + 1u));
+}
+
+inline uint unitvec_formats_unorm_code(float2 f, uint bits) {
+    return unitvec_unorm_encode(f.x, bits) | (unitvec_unorm_encode(f.y, bits) << bits);
 }
 
 // The half nearest to x.
@@ -105,6 +118,14 @@ inline uint unorm8x3_to_code(float3 f) {
     uint low = unitvec_unorm_encode(f.x, 8u) | (unitvec_unorm_encode(f.y, 8u) << 8u);
     return low | (unitvec_unorm_encode(f.z, 8u) << 16u);
 }
+
+inline float2 code_to_unorm8x2(uint code) { return unitvec_formats_unorm_pair(code, 8u); }
+inline float2 code_to_unorm10x2(uint code) { return unitvec_formats_unorm_pair(code, 10u); }
+inline float2 code_to_unorm16x2(uint code) { return unitvec_formats_unorm_pair(code, 16u); }
+
+inline uint unorm8x2_to_code(float2 f) { return unitvec_formats_unorm_code(f, 8u); }
+inline uint unorm10x2_to_code(float2 f) { return unitvec_formats_unorm_code(f, 10u); }
+inline uint unorm16x2_to_code(float2 f) { return unitvec_formats_unorm_code(f, 16u); }
 
 inline int2 code_to_sint8x2(uint code) { return unitvec_formats_sint_pair(code, 8u); }
 inline int2 code_to_sint16x2(uint code) { return unitvec_formats_sint_pair(code, 16u); }

@@ -944,3 +944,19 @@ fn unitvec_angles_around_z(radius: f32, z: f32, quarters: f32) -> vec3f {
     let y = min(min(e.x + e.y, UNITVEC_HUGE) * radius, UNITVEC_HUGE);
     return vec3f(unitvec_with_sign(x, ahead), unitvec_negate_positive(quarters < 0.0, y), z);
 }
+
+// A point (x, y) of a lattice on an octahedron, at p + d: x, y, and the square of the tangent of its angle from p as a
+// fraction, z / w. `square` is d . d, `part` d . p, `len` p . p.
+fn unitvec_beside(at: vec2f, square: f32, part: f32, len: f32) -> vec4f {
+    let along = min(len + part, UNITVEC_HUGE);
+    let across = min(min(square * len, UNITVEC_HUGE) - min(part * part, UNITVEC_HUGE), UNITVEC_HUGE);
+    let squared = min(along * along, UNITVEC_HUGE);
+    return vec4f(at, across, squared);
+}
+
+// b where it is nearer, else a.
+fn unitvec_nearer(a: vec4f, b: vec4f) -> vec4f {
+    let of_b = min(b.z * a.w, UNITVEC_HUGE);
+    let of_a = min(a.z * b.w, UNITVEC_HUGE);
+    return select(a, b, of_b < of_a);
+}

@@ -15,6 +15,8 @@
 //   float32x3_to_octn_precise(v, n)          the precise code as such a pair, for a format of n bits (even, 4 to 32)
 //   oct_to_float32x3(e)                      the direction of such a pair
 //   float32x3_to_oct_unorm(v), oct_unorm_to_float32x3(e)      the same on [0, 1], for a unorm format
+//   octn_to_unorm(e, n), unorm_to_octn(u, n)      the pair of a precise code of n bits on [0, 1], for a unorm format of as many:
+//                                                 its values 0 to 2^b - 2; the axes stay exact
 //   snorm12x2_to_unorm8x3(f), unorm8x3_to_snorm12x2(u)      a pair of 12 bits each as three unorm8 values, and back
 //
 //   snorm12x2_to_uint8x3(f), uint8x3_to_snorm12x2(u)         the same as three bytes, for an integer format
@@ -122,13 +124,6 @@ fn unitvec_oct_corner(x: f32, y: f32, p: vec3f, m: f32) -> vec4f {
     return vec4f(x, y, across, select(squared, 0.0, z < 0.0));
 }
 
-// b where it is nearer, else a.
-fn unitvec_oct_nearer(a: vec4f, b: vec4f) -> vec4f {
-    let of_b = min(b.z * a.w, UNITVEC_HUGE);
-    let of_a = min(a.z * b.w, UNITVEC_HUGE);
-    return select(a, b, of_b < of_a);
-}
-
 // unitvec_oct_nearest_corner for any m: the best of the four corners, as listing 3 finds it.
 fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
     let low = floor(p.xy);
@@ -137,7 +132,7 @@ fn unitvec_oct_searched_corner(p: vec3f, m: f32) -> vec2f {
     let right = unitvec_oct_corner(high.x, low.y, p, m);
     let up = unitvec_oct_corner(low.x, high.y, p, m);
     let far = unitvec_oct_corner(high.x, high.y, p, m);
-    return unitvec_oct_nearer(unitvec_oct_nearer(unitvec_oct_nearer(near, right), up), far).xy;
+    return unitvec_nearer(unitvec_nearer(unitvec_nearer(near, right), up), far).xy;
 }
 
 // Lattice point that is nearest in angle to the direction of v, of this L1 norm.
@@ -188,6 +183,25 @@ fn float32x3_to_octn_precise(v: vec3f, n: i32) -> vec2f {
     let bits = u32(n / 2);
     let e = unitvec_oct_lattice_precise(v, unitvec_snorm_max(bits));
     return vec2f(unitvec_snorm_quotient(e.x, bits), unitvec_snorm_quotient(e.y, bits));
+}
+
+// A pair of snorm values of n / 2 bits, rounded to the values 0 to 2^b - 2 of a unorm format.
+fn octn_to_unorm(e: vec2f, n: i32) -> vec2f {
+    let bits = u32(n / 2);
+    let m = unitvec_snorm_max(bits);
+    let i = floor(min(min(unitvec_snorm_clamp(e) * m, vec2f(UNITVEC_HUGE)) + min(m + 0.5, UNITVEC_HUGE),
+        vec2f(UNITVEC_HUGE)));
+    return vec2f(unitvec_snorm_quotient(i.x, bits + 1u), unitvec_snorm_quotient(i.y, bits + 1u));
+}
+
+// The inverse of octn_to_unorm, from values of a texture fetch.
+fn unorm_to_octn(u: vec2f, n: i32) -> vec2f {
+    let bits = u32(n / 2);
+    let m = unitvec_snorm_max(bits);
+    let i = min(floor(min(min(clamp(u, vec2f(0.0), vec2f(1.0)) * unitvec_snorm_max(bits + 1u), vec2f(UNITVEC_HUGE))
+        + 0.5, vec2f(UNITVEC_HUGE))) - m, vec2f(UNITVEC_HUGE));
+    let e = vec2f(unitvec_snorm_quotient(min(i.x, m), bits), unitvec_snorm_quotient(min(i.y, m), bits));
+    return select(e, vec2f(0.0), unitvec_is_nan(abs(u.x) + abs(u.y)));
 }
 
 // The three bytes of a pair of snorm12 values, whole numbers. Ties go up.

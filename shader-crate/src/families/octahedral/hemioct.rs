@@ -9,8 +9,11 @@
 //! | degrees | mean | max | bound |
 //! |---|---|---|---|
 //! | `hemioct16` | 0.240 | 0.553 | 0.553 |
+//! | `hemioct16p` | 0.239 | 0.552 | 0.553 |
 //! | `hemioct24` | 0.0149 | 0.0343 | 0.0343 |
+//! | `hemioct24p` | 0.0148 | 0.0343 | 0.0343 |
 //! | `hemioct32` | 0.000930 | 0.00215 | 0.00218 |
+//! | `hemioct32p` | 0.000926 | 0.00214 | 0.00218 |
 //! <!-- end -->
 //!
 //! * Layout: u = x + y in the low half of the code, v = x - y in the high half, both snorm in two's complement.

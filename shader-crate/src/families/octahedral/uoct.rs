@@ -8,6 +8,12 @@
 //! is folded, become whole numbers. The edge z = 0 of an octant cuts cells in two.
 //!
 //! <!-- generated: errors uoct -->
+//! | degrees | mean | max | bound |
+//! |---|---|---|---|
+//! | `uoct16p` | 0.314 | 0.635 | 0.636 |
+//! | `uoct20p` | 0.0782 | 0.158 | 0.158 |
+//! | `uoct24p` | 0.0195 | 0.0396 | 0.0396 |
+//! | `uoct32p` | 0.00122 | 0.00248 | 0.00251 |
 //! <!-- end -->
 //!
 //! * Layout: x in the low half of the code, y in the high half, both `i = e + m`, 0 to `2^b - 1`.
