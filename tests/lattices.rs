@@ -5,7 +5,7 @@ use glam::Vec3;
 use unitvec::{Codec, HemiOct16, HemiOct24, HemiOct32};
 use unitvec_oracle::spherical::{self, steps};
 use unitvec_oracle::{
-    HemiOct, Oct, Oracle, cube, cylindrical, hemioct, largest, latlong, oct, soct, turn_deg,
+    HemiOct, Oct, Oracle, cube, cylindrical, hemioct, largest, latlong, oct, soct, turn_deg, uoct,
 };
 use unitvec_tests::checks::{POSITION_ROUNDING, assert_attains, assert_rounds};
 use unitvec_tests::directions::{near_diagonals, near_octant_middles, near_planes, sphere};
@@ -83,10 +83,11 @@ fn encodes_as_the_oracle() {
 /// does it exceed it by more than `f32`'s rounding.
 #[test]
 fn bound_is_attained_in_the_middle_of_octants() {
-    for codec in ["oct", "hemioct", "soct"].into_iter().flat_map(Tested::family) {
+    for codec in ["oct", "uoct", "hemioct", "soct"].into_iter().flat_map(Tested::family) {
         let bound = match codec.family {
             "oct" if codec.is_precise() => oct::range_bound_deg,
             "oct" => oct::domain_bound_deg,
+            "uoct" => uoct::bound_deg,
             _ => hemioct::bound_deg,
         };
         let middles = near_octant_middles(4, 300_000, (4.0 / largest(codec.bits)).max(0.01));

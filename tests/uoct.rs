@@ -77,7 +77,7 @@ fn axes() {
         let last = u64::MAX >> (64 - codec.bits);
         for v in [-Vec3::Z, Vec3::new(-0.0, 0.0, -1.0), Vec3::new(-1e-20, -1e-20, -1.0)] {
             let (code, error) = of(v);
-            assert!(error == 0.0 && code != 0, "{}: {v:?}", codec.id);
+            assert!(error < 1e-9 && code != 0, "{}: {v:?}", codec.id);
         }
         assert_eq!(of(-Vec3::Z).0 | of(Vec3::new(-0.0, -0.0, -1.0)).0, last);
         assert!(of(Vec3::X).1 > 0.0 && of(Vec3::X).1 < expected, "{}", codec.id);

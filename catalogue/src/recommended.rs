@@ -51,7 +51,7 @@ macro_rules! formats {
 }
 
 /// The formats that hold codes, those that every device has first.
-pub const FORMATS: [Format; 17] = formats! {
+pub const FORMATS: [Format; 19] = formats! {
     "R32_UINT" "R32_UINT" "R32UI" "R32Uint" "UInt" "r32uint" "uint32": ALL;
     "R16_UINT" "R16_UINT" "R16UI" "R16Uint" "UShort" "r16uint" "uint16": ALL;
     "R8_UINT" "R8_UINT" "R8UI" "R8Uint" "UChar" "r8uint" "uint8": ALL;
@@ -59,12 +59,14 @@ pub const FORMATS: [Format; 17] = formats! {
     "R8G8_SINT" "R8G8_SINT" "RG8I" "RG8Sint" "Char2" "rg8sint" "sint8x2": ALL;
     "R16G16_SINT" "R16G16_SINT" "RG16I" "RG16Sint" "Short2" "rg16sint" "sint16x2": ALL;
     "R16G16_SFLOAT" "R16G16_FLOAT" "RG16F" "RG16Float" "Half2" "rg16float" "float16x2": ALL;
+    "R8G8_UNORM" "R8G8_UNORM" "RG8" "RG8Unorm" "UChar2Normalized" "rg8unorm" "unorm8x2": ALL;
     "R8G8B8A8_UNORM" "R8G8B8A8_UNORM" "RGBA8" "RGBA8Unorm" "UChar4Normalized" "rgba8unorm" "unorm8x4": ALL;
     "A2B10G10R10_UNORM_PACK32" "R10G10B10A2_UNORM" "RGB10_A2"
         "RGB10A2Unorm" "UInt1010102Normalized" "rgb10a2unorm" "unorm10-10-10-2": ALL;
     "A2B10G10R10_UINT_PACK32" "R10G10B10A2_UINT" "RGB10_A2UI" "RGB10A2Uint" "" "rgb10a2uint" "": &[Attachment, Texture];
     "R8G8_SNORM" "R8G8_SNORM" "RG8_SNORM" "RG8Snorm" "Char2Normalized" "rg8snorm" "snorm8x2": &[Texture, Vertex];
     "R16G16_SNORM" "R16G16_SNORM" "RG16_SNORM" "RG16Snorm" "Short2Normalized" "rg16snorm" "snorm16x2": &[Vertex];
+    "R16G16_UNORM" "R16G16_UNORM" "RG16" "RG16Unorm" "UShort2Normalized" "rg16unorm" "unorm16x2": &[Vertex];
     "R8G8B8_UNORM" "" "RGB8" "" "UChar3Normalized" "" "": &[];
     "R8G8B8_SNORM" "" "RGB8_SNORM" "" "Char3Normalized" "" "": &[];
     "R16G16B16_SNORM" "" "RGB16_SNORM" "" "Short3Normalized" "" "": &[];

@@ -57,7 +57,10 @@ vec2 unitvec_uoct_nearest(vec3 v, float norm, float m) {
     UNITVEC_PRECISE float along = part + moved * (p.x + p.y) + z * p.z;
     vec4 at = unitvec_beside(is_far ? high : low, squared, along, len);
     vec2 nearest = unitvec_nearer(unitvec_nearer(at, right), up).xy;
-    return vec2(unitvec_with_sign(nearest.x, v.x), unitvec_with_sign(nearest.y, v.y));
+    // Denormals and -0 count as 0: there is no point between the signs.
+    float x = unitvec_is_negative(v.x) ? -nearest.x : nearest.x;
+    float y = unitvec_is_negative(v.y) ? -nearest.y : nearest.y;
+    return vec2(x, y);
 }
 
 // The integers of a lattice point.

@@ -104,7 +104,7 @@ impl Format {
         let most = 2f64.powi(self.bits as i32 - 1) - 1.0;
         match self.kind {
             Kind::Snorm => ((signed / most).max(-1.0), signed >= -most),
-            Kind::Unorm => (f64::from(integer) / 255.0, true),
+            Kind::Unorm => (f64::from(integer) / (2.0 * most + 1.0), true),
             Kind::Sint => (signed, true),
             Kind::Half => {
                 let (exponent, significand) = (integer >> 10 & 31, f64::from(integer & 1023));

@@ -16,7 +16,7 @@ const RESULTS: [(&str, &str); 2] =
     [("codes.csv", "docs/data/interop_outside.csv"), ("tools.csv", "docs/data/interop_tools.csv")];
 
 /// Draco's own command line, which DracoPy carries.
-pub const DRACO: Archive = Archive {
+const DRACO: Archive = Archive {
     name: "dracopy-2.2.0",
     url: "https://files.pythonhosted.org/packages/f7/52/4e060fc3b1d7acb550d58f6cd6ef2c01d3f05b306d9a4a5207bdbd485106/dracopy-2.2.0-cp311-cp311-manylinux_2_24_x86_64.manylinux_2_28_x86_64.whl",
     sha256: "f7e12ddbc6d0cded9c9bc52d8fa20cd1a85ca90c975920f84bef6b138e8b7e8f",
@@ -70,4 +70,15 @@ fn install(folder: &Path) -> Result<(), String> {
     println!("xtask: npm installs Cesium, Draco, meshoptimizer and tools of glTF");
     let mut npm = Command::new(if cfg!(windows) { "npm.cmd" } else { "npm" });
     run_command(npm.args(["ci", "--ignore-scripts", "--no-audit", "--no-fund"]).current_dir(folder))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_archive_is_pinned() {
+        assert!(DRACO.url.starts_with("https://") && DRACO.url.contains(DRACO.name));
+        assert!(DRACO.sha256.len() == 64 && DRACO.sha256.chars().all(|c| c.is_ascii_hexdigit()));
+    }
 }

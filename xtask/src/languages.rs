@@ -222,7 +222,6 @@ impl Archive {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::interop::DRACO;
     use crate::tests::strings;
 
     #[test]
@@ -236,7 +235,7 @@ mod tests {
 
     #[test]
     fn archives_are_pinned() {
-        for archive in [&DXC, &FXC, &SLANG, &DAWN, &DRACO] {
+        for archive in [&DXC, &FXC, &SLANG, &DAWN] {
             let Archive { name, url, sha256, .. } = archive;
             assert!(url.starts_with("https://") && url.contains(name), "{url}");
             assert!(sha256.len() == 64 && sha256.chars().all(|c| c.is_ascii_hexdigit()), "{sha256}");

@@ -55,6 +55,8 @@ pub const PROJECTIONS: &[Projection] = &[
     row!(pair "oct" "32p_snorm", Kind::Precise(32), oct::project_precise::<32>, oct::unproject),
     row!(pair "hemioct" "_snorm", Kind::Snorm, hemioct::project, hemioct::unproject),
     row!(pair "hemioct" "_unorm", Kind::Unorm, hemioct::project_unorm, hemioct::unproject_unorm),
+    row!(pair "hemioct" "16p_snorm", Kind::Precise(16), hemioct::project_precise::<16>, hemioct::unproject),
+    row!(pair "hemioct" "32p_snorm", Kind::Precise(32), hemioct::project_precise::<32>, hemioct::unproject),
     row!(pair "eaoct" "_snorm", Kind::Snorm, eaoct::project, eaoct::unproject),
     row!(pair "eaoct" "_unorm", Kind::Unorm, eaoct::project_unorm, eaoct::unproject_unorm),
     row!(pair "eaoct" "16p_snorm", Kind::Precise(16), eaoct::project_precise::<16>, eaoct::unproject),
@@ -147,8 +149,9 @@ mod tests {
         assert_eq!(named("oct32p"), Some("oct32p_snorm"));
         assert_eq!(named("eaoct16p"), Some("eaoct16p_snorm"));
         assert_eq!(named("hemioct32"), Some("hemioct_snorm"));
+        assert_eq!(named("hemioct32p"), Some("hemioct32p_snorm"));
         // Three bytes; no projection; another format.
         assert_eq!([named("oct24"), named("xyonly16"), named("spherical16")], [None; 3]);
-        assert_eq!(CODECS.iter().filter(|format| Projection::of(format).is_some()).count(), 12);
+        assert_eq!(CODECS.iter().filter(|format| Projection::of(format).is_some()).count(), 14);
     }
 }

@@ -1,6 +1,6 @@
 //! The search for the nearest point of an octahedral lattice, whether or not it has one in the middle of the square.
 
-use crate::arith::{dot, floor, max, over, with_sign};
+use crate::arith::{dot, floor, is_negative, max, negate_if, over};
 use glam::{Vec2, Vec3};
 
 /// A point of the lattice, and the square of the tangent of its angle from the direction sought, as a fraction.
@@ -34,7 +34,7 @@ impl Corner {
 /// with points at steps of 1 from -m to m: whole numbers where `half` is 0, odd multiples of 1/2 where it is 1/2. `m` is 1 to
 /// 2^15. Unspecified without a usable direction.
 ///
-/// By symmetry x and y are not negative. On the unfolded faces the lattice goes on across z = 0, and the right and the
+/// By symmetry x and y are not negative; nor are -0 and denormals, since there may be no point between the signs. On the unfolded faces the lattice goes on across z = 0, and the right and the
 /// upper corner of a cell are the closest to each other, so that they divide it into two triangles, none of them obtuse: the
 /// nearest point is a corner of the triangle. A cell that x = 0 or y = 0 cuts is left of its mirror image: points there are
 /// nearer to the corners that both share with the next cell. On the square's border the cell beyond it has two corners that
@@ -66,5 +66,5 @@ pub fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
     let part = part + moved * (p.x + p.y) + z * p.z;
     let at = Vec2::new(low.x + step, low.y + step);
     let at = Corner::beside(at, square, part, length).or_nearer(right).or_nearer(up).at;
-    Vec2::new(with_sign(at.x, v.x), with_sign(at.y, v.y))
+    Vec2::new(negate_if(is_negative(v.x), at.x), negate_if(is_negative(v.y), at.y))
 }
