@@ -16,7 +16,7 @@ const RESULTS: [(&str, &str); 2] =
     [("codes.csv", "docs/data/interop_outside.csv"), ("tools.csv", "docs/data/interop_tools.csv")];
 
 /// Draco's own command line, which DracoPy carries.
-const DRACO: Archive = Archive {
+pub const DRACO: Archive = Archive {
     name: "dracopy-2.2.0",
     url: "https://files.pythonhosted.org/packages/f7/52/4e060fc3b1d7acb550d58f6cd6ef2c01d3f05b306d9a4a5207bdbd485106/dracopy-2.2.0-cp311-cp311-manylinux_2_24_x86_64.manylinux_2_28_x86_64.whl",
     sha256: "f7e12ddbc6d0cded9c9bc52d8fa20cd1a85ca90c975920f84bef6b138e8b7e8f",
