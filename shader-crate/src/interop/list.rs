@@ -65,40 +65,53 @@ const GLTF: &str = "glTF's KHR_mesh_quantization; zeux/meshoptimizer b5b2c439, g
 const UNORM_16: &str = "x and y, unsigned words";
 const UNDEFINED: &str = "NaN: no defined code";
 
+/// What most rows have.
+const BASE: Row = Row {
+    name: "",
+    least: 0,
+    most: 0,
+    source: "",
+    layout: "",
+    zero: UNDEFINED,
+    null: None,
+    mapping: Mapping::Snorm,
+    aim: 0.0,
+};
+
+/// What the formats of CesiumGS have in common.
+const OF_CESIUM: Row = Row {
+    source: CESIUM,
+    zero: "code 0, which its shaders decode to no vector",
+    null: Some(0),
+    mapping: oct(Lattice::Unorm, Layout::Pair, plain::cesium),
+    ..BASE
+};
+
+/// What glTF's formats have in common.
+const OF_GLTF: Row = Row { source: GLTF, zero: "0, which the validator refuses", null: Some(0), ..BASE };
+
 /// All formats.
 pub static ROWS: [Row; 17] = [
     Row {
         name: "tiles3d-oct16",
         least: 8,
         most: 8,
-        source: CESIUM,
         layout: "x and y, unsigned bytes (NORMAL_OCT16P)",
-        zero: "code 0, which its shaders decode to no vector",
-        null: Some(0),
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::cesium),
-        aim: 0.0,
+        ..OF_CESIUM
     },
     Row {
         name: "tiles3d-oct32",
         least: 16,
         most: 16,
-        source: CESIUM,
         layout: "x and y, unsigned words (NORMAL_UP_OCT32P, NORMAL_RIGHT_OCT32P)",
-        zero: "code 0, which its shaders decode to no vector",
-        null: Some(0),
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::cesium),
-        aim: 0.0,
+        ..OF_CESIUM
     },
     Row {
         name: "quantized-mesh",
         least: 8,
         most: 8,
-        source: CESIUM,
         layout: "x and y, unsigned bytes (octvertexnormals)",
-        zero: "code 0, which its shaders decode to no vector",
-        null: Some(0),
-        mapping: oct(Lattice::Unorm, Layout::Pair, plain::cesium),
-        aim: 0.0,
+        ..OF_CESIUM
     },
     Row {
         name: "godot4",
@@ -106,10 +119,9 @@ pub static ROWS: [Row; 17] = [
         most: 16,
         source: "godotengine/godot 0208728e, core/math/vector3.cpp, servers/rendering/rendering_server.cpp",
         layout: UNORM_16,
-        zero: UNDEFINED,
-        null: None,
         mapping: oct(Lattice::Unorm, Layout::Pair, plain::godot),
         aim: 0.5,
+        ..BASE
     },
     Row {
         name: "bevy",
@@ -120,7 +132,7 @@ pub static ROWS: [Row; 17] = [
         zero: "+Z",
         null: Some(0x8000),
         mapping: oct(Lattice::Snorm, Layout::Pair, plain::bevy),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "nanite",
@@ -128,10 +140,8 @@ pub static ROWS: [Row; 17] = [
         most: 15,
         source: "Unreal Engine 5, NaniteEncodeGeometryData.cpp; CUE4Parse, UE4/Assets/Exports/Nanite",
         layout: "x and y, unsigned",
-        zero: UNDEFINED,
-        null: None,
         mapping: oct(Lattice::Unorm, Layout::Pair, plain::nanite),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "hdrp-oct24",
@@ -140,9 +150,9 @@ pub static ROWS: [Row; 17] = [
         source: "Unity-Technologies/Graphics 0279aa47, HDRP's NormalBuffer.hlsl, Packing.hlsl",
         layout: "the low bytes of x and y, then their high 4 bits",
         zero: "+Z",
-        null: None,
         mapping: oct(Lattice::Unorm, Layout::Bytes888, plain::hdrp),
         aim: 0.5,
+        ..BASE
     },
     Row {
         name: "hdrp-oct22",
@@ -150,10 +160,8 @@ pub static ROWS: [Row; 17] = [
         most: 11,
         source: "Unity's HDRP of 2017, Lit.hlsl",
         layout: "the magnitudes of x and y, 10 bits each, then a bit for each that is positive",
-        zero: UNDEFINED,
-        null: None,
         mapping: oct(Lattice::Snorm, Layout::Signs, plain::hdrp_2017),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "hdrp-tetra",
@@ -161,10 +169,8 @@ pub static ROWS: [Row; 17] = [
         most: 10,
         source: "Unity-Technologies/Graphics 0279aa47, Packing.hlsl",
         layout: "x and y on the face, 10 bits each, then the face, 2 bits",
-        zero: UNDEFINED,
-        null: None,
         mapping: Mapping::Tetrahedron,
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "cycles-packed",
@@ -173,9 +179,8 @@ pub static ROWS: [Row; 17] = [
         source: "blender/blender 9b8810a3, intern/cycles/util/types_normal.h",
         layout: UNORM_16,
         zero: "+Z",
-        null: None,
         mapping: oct(Lattice::Unorm, Layout::Pair, plain::cycles_packed),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "cycles",
@@ -183,10 +188,8 @@ pub static ROWS: [Row; 17] = [
         most: 16,
         source: "Tony7466/BLENDER b9e87623, intern/cycles/util/octahedral_normal.h",
         layout: "x and y, unsigned",
-        zero: UNDEFINED,
-        null: None,
         mapping: oct(Lattice::Unorm, Layout::Pair, plain::cycles),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "draco",
@@ -195,14 +198,13 @@ pub static ROWS: [Row; 17] = [
         source: "google/draco 47238930, compression/attributes/normal_compression_utils.h",
         layout: "s (of y) and t (of z), unsigned; the pole is x",
         zero: "+X",
-        null: None,
         mapping: Mapping::Octahedral {
             lattice: Lattice::Biased,
             layout: Layout::Pair,
             pole_x: true,
             plain: plain::draco,
         },
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "meshopt-oct",
@@ -211,9 +213,8 @@ pub static ROWS: [Row; 17] = [
         source: MESHOPT,
         layout: "x, y, the largest number, and w (0), signed bytes",
         zero: "+Z",
-        null: None,
         mapping: oct(Lattice::Snorm, Layout::Lanes8, plain::meshopt),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "meshopt-oct16",
@@ -222,9 +223,8 @@ pub static ROWS: [Row; 17] = [
         source: MESHOPT,
         layout: "x, y, the largest number, and w (0), signed words",
         zero: "+Z",
-        null: None,
         mapping: oct(Lattice::Snorm, Layout::Lanes16, plain::meshopt),
-        aim: 0.0,
+        ..BASE
     },
     Row {
         name: "openvdb",
@@ -233,30 +233,9 @@ pub static ROWS: [Row; 17] = [
         source: "AcademySoftwareFoundation/openvdb 568538e9, math/QuantizedUnitVec.h",
         layout: "y in 7 bits, x in 6 of the octant, then the signs of z, y and x",
         zero: "+Z",
-        null: None,
         mapping: oct(Lattice::Of126, Layout::Octant, plain::openvdb),
-        aim: 0.0,
+        ..BASE
     },
-    Row {
-        name: "gltf-snorm8",
-        least: 8,
-        most: 8,
-        source: GLTF,
-        layout: "x, y, z and 0, signed bytes",
-        zero: "0, which the validator refuses",
-        null: Some(0),
-        mapping: Mapping::Snorm,
-        aim: 0.0,
-    },
-    Row {
-        name: "gltf-snorm16",
-        least: 16,
-        most: 16,
-        source: GLTF,
-        layout: "x, y, z and 0, signed words",
-        zero: "0, which the validator refuses",
-        null: Some(0),
-        mapping: Mapping::Snorm,
-        aim: 0.0,
-    },
+    Row { name: "gltf-snorm8", least: 8, most: 8, layout: "x, y, z and 0, signed bytes", ..OF_GLTF },
+    Row { name: "gltf-snorm16", least: 16, most: 16, layout: "x, y, z and 0, signed words", ..OF_GLTF },
 ];
