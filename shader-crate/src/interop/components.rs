@@ -1,6 +1,6 @@
 //! glTF's quantised normals: x, y and z in signed bytes or words, beside an unused lane.
 
-use super::distance;
+use super::nearest_of;
 use super::plain::snorm;
 use glam::Vec3;
 
@@ -54,9 +54,6 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
     let (least, steps) = (most * (1.0 - VALID), (2.0 * VALID * most * TRIALS_A_STEP) as u32);
     let trials =
         (0..=steps).map(|i| (v * (least + i as f32 / TRIALS_A_STEP)).to_array().map(|c| c.round() as i32));
-    let scored = core::iter::once(plain).chain(trials.filter(is_valid)).map(|point| {
-        let direction = Vec3::from_array(point.map(|c| c as f32));
-        (distance(v, direction), point)
-    });
-    code(scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or(plain, |(_, point)| point), bits)
+    let points = core::iter::once(plain).chain(trials.filter(is_valid));
+    code(nearest_of(v, points, |point| Vec3::from_array(point.map(|c| c as f32))).unwrap_or(plain), bits)
 }

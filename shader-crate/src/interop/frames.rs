@@ -12,13 +12,13 @@
 //! ```
 
 use super::octahedral::{Lattice, Layout};
-use super::{UnknownFormat, distance};
+use super::{UnknownFormat, around, joined, nearest_of, parted};
 use crate::Frame;
 use crate::arith::{atan2_half_turns, is_negative, mask, nearest_pair, sin_cos_half_turns, snorm_max};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm, or_z};
 use crate::frame::basis;
-use crate::slice::{AnyFrame, LengthMismatch, expect_length, store_each};
+use crate::slice::{AnyFrame, LengthMismatch, load_each, store_each};
 use crate::{oct, soct};
 use glam::Vec3;
 
@@ -151,10 +151,7 @@ impl FrameFormat {
     /// # Errors
     /// [`LengthMismatch`] unless `codes` is as long as the frames' codes. Nothing is written then.
     pub fn encode_slice(self, frames: &[impl AnyFrame], codes: &mut [u8]) -> Result<(), LengthMismatch> {
-        store_each(frames, codes, self.bytes(), |frame| {
-            let code = self.encode((*frame).into().into());
-            [code as u32, (code >> 32) as u32]
-        })
+        store_each(frames, codes, self.bytes(), |frame| self.encode_words((*frame).into()))
     }
 
     /// The reverse of [`encode_slice`](Self::encode_slice).
@@ -162,12 +159,19 @@ impl FrameFormat {
     /// # Errors
     /// The errors of [`encode_slice`](Self::encode_slice).
     pub fn decode_slice(self, codes: &[u8], frames: &mut [impl AnyFrame]) -> Result<(), LengthMismatch> {
-        expect_length(codes.len(), frames.len() * self.bytes())?;
-        for (code, frame) in codes.chunks_exact(self.bytes()).zip(frames) {
-            let code = code.iter().rev().fold(0, |code, byte| code << 8 | u64::from(*byte));
-            *frame = self.decode(code).to_array().into();
-        }
-        Ok(())
+        load_each(codes, frames, self.bytes(), |code| self.decode_words(code).into())
+    }
+
+    /// [`encode`](Self::encode), to the low and the high word.
+    #[doc(hidden)]
+    pub fn encode_words(self, frame: [f32; 7]) -> [u32; 2] {
+        parted(self.encode(frame.into()))
+    }
+
+    /// [`decode`](Self::decode), of the low and the high word.
+    #[doc(hidden)]
+    pub fn decode_words(self, code: [u32; 2]) -> [f32; 7] {
+        self.decode(joined(code)).to_array()
     }
 
     /// The code of a frame, in the low [`bits`](Self::bits): the nearest normal, and the tangent that is nearest about it.
@@ -256,26 +260,21 @@ impl Normal {
         let tangent = or_z(tangent).0 + Vec3::ZERO;
         let place = oct::project(tangent);
         let side = if is_left { -1.0 } else { 1.0 };
-        let (m, offset) =
-            (lattice.largest(bits), if lattice == Lattice::Unorm { lattice.largest(bits) } else { 0.0 });
+        let (m, _, offset) = lattice.sizes(bits);
         let [x, y] = [place.x, (place.y * 0.5 + 0.5) * side].map(|t| (t * m + offset).round() as i32);
-        let around = (-1..2).flat_map(|i| (-1..2).map(move |j| [x + i, y + j]));
-        let inside = around.filter(|point| point.iter().all(|i| (*i as f32 - offset).abs() <= m));
+        let is_inside = |point: &[i32; 2]| point.iter().all(|i| (*i as f32 - offset).abs() <= m);
+        let inside = around([x, y], [-1, 0, 1]).filter(is_inside);
         let codes = inside.map(|point| Layout::Pair.code(point, bits)[0]);
-        let scored = codes
-            .filter(|code| self.unfolded(*code).1 == is_left)
-            .map(|code| (distance(tangent, self.unfolded(code).0), code));
-        scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or(0, |(_, code)| code)
+        let of_side = codes.filter(|code| self.unfolded(*code).1 == is_left);
+        nearest_of(tangent, of_side, |code| self.unfolded(*code).0).unwrap_or_default()
     }
 
     /// The tangent of a code, and whether it is left-handed. 0, which no encoder writes, counts as right-handed.
     fn unfolded(self, code: u32) -> (Vec3, bool) {
         let Self::Pair(lattice, bits) = self else { return (Vec3::X, false) };
-        let m = lattice.largest(bits);
-        let offset = if lattice == Lattice::Unorm { m } else { 0.0 };
-        let numbers =
-            Layout::Pair.numbers([code, 0], lattice, bits).map(|i| ((i as f32 - offset) / m).max(-1.0));
-        let [x, y] = numbers;
+        let (m, _, offset) = lattice.sizes(bits);
+        let numbers = Layout::Pair.numbers([code, 0], lattice, bits);
+        let [x, y] = numbers.map(|i| ((i as f32 - offset) / m).max(-1.0));
         (oct::unproject(glam::Vec2::new(x, y.abs() * 2.0 - 1.0)), y < 0.0)
     }
 }
@@ -359,13 +358,11 @@ fn smaller(v: Vec3) -> u32 {
     let v = v.normalize();
     let codes = (0..3).filter(|axis| v[*axis].abs() > 0.5).flat_map(|axis| {
         let place = (2 * axis) as u32 | u32::from(v[axis] < 0.0);
-        let [i, j] = SMALLER[axis].map(|c| (v[c] * STEPS + 256.0).round() as i32);
-        let around =
-            (-1..2).flat_map(move |x| (-1..2).map(move |y| [i + x, j + y].map(|i| i.clamp(0, 511) as u32)));
-        around.map(move |[i, j]| i | j << 9 | place << 18)
+        let numbers = SMALLER[axis].map(|c| (v[c] * STEPS + 256.0).round() as i32);
+        let inside = around(numbers, [-1, 0, 1]).map(|point| point.map(|i| i.clamp(0, 511) as u32));
+        inside.map(move |[i, j]| i | j << 9 | place << 18)
     });
-    let scored = codes.map(|code| (distance(v, of_smaller(code)), code));
-    scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or(0, |(_, code)| code)
+    nearest_of(v, codes, |code| of_smaller(*code)).unwrap_or_default()
 }
 
 /// Steps of a component: it is at most `1 / sqrt(2)`.

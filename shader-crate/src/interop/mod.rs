@@ -18,7 +18,7 @@
 //!
 //! A format is a value: a lattice of so many bits, the axis of the pole, the order of bits, and the original's rounding; its
 //! name is `draco:10` where it has several widths. [`Format::all`] lists them, `docs/interop.md` of the repository has
-//! their errors, sources and the tools that they were run against. [`Format::SNAP`]: see [`Format::snap`].
+//! their errors, sources and the tools that they were run against.
 //!
 //! * Codes are little endian in [`Format::bytes`] bytes. All functions are total. Vectors without a usable direction (see
 //!   [`direction`](crate::direction)) get the code of +Z, whatever the original does; [`Format::null`] is a code that stands
@@ -34,6 +34,7 @@ mod octahedral;
 mod plain;
 mod tetrahedron;
 
+use crate::direction::or_z;
 use crate::slice::machine::Level;
 use crate::slice::{
     Coder, LengthMismatch, StrideError, Strided, Vector, decode_slice_by, decode_strided_with,
@@ -191,32 +192,33 @@ impl Format {
     /// The code of the direction of `v`, whose length does not matter.
     #[must_use]
     pub fn encode<V: Into<[f32; 3]>>(self, v: V) -> u64 {
-        let [low, high] = self.encode_words(Vec3::from_array(v.into()));
-        u64::from(low) | u64::from(high) << 32
+        joined(self.encode_words(v.into()))
     }
 
     /// The direction of a code. Bits above [`bits`](Self::bits), and lanes that hold no direction, are ignored.
     #[must_use]
     pub fn decode<V: From<[f32; 3]>>(self, code: u64) -> V {
-        self.decode_words([code as u32, (code >> 32) as u32]).to_array().into()
+        self.decode_words(parted(code)).into()
     }
 
     /// The vector to give to the original's encoder, so that it writes the nearest code: what that decodes to, or where the
     /// original truncates, the middle of what it truncates to the code.
     #[must_use]
     pub fn snap<V: Into<[f32; 3]> + From<[f32; 3]>>(self, v: V) -> V {
-        let code = Self { is_plain: false, ..self }.encode_words(Vec3::from_array(v.into()));
-        let v = match self.row.mapping {
+        let code = Self { is_plain: false, ..self }.encode_words(v.into());
+        match self.row.mapping {
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
-                lattice.direction(self.bits, layout.numbers(code, lattice, self.bits), pole_x, self.row.aim)
+                let numbers = layout.numbers(code, lattice, self.bits);
+                lattice.direction(self.bits, numbers, pole_x, self.row.aim).to_array().into()
             }
-            _ => self.decode_words(code),
-        };
-        v.to_array().into()
+            _ => self.decode_words(code).into(),
+        }
     }
 
-    fn encode_words(self, v: Vec3) -> [u32; 2] {
-        let v = crate::direction::or_z(v).0;
+    /// [`encode`](Self::encode), to the low and the high word.
+    #[doc(hidden)]
+    pub fn encode_words(self, v: [f32; 3]) -> [u32; 2] {
+        let v = or_z(Vec3::from_array(v)).0;
         match self.row.mapping {
             Mapping::Octahedral { layout, plain, .. } if self.is_plain => {
                 layout.code(plain(v, self.bits), self.bits)
@@ -232,14 +234,17 @@ impl Format {
         }
     }
 
-    fn decode_words(self, code: [u32; 2]) -> Vec3 {
-        match self.row.mapping {
+    /// [`decode`](Self::decode), of the low and the high word.
+    #[doc(hidden)]
+    pub fn decode_words(self, code: [u32; 2]) -> [f32; 3] {
+        let v = match self.row.mapping {
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
                 layout.decode(code, lattice, pole_x, self.bits)
             }
             Mapping::Tetrahedron => tetrahedron::decode(code[0]),
             Mapping::Snorm => components::decode(code, self.bits),
-        }
+        };
+        v.to_array()
     }
 
     /// [`encode`](Self::encode) of each vector, into [`bytes`](Self::bytes) little-endian bytes each, without gaps: several
@@ -314,6 +319,16 @@ impl Format {
     }
 }
 
+/// A code of two words, the low one first.
+fn joined([low, high]: [u32; 2]) -> u64 {
+    u64::from(low) | u64::from(high) << 32
+}
+
+/// The reverse of [`joined`].
+fn parted(code: u64) -> [u32; 2] {
+    [code as u32, (code >> 32) as u32]
+}
+
 /// A format as a coder of slices, one vector at a time.
 #[derive(Clone, Copy)]
 struct One(Format);
@@ -324,16 +339,27 @@ impl Coder for One {
     }
 
     fn encode(self, v: Vec3) -> [u32; 2] {
-        self.0.encode_words(v)
+        self.0.encode_words(v.to_array())
     }
 
     fn decode(self, low: u32, high: u32) -> Vec3 {
-        self.0.decode_words([low, high])
+        Vec3::from_array(self.0.decode_words([low, high]))
     }
 }
 
-/// The square of the tangent of half the angle, or a measure that grows like it, between two directions: in float64, so
-/// that it tells the codes of any format apart.
+/// Of these candidates the one whose vector is nearest in angle to `v`, the first of equals.
+fn nearest_of<T>(v: Vec3, candidates: impl Iterator<Item = T>, vector: impl Fn(&T) -> Vec3) -> Option<T> {
+    let scored = candidates.map(|candidate| (distance(v, vector(&candidate)), candidate));
+    scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map(|(_, candidate)| candidate)
+}
+
+/// The 3 by 3 points around one, by steps of x in this order, and of y for each.
+fn around([x, y]: [i32; 2], steps: [i32; 3]) -> impl Iterator<Item = [i32; 2]> {
+    steps.into_iter().flat_map(move |i| steps.map(move |j| [x + i, y + j]))
+}
+
+/// The square of the tangent of the angle between two directions, infinite from a right angle on: in float64, so that it
+/// tells the codes of any format apart.
 fn distance(a: Vec3, b: Vec3) -> f64 {
     let ([a, b, c], [x, y, z]) = ([a.x, a.y, a.z].map(f64::from), [b.x, b.y, b.z].map(f64::from));
     let (p, q, r) = (b * z - c * y, c * x - a * z, a * y - b * x);

@@ -1,6 +1,6 @@
 //! Octahedral lattices in the numberings and layouts of other software.
 
-use super::distance;
+use super::{around, nearest_of};
 use crate::arith::{ONE_AND_A_HALF_2_23, mask, max, min, with_sign};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm};
@@ -25,7 +25,7 @@ pub(super) enum Lattice {
 impl Lattice {
     /// The largest coordinate, the middle (0, or 1/2 where there is no point), and the number of the coordinate 0.
     #[inline(always)]
-    fn sizes(self, bits: u32) -> (f32, f32, f32) {
+    pub(super) fn sizes(self, bits: u32) -> (f32, f32, f32) {
         let (unorm, snorm) = (mask(bits) as f32 * 0.5, mask(bits - 1) as f32);
         match self {
             Self::Unorm => (unorm, 0.5, unorm),
@@ -157,8 +157,8 @@ impl Layout {
     pub(super) fn code(self, [x, y]: [i32; 2], bits: u32) -> [u32; 2] {
         let low = |number: i32, bits: u32| number as u32 & mask(bits);
         match self {
-            Self::Pair => [low(x, bits) | low(y, bits) << bits, 0],
-            Self::Bytes888 => [low(x, 8) | low(y, 8) << 8 | low(x >> 8, 4) << 16 | low(y >> 8, 4) << 20, 0],
+            Self::Pair => [pair_code(x as u32, y as u32, bits), 0],
+            Self::Bytes888 => [bytes_code(x as u32, y as u32), 0],
             Self::Signs => {
                 let positive = u32::from(x > 0) | u32::from(y > 0) << 1;
                 [x.unsigned_abs() | y.unsigned_abs() << 10 | positive << 20, 0]
@@ -173,11 +173,9 @@ impl Layout {
     #[inline(always)]
     pub(super) fn numbers(self, [low, _]: [u32; 2], lattice: Lattice, bits: u32) -> [i32; 2] {
         let at = |first: u32, bits: u32| (low >> first & mask(bits)) as i32;
-        if self == Self::Pair {
-            return pair(low, bits, lattice.sign(bits));
-        }
         match self {
-            Self::Pair | Self::Bytes888 => [at(0, 8) | at(16, 4) << 8, at(8, 8) | at(20, 4) << 8],
+            Self::Pair => pair(low, bits, lattice.sign(bits)),
+            Self::Bytes888 => of_bytes(low),
             Self::Signs => [at(0, 10) * (2 * at(20, 1) - 1), at(10, 10) * (2 * at(21, 1) - 1)],
             Self::Octant => from_octant(low),
             Self::Lanes8 => [i32::from(low as i8), i32::from((low >> 8) as i8)],
@@ -195,6 +193,25 @@ impl Layout {
         };
         rounded(Vec2::new(x as f32, y as f32), one, most)
     }
+}
+
+/// The code of [`Layout::Pair`]. This and the next ones have no closures, which would not get the instructions of a slice's
+/// level.
+#[inline(always)]
+fn pair_code(x: u32, y: u32, bits: u32) -> u32 {
+    (x & mask(bits)) | (y & mask(bits)) << bits
+}
+
+/// The code of [`Layout::Bytes888`].
+#[inline(always)]
+fn bytes_code(x: u32, y: u32) -> u32 {
+    (x & 255) | (y & 255) << 8 | (x >> 8 & 15) << 16 | (y >> 8 & 15) << 20
+}
+
+/// The reverse of [`bytes_code`].
+#[inline(always)]
+fn of_bytes(code: u32) -> [i32; 2] {
+    [(code & 255 | (code >> 16 & 15) << 8) as i32, (code >> 8 & 255 | (code >> 20 & 15) << 8) as i32]
 }
 
 /// The numbers of a pair; `sign` is the bit that is one, or 0.
@@ -243,16 +260,12 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
 pub(super) fn searched(v: Vec3, lattice: Lattice, layout: Layout, pole_x: bool, bits: u32) -> [u32; 2] {
     let ([x, y], m) = (lattice.nearest_numbers(v, bits, pole_x), lattice.largest(bits) as i32);
     // The point itself comes first: of equals it stays.
-    let steps = [0, 1, -1];
-    let around = steps.into_iter().flat_map(|i| steps.map(|j| [x + i, y + j]));
-    let codes =
-        around.filter(|point| point.iter().all(|i| i.abs() <= m)).map(|point| layout.code(point, bits));
-    let scored = codes.map(|code| (distance(v, layout.decode(code, lattice, pole_x, bits)), code));
-    scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or([0, 0], |(_, code)| code)
+    let inside = around([x, y], [0, 1, -1]).filter(|point| point.iter().all(|i| i.abs() <= m));
+    let codes = inside.map(|point| layout.code(point, bits));
+    nearest_of(v, codes, |code| layout.decode(*code, lattice, pole_x, bits)).unwrap_or_default()
 }
 
-/// An octahedral format as a coder of slices: of pairs, or with `IS_BYTES` of [`Layout::Bytes888`]. Without closures, which
-/// would not get the instructions of the slice's level.
+/// An octahedral format as a coder of slices: of pairs, or with `IS_BYTES` of [`Layout::Bytes888`].
 #[derive(Clone, Copy)]
 pub(super) struct Fast<const IS_BYTES: bool, const POLE_X: bool> {
     bits: u32,
@@ -284,21 +297,13 @@ impl<const IS_BYTES: bool, const POLE_X: bool> Coder for Fast<IS_BYTES, POLE_X> 
         let norm = l1_norm(v);
         let e = canonical(nearest(v, norm, self.largest, self.middle), self.largest, POLE_X);
         let (x, y) = (whole(e.x + self.offset) as u32, whole(e.y + self.offset) as u32);
-        let code = if IS_BYTES {
-            (x & 255) | (y & 255) << 8 | (x >> 8 & 15) << 16 | (y >> 8 & 15) << 20
-        } else {
-            (x & mask(self.bits)) | (y & mask(self.bits)) << self.bits
-        };
+        let code = if IS_BYTES { bytes_code(x, y) } else { pair_code(x, y, self.bits) };
         [if is_usable(norm) { code } else { self.code_of_z }, 0]
     }
 
     #[inline(always)]
     fn decode(self, low: u32, _: u32) -> Vec3 {
-        let [x, y] = if IS_BYTES {
-            [(low & 255 | (low >> 16 & 15) << 8) as i32, (low >> 8 & 255 | (low >> 20 & 15) << 8) as i32]
-        } else {
-            pair(low, self.bits, self.sign)
-        };
+        let [x, y] = if IS_BYTES { of_bytes(low) } else { pair(low, self.bits, self.sign) };
         let (x, y) = (x as f32 - self.offset, y as f32 - self.offset);
         let (x, y) = (min(max(x, -self.largest), self.largest), min(max(y, -self.largest), self.largest));
         turned_back(from_lattice(Vec2::new(x, y), self.largest), POLE_X)

@@ -95,8 +95,7 @@ pub(super) fn hdrp_2017(v: Vec3, bits: u32) -> [i32; 2] {
 /// Blender Cycles, util/octahedral_normal.h of a branch (b9e87623): f32, rounded half away from 0.
 pub(super) fn cycles(v: Vec3, bits: u32) -> [i32; 2] {
     let half = most(bits) * 0.5;
-    let norm = l1(v);
-    let (x, y) = folded!(v.x / norm, v.y / norm, v.z < 0.0);
+    let (x, y) = projected(v);
     [x, y].map(|t| (half + t * half).round() as i32)
 }
 

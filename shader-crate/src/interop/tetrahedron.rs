@@ -1,6 +1,6 @@
 //! Unity's tetrahedral encoding: the face of a tetrahedron in 2 bits, and 10 bits each of x and y seen along its normal.
 
-use super::distance;
+use super::{around, nearest_of};
 use crate::arith::mask;
 use glam::{Mat3, Vec3};
 
@@ -50,11 +50,8 @@ pub(super) fn encode(v: Vec3, is_plain: bool) -> [u32; 2] {
     }
     let before = (0..4).filter(|face| places[*face].z > 0.3);
     let codes = before.flat_map(|face| {
-        let (x, y) = (number(places[face].x), number(places[face].y));
-        (-1..2).flat_map(move |i| {
-            (-1..2).map(move |j| code((x + i).clamp(0, 1023), (y + j).clamp(0, 1023), face))
-        })
+        let point = [number(places[face].x), number(places[face].y)];
+        around(point, [-1, 0, 1]).map(move |[x, y]| code(x.clamp(0, 1023), y.clamp(0, 1023), face))
     });
-    let scored = codes.map(|code| (distance(v, decode(code[0])), code));
-    scored.reduce(|a, b| if b.0 < a.0 { b } else { a }).map_or([0, 0], |(_, code)| code)
+    nearest_of(v, codes, |code| decode(code[0])).unwrap_or_default()
 }

@@ -1,9 +1,10 @@
 //! Slices of tangent frames. Their codecs are worked through one frame at a time, on any machine.
 
-use super::machine::{Level, as_chunks};
-use super::stored::{Stored, with_size};
+#[cfg(feature = "rayon")]
+use super::expect_length;
+use super::machine::Level;
 use super::strided::{decode_strided_with, encode_strided_with};
-use super::{LengthMismatch, StrideError, Strided, expect_length, store_each};
+use super::{LengthMismatch, StrideError, Strided, load_each, store_each};
 use crate::codec::RawCode;
 use crate::frame::FrameCodec;
 
@@ -44,14 +45,9 @@ pub fn decode_frames<F: FrameCodec>(
     codes: &[u8],
     frames: &mut [impl AnyFrame],
 ) -> Result<(), LengthMismatch> {
-    expect_length(codes.len(), frames.len() * F::BYTES)?;
-    with_size!(F::BYTES, SIZE => {
-        for (stored, frame) in as_chunks::<_, SIZE>(codes).0.iter().zip(frames) {
-            let (low, high) = stored.words();
-            *frame = F::decode(F::Code::from_low_high(low, high)).to_array().into();
-        }
-    });
-    Ok(())
+    load_each(codes, frames, F::BYTES, |[low, high]| {
+        F::decode(F::Code::from_low_high(low, high)).to_array().into()
+    })
 }
 
 /// Encodes as [`encode_frames`] does, with the same bits, in rayon's current thread pool; up to 16,384 frames on the

@@ -136,6 +136,23 @@ pub(crate) fn store_each<T>(
     Ok(())
 }
 
+/// Makes each element of the words of its code, of `size` bytes: the reverse of [`store_each`].
+pub(crate) fn load_each<T>(
+    codes: &[u8],
+    elements: &mut [T],
+    size: usize,
+    element: impl Fn([u32; 2]) -> T,
+) -> Result<(), LengthMismatch> {
+    expect_length(codes.len(), elements.len() * size)?;
+    with_size!(size, SIZE => {
+        for (stored, to) in as_chunks::<_, SIZE>(codes).0.iter().zip(elements) {
+            let (low, high) = stored.words();
+            *to = element([low, high]);
+        }
+    });
+    Ok(())
+}
+
 /// Decodes `codes`, packed as by [`encode_slice`], into `vectors`.
 ///
 /// # Errors
