@@ -56,8 +56,8 @@ impl Functions<7> {
     }
 }
 
-/// [`Functions`] that hold a value.
-pub struct OfFormat<A, B, C, D> {
+/// [`Functions`] that hold a value: the closures of a format of other software.
+pub struct OfValue<A, B, C, D> {
     pub encode_one: A,
     pub decode_one: B,
     pub encode: C,
@@ -65,56 +65,20 @@ pub struct OfFormat<A, B, C, D> {
     pub decode_at: D,
 }
 
-/// The functions of a format of other software.
-// Closures have no types to name.
-#[allow(clippy::type_complexity)]
-pub fn of_format(
-    format: Format,
-) -> OfFormat<
-    impl Fn([f32; 3]) -> [u32; 2],
-    impl Fn([u32; 2]) -> [f32; 3],
-    impl Fn(Level, &[[f32; 3]], &mut [u8]) -> Result<(), LengthMismatch>,
-    impl Fn(Level, &[u8], &mut [[f32; 3]]) -> Result<(), LengthMismatch>,
-> {
-    let encode = move |level, vectors: &[_], codes: &mut [u8]| format.encode_slice_at(level, vectors, codes);
-    OfFormat {
-        encode_one: move |v| words(format.encode(v)),
-        decode_one: move |[low, high]: [u32; 2]| format.decode(u64::from(low) | u64::from(high) << 32),
-        encode,
-        encode_at: encode,
-        decode_at: move |level, codes: &[u8], vectors: &mut [_]| {
-            format.decode_slice_at(level, codes, vectors)
-        },
-    }
+/// The functions of a format, from its value and the closures for its slices.
+macro_rules! of_value {
+    ($format:ident, $encode:expr, $decode:expr) => {{
+        let encode = $encode;
+        $crate::cpu::OfValue {
+            encode_one: |element| $format.encode_words(element),
+            decode_one: |code| $format.decode_words(code),
+            encode,
+            encode_at: encode,
+            decode_at: $decode,
+        }
+    }};
 }
-
-/// The functions of a format of frames of other software.
-// As above.
-#[allow(clippy::type_complexity)]
-pub fn of_frame_format(
-    format: FrameFormat,
-) -> OfFormat<
-    impl Fn([f32; 7]) -> [u32; 2],
-    impl Fn([u32; 2]) -> [f32; 7],
-    impl Fn(Level, &[[f32; 7]], &mut [u8]) -> Result<(), LengthMismatch>,
-    impl Fn(Level, &[u8], &mut [[f32; 7]]) -> Result<(), LengthMismatch>,
-> {
-    let encode = move |_: Level, frames: &[[f32; 7]], codes: &mut [u8]| format.encode_slice(frames, codes);
-    OfFormat {
-        encode_one: move |frame: [f32; 7]| words(format.encode(frame.into())),
-        decode_one: move |[low, high]: [u32; 2]| {
-            format.decode(u64::from(low) | u64::from(high) << 32).to_array()
-        },
-        encode,
-        encode_at: encode,
-        decode_at: move |_: Level, codes: &[u8], frames: &mut [[f32; 7]]| format.decode_slice(codes, frames),
-    }
-}
-
-/// The low and the high word of a code.
-pub fn words(code: u64) -> [u32; 2] {
-    [code as u32, (code >> 32) as u32]
-}
+pub(crate) use of_value;
 
 /// Evaluates an expression with the [`Functions`] of a codec, whatever its elements are.
 macro_rules! with_functions {
@@ -123,11 +87,21 @@ macro_rules! with_functions {
             AnyFunctions::Vector($functions) => $result,
             AnyFunctions::Frame($functions) => $result,
             AnyFunctions::Format(format) => {
-                let $functions = $crate::cpu::of_format(*format);
+                let $functions = $crate::cpu::of_value!(
+                    format,
+                    |level, vectors: &[[f32; 3]], codes: &mut [u8]| format
+                        .encode_slice_at(level, vectors, codes),
+                    |level, codes: &[u8], vectors: &mut [[f32; 3]]| format
+                        .decode_slice_at(level, codes, vectors)
+                );
                 $result
             }
             AnyFunctions::FrameFormat(format) => {
-                let $functions = $crate::cpu::of_frame_format(*format);
+                let $functions = $crate::cpu::of_value!(
+                    format,
+                    |_: Level, frames: &[[f32; 7]], codes: &mut [u8]| format.encode_slice(frames, codes),
+                    |_: Level, codes: &[u8], frames: &mut [[f32; 7]]| format.decode_slice(codes, frames)
+                );
                 $result
             }
         }

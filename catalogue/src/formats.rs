@@ -1,6 +1,6 @@
 //! Formats of other software as codecs.
 
-use crate::cpu::{AnyFunctions, words};
+use crate::cpu::AnyFunctions;
 use crate::{AnyCodec, Element, UnknownCodec, find};
 use std::sync::LazyLock;
 use unitvec::Domain;
@@ -23,7 +23,7 @@ fn of_vectors(format: Format) -> [AnyCodec; 2] {
         bits: format.bits(),
         bytes: format.bytes(),
         max_errors_deg: Vec::leak(vec![format.max_error_deg()]),
-        null: format.null().map(words),
+        null: format.null().map(|code| [code as u32, (code >> 32) as u32]),
         ..of(String::leak(format!("{format}{ending}")), Element::Vector, AnyFunctions::Format(format))
     })
 }
