@@ -87,18 +87,25 @@ struct Work {
     summary: Options,
 }
 
+/// The meshes of a command that reads no other files.
+#[derive(Args)]
+pub struct Meshes {
+    #[command(flatten)]
+    pub buffers: Buffers,
+    #[command(flatten)]
+    pub summary: Options,
+    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY; or a folder, whose meshes are taken.
+    #[arg(value_name = "MESH", required = true, num_args = 1..)]
+    pub r#in: Vec<PathBuf>,
+}
+
 #[derive(Args)]
 pub struct Normals {
     /// Export whole tangent frames, seven f32 each: normal, tangent and handedness. The mesh needs tangents.
     #[arg(long)]
     frames: bool,
     #[command(flatten)]
-    buffers: Buffers,
-    #[command(flatten)]
-    summary: Options,
-    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY; or a folder, whose meshes are taken.
-    #[arg(value_name = "MESH", required = true, num_args = 1..)]
-    r#in: Vec<PathBuf>,
+    meshes: Meshes,
     /// Output file, - for the standard output, a NumPy array if it ends in .npy; or a folder that exists, which gets
     /// NAME.f32 for each mesh.
     out: PathBuf,
@@ -222,8 +229,8 @@ fn null_of(format: &AnyCodec, is_wanted: bool) -> Result<Option<Null<'_>>> {
 
 /// Exports the normals of a mesh, or its frames, as [`encode`] takes them; +Z where they were computed and have no direction.
 pub fn normals(arguments: &Normals) -> Result<ExitCode> {
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, Some("f32"))?;
-    let reach = arguments.buffers.reach();
+    let pairs = pairs(&arguments.meshes.r#in, &arguments.out, is_mesh, Some("f32"))?;
+    let reach = arguments.meshes.buffers.reach();
     let export = |conversion: &mut Conversion<'_>| {
         let input = Input::open(conversion.input)?;
         let mut counts = Counts::default();
@@ -241,7 +248,7 @@ pub fn normals(arguments: &Normals) -> Result<ExitCode> {
         floats.chunks(1 << 16).try_for_each(|floats| conversion.write(&to_bytes(floats)))?;
         Ok(Summary::of_export(element, counts, parts, filled))
     };
-    each(&arguments.summary, &pairs, &arguments.out, |input, out| one(input, out, &mut Cpu, export))?;
+    each(&arguments.meshes.summary, &pairs, &arguments.out, |input, out| one(input, out, &mut Cpu, export))?;
     Ok(ExitCode::SUCCESS)
 }
 

@@ -1,6 +1,6 @@
-use super::convert::{each, pairs};
-use super::summary::{Options, Told, UPPER_ONLY};
-use super::{Buffers, counted, degrees, is_mesh, write_output};
+use super::convert::{Meshes, each, pairs};
+use super::summary::{Told, UPPER_ONLY};
+use super::{counted, degrees, is_mesh, write_output};
 use clap::Args;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -25,12 +25,7 @@ pub struct Arguments {
     #[arg(long = "for", value_name = "ID")]
     codec: String,
     #[command(flatten)]
-    buffers: Buffers,
-    #[command(flatten)]
-    summary: Options,
-    /// Mesh file: .obj, .ply, .gltf, .glb, or any with the first bytes of glTF or PLY; or a folder, whose meshes are taken.
-    #[arg(value_name = "MESH", required = true, num_args = 1..)]
-    r#in: Vec<PathBuf>,
+    meshes: Meshes,
     /// Output file, of the same format, - for the standard output; or a folder that exists, which gets a file of the same
     /// name for each mesh. No input is replaced.
     out: PathBuf,
@@ -38,7 +33,7 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let codec = find_any(&arguments.codec)?;
-    let pairs = pairs(&arguments.r#in, &arguments.out, is_mesh, None)?;
+    let pairs = pairs(&arguments.meshes.r#in, &arguments.out, is_mesh, None)?;
     for (input, out) in &pairs {
         check_ending(input, out)?;
     }
@@ -46,8 +41,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         // No output of one input may replace what another is read from later.
         pairs.iter().for_each(|(input, _)| note_sources(input));
     }
-    let reach = arguments.buffers.reach();
-    each(&arguments.summary, &pairs, &arguments.out, |input, out| one(codec, input, out, reach))?;
+    let reach = arguments.meshes.buffers.reach();
+    each(&arguments.meshes.summary, &pairs, &arguments.out, |input, out| one(codec, input, out, reach))?;
     Ok(ExitCode::SUCCESS)
 }
 
