@@ -25,6 +25,7 @@ mod fuzz;
 #[cfg(feature = "glsl")]
 mod glsl;
 mod harm;
+mod hemioct;
 mod house;
 mod ico;
 #[cfg(feature = "glsl")]

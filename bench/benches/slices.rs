@@ -10,6 +10,7 @@ use normal_pack::EncodedUnitVector3U8;
 use std::hint::black_box;
 use std::time::Duration;
 use unitvec::Listed;
+use unitvec::interop::{Format, ROWS};
 use unitvec::slice::{decode_slice, decode_slice_i16x4, encode_slice, par_decode_slice, par_encode_slice};
 use unitvec::table::DecodeTable;
 use unitvec::{
@@ -207,5 +208,20 @@ fn decode(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, encode, decode);
+/// The formats of other software, beside `oct16p`: one width of each, since it does not count.
+fn formats(criterion: &mut Criterion) {
+    let vectors = &directions(COUNTS[0])[..];
+    let mut group = open(criterion, "formats", COUNTS[0]);
+    encode_with::<OctPrecise16>(&mut group, vectors);
+    for row in &ROWS {
+        let format = Format::all().filter(|format| format.row().name == row.name).last();
+        let format = format.expect("a format has a width");
+        let mut codes = vec![0; vectors.len() * format.bytes()];
+        group.bench_function(row.name, |b| {
+            b.iter(|| format.encode_slice(black_box(vectors), black_box(&mut codes)));
+        });
+    }
+}
+
+criterion_group!(benches, encode, decode, formats);
 criterion_main!(benches);

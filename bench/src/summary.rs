@@ -22,10 +22,10 @@ fn medians(folder: &Path, count: usize) -> Result<BTreeMap<String, f64>, Box<dyn
     Ok(medians)
 }
 
-/// The rows of `encode` or `decode`: the benchmarks that were measured with all counts.
-fn rows(root: &Path, operation: &str) -> Result<Vec<Value>, Box<dyn Error>> {
+/// The rows of an operation: the benchmarks that were measured with all of these counts.
+fn rows(root: &Path, operation: &str, counts: &[usize]) -> Result<Vec<Value>, Box<dyn Error>> {
     let mut columns = Vec::new();
-    for count in COUNTS {
+    for &count in counts {
         columns.push(medians(&root.join(group(operation, count)), count)?);
     }
     let hundredths = |ns: &f64| (ns * 100.0).round() / 100.0;
@@ -51,7 +51,10 @@ fn machine() -> String {
 fn main() -> Result<(), Box<dyn Error>> {
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| PathBuf::from("target"), PathBuf::from);
     let root = env::args_os().nth(1).map_or_else(|| target.join("criterion"), PathBuf::from);
-    let rows = [rows(&root, "encode")?, rows(&root, "decode")?].concat();
+    let both = ["encode", "decode"].map(|operation| rows(&root, operation, &COUNTS));
+    let rows =
+        [both.into_iter().collect::<Result<Vec<_>, _>>()?.concat(), rows(&root, "formats", &COUNTS[..1])?]
+            .concat();
     println!("{:#}", json!({ "machine": machine(), "counts": COUNTS, "rows": rows }));
     Ok(())
 }

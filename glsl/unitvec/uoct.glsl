@@ -80,10 +80,10 @@ uvec2 unitvec_uoct_precise(vec3 v, uint bits) {
 // Direction of a lattice point: unit length to within 2 ULP.
 vec3 unitvec_uoct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float z = m - abs(e.x) - abs(e.y);
-    float below = z < 0.0 ? -z : 0.0;
+    float below = max(-z, 0.0);
     UNITVEC_PRECISE float x = e.x - unitvec_with_sign(below, e.x);
     UNITVEC_PRECISE float y = e.y - unitvec_with_sign(below, e.y);
-    return unitvec_normalize(vec3(x, y, z));
+    return unitvec_normalize_octahedral(vec3(x, y, z), m, 0.5 * (m + 0.5));
 }
 
 // The precise code of n bits (even, up to 32) as a pair of unorm values on [0, 1].

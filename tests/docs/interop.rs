@@ -1,9 +1,10 @@
 //! The errors of formats of other software, and what ran beside them, as docs/interop.md has them.
 
 use super::tables::degrees;
-use super::{markdown_table, recorded};
+use super::{markdown_table, recorded, slices};
+use glam::Vec3;
 use std::collections::BTreeMap;
-use unitvec::interop::{FRAMES, Format, FrameFormat, ROWS};
+use unitvec::interop::{FRAMES, Format, ROWS};
 use unitvec::{Frame, Frame32, Frame64, FrameCodec, angle_deg};
 use unitvec_tests::directions::sphere;
 use unitvec_tests::repository;
@@ -23,20 +24,40 @@ fn summary(errors: impl Iterator<Item = f64>) -> [f64; 2] {
     [sum / f64::from(count), max]
 }
 
-/// Random frames: their tangents are perpendicular to the normals.
-fn frames() -> impl Iterator<Item = Frame> {
-    let pairs = sphere(72, 1 << 17).zip(sphere(73, 1 << 17));
-    pairs.map(|(normal, other)| Frame { normal, tangent: normal.cross(other), handedness: 1.0 })
+/// Frames with these normals: tangents are perpendicular to them, and random.
+fn frames(normals: impl Iterator<Item = Vec3>) -> Vec<Frame> {
+    let pairs = normals.zip(sphere(73, 1 << 17));
+    pairs.map(|(normal, other)| Frame { normal, tangent: normal.cross(other), handedness: 1.0 }).collect()
 }
 
 /// Errors of the normal, then of the tangent.
-fn of_frames(trip: impl Fn(Frame) -> Frame) -> [f64; 4] {
+fn of_frames(frames: &[Frame], trip: &Trip) -> [f64; 4] {
     let [n, t] = [
-        summary(frames().map(|frame| angle_deg(frame.normal, trip(frame).normal))),
-        summary(frames().map(|frame| angle_deg(frame.tangent, trip(frame).tangent))),
+        summary(frames.iter().map(|frame| angle_deg(frame.normal, trip(*frame).normal))),
+        summary(frames.iter().map(|frame| angle_deg(frame.tangent, trip(*frame).tangent))),
     ];
     [n[0], n[1], t[0], t[1]]
 }
+
+/// A frame, encoded and decoded.
+type Trip = Box<dyn Fn(Frame) -> Frame>;
+
+/// A split of the bits of a frame: its name, what it is, its bits, and the trip.
+fn splits() -> Vec<(&'static str, &'static str, u32, Trip)> {
+    let ours: [(_, _, _, Trip); 2] = [
+        ("frame32", "11 + 11, angle 9, sign", 32, Box::new(|frame| Frame32::decode(Frame32::encode(frame)))),
+        ("frame64", "21 + 21, angle 21, sign", 64, Box::new(|frame| Frame64::decode(Frame64::encode(frame)))),
+    ];
+    let others = FRAMES.map(|format| -> (_, _, _, Trip) {
+        let trip = Box::new(move |frame| format.decode(format.encode(frame)));
+        (format.name, format.source, format.bits, trip)
+    });
+    ours.into_iter().chain(others).collect()
+}
+
+/// Errors of the same splits on the mesh of Kapoulkine's article, "Quantizing tangent frames" (2026): normal, then tangent.
+const KAPOULKINE: [(&str, [f64; 4]); 2] =
+    [("frame32", [0.0272, 0.1136, 0.1775, 0.3588]), ("frame32-signed", [0.0444, 0.1371, 0.0954, 0.2149])];
 
 /// Measures what the docs state.
 #[test]
@@ -54,11 +75,13 @@ fn measure() {
         let [plain, nearest] = [error(format.plain()), error(format)];
         write(&format.to_string(), [plain[0], plain[1], nearest[0], nearest[1]]);
     }
-    for format in FRAMES {
-        write(format.name, of_frames(|frame| format.decode(format.encode(frame))));
+    let bunny = unitvec_mesh::read(&repository().join("host/mesh/data/bunny.obj")).unwrap().normals;
+    let [random, bunny] =
+        [frames(sphere(72, 1 << 17)), frames(bunny.into_iter().map(|normal| Vec3::from(normal).normalize()))];
+    for (name, _, _, trip) in splits() {
+        write(name, of_frames(&random, &trip));
+        write(&format!("bunny {name}"), of_frames(&bunny, &trip));
     }
-    write("frame32", of_frames(|frame| Frame32::decode(Frame32::encode(frame))));
-    write("frame64", of_frames(|frame| Frame64::decode(Frame64::encode(frame))));
     unitvec_files::write_file(&repository().join("docs/data/interop.csv"), text.as_bytes()).unwrap();
 }
 
@@ -73,9 +96,13 @@ pub fn table() -> String {
     let rows = formats().map(|format| {
         let [a, b, c, d] = errors[&format.to_string()].map(degrees);
         let bound = degrees(format.max_error_deg().into());
-        format!("`{format}` | {} | {} | {a} / {b} | {c} / {d} | {bound}", format.bits(), format.bytes())
+        let times = slices::times("formats", format.row().name, "oct16p");
+        let sizes = format!("{} | {}", format.bits(), format.bytes());
+        format!("`{format}` | {sizes} | {a} / {b} | {c} / {d} | {bound} | {times}")
     });
-    markdown_table("format | bits | bytes | plain: mean / max, degrees | nearest: mean / max | bound", rows)
+    let titles =
+        "format | bits | bytes | plain: mean / max, degrees | nearest: mean / max | bound | time to encode";
+    markdown_table(titles, rows)
 }
 
 /// The table of layouts and sources.
@@ -93,13 +120,19 @@ pub fn sources() -> String {
 /// The table of frames.
 pub fn of_tangents() -> String {
     let errors = measured();
-    let ours = [("frame32", "11 + 11, angle 9, sign", 32), ("frame64", "21 + 21, angle 21, sign", 64)];
-    let others = FRAMES.map(|FrameFormat { name, source, bits, .. }| (name, source, bits));
-    let rows = ours.into_iter().chain(others).map(|(name, source, bits)| {
-        let [a, b, c, d] = errors[name].map(degrees);
-        format!("`{name}` | {bits} | {source} | {a} / {b} | {c} / {d}")
+    let cells = |errors: [f64; 4]| {
+        let [a, b, c, d] = errors.map(degrees);
+        format!("{a} / {b} | {c} / {d}")
+    };
+    let rows = splits().into_iter().map(|(name, what, bits, _)| {
+        let theirs = KAPOULKINE.iter().find(|row| row.0 == name);
+        let theirs = theirs.map_or_else(|| "- | -".to_owned(), |(_, errors)| cells(*errors));
+        let [random, bunny] = [name, &format!("bunny {name}")].map(|name| cells(errors[name]));
+        format!("`{name}` | {bits} | {what} | {random} | {bunny} | {theirs}")
     });
-    markdown_table("format | bits | what | normal: mean / max, degrees | tangent: mean / max", rows)
+    let titles = "format | bits | what | random: normal, degrees | tangent | bunny: normal | tangent | \
+         Kapoulkine's mesh: normal | tangent";
+    markdown_table(titles, rows)
 }
 
 /// A difference between the program and an original: of codes as integers, of decoded numbers as they are.

@@ -20,6 +20,17 @@ fn ns(operation: &str, name: &str) -> [f64; 3] {
     found.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json")).1
 }
 
+/// The time of a row of an operation in slices of 2^10 vectors, in those of another row.
+pub fn times(operation: &str, name: &str, of: &str) -> String {
+    let ns = |name: &str| {
+        let rows = REPORT["rows"].as_array().unwrap().iter();
+        let row = rows.filter(|row| row["operation"] == operation).find(|row| row["name"] == name);
+        row.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json"))["ns"][0].as_f64().unwrap()
+    };
+    let times = ns(name) / ns(of);
+    if times < 10.0 { format!("{times:.1}") } else { format!("{times:.0}") }
+}
+
 /// The machine of the measurements.
 pub fn machine() -> String {
     format!("Measured on: {}.\n", REPORT["machine"].as_str().unwrap())

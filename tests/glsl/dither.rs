@@ -36,16 +36,6 @@ pub fn cases() -> Vec<Case> {
         (oct $codec:ident) => {
             Some(case::<$codec>())
         };
-        // The nearest codes of hemi-oct are hardly nearer than its rounded ones, which are dithered.
-        (hemioct HemiOctPrecise16) => {
-            None
-        };
-        (hemioct HemiOctPrecise24) => {
-            None
-        };
-        (hemioct HemiOctPrecise32) => {
-            None
-        };
         (hemioct $codec:ident) => {
             Some(case::<$codec>())
         };

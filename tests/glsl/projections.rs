@@ -4,7 +4,7 @@ use super::floats::{Project, pairs, vectors};
 use super::{assert_same_bits, assert_same_words};
 use unitvec::azimuthal::{self, Concentric, Ellipse, Eqarea, Eqdist, Plain, Stereo};
 use unitvec::glam::{UVec3, Vec2, Vec3};
-use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical};
+use unitvec::{cylindrical, eaoct, hemioct, oct, soct, spherical, uoct};
 use unitvec_oracle::azimuthal as azimuthal64;
 use unitvec_oracle::{
     Cylindrical, EaOct, HemiOct, Oct, Oracle, Spherical, angle_deg, join_halves, length, normalize,
@@ -155,7 +155,7 @@ type OfFloats = fn([f32; 3]) -> Vec3;
 #[test]
 fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
     let (vectors, pairs) = (vectors(), pairs());
-    let precise: [(&str, u32, Project); 8] = [
+    let precise: [(&str, u32, Project); 13] = [
         ("oct", 4, oct::project_precise::<4>),
         ("oct", 10, oct::project_precise::<10>),
         ("oct", 16, oct::project_precise::<16>),
@@ -164,15 +164,22 @@ fn precise_values_and_bytes_in_glsl_have_the_bits_of_rust() {
         ("eaoct", 16, eaoct::project_precise::<16>),
         ("eaoct", 24, eaoct::project_precise::<24>),
         ("eaoct", 32, eaoct::project_precise::<32>),
+        ("uoct", 16, uoct::project_precise::<16>),
+        ("uoct", 20, uoct::project_precise::<20>),
+        ("uoct", 32, uoct::project_precise::<32>),
+        ("hemioct", 16, hemioct::project_precise::<16>),
+        ("hemioct", 32, hemioct::project_precise::<32>),
     ];
     let precise = precise.map(|(family, bits, in_rust)| {
         let call = format!("vec3(float32x3_to_{family}n_precise(v, {bits}), 0.0)");
         (call, move |v: [f32; 3]| in_rust(v.into()).extend(0.0))
     });
     assert_same_bits(&precise, &vectors);
-    let listings: [(String, OfFloats); 2] = [
+    let listings: [(String, OfFloats); 4] = [
         ("snorm12x2_to_unorm8x3(v.xy)".into(), |f| oct::snorm12x2_to_unorm8x3(pair(f))),
         ("vec3(unorm8x3_to_snorm12x2(v), 0.0)".into(), |u| oct::unorm8x3_to_snorm12x2(u.into()).extend(0.0)),
+        ("vec3(octn_to_unorm(v.xy, 20), 0.0)".into(), |f| oct::to_unorm::<20>(pair(f)).extend(0.0)),
+        ("vec3(unorm_to_octn(v.xy, 20), 0.0)".into(), |u| oct::from_unorm::<20>(pair(u)).extend(0.0)),
     ];
     assert_same_bits(&listings, &pairs);
     let bits: Vec<[u32; 3]> = pairs.iter().map(|f| f.map(f32::to_bits)).collect();

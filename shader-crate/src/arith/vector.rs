@@ -16,7 +16,7 @@ pub fn normalize(v: Vec3) -> Vec3 {
 }
 
 /// [`normalize`] for a point of an octahedron's lattice, which is cheaper on GPUs: `v` has the L1 norm `m` and the constant `unit`
-/// is `(m + 1) / 2`, or both are doubled. For an `m` of `2^k - 1` from 7 to 2^17 the length is between `unit` and its double.
+/// is `(m + 1) / 2`, or all three are doubled or halved. For an `m` of `2^k - 1` from 7 to 2^17 the length is between `unit` and its double.
 #[inline(always)]
 pub(crate) fn normalize_octahedral(v: Vec3, m: f32, unit: f32) -> Vec3 {
     let square = dot(v, v);

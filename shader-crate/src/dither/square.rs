@@ -5,7 +5,7 @@ use crate::arith::{floor, max, min, nearest_pair, snorm_integers, snorm_max};
 use crate::codec::{RawCode, Width};
 use crate::direction::l1_norm;
 use crate::families::octahedral::{unpack, usable_code};
-use crate::hemioct::{self, HemiOct};
+use crate::hemioct::{self, HemiOct, HemiOctPrecise};
 use crate::oct::{self, Oct, OctPrecise};
 use crate::soct::{self, SOct};
 use glam::{Vec2, Vec3};
@@ -26,6 +26,15 @@ fn moved(position: Vec2, offset: Vec2, m: f32) -> Vec2 {
 #[inline(always)]
 fn moved_back(point: Vec2, offset: Vec2, m: f32) -> Vec2 {
     within(point - usable(offset), m)
+}
+
+/// The corner of the cell around `at`, on the square `[-m, m]^2`, that decodes nearest to `n`.
+#[inline(always)]
+fn nearest_corner(at: Vec2, n: Vec3, m: f32, decode: impl Fn(Vec2) -> Vec3) -> Vec2 {
+    let (x, y) = (min(floor(at.x), m - 1.0), min(floor(at.y), m - 1.0));
+    let corner = |x: f32, y: f32| Candidate::new(Vec2::new(x, y), decode(Vec2::new(x, y)), n);
+    let lower = corner(x, y).or_nearer(corner(x + 1.0, y));
+    lower.or_nearer(corner(x, y + 1.0)).or_nearer(corner(x + 1.0, y + 1.0)).point
 }
 
 impl<const BITS: u32> Dithered for Oct<BITS>
@@ -52,15 +61,10 @@ where
     #[inline(always)]
     fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
         let (norm, m) = (l1_norm(v), snorm_max(BITS / 2));
-        let at = moved(oct::position(v, norm, m), offset, m);
-        let (x, y, n) = (min(floor(at.x), m - 1.0), min(floor(at.y), m - 1.0), unit(v, norm));
-        let corner = |x: f32, y: f32| {
-            let point = Vec2::new(x, y);
-            Candidate::new(point, oct::from_lattice(moved_back(point, offset, m), m), n)
-        };
-        let lower = corner(x, y).or_nearer(corner(x + 1.0, y));
-        let nearest = lower.or_nearer(corner(x, y + 1.0)).or_nearer(corner(x + 1.0, y + 1.0));
-        usable_code::<BITS>(norm, nearest.point)
+        let nearest = nearest_corner(moved(oct::position(v, norm, m), offset, m), unit(v, norm), m, |e| {
+            oct::from_lattice(moved_back(e, offset, m), m)
+        });
+        usable_code::<BITS>(norm, nearest)
     }
 
     #[inline(always)]
@@ -85,6 +89,28 @@ where
     fn decode_dithered(code: u32, offset: Vec2) -> Vec3 {
         let m = snorm_max(BITS / 2);
         hemioct::from_lattice(moved_back(snorm_integers(code, BITS / 2), offset, m), m)
+    }
+}
+
+impl<const BITS: u32> Dithered for HemiOctPrecise<BITS>
+where
+    HemiOct<BITS>: Width,
+{
+    #[inline(always)]
+    fn encode_dithered(v: Vec3, offset: Vec2) -> u32 {
+        let m = snorm_max(BITS / 2);
+        let (whole, upper) = hemioct::norms(v);
+        let up = Vec3::new(v.x, v.y, max(v.z, 0.0));
+        let nearest =
+            nearest_corner(moved(hemioct::position(v, upper, m), offset, m), unit(up, upper), m, |e| {
+                hemioct::from_lattice(moved_back(e, offset, m), m)
+            });
+        if hemioct::is_usable(whole, upper) { nearest_pair(nearest, BITS / 2) } else { 0 }
+    }
+
+    #[inline(always)]
+    fn decode_dithered(code: u32, offset: Vec2) -> Vec3 {
+        HemiOct::<BITS>::decode_dithered(code, offset)
     }
 }
 

@@ -1,7 +1,7 @@
 //! glTF's quantised normals: x, y and z in signed bytes or words, beside an unused lane.
 
-use super::nearest_of;
 use super::plain::snorm;
+use super::{around, nearest_of};
 use glam::Vec3;
 
 /// The deviation from unit length that glTF's validator lets pass: ACCESSOR_VECTOR3_NON_UNIT of glTF-Validator 434283be.
@@ -35,6 +35,15 @@ pub(super) fn decode([low, high]: [u32; 2], bits: u32) -> Vec3 {
         _ => Vec3::from_array([low as i16, (low >> 16) as i16, high as i16].map(f32::from)),
     };
     v.to_array().map(|c| (c / most(bits)).max(-1.0)).into()
+}
+
+/// The vector of a code, and those of the 3 by 3 by 3 points around the rounded one: encoders that normalise first do not get
+/// to some of them.
+pub(super) fn beside(v: Vec3, code: [u32; 2], bits: u32) -> impl Iterator<Item = Vec3> {
+    let [x, y, z] = v.normalize().to_array().map(|t| snorm(t, bits));
+    let points = around([x, y], [0, 1, -1]).flat_map(move |[x, y]| [0, 1, -1].map(|k| [x, y, z + k]));
+    let vectors = points.map(move |point| Vec3::from_array(point.map(|c| c as f32 / most(bits))));
+    core::iter::once(decode(code, bits)).chain(vectors)
 }
 
 /// The code of a usable direction: rounded, or the nearest that the validator takes for a unit vector, of the points next to

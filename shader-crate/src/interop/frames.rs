@@ -69,49 +69,21 @@ enum Start {
 pub static FRAMES: [FrameFormat; 8] = {
     use Lattice::{Snorm, Unorm};
     use Normal::{Pair, Signed, Smaller};
+    use Start::{Basis, Frostbite, Nanite, OrZero};
     use Tangent::{Angle, Folded};
-    const fn of(
-        name: &'static str,
-        source: &'static str,
-        bits: u32,
-        normal: Normal,
-        tangent: Tangent,
-    ) -> FrameFormat {
+    type Text = &'static str;
+    const fn of(name: Text, source: Text, bits: u32, normal: Normal, tangent: Tangent) -> FrameFormat {
         FrameFormat { name, source, bits, normal, tangent }
     }
     [
-        of(
-            "godot4-frame",
-            "Godot 4, as `godot4`: the normal's pair and the tangent's",
-            64,
-            Pair(Unorm, 16),
-            Folded,
-        ),
-        of("bevy-frame", "Bevy, as `bevy`: the normal's pair and the tangent's", 64, Pair(Snorm, 16), Folded),
-        of(
-            "nanite-frame",
-            "Nanite, as `nanite:8`: 8 + 8, angle 7, sign",
-            24,
-            Pair(Unorm, 8),
-            Angle(7, Start::Nanite),
-        ),
-        of("frostbite", "frostbite-formats 0.3.0, src/tangent.rs", 32, Smaller, Angle(10, Start::Frostbite)),
-        of("frame24", "8 + 8, angle 7, sign", 24, Pair(Snorm, 8), Angle(7, Start::Basis)),
-        of(
-            "frame32-signed",
-            "10 + 10 and sign of z, angle 10, sign",
-            32,
-            Signed(10),
-            Angle(10, Start::Basis),
-        ),
-        of(
-            "frame32-or-zero",
-            "11 + 11, angle 9 or no tangent, sign",
-            32,
-            Pair(Snorm, 11),
-            Angle(9, Start::OrZero),
-        ),
-        of("frame48", "16 + 16, angle 15, sign", 48, Pair(Snorm, 16), Angle(15, Start::Basis)),
+        of("godot4-frame", "Godot 4: pairs, as `godot4`", 64, Pair(Unorm, 16), Folded),
+        of("bevy-frame", "Bevy: pairs, as `bevy`", 64, Pair(Snorm, 16), Folded),
+        of("nanite-frame", "Nanite: 8 + 8, angle 7, sign", 24, Pair(Unorm, 8), Angle(7, Nanite)),
+        of("frostbite", "frostbite-formats 0.3.0, src/tangent.rs", 32, Smaller, Angle(10, Frostbite)),
+        of("frame24", "8 + 8, angle 7, sign", 24, Pair(Snorm, 8), Angle(7, Basis)),
+        of("frame32-signed", "10 + 10 and sign of z, angle 10, sign", 32, Signed(10), Angle(10, Basis)),
+        of("frame32-or-zero", "11 + 11, angle 9 or no tangent, sign", 32, Pair(Snorm, 11), Angle(9, OrZero)),
+        of("frame48", "16 + 16, angle 15, sign", 48, Pair(Snorm, 16), Angle(15, Basis)),
     ]
 };
 
@@ -277,6 +249,21 @@ impl Normal {
         let [x, y] = numbers.map(|i| ((i as f32 - offset) / m).max(-1.0));
         (oct::unproject(glam::Vec2::new(x, y.abs() * 2.0 - 1.0)), y < 0.0)
     }
+}
+
+/// The code, of `bits` bits (1 to 16), of a tangent about a normal that is stored elsewhere, given as it will be decoded: the
+/// angle from the first vector of [`Frame32`](crate::Frame32)'s basis on, in equal steps. Without a usable tangent 0.
+#[must_use]
+pub fn encode_angle<V: Into<[f32; 3]>>(normal: V, tangent: V, bits: u32) -> u32 {
+    let [normal, tangent] = [normal, tangent].map(|v| Vec3::from_array(v.into()));
+    Start::Basis.encode(or_z(normal).0.normalize(), tangent, bits.clamp(1, 16))
+}
+
+/// The tangent of a code of [`encode_angle`], perpendicular to the normal.
+#[must_use]
+pub fn decode_angle<V: Into<[f32; 3]> + From<[f32; 3]>>(normal: V, code: u32, bits: u32) -> V {
+    let (normal, bits) = (or_z(Vec3::from_array(normal.into())).0.normalize(), bits.clamp(1, 16));
+    Start::Basis.decode(normal, code & mask(bits), bits).to_array().into()
 }
 
 impl Start {

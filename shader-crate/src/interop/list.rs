@@ -22,7 +22,7 @@ pub struct Row {
     /// A code that stands for no vector.
     pub null: Option<u64>,
     pub(super) mapping: Mapping,
-    /// Parts of a step by which a vector lies above a number that the original truncates it to.
+    /// Parts of a step by which the middle of the vectors that the original truncates to a number lies above it.
     pub(super) aim: f32,
 }
 

@@ -41,7 +41,7 @@ use crate::slice::{
     encode_slice_by, encode_strided_with,
 };
 use core::fmt;
-pub use frames::{FRAMES, FrameFormat};
+pub use frames::{FRAMES, FrameFormat, decode_angle, encode_angle};
 use glam::Vec3;
 use list::Mapping;
 pub use list::{ROWS, Row};
@@ -201,18 +201,26 @@ impl Format {
         self.decode_words(parted(code)).into()
     }
 
-    /// The vector to give to the original's encoder, so that it writes the nearest code: what that decodes to, or where the
-    /// original truncates, the middle of what it truncates to the code.
+    /// The vector to give to the original's encoder, so that it writes the nearest code that it can: of vectors that stand for
+    /// the nearest code or for others beside it, and `v` itself, the first that comes out best. So it never does worse than
+    /// the original with `v`.
     #[must_use]
     pub fn snap<V: Into<[f32; 3]> + From<[f32; 3]>>(self, v: V) -> V {
-        let code = Self { is_plain: false, ..self }.encode_words(v.into());
-        match self.row.mapping {
+        let v = or_z(Vec3::from_array(v.into())).0;
+        let code = Self { is_plain: false, ..self }.encode_words(v.to_array());
+        let written = |v: &Vec3| self.decode_words(self.plain().encode_words(v.to_array())).into();
+        let snapped = match self.row.mapping {
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
                 let numbers = layout.numbers(code, lattice, self.bits);
-                lattice.direction(self.bits, numbers, pole_x, self.row.aim).to_array().into()
+                // Parts of a step, around the middle of what the original rounds or truncates to the code.
+                let aims = around([0, 0], [0, 1, -1]).map(|aim| aim.map(|i| self.row.aim + 0.25 * i as f32));
+                let beside = aims.map(|aim| lattice.direction(self.bits, numbers, pole_x, aim));
+                nearest_of(v, beside.chain([v]), written)
             }
-            _ => self.decode_words(code).into(),
-        }
+            Mapping::Tetrahedron => nearest_of(v, [tetrahedron::decode(code[0]), v].into_iter(), written),
+            Mapping::Snorm => nearest_of(v, components::beside(v, code, self.bits).chain([v]), written),
+        };
+        snapped.unwrap_or(v).to_array().into()
     }
 
     /// [`encode`](Self::encode), to the low and the high word.

@@ -63,10 +63,10 @@ impl Lattice {
         [whole(e.x + offset), whole(e.y + offset)]
     }
 
-    /// The direction of a point, moved by `aim` of a step up in each number.
-    pub(super) fn direction(self, bits: u32, numbers: [i32; 2], pole_x: bool, aim: f32) -> Vec3 {
+    /// The direction of a point, moved by `aim` steps.
+    pub(super) fn direction(self, bits: u32, [x, y]: [i32; 2], pole_x: bool, aim: [f32; 2]) -> Vec3 {
         let (m, _, offset) = self.sizes(bits);
-        let [x, y] = numbers.map(|number| min(max(number as f32 - offset + aim, -m), m));
+        let [x, y] = [x as f32 + aim[0], y as f32 + aim[1]].map(|number| min(max(number - offset, -m), m));
         turned_back(from_lattice(Vec2::new(x, y), m), pole_x)
     }
 }
@@ -189,7 +189,7 @@ impl Layout {
         let (one, most) = match self {
             Self::Lanes8 => ((code[0] >> 16) as u8 as i8 as f32, 127.0),
             Self::Lanes16 => (code[1] as u16 as i16 as f32, 32_767.0),
-            _ => return lattice.direction(bits, [x, y], pole_x, 0.0),
+            _ => return lattice.direction(bits, [x, y], pole_x, [0.0; 2]),
         };
         rounded(Vec2::new(x as f32, y as f32), one, most)
     }
@@ -256,12 +256,17 @@ fn rounded(e: Vec2, one: f32, most: f32) -> Vec3 {
     (v * scale).to_array().map(|c| c.round() / most).into()
 }
 
+/// The point inside the square that one beyond its border stands for.
+fn wrapped([x, y]: [i32; 2], m: i32) -> [i32; 2] {
+    let [x, y] = if x.abs() > m { [2 * m * x.signum() - x, -y] } else { [x, y] };
+    if y.abs() > m { [-x, 2 * m * y.signum() - y] } else { [x, y] }
+}
+
 /// The code of the 3 by 3 points around the nearest one whose decoded integers are nearest.
 pub(super) fn searched(v: Vec3, lattice: Lattice, layout: Layout, pole_x: bool, bits: u32) -> [u32; 2] {
     let ([x, y], m) = (lattice.nearest_numbers(v, bits, pole_x), lattice.largest(bits) as i32);
     // The point itself comes first: of equals it stays.
-    let inside = around([x, y], [0, 1, -1]).filter(|point| point.iter().all(|i| i.abs() <= m));
-    let codes = inside.map(|point| layout.code(point, bits));
+    let codes = around([x, y], [0, 1, -1]).map(|point| layout.code(wrapped(point, m), bits));
     nearest_of(v, codes, |code| layout.decode(*code, lattice, pole_x, bits)).unwrap_or_default()
 }
 

@@ -34,11 +34,11 @@ impl Corner {
 /// with points at steps of 1 from -m to m: whole numbers where `half` is 0, odd multiples of 1/2 where it is 1/2. `m` is 1 to
 /// 2^15. Unspecified without a usable direction.
 ///
-/// By symmetry x and y are not negative; nor are -0 and denormals, since there may be no point between the signs. On the unfolded faces the lattice goes on across z = 0, and the right and the
-/// upper corner of a cell are the closest to each other, so that they divide it into two triangles, none of them obtuse: the
-/// nearest point is a corner of the triangle. A cell that x = 0 or y = 0 cuts is left of its mirror image: points there are
-/// nearer to the corners that both share with the next cell. On the square's border the cell beyond it has two corners that
-/// are none, and farther than the others.
+/// By symmetry x and y are not negative; nor are -0 and denormals, since there may be no point between the signs. On the
+/// unfolded faces the lattice goes on across z = 0, and the right and the upper corner of a cell are the closest to each other,
+/// so that they divide it into two triangles, none of them obtuse: the nearest point is a corner of the triangle. A cell that
+/// x = 0 or y = 0 cuts is left of its mirror image: points there are nearer to the corners that both share with the next cell.
+/// On the square's border the cell beyond it has two corners that are none, and farther than the others.
 #[inline(always)]
 pub fn nearest(v: Vec3, norm: f32, m: f32, half: f32) -> Vec2 {
     let scale = over(m, norm);

@@ -19,15 +19,16 @@
 //! * Layout: x in the low half of the code, y in the high half, both `i = e + m`, 0 to `2^b - 1`.
 //! * Error: at most `sqrt(2) / m` radians, as with [`oct`](crate::oct), greatest in the middle of the octants. Steps are a
 //!   part of 2^-b shorter than its own.
-//! * Of the six axes only -Z round-trips exactly. +Z lies between four points, `1 / (sqrt(2) (m - 1))` radians from each: 0.32
-//!   degrees at 16 bits. Flat surfaces show it. Where your own shader decodes, store [`oct`](crate::oct)'s lattice in the same
-//!   format by [`oct::to_unorm`](crate::oct::to_unorm): its axes are exact, its error greater by a part of 2^-b.
+//! * Of the six axes only -Z round-trips exactly. +Z lies between four points, `1 / (sqrt(2) (m - 1))` radians from each,
+//!   0.32 degrees at 16 bits; X and Y, of either sign, are `1 / (2 m - 1)` radians off, 0.23 degrees. Flat surfaces show it.
+//!   Where your own shader decodes, store [`oct`](crate::oct)'s lattice in the same format by
+//!   [`oct::to_unorm`](crate::oct::to_unorm): its axes are exact, its error greater by a part of 2^-b.
 //! * Code 0, one of the four corners that stand for -Z, is never written.
 //! * Good for: files and formats of others, see `interop`, and UNORM formats, which devices can render to where they
 //!   cannot to SNORM ones. Weaknesses: the axes, and [`oct`](crate::oct)'s folds.
 
 use super::nearest::nearest;
-use crate::arith::{SnormDivision, TWO_23, mask, normalize, ratio, unorm_max, with_sign};
+use crate::arith::{SnormDivision, TWO_23, mask, max, normalize_octahedral, ratio, unorm_max, with_sign};
 use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
 use glam::{Vec2, Vec3};
@@ -51,8 +52,9 @@ fn pack(e: Vec2, bits: u32) -> u32 {
 #[inline(always)]
 pub(crate) fn from_lattice(e: Vec2, m: f32) -> Vec3 {
     let z = m - e.x.abs() - e.y.abs();
-    let below = if z < 0.0 { -z } else { 0.0 };
-    normalize(Vec3::new(e.x - with_sign(below, e.x), e.y - with_sign(below, e.y), z))
+    let below = max(-z, 0.0);
+    let v = Vec3::new(e.x - with_sign(below, e.x), e.y - with_sign(below, e.y), z);
+    normalize_octahedral(v, m, 0.5 * (m + 0.5))
 }
 
 /// The precise code of `BITS` bits, as values of a UNORM format of half as many bits, which stores them exactly.
