@@ -3,6 +3,7 @@
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
+use unitvec::interop::Format;
 use unitvec_catalogue::{self as catalogue, Domain, Element, RECOMMENDED, Recommendation, find};
 use unitvec_oracle::angle_deg;
 use unitvec_run::sampling;
@@ -191,6 +192,43 @@ fn the_table_has_the_recommended_codecs() {
     assert!(shown > 5);
     assert_eq!(two.matches("all files").count(), shown);
     assert!(!one.contains("all files"));
+}
+
+/// A file that another encoder wrote is found to be of its format; beside its original it has that encoder's errors, and a
+/// row tells those of the nearest codes. Other numbers and other orders of vectors are told.
+#[test]
+fn a_quantised_file_is_recognised() {
+    let folder = tempfile::tempdir().unwrap();
+    let vectors: Vec<[f32; 3]> = sampling::random_directions(Domain::Sphere, 17).take(1000).collect();
+    let format = Format::named("tiles3d-oct16").unwrap();
+    let plain = |v: &[f32; 3]| -> [f32; 3] { format.decode(format.plain().encode(*v)) };
+    let made: Vec<[f32; 3]> = vectors.iter().map(plain).collect();
+    let original = file(&folder, "original.f32", vectors.as_flattened());
+    let path = file(&folder, "made.f32", made.as_flattened());
+    let error = |made: &Path| {
+        run(["error", "--json", "-", "--original", original.to_str().unwrap(), made.to_str().unwrap()])
+    };
+    let report: Value = serde_json::from_slice(&error(&path).stdout).unwrap();
+    let names: Vec<&str> = report["quantised"][0]["formats"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|name| name.as_str().unwrap())
+        .collect();
+    // Finer ones have these points among theirs.
+    assert_eq!(names[..4], ["tiles3d-oct16", "quantized-mesh", "nanite:8", "cycles:8"]);
+    assert!(names[4..].iter().all(|name| Format::named(name).unwrap().bits() > 16), "{names:?}");
+    let mean = |id: &str| row(&report["rows"], id, "vector")["mean_deg"].as_f64().unwrap();
+    let [as_it_is, plain, nearest] = ["as it is", "tiles3d-oct16 plain", "tiles3d-oct16"].map(mean);
+    assert!((as_it_is - plain).abs() < 1e-6 && nearest < 0.95 * plain, "{report}");
+
+    let turned: Vec<[f32; 3]> = made.iter().rev().copied().collect();
+    let report: Value =
+        serde_json::from_slice(&error(&file(&folder, "turned.f32", turned.as_flattened())).stdout).unwrap();
+    assert!(report["warnings"][0].as_str().unwrap().contains("in the same order?"), "{report}");
+    let short = refusal(&error(&file(&folder, "short.f32", made[1..].as_flattened())), 2);
+    assert!(short.contains("has 999 vectors") && short.contains("1000"), "{short}");
+    refusal(&error(Path::new("-")), 2);
 }
 
 #[test]

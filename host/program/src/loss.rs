@@ -1,7 +1,8 @@
 //! Losses of files' vectors and frames to codecs: the angles between them and the decoded ones.
 
+use crate::fit::Fit;
 use crate::input::FileName;
-use crate::raw::Suspicion;
+use crate::raw::{Suspicion, swap_if_big_endian};
 use crate::stream::{self, Input};
 use crate::{Error, Result};
 use rayon::prelude::*;
@@ -18,11 +19,11 @@ pub struct Row {
     /// The file; `None` for all of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<FileName>,
-    /// Codec.
+    /// Codec; [`AS_IT_IS`] for a file beside its original.
     pub id: &'static str,
     /// The part that the errors are of: `vector`, or `normal` and `tangent` of frames.
     pub part: &'static str,
-    /// Bits of a code.
+    /// Bits of a code; those of its floats for a file beside its original.
     pub bits: u32,
     /// Vectors measured.
     pub count: u64,
@@ -70,9 +71,24 @@ pub struct Report {
     pub totals: Vec<Row>,
     /// Files that have no normals, or not all, so that these were computed from the faces.
     pub computed: Vec<FileName>,
+    /// Files whose vectors are already in a format of other software.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub quantised: Vec<Quantised>,
     /// What raw floats seem to be instead, and the remedy: a line for each such file.
     pub warnings: Vec<String>,
 }
+
+/// A file whose vectors are in a format of other software.
+#[derive(Debug, Serialize, schemars::JsonSchema)]
+pub struct Quantised {
+    /// The file.
+    pub file: FileName,
+    /// The formats that decode to these vectors, those of the fewest bits first.
+    pub formats: Vec<String>,
+}
+
+/// The name, in place of a codec's, of the row of a file beside its original.
+pub const AS_IT_IS: &str = "as it is";
 
 /// Measures codecs over one file after the other, in bounded memory.
 pub struct Meter {
@@ -81,6 +97,7 @@ pub struct Meter {
     rows: Vec<Row>,
     /// The tallies for each format and each part.
     totals: Vec<Tally>,
+    quantised: Vec<Quantised>,
 }
 
 impl Meter {
@@ -93,7 +110,7 @@ impl Meter {
         match element.filter(|element| formats.iter().all(|format| format.element == *element)) {
             Some(element) => {
                 let totals = vec![Tally::default(); formats.len() * parts(element).len()];
-                Ok(Self { formats, element, rows: Vec::new(), totals })
+                Ok(Self { formats, element, rows: Vec::new(), totals, quantised: Vec::new() })
             }
             None => Err(Error::Usage(
                 "codecs of vectors and of frames read different inputs; measure them one after the other"
@@ -125,7 +142,11 @@ impl Meter {
         let bytes = self.formats.iter().map(|format| format.bytes).max().unwrap_or(0);
         let mut codes = vec![0; CHUNK * bytes];
         let mut decoded = vec![0.0; CHUNK * element.floats()];
+        let mut fit = Fit::default();
         let suspicion = stream::for_each_chunk(input, element, &mut |elements, before| {
+            if element == Element::Vector {
+                fit.see(elements);
+            }
             let decoded = &mut decoded[..elements.len()];
             for (format, tallies) in self.formats.iter().zip(tallies.chunks_mut(parts.len())) {
                 let codes = &mut codes[..elements.len() / element.floats() * format.bytes];
@@ -146,15 +167,60 @@ impl Meter {
             progress(before + (elements.len() / element.floats()) as u64);
             Ok(())
         })?;
-        self.rows.extend(rows(&self.formats, parts, &tallies, Some(file)));
+        self.rows.extend(rows(names(&self.formats, element), &tallies, Some(file)));
         self.totals.iter_mut().zip(tallies).for_each(|(total, tally)| total.merge(tally));
+        self.note(file, &fit);
         Ok(suspicion)
+    }
+
+    fn note(&mut self, file: &Path, fit: &Fit) {
+        let formats = fit.names();
+        if !formats.is_empty() {
+            self.quantised.push(Quantised { file: file.into(), formats });
+        }
+    }
+
+    /// Measures how far the vectors of a file are from those of its original, of which there are as many, in the same order.
+    /// Vectors that have no direction in one of them are left out. Returns the mean angle, of frames that of normals.
+    ///
+    /// # Errors
+    /// [`Error::Truncated`] if the original ends within an element, and any error of reading, such as that the file ends
+    /// before the original.
+    pub fn compare(&mut self, original: Input<'_>, made: Input<'_>) -> Result<Option<f64>> {
+        let (element, parts, file) = (self.element, parts(self.element), made.path);
+        let mut tallies = vec![Tally::default(); parts.len()];
+        let (mut fit, mut decoded) = (Fit::default(), vec![0.0; CHUNK * element.floats()]);
+        stream::for_each_chunk(original, element, &mut |originals, before| {
+            let decoded = &mut decoded[..originals.len()];
+            let bytes = bytemuck::cast_slice_mut(decoded);
+            made.stream.read_exact(bytes).map_err(|source| unitvec_files::Error::reading(file, source))?;
+            swap_if_big_endian(decoded);
+            if element == Element::Vector {
+                fit.see(decoded);
+            }
+            for (part, tally) in tallies.iter_mut().enumerate() {
+                // What became of a direction that is lost is no error of a format.
+                let mut elements = originals.to_vec();
+                let pairs = elements.chunks_exact_mut(element.floats()).zip(decoded.chunks(element.floats()));
+                pairs
+                    .filter(|(_, made)| !has_direction(vector(made, part)))
+                    .for_each(|(original, _)| original.fill(0.0));
+                let elements = &elements;
+                tally.add_all(&Chunk { file, id: AS_IT_IS, before, element, part, elements, decoded })?;
+            }
+            Ok(())
+        })?;
+        let names = parts.iter().map(|part| (AS_IT_IS, 32 * element.floats() as u32, *part));
+        self.rows.extend(rows(names, &tallies, Some(file)));
+        self.note(file, &fit);
+        Ok(tallies[0].errors().map(|errors| errors.mean_deg))
     }
 
     /// The errors measured.
     pub fn report(self) -> Report {
-        let totals = rows(&self.formats, parts(self.element), &self.totals, None).collect();
-        Report { rows: self.rows, totals, computed: Vec::new(), warnings: Vec::new() }
+        let totals = rows(names(&self.formats, self.element), &self.totals, None).collect();
+        let (rows, quantised) = (self.rows, self.quantised);
+        Report { rows, totals, computed: Vec::new(), quantised, warnings: Vec::new() }
     }
 }
 
@@ -166,18 +232,24 @@ fn parts(element: Element) -> &'static [&'static str] {
     }
 }
 
-fn rows(
+/// The name, the bits and the part of each row.
+fn names(
     formats: &[&'static AnyCodec],
-    parts: &[&'static str],
+    element: Element,
+) -> impl Iterator<Item = (&'static str, u32, &'static str)> {
+    formats.iter().flat_map(move |format| parts(element).iter().map(|part| (format.id, format.bits, *part)))
+}
+
+fn rows(
+    names: impl Iterator<Item = (&'static str, u32, &'static str)>,
     tallies: &[Tally],
     file: Option<&Path>,
 ) -> impl Iterator<Item = Row> {
-    let names = formats.iter().flat_map(|format| parts.iter().map(move |part| (format, part)));
-    names.zip(tallies).map(move |((format, part), tally)| Row {
+    names.zip(tallies).map(move |((id, bits, part), tally)| Row {
         file: file.map(FileName::from),
-        id: format.id,
+        id,
         part,
-        bits: format.bits,
+        bits,
         count: tally.count,
         left_out: tally.left_out,
         errors: tally.errors(),

@@ -3,12 +3,13 @@ use super::table::{Layout, Wide, left, left_out, right, wrapped};
 use super::{Buffers, OpenBackend, Vulkan, check_backend, degrees, dtype, expect, files_of, is_mesh};
 use clap::Args;
 use std::fmt::Display;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use unitvec_catalogue::{AnyCodec, Domain, Element, RECOMMENDED, Recommendation, find, find_any};
 use unitvec_files::shown;
+use unitvec_host::fit::Fit;
 use unitvec_host::input::{Elements, FileName, Kind};
-use unitvec_host::loss::{Errors, Meter, Report, Row, Worst};
+use unitvec_host::loss::{AS_IT_IS, Errors, Meter, Quantised, Report, Row, Worst};
 use unitvec_host::raw::Dtype;
 use unitvec_host::stream::Named;
 use unitvec_host::{Error, Result};
@@ -21,6 +22,10 @@ pub struct Arguments {
     /// own software's encoder, and one for the nearest codes.
     #[arg(long, visible_alias = "format", value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
+    /// File that FILE was made from, with as many vectors in the same order: measure how far FILE's are from it, and what the
+    /// codecs make of it; if none is given, the formats that FILE's vectors are in.
+    #[arg(long, value_name = "FILE")]
+    original: Option<PathBuf>,
     /// What runs the codecs.
     #[arg(long, value_enum, default_value = "cpu")]
     backend: BackendKind,
@@ -46,7 +51,23 @@ pub struct Arguments {
 
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let columns = arguments.wide.columns()?;
-    let formats = formats(&arguments.codec)?;
+    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
+    let formats = match (&arguments.original, &arguments.file[..]) {
+        (Some(original), [made]) if [original, made].iter().all(|path| path.as_os_str() != "-") => {
+            if arguments.codec.is_empty() {
+                let mut floats = Elements::open(made, Element::Vector, kind)?.floats;
+                formats(&Fit::of(Named::new(made, &mut floats))?.least())?
+            } else {
+                formats(&arguments.codec)?
+            }
+        }
+        (Some(_), _) => {
+            return Err(Error::Usage(
+                "--original is of one FILE, and neither is -: they are read twice".to_owned(),
+            ));
+        }
+        (None, _) => formats(&arguments.codec)?,
+    };
     formats.iter().try_for_each(|format| check_backend(format, arguments.backend))?;
     let mut meter = Meter::new(formats)?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
@@ -54,10 +75,12 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         return Err(Error::Usage("- can be read once; name it once".to_owned()));
     }
     // What is missing is told before minutes of measuring.
-    let files = files_of(&arguments.file, is_mesh)?;
-    arguments.json.spare(&files)?;
+    let files = match &arguments.original {
+        Some(original) => vec![original.clone()],
+        None => files_of(&arguments.file, is_mesh)?,
+    };
+    arguments.json.spare(files.iter().chain(&arguments.file))?;
     files.iter().try_for_each(|path| Elements::check(path, arguments.raw))?;
-    let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
     let work = Some(files.len() as u64);
     let live = Live::new(work, "{wide_msg} file {pos} of {len}, {elapsed}", true);
     let (mut computed, mut warnings) = (Vec::new(), Vec::new());
@@ -79,9 +102,31 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         warnings.extend(suspicion.map(|words| shown(format_args!("{}: {words}", path.display()))));
     }
     live.finish();
+    if let Some(original) = &arguments.original {
+        warnings.extend(compare(&mut meter, original, &arguments.file[0], kind)?);
+    }
     let report = Report { computed, warnings, ..meter.report() };
     arguments.json.write_or_print(&report, || text(&report, columns))?;
     Ok(open.close())
+}
+
+/// Measures a file beside its original. Returns a warning where they seem to be of different orders.
+fn compare(meter: &mut Meter, original: &Path, made: &Path, kind: Kind) -> Result<Option<String>> {
+    /// More than formats of any use lose.
+    const FAR_DEG: f64 = 20.0;
+    let [mut of_original, mut of_made] =
+        [Elements::open(original, meter.element(), kind)?, Elements::open(made, meter.element(), kind)?];
+    let [first, second] = [original, made].map(FileName::from);
+    if let Some((a, b)) = of_original.count.zip(of_made.count).filter(|(a, b)| a != b) {
+        let unit = meter.element().plural();
+        return Err(Error::Usage(format!(
+            "{second} has {b} {unit}, and {first} {a}: a tool that joins, splits or leaves out vertices cannot be measured"
+        )));
+    }
+    let mean = meter
+        .compare(Named::new(original, &mut of_original.floats), Named::new(made, &mut of_made.floats))?;
+    let is_far = mean.is_some_and(|mean| mean > FAR_DEG);
+    Ok(is_far.then(|| format!("{second} is far from {first}: are its vectors in the same order?")))
 }
 
 /// The codecs chosen; else those of the README's table that take any vector.
@@ -105,7 +150,8 @@ const SHOWN: usize = 24;
 
 fn text(report: &Report, columns: Option<usize>) -> String {
     // The total of one file says nothing new.
-    let totals = report.totals.iter().filter(|_| report.rows.len() > report.totals.len());
+    let of_codecs = report.rows.iter().filter(|row| row.id != AS_IT_IS).count();
+    let totals = report.totals.iter().filter(|_| of_codecs > report.totals.len());
     let rows: Vec<_> = report.rows.iter().chain(totals).map(|row| cells(row, columns)).collect();
     let width = |at: usize| rows.iter().map(|cells| cells[at].chars().count()).max().unwrap_or(0);
     let is_of_frames = report.rows.iter().any(|row| row.part != "vector");
@@ -131,6 +177,10 @@ fn text(report: &Report, columns: Option<usize>) -> String {
     rows.iter().for_each(|cells| text += &layout.line(&cells.each_ref().map(|cell| cell as &dyn Display)));
     for words in &report.warnings {
         text += &wrapped(&format!("warning: {words}\n"), "    ", columns);
+    }
+    for Quantised { file, formats } in &report.quantised {
+        text +=
+            &wrapped(&format!("{file}: its vectors are those of {}\n", formats.join(", ")), "    ", columns);
     }
     if !report.computed.is_empty() {
         let names: Vec<_> = report.computed.iter().map(FileName::to_string).collect();
