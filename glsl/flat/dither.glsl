@@ -237,27 +237,6 @@ float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
 #endif
-#ifndef UNITVEC_HAS_NEAREST_PAIR
-#define UNITVEC_HAS_NEAREST_PAIR
-uint unitvec_nearest_pair(vec2 e, uint bits) {
-    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
-}
-vec2 unitvec_snorm_integers(uint code, uint bits) {
-    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
-#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
-#define UNITVEC_HAS_SIGNED_QUOTIENT
-float unitvec_signed_quotient(float a, float b) {
-#ifdef UNITVEC_EXACT
-    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
-    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
-#else
-    UNITVEC_PRECISE float quotient = a / b;
-    return quotient;
-#endif
-}
-#endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 float unitvec_exact_inverse_root_near(float x, float unit) {
@@ -291,6 +270,27 @@ vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
     return n;
 #else
     return unitvec_normalize(v);
+#endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEAREST_PAIR
+#define UNITVEC_HAS_NEAREST_PAIR
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
+}
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
+}
+#endif
+#ifndef UNITVEC_HAS_SIGNED_QUOTIENT
+#define UNITVEC_HAS_SIGNED_QUOTIENT
+float unitvec_signed_quotient(float a, float b) {
+#ifdef UNITVEC_EXACT
+    uint sign_bit = (floatBitsToUint(a) ^ floatBitsToUint(b)) & UNITVEC_SIGN_BIT;
+    return unitvec_flip_sign(unitvec_exact_quotient(abs(a), abs(b)), sign_bit);
+#else
+    UNITVEC_PRECISE float quotient = a / b;
+    return quotient;
 #endif
 }
 #endif
@@ -617,6 +617,28 @@ uint unitvec_dither_hemioct_encode(vec3 v, vec2 offset, uint bits) {
     return unitvec_hemioct_is_usable(norms) ? code : 0u;
 }
 
+vec3 unitvec_dither_hemioct_corner(vec2 e, vec2 offset, vec3 n, float m) {
+    vec3 decoded = unitvec_hemioct_from_lattice(unitvec_dither_moved_back(e, offset, m), m);
+    return unitvec_dither_candidate(e, decoded, n);
+}
+
+// The best of the four corners of the moved point's cell.
+uint unitvec_dither_hemioct_encode_precise(vec3 v, vec2 offset, uint bits) {
+    vec2 norms = unitvec_hemioct_norms(v);
+    float m = unitvec_snorm_max(bits / 2u);
+    vec3 n = unitvec_dither_unit(vec3(v.xy, max(v.z, 0.0)), norms.y);
+    UNITVEC_PRECISE float last = m - 1.0;
+    vec2 low = min(floor(unitvec_dither_moved(unitvec_hemioct_position(v, norms.y, m), offset, m)), last);
+    UNITVEC_PRECISE vec2 high = low + 1.0;
+    vec3 near = unitvec_dither_hemioct_corner(low, offset, n, m);
+    vec3 right = unitvec_dither_hemioct_corner(vec2(high.x, low.y), offset, n, m);
+    vec3 up = unitvec_dither_hemioct_corner(vec2(low.x, high.y), offset, n, m);
+    vec3 far = unitvec_dither_hemioct_corner(high, offset, n, m);
+    vec3 nearest = unitvec_dither_nearer(unitvec_dither_nearer(unitvec_dither_nearer(near, right), up), far);
+    uint code = unitvec_nearest_pair(nearest.xy, bits / 2u);
+    return unitvec_hemioct_is_usable(norms) ? code : 0u;
+}
+
 vec3 unitvec_dither_hemioct_decode(uint code, vec2 offset, uint bits) {
     float m = unitvec_snorm_max(bits / 2u);
     vec2 e = unitvec_snorm_integers(code, bits / 2u);
@@ -813,6 +835,15 @@ uint hemioct24_encode_dithered(vec3 v, vec2 offset) {
 uint hemioct32_encode_dithered(vec3 v, vec2 offset) {
     return unitvec_dither_hemioct_encode(v, offset, 32u);
 }
+uint hemioct16p_encode_dithered(vec3 v, vec2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 16u);
+}
+uint hemioct24p_encode_dithered(vec3 v, vec2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 24u);
+}
+uint hemioct32p_encode_dithered(vec3 v, vec2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 32u);
+}
 
 vec3 hemioct16_decode_dithered(uint code, vec2 offset) {
     return unitvec_dither_hemioct_decode(code, offset, 16u);
@@ -822,6 +853,15 @@ vec3 hemioct24_decode_dithered(uint code, vec2 offset) {
 }
 vec3 hemioct32_decode_dithered(uint code, vec2 offset) {
     return unitvec_dither_hemioct_decode(code, offset, 32u);
+}
+vec3 hemioct16p_decode_dithered(uint code, vec2 offset) {
+    return hemioct16_decode_dithered(code, offset);
+}
+vec3 hemioct24p_decode_dithered(uint code, vec2 offset) {
+    return hemioct24_decode_dithered(code, offset);
+}
+vec3 hemioct32p_decode_dithered(uint code, vec2 offset) {
+    return hemioct32_decode_dithered(code, offset);
 }
 
 uint soct17_encode_dithered(vec3 v, vec2 offset) {

@@ -206,15 +206,6 @@ vec2 unitvec_unbiased(vec2 e) {
     return on_snorm;
 }
 #endif
-#ifndef UNITVEC_HAS_NEAREST_PAIR
-#define UNITVEC_HAS_NEAREST_PAIR
-uint unitvec_nearest_pair(vec2 e, uint bits) {
-    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
-}
-vec2 unitvec_snorm_integers(uint code, uint bits) {
-    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
-}
-#endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 float unitvec_exact_inverse_root_near(float x, float unit) {
@@ -249,6 +240,15 @@ vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
 #else
     return unitvec_normalize(v);
 #endif
+}
+#endif
+#ifndef UNITVEC_HAS_NEAREST_PAIR
+#define UNITVEC_HAS_NEAREST_PAIR
+uint unitvec_nearest_pair(vec2 e, uint bits) {
+    return unitvec_nearest_code(e.x, bits) | (unitvec_nearest_code(e.y, bits) << bits);
+}
+vec2 unitvec_snorm_integers(uint code, uint bits) {
+    return vec2(unitvec_snorm_field(code, 0u, bits), unitvec_snorm_field(code, bits, bits));
 }
 #endif
 #ifndef UNITVEC_HAS_HEMIOCT_POSITION

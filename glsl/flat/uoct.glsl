@@ -203,6 +203,42 @@ vec3 unitvec_normalize(vec3 v) {
 #define UNITVEC_HAS_2_23
 const float UNITVEC_2_23 = 8388608.0;
 #endif
+#ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
+#define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
+float unitvec_exact_inverse_root_near(float x, float unit) {
+    uint bits = floatBitsToUint(x);
+    // The significand of x times 2^23, or 2^24 in the upper half of the range.
+    uint square = bits << (((bits >> 23u) - (2u * (floatBitsToUint(unit) >> 23u) - 150u)) & 31u);
+    float inverse = inversesqrt(x);
+    UNITVEC_PRECISE float rough = x * inverse;
+    uint guess = unitvec_exact_significand(floatBitsToUint(rough));
+    float excess = float(int(guess * guess + (guess - square)));
+    // The reciprocal times 2^-47, by integers: no compiler takes out a common factor, which would round twice.
+    uint half_places = floatBitsToUint(inverse) - (47u << 23u);
+    UNITVEC_PRECISE float unit_squared = unit * unit;
+    uint of_square = half_places + (floatBitsToUint(unit_squared) - 0x3f800000u);
+    UNITVEC_PRECISE float near = rough - excess * uintBitsToFloat(of_square);
+    guess = unitvec_exact_significand(floatBitsToUint(near));
+    float root = unitvec_exact_next_if(near, guess * guess + (guess - square));
+
+    uint divisor = unitvec_exact_significand(floatBitsToUint(root));
+    excess = float(int(unitvec_exact_significand(floatBitsToUint(inverse)) * divisor + (divisor >> 1u)));
+    UNITVEC_PRECISE float result = inverse - excess * uintBitsToFloat(half_places);
+    guess = unitvec_exact_significand(floatBitsToUint(result));
+    return unitvec_exact_next_if(result, guess * divisor + (divisor >> 1u));
+}
+vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
+#ifdef UNITVEC_EXACT
+    float square = unitvec_dot(v, v);
+    bool is_near = unitvec_is_within(m, 7.0, 131072.0);
+    UNITVEC_PRECISE vec3 n =
+        v * (is_near ? unitvec_exact_inverse_root_near(square, unit) : unitvec_inverse_root(square));
+    return n;
+#else
+    return unitvec_normalize(v);
+#endif
+}
+#endif
 #ifndef UNITVEC_HAS_NEARER
 #define UNITVEC_HAS_NEARER
 vec4 unitvec_nearer(vec4 a, vec4 b) {
@@ -258,7 +294,10 @@ vec2 unitvec_uoct_nearest(vec3 v, float norm, float m) {
     UNITVEC_PRECISE float along = part + moved * (p.x + p.y) + z * p.z;
     vec4 at = unitvec_beside(is_far ? high : low, squared, along, len);
     vec2 nearest = unitvec_nearer(unitvec_nearer(at, right), up).xy;
-    return vec2(unitvec_with_sign(nearest.x, v.x), unitvec_with_sign(nearest.y, v.y));
+    // Denormals and -0 count as 0: there is no point between the signs.
+    float x = unitvec_is_negative(v.x) ? -nearest.x : nearest.x;
+    float y = unitvec_is_negative(v.y) ? -nearest.y : nearest.y;
+    return vec2(x, y);
 }
 
 // The integers of a lattice point.
@@ -278,10 +317,10 @@ uvec2 unitvec_uoct_precise(vec3 v, uint bits) {
 // Direction of a lattice point: unit length to within 2 ULP.
 vec3 unitvec_uoct_from_lattice(vec2 e, float m) {
     UNITVEC_PRECISE float z = m - abs(e.x) - abs(e.y);
-    float below = z < 0.0 ? -z : 0.0;
+    float below = max(-z, 0.0);
     UNITVEC_PRECISE float x = e.x - unitvec_with_sign(below, e.x);
     UNITVEC_PRECISE float y = e.y - unitvec_with_sign(below, e.y);
-    return unitvec_normalize(vec3(x, y, z));
+    return unitvec_normalize_octahedral(vec3(x, y, z), m, 0.5 * (m + 0.5));
 }
 
 // The precise code of n bits (even, up to 32) as a pair of unorm values on [0, 1].

@@ -373,7 +373,7 @@ vec3 unitvec_normalize(vec3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
+// (m + 1) / 2, or all are doubled or halved. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 vec3 unitvec_normalize_octahedral(vec3 v, float m, float unit) {
     return unitvec_normalize(v);
 }

@@ -375,7 +375,7 @@ inline float3 unitvec_normalize(float3 v) {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
+// (m + 1) / 2, or all are doubled or halved. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 inline float3 unitvec_normalize_octahedral(float3 v, float, float) {
     return unitvec_normalize(v);
 }

@@ -141,6 +141,28 @@ inline uint unitvec_dither_hemioct_encode(float3 v, float2 offset, uint bits) {
     return unitvec_hemioct_is_usable(norms) ? code : 0u;
 }
 
+inline float3 unitvec_dither_hemioct_corner(float2 e, float2 offset, float3 n, float m) {
+    float3 decoded = unitvec_hemioct_from_lattice(unitvec_dither_moved_back(e, offset, m), m);
+    return unitvec_dither_candidate(e, decoded, n);
+}
+
+// The best of the four corners of the moved point's cell.
+inline uint unitvec_dither_hemioct_encode_precise(float3 v, float2 offset, uint bits) {
+    float2 norms = unitvec_hemioct_norms(v);
+    float m = unitvec_snorm_max(bits / 2u);
+    float3 n = unitvec_dither_unit(float3(v.xy, max(v.z, 0.0f)), norms.y);
+    float last = m - 1.0f;
+    float2 low = min(floor(unitvec_dither_moved(unitvec_hemioct_position(v, norms.y, m), offset, m)), float2(last));
+    float2 high = low + 1.0f;
+    float3 near = unitvec_dither_hemioct_corner(low, offset, n, m);
+    float3 right = unitvec_dither_hemioct_corner(float2(high.x, low.y), offset, n, m);
+    float3 up = unitvec_dither_hemioct_corner(float2(low.x, high.y), offset, n, m);
+    float3 far = unitvec_dither_hemioct_corner(high, offset, n, m);
+    float3 nearest = unitvec_dither_nearer(unitvec_dither_nearer(unitvec_dither_nearer(near, right), up), far);
+    uint code = unitvec_nearest_pair(nearest.xy, bits / 2u);
+    return unitvec_hemioct_is_usable(norms) ? code : 0u;
+}
+
 inline float3 unitvec_dither_hemioct_decode(uint code, float2 offset, uint bits) {
     float m = unitvec_snorm_max(bits / 2u);
     float2 e = unitvec_snorm_integers(code, bits / 2u);
@@ -342,6 +364,15 @@ inline uint hemioct24_encode_dithered(float3 v, float2 offset) {
 inline uint hemioct32_encode_dithered(float3 v, float2 offset) {
     return unitvec_dither_hemioct_encode(v, offset, 32u);
 }
+inline uint hemioct16p_encode_dithered(float3 v, float2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 16u);
+}
+inline uint hemioct24p_encode_dithered(float3 v, float2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 24u);
+}
+inline uint hemioct32p_encode_dithered(float3 v, float2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 32u);
+}
 
 inline float3 hemioct16_decode_dithered(uint code, float2 offset) {
     return unitvec_dither_hemioct_decode(code, offset, 16u);
@@ -351,6 +382,15 @@ inline float3 hemioct24_decode_dithered(uint code, float2 offset) {
 }
 inline float3 hemioct32_decode_dithered(uint code, float2 offset) {
     return unitvec_dither_hemioct_decode(code, offset, 32u);
+}
+inline float3 hemioct16p_decode_dithered(uint code, float2 offset) {
+    return hemioct16_decode_dithered(code, offset);
+}
+inline float3 hemioct24p_decode_dithered(uint code, float2 offset) {
+    return hemioct24_decode_dithered(code, offset);
+}
+inline float3 hemioct32p_decode_dithered(uint code, float2 offset) {
+    return hemioct32_decode_dithered(code, offset);
 }
 
 inline uint soct17_encode_dithered(float3 v, float2 offset) {

@@ -51,7 +51,10 @@ fn unitvec_uoct_nearest(v: vec3f, norm: f32, m: f32) -> vec2f {
     let along = part + moved * (p.x + p.y) + z * p.z;
     let at = unitvec_beside(select(low, high, is_far), squared, along, len);
     let nearest = unitvec_nearer(unitvec_nearer(at, right), up).xy;
-    return vec2f(unitvec_with_sign(nearest.x, v.x), unitvec_with_sign(nearest.y, v.y));
+    // Denormals and -0 count as 0: there is no point between the signs.
+    let x = select(nearest.x, -nearest.x, unitvec_is_negative(v.x));
+    let y = select(nearest.y, -nearest.y, unitvec_is_negative(v.y));
+    return vec2f(x, y);
 }
 
 // The integers of a lattice point.
@@ -71,10 +74,10 @@ fn unitvec_uoct_precise(v: vec3f, bits: u32) -> vec2u {
 // Direction of a lattice point: unit length to within 2 ULP.
 fn unitvec_uoct_from_lattice(e: vec2f, m: f32) -> vec3f {
     let z = m - abs(e.x) - abs(e.y);
-    let below = select(0.0, -z, z < 0.0);
+    let below = max(-z, 0.0);
     let x = e.x - unitvec_with_sign(below, e.x);
     let y = e.y - unitvec_with_sign(below, e.y);
-    return unitvec_normalize(vec3f(x, y, z));
+    return unitvec_normalize_octahedral(vec3f(x, y, z), m, 0.5 * (m + 0.5));
 }
 
 // The precise code of n bits (even, up to 32) as a pair of unorm values on [0, 1].

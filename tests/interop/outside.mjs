@@ -359,9 +359,10 @@ async function tool(name, command, format, mesh) {
   errors.push(angles(decoded(format, encoded(format, mesh.normals)), mesh.normals));
   const [plain, snapped, nearest] = errors.map(([mean]) => mean);
   if (counts[0] !== counts[1]) faults.push(`${command}: ${counts.join(" and ")} vertices`);
-  // Components need not be the nearest: tools normalise first, which undoes a length that snap chose.
-  const isKept = snapped <= plain && snapped <= nearest + 1e-4;
-  if (!isKept && !format.startsWith("gltf")) faults.push(`${command}: snapped ${snapped} degrees, not ${nearest}`);
+  if (snapped > plain) faults.push(`${command}: snapped ${snapped} degrees, ${plain} before`);
+  // Components need not be the nearest: tools normalise first, which undoes a length.
+  const isNearest = snapped <= nearest + 1e-4 || format.startsWith("gltf");
+  if (!isNearest) faults.push(`${command}: snapped ${snapped} degrees, not ${nearest}`);
   if (sizes.some((size) => /error/.test(size))) faults.push(`${command}: the validator finds ${sizes.join()}`);
   const [title, degrees] = [named(name), errors.flat().map((angle) => angle.toFixed(4))];
   results.push([title, command, format, counts[0], ...degrees, ...sizes].join());

@@ -146,6 +146,28 @@ uint unitvec_dither_hemioct_encode(vec3 v, vec2 offset, uint bits) {
     return unitvec_hemioct_is_usable(norms) ? code : 0u;
 }
 
+vec3 unitvec_dither_hemioct_corner(vec2 e, vec2 offset, vec3 n, float m) {
+    vec3 decoded = unitvec_hemioct_from_lattice(unitvec_dither_moved_back(e, offset, m), m);
+    return unitvec_dither_candidate(e, decoded, n);
+}
+
+// The best of the four corners of the moved point's cell.
+uint unitvec_dither_hemioct_encode_precise(vec3 v, vec2 offset, uint bits) {
+    vec2 norms = unitvec_hemioct_norms(v);
+    float m = unitvec_snorm_max(bits / 2u);
+    vec3 n = unitvec_dither_unit(vec3(v.xy, max(v.z, 0.0)), norms.y);
+    float last = min(m - 1.0, UNITVEC_HUGE);
+    vec2 low = min(floor(unitvec_dither_moved(unitvec_hemioct_position(v, norms.y, m), offset, m)), last);
+    vec2 high = min(low + 1.0, UNITVEC_HUGE);
+    vec3 near = unitvec_dither_hemioct_corner(low, offset, n, m);
+    vec3 right = unitvec_dither_hemioct_corner(vec2(high.x, low.y), offset, n, m);
+    vec3 up = unitvec_dither_hemioct_corner(vec2(low.x, high.y), offset, n, m);
+    vec3 far = unitvec_dither_hemioct_corner(high, offset, n, m);
+    vec3 nearest = unitvec_dither_nearer(unitvec_dither_nearer(unitvec_dither_nearer(near, right), up), far);
+    uint code = unitvec_nearest_pair(nearest.xy, bits / 2u);
+    return unitvec_hemioct_is_usable(norms) ? code : 0u;
+}
+
 vec3 unitvec_dither_hemioct_decode(uint code, vec2 offset, uint bits) {
     float m = unitvec_snorm_max(bits / 2u);
     vec2 e = unitvec_snorm_integers(code, bits / 2u);
@@ -346,6 +368,15 @@ uint hemioct24_encode_dithered(vec3 v, vec2 offset) {
 uint hemioct32_encode_dithered(vec3 v, vec2 offset) {
     return unitvec_dither_hemioct_encode(v, offset, 32u);
 }
+uint hemioct16p_encode_dithered(vec3 v, vec2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 16u);
+}
+uint hemioct24p_encode_dithered(vec3 v, vec2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 24u);
+}
+uint hemioct32p_encode_dithered(vec3 v, vec2 offset) {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 32u);
+}
 
 vec3 hemioct16_decode_dithered(uint code, vec2 offset) {
     return unitvec_dither_hemioct_decode(code, offset, 16u);
@@ -355,6 +386,15 @@ vec3 hemioct24_decode_dithered(uint code, vec2 offset) {
 }
 vec3 hemioct32_decode_dithered(uint code, vec2 offset) {
     return unitvec_dither_hemioct_decode(code, offset, 32u);
+}
+vec3 hemioct16p_decode_dithered(uint code, vec2 offset) {
+    return hemioct16_decode_dithered(code, offset);
+}
+vec3 hemioct24p_decode_dithered(uint code, vec2 offset) {
+    return hemioct24_decode_dithered(code, offset);
+}
+vec3 hemioct32p_decode_dithered(uint code, vec2 offset) {
+    return hemioct32_decode_dithered(code, offset);
 }
 
 uint soct17_encode_dithered(vec3 v, vec2 offset) {

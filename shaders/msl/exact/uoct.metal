@@ -62,7 +62,10 @@ inline float2 unitvec_uoct_nearest(float3 v, float norm, float m) {
         + min(z * p.z, UNITVEC_HUGE), UNITVEC_HUGE);
     float4 at = unitvec_beside(is_far ? high : low, squared, along, len);
     float2 nearest = unitvec_nearer(unitvec_nearer(at, right), up).xy;
-    return float2(unitvec_with_sign(nearest.x, v.x), unitvec_with_sign(nearest.y, v.y));
+    // Denormals and -0 count as 0: there is no point between the signs.
+    float x = unitvec_is_negative(v.x) ? -nearest.x : nearest.x;
+    float y = unitvec_is_negative(v.y) ? -nearest.y : nearest.y;
+    return float2(x, y);
 }
 
 // The integers of a lattice point.
@@ -82,10 +85,10 @@ inline uint2 unitvec_uoct_precise(float3 v, uint bits) {
 // Direction of a lattice point: unit length to within 2 ULP.
 inline float3 unitvec_uoct_from_lattice(float2 e, float m) {
     float z = min(min(m - abs(e.x), UNITVEC_HUGE) - abs(e.y), UNITVEC_HUGE);
-    float below = z < 0.0f ? -z : 0.0f;
+    float below = max(-z, 0.0f);
     float x = min(e.x - unitvec_with_sign(below, e.x), UNITVEC_HUGE);
     float y = min(e.y - unitvec_with_sign(below, e.y), UNITVEC_HUGE);
-    return unitvec_normalize(float3(x, y, z));
+    return unitvec_normalize_octahedral(float3(x, y, z), m, 0.5f * (m + 0.5f));
 }
 
 // The precise code of n bits (even, up to 32) as a pair of unorm values on [0, 1].

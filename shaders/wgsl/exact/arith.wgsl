@@ -470,7 +470,7 @@ fn unitvec_normalize(v: vec3f) -> vec3f {
 }
 
 // unitvec_normalize for a point of an octahedron's lattice, cheaper where it must be exact: v has the L1 norm m and unit is
-// (m + 1) / 2, or both are doubled. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
+// (m + 1) / 2, or all are doubled or halved. For an m of 2^k - 1 from 7 to 2^17, the length is between unit and its double.
 fn unitvec_normalize_octahedral(v: vec3f, m: f32, unit: f32) -> vec3f {
     let square = unitvec_dot(v, v);
     let is_near = unitvec_is_within(m, 7.0, 131072.0);

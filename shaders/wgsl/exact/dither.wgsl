@@ -141,6 +141,28 @@ fn unitvec_dither_hemioct_encode(v: vec3f, offset: vec2f, bits: u32) -> u32 {
     return select(0u, code, unitvec_hemioct_is_usable(norms));
 }
 
+fn unitvec_dither_hemioct_corner(e: vec2f, offset: vec2f, n: vec3f, m: f32) -> vec3f {
+    let decoded = unitvec_hemioct_from_lattice(unitvec_dither_moved_back(e, offset, m), m);
+    return unitvec_dither_candidate(e, decoded, n);
+}
+
+// The best of the four corners of the moved point's cell.
+fn unitvec_dither_hemioct_encode_precise(v: vec3f, offset: vec2f, bits: u32) -> u32 {
+    let norms = unitvec_hemioct_norms(v);
+    let m = unitvec_snorm_max(bits / 2u);
+    let n = unitvec_dither_unit(vec3f(v.xy, max(v.z, 0.0)), norms.y);
+    let last = min(m - 1.0, UNITVEC_HUGE);
+    let low = min(floor(unitvec_dither_moved(unitvec_hemioct_position(v, norms.y, m), offset, m)), vec2f(last));
+    let high = min(low + 1.0, vec2f(UNITVEC_HUGE));
+    let near = unitvec_dither_hemioct_corner(low, offset, n, m);
+    let right = unitvec_dither_hemioct_corner(vec2f(high.x, low.y), offset, n, m);
+    let up = unitvec_dither_hemioct_corner(vec2f(low.x, high.y), offset, n, m);
+    let far = unitvec_dither_hemioct_corner(high, offset, n, m);
+    let nearest = unitvec_dither_nearer(unitvec_dither_nearer(unitvec_dither_nearer(near, right), up), far);
+    let code = unitvec_nearest_pair(nearest.xy, bits / 2u);
+    return select(0u, code, unitvec_hemioct_is_usable(norms));
+}
+
 fn unitvec_dither_hemioct_decode(code: u32, offset: vec2f, bits: u32) -> vec3f {
     let m = unitvec_snorm_max(bits / 2u);
     let e = unitvec_snorm_integers(code, bits / 2u);
@@ -342,6 +364,15 @@ fn hemioct24_encode_dithered(v: vec3f, offset: vec2f) -> u32 {
 fn hemioct32_encode_dithered(v: vec3f, offset: vec2f) -> u32 {
     return unitvec_dither_hemioct_encode(v, offset, 32u);
 }
+fn hemioct16p_encode_dithered(v: vec3f, offset: vec2f) -> u32 {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 16u);
+}
+fn hemioct24p_encode_dithered(v: vec3f, offset: vec2f) -> u32 {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 24u);
+}
+fn hemioct32p_encode_dithered(v: vec3f, offset: vec2f) -> u32 {
+    return unitvec_dither_hemioct_encode_precise(v, offset, 32u);
+}
 
 fn hemioct16_decode_dithered(code: u32, offset: vec2f) -> vec3f {
     return unitvec_dither_hemioct_decode(code, offset, 16u);
@@ -351,6 +382,15 @@ fn hemioct24_decode_dithered(code: u32, offset: vec2f) -> vec3f {
 }
 fn hemioct32_decode_dithered(code: u32, offset: vec2f) -> vec3f {
     return unitvec_dither_hemioct_decode(code, offset, 32u);
+}
+fn hemioct16p_decode_dithered(code: u32, offset: vec2f) -> vec3f {
+    return hemioct16_decode_dithered(code, offset);
+}
+fn hemioct24p_decode_dithered(code: u32, offset: vec2f) -> vec3f {
+    return hemioct24_decode_dithered(code, offset);
+}
+fn hemioct32p_decode_dithered(code: u32, offset: vec2f) -> vec3f {
+    return hemioct32_decode_dithered(code, offset);
 }
 
 fn soct17_encode_dithered(v: vec3f, offset: vec2f) -> u32 {
