@@ -37,13 +37,13 @@ pub(super) fn decode([low, high]: [u32; 2], bits: u32) -> Vec3 {
     v.to_array().map(|c| (c / most(bits)).max(-1.0)).into()
 }
 
-/// The vector of a code, and those of the 3 by 3 by 3 points around the rounded one: encoders that normalise first do not get
-/// to some of them.
-pub(super) fn beside(v: Vec3, code: [u32; 2], bits: u32) -> impl Iterator<Item = Vec3> {
-    let [x, y, z] = v.normalize().to_array().map(|t| snorm(t, bits));
+/// The vectors of the 3 by 3 by 3 points around the rounded one that encoders write alike whether they normalise first or not.
+pub(super) fn beside(v: Vec3, bits: u32) -> impl Iterator<Item = Vec3> {
+    let rounded = move |v: Vec3| v.normalize().to_array().map(|t| snorm(t, bits));
+    let [x, y, z] = rounded(v);
     let points = around([x, y], [0, 1, -1]).flat_map(move |[x, y]| [0, 1, -1].map(|k| [x, y, z + k]));
-    let vectors = points.map(move |point| Vec3::from_array(point.map(|c| c as f32 / most(bits))));
-    core::iter::once(decode(code, bits)).chain(vectors)
+    let vectors = points.map(move |point| (point, Vec3::from_array(point.map(|c| c as f32 / most(bits)))));
+    vectors.filter(move |(point, vector)| rounded(*vector) == *point).map(|(_, vector)| vector)
 }
 
 /// The code of a usable direction: rounded, or the nearest that the validator takes for a unit vector, of the points next to
