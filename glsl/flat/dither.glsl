@@ -227,15 +227,15 @@ vec3 unitvec_normalize(vec3 v) {
     return n;
 }
 #endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
 #ifndef UNITVEC_HAS_FLIP_SIGN
 #define UNITVEC_HAS_FLIP_SIGN
 float unitvec_flip_sign(float x, uint sign_bit) {
     return uintBitsToFloat(floatBitsToUint(x) ^ sign_bit);
 }
+#endif
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR

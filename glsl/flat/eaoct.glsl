@@ -247,10 +247,6 @@ float unitvec_snorm_quotient(float x, uint bits) {
 #endif
 }
 #endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
 #ifndef UNITVEC_HAS_FLIP_SIGN
 #define UNITVEC_HAS_FLIP_SIGN
 float unitvec_flip_sign(float x, uint sign_bit) {
@@ -270,6 +266,10 @@ vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
 }
+#endif
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_NEAREST_PAIR
 #define UNITVEC_HAS_NEAREST_PAIR

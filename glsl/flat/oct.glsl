@@ -240,10 +240,6 @@ vec3 unitvec_normalize(vec3 v) {
     return n;
 }
 #endif
-#ifndef UNITVEC_HAS_2_23
-#define UNITVEC_HAS_2_23
-const float UNITVEC_2_23 = 8388608.0;
-#endif
 #ifndef UNITVEC_HAS_SNORM_CLAMP
 #define UNITVEC_HAS_SNORM_CLAMP
 vec2 unitvec_snorm_clamp(vec2 e) {
@@ -257,6 +253,10 @@ vec2 unitvec_unbiased(vec2 e) {
     UNITVEC_PRECISE vec2 on_snorm = e * 2.0 - 1.0;
     return on_snorm;
 }
+#endif
+#ifndef UNITVEC_HAS_2_23
+#define UNITVEC_HAS_2_23
+const float UNITVEC_2_23 = 8388608.0;
 #endif
 #ifndef UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR
 #define UNITVEC_HAS_EXACT_INVERSE_ROOT_NEAR

@@ -60,10 +60,11 @@ float2 unitvec_uoct_nearest(float3 v, float norm, float m) {
     return float2(x, y);
 }
 
-// The integers of a lattice point.
+// The integers of a lattice point. Another constant in the sum, for rounding, would be joined with the first where compilers
+// may do that.
 uint2 unitvec_uoct_integers(float2 e, uint bits) {
-    precise float2 sum = e + unitvec_uoct_max(bits) + UNITVEC_2_23;
-    return asuint(sum) & ((1u << bits) - 1u);
+    precise float2 i = e + unitvec_uoct_max(bits);
+    return uint2(i);
 }
 
 // The integers of the nearest point of any v. The corner of the code 0 becomes the opposite one.

@@ -71,10 +71,11 @@ vec2 unitvec_uoct_nearest(vec3 v, float norm, float m) {
     return vec2(x, y);
 }
 
-// The integers of a lattice point.
+// The integers of a lattice point. Another constant in the sum, for rounding, would be joined with the first where compilers
+// may do that.
 uvec2 unitvec_uoct_integers(vec2 e, uint bits) {
-    vec2 sum = min(min(e + unitvec_uoct_max(bits), UNITVEC_HUGE) + UNITVEC_2_23, UNITVEC_HUGE);
-    return floatBitsToUint(sum) & ((1u << bits) - 1u);
+    vec2 i = min(e + unitvec_uoct_max(bits), UNITVEC_HUGE);
+    return uvec2(i);
 }
 
 // The integers of the nearest point of any v. The corner of the code 0 becomes the opposite one.

@@ -68,10 +68,11 @@ inline float2 unitvec_uoct_nearest(float3 v, float norm, float m) {
     return float2(x, y);
 }
 
-// The integers of a lattice point.
+// The integers of a lattice point. Another constant in the sum, for rounding, would be joined with the first where compilers
+// may do that.
 inline uint2 unitvec_uoct_integers(float2 e, uint bits) {
-    float2 sum = min(min(e + unitvec_uoct_max(bits), float2(UNITVEC_HUGE)) + UNITVEC_2_23, float2(UNITVEC_HUGE));
-    return as_type<uint2>(sum) & ((1u << bits) - 1u);
+    float2 i = min(e + unitvec_uoct_max(bits), float2(UNITVEC_HUGE));
+    return uint2(i);
 }
 
 // The integers of the nearest point of any v. The corner of the code 0 becomes the opposite one.

@@ -65,10 +65,11 @@ fn unitvec_uoct_nearest(v: vec3f, norm: f32, m: f32) -> vec2f {
     return vec2f(x, y);
 }
 
-// The integers of a lattice point.
+// The integers of a lattice point. Another constant in the sum, for rounding, would be joined with the first where compilers
+// may do that.
 fn unitvec_uoct_integers(e: vec2f, bits: u32) -> vec2u {
-    let sum = min(min(e + unitvec_uoct_max(bits), vec2f(UNITVEC_HUGE)) + UNITVEC_2_23, vec2f(UNITVEC_HUGE));
-    return bitcast<vec2u>(sum) & vec2u(((1u << bits) - 1u));
+    let i = min(e + unitvec_uoct_max(bits), vec2f(UNITVEC_HUGE));
+    return vec2u(i);
 }
 
 // The integers of the nearest point of any v. The corner of the code 0 becomes the opposite one.

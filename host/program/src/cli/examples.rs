@@ -8,7 +8,7 @@ const EXAMPLES: &[(&str, &str, &str)] = &[
     ("encode", "encode --codec oct16p a.obj meshes codes", "into a folder"),
     ("encode", "encode --codec oct16 --dtype f64 in.bin out", "raw doubles"),
     ("encode", "encode --codec oct16 --json - in.f32 out", "counts as JSON"),
-    ("encode", "encode --null --codec oct24p points.ply points.uvec", "zeros stay zeros"),
+    ("encode", "encode --null --codec oct24p points.ply p.uvec", "keeps zeros"),
     ("decode", "decode --codec oct24p bunny.oct24 normals.f32", "three floats each"),
     ("decode", "decode normals.uvec normals.npy", "as a NumPy array"),
     ("decode", "decode --codec frame32 bunny.frames frames.f32", "seven floats each"),
