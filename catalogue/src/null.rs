@@ -9,12 +9,20 @@ use unitvec::slice::LengthMismatch;
 #[derive(Clone, Debug, thiserror::Error)]
 #[non_exhaustive]
 #[error(
-    "{id} has no code to spare for vectors without a direction; all codecs of vectors have, but {}",
-    without()
+    "{id} has no code to spare for vectors without a direction; all codecs of vectors have, but {}; of formats of other \
+     software {}",
+    without(),
+    with()
 )]
 pub struct NoNull {
     /// The codec's identifier.
     pub id: &'static str,
+}
+
+/// The formats of other software with a null code.
+fn with() -> String {
+    let rows = unitvec::interop::ROWS.iter().filter(|row| row.null.is_some());
+    rows.map(|row| row.name).collect::<Vec<_>>().join(", ")
 }
 
 /// The codecs of vectors without a null code.

@@ -49,12 +49,16 @@ impl Fit {
 
     /// Drops the formats that some of these vectors, of three floats each, are not of.
     pub fn see(&mut self, vectors: &[f32]) {
-        let vectors = || vectors.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).filter(|v| has_direction(*v));
-        self.formats.retain(|format| vectors().all(|v| is_point(*format, v)));
-        for v in vectors().filter(|_| !self.formats.is_empty()) {
-            if self.seen.len() < ENOUGH {
-                self.seen.insert(v.map(f32::to_bits));
+        let vectors = vectors.chunks_exact(3).map(|v| [v[0], v[1], v[2]]);
+        for v in vectors.filter(|v| has_direction(*v)) {
+            let bits = v.map(f32::to_bits);
+            if self.formats.is_empty() || self.seen.contains(&bits) {
+                continue;
             }
+            if self.seen.len() < ENOUGH {
+                self.seen.insert(bits);
+            }
+            self.formats.retain(|format| is_point(*format, v));
         }
     }
 

@@ -19,7 +19,7 @@ pub struct Row {
     /// The file; `None` for all of them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<FileName>,
-    /// Codec; [`AS_IT_IS`] for a file beside its original.
+    /// Codec; `as it is` for a file beside its original.
     pub id: &'static str,
     /// The part that the errors are of: `vector`, or `normal` and `tangent` of frames.
     pub part: &'static str,

@@ -1,6 +1,6 @@
 //! glTF's quantised normals: x, y and z in signed bytes or words, beside an unused lane.
 
-use super::plain::snorm;
+use super::plain::{most, snorm};
 use super::{around, nearest_of};
 use glam::Vec3;
 
@@ -10,13 +10,9 @@ pub(super) const VALID: f32 = 0.006_74;
 /// The lengths that are tried a step: a quarter step apart no code that is less than 3/8 of a step off is missed.
 const TRIALS_A_STEP: f32 = 4.0;
 
-fn most(bits: u32) -> f32 {
-    ((1u32 << (bits - 1)) - 1) as f32
-}
-
 /// Rounding is among the trials: half the diagonal of a cell.
 pub(super) fn bound_deg(bits: u32) -> f32 {
-    (0.866_025_4 / (most(bits) * (1.0 - VALID))).to_degrees()
+    (0.866_025_4 / (most(bits - 1) * (1.0 - VALID))).to_degrees()
 }
 
 fn code([x, y, z]: [i32; 3], bits: u32) -> [u32; 2] {
@@ -34,15 +30,19 @@ pub(super) fn decode([low, high]: [u32; 2], bits: u32) -> Vec3 {
         8 => Vec3::new(x, y, z),
         _ => Vec3::from_array([low as i16, (low >> 16) as i16, high as i16].map(f32::from)),
     };
-    v.to_array().map(|c| (c / most(bits)).max(-1.0)).into()
+    v.to_array().map(|c| (c / most(bits - 1)).max(-1.0)).into()
+}
+
+/// The 3 by 3 by 3 points around one, which comes first.
+fn cube([x, y, z]: [i32; 3]) -> impl Iterator<Item = [i32; 3]> {
+    around([x, y], [0, 1, -1]).flat_map(move |[x, y]| [0, 1, -1].map(|k| [x, y, z + k]))
 }
 
 /// The vectors of the 3 by 3 by 3 points around the rounded one that encoders write alike whether they normalise first or not.
 pub(super) fn beside(v: Vec3, bits: u32) -> impl Iterator<Item = Vec3> {
     let rounded = move |v: Vec3| v.normalize().to_array().map(|t| snorm(t, bits));
-    let [x, y, z] = rounded(v);
-    let points = around([x, y], [0, 1, -1]).flat_map(move |[x, y]| [0, 1, -1].map(|k| [x, y, z + k]));
-    let vectors = points.map(move |point| (point, Vec3::from_array(point.map(|c| c as f32 / most(bits)))));
+    let vectors = cube(rounded(v))
+        .map(move |point| (point, Vec3::from_array(point.map(|c| c as f32 / most(bits - 1)))));
     vectors.filter(move |(point, vector)| rounded(*vector) == *point).map(|(_, vector)| vector)
 }
 
@@ -54,7 +54,7 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
     if is_plain {
         return code(plain, bits);
     }
-    let most = most(bits);
+    let most = most(bits - 1);
     let is_valid = |point: &[i32; 3]| {
         let square: f64 = point.iter().map(|c| f64::from(*c).powi(2)).sum();
         let fits = point.iter().all(|c| c.abs() <= most as i32);
@@ -63,6 +63,6 @@ pub(super) fn encode(v: Vec3, bits: u32, is_plain: bool) -> [u32; 2] {
     let (least, steps) = (most * (1.0 - VALID), (2.0 * VALID * most * TRIALS_A_STEP) as u32);
     let trials =
         (0..=steps).map(|i| (v * (least + i as f32 / TRIALS_A_STEP)).to_array().map(|c| c.round() as i32));
-    let points = core::iter::once(plain).chain(trials.filter(is_valid));
+    let points = cube(plain).chain(trials).filter(is_valid);
     code(nearest_of(v, points, |point| Vec3::from_array(point.map(|c| c as f32))).unwrap_or(plain), bits)
 }

@@ -12,14 +12,14 @@
 //! ```
 
 use super::octahedral::{Lattice, Layout};
-use super::{UnknownFormat, around, joined, nearest_of, parted};
+use super::{UnknownFormat, around, joined, nearest_of, parted, usable};
 use crate::Frame;
 use crate::arith::{atan2_half_turns, is_negative, mask, nearest_pair, sin_cos_half_turns, snorm_max};
 use crate::codec::storage_bytes;
 use crate::direction::{is_usable, l1_norm, or_z};
 use crate::frame::basis;
 use crate::slice::{AnyFrame, LengthMismatch, load_each, store_each};
-use crate::{oct, soct};
+use crate::{hemioct, oct, soct};
 use glam::Vec3;
 
 /// A format of tangent frames.
@@ -150,7 +150,7 @@ impl FrameFormat {
     /// Without a usable normal that of +Z, without a tangent the first angle, or none where the format has that.
     #[must_use]
     pub fn encode(self, frame: Frame) -> u64 {
-        let normal = self.normal.encode(or_z(frame.normal).0);
+        let normal = self.normal.encode(usable(frame.normal.into()));
         let is_left = is_negative(frame.handedness);
         let tangent = match self.tangent {
             Tangent::Folded => self.normal.folded(frame.tangent, is_left),
@@ -203,12 +203,7 @@ impl Normal {
             Self::Pair(lattice, bits) => Layout::Pair.code(lattice.nearest_numbers(v, bits, false), bits)[0],
             Self::Signed(bits) => {
                 let (norm, m) = (l1_norm(v), snorm_max(bits));
-                soct::code(
-                    v,
-                    norm,
-                    nearest_pair(crate::families::octahedral::hemioct::position(v, norm, m), bits),
-                    2 * bits + 1,
-                )
+                soct::code(v, norm, nearest_pair(hemioct::position(v, norm, m), bits), 2 * bits + 1)
             }
             Self::Smaller => smaller(v),
         }
@@ -256,13 +251,13 @@ impl Normal {
 #[must_use]
 pub fn encode_angle<V: Into<[f32; 3]>>(normal: V, tangent: V, bits: u32) -> u32 {
     let [normal, tangent] = [normal, tangent].map(|v| Vec3::from_array(v.into()));
-    Start::Basis.encode(or_z(normal).0.normalize(), tangent, bits.clamp(1, 16))
+    Start::Basis.encode(usable(normal.into()).normalize(), tangent, bits.clamp(1, 16))
 }
 
 /// The tangent of a code of [`encode_angle`], perpendicular to the normal.
 #[must_use]
 pub fn decode_angle<V: Into<[f32; 3]> + From<[f32; 3]>>(normal: V, code: u32, bits: u32) -> V {
-    let (normal, bits) = (or_z(Vec3::from_array(normal.into())).0.normalize(), bits.clamp(1, 16));
+    let (normal, bits) = (usable(normal.into()).normalize(), bits.clamp(1, 16));
     Start::Basis.decode(normal, code & mask(bits), bits).to_array().into()
 }
 

@@ -99,7 +99,8 @@ impl fmt::Display for UnknownFormat {
             Self::Name { name } => {
                 let name: String = name.escape_debug().take(60).collect();
                 write!(f, "unknown format `{name}`; there are")?;
-                ROWS.iter().try_for_each(|row| write!(f, " {row}"))
+                ROWS.iter().try_for_each(|row| write!(f, " {row}"))?;
+                FRAMES.iter().try_for_each(|frames| write!(f, " {}", frames.name))
             }
             Self::Bits { format, least, most } if least == most => {
                 write!(f, "{format} has one width; leave it out")
@@ -173,9 +174,10 @@ impl Format {
     }
 
     /// A code that the encoder never writes and that stands for no vector: where the format's users take it for that, or
-    /// where a pattern is free.
+    /// where a pattern is free. Cesium's plain encoder writes its code 0, and has none.
     pub fn null(self) -> Option<u64> {
-        self.row.null
+        let is_written = self.is_plain && matches!(self.row.mapping, Mapping::Octahedral { .. });
+        self.row.null.filter(|code| !is_written || *code != 0)
     }
 
     /// An upper bound of the nearest encoder's error, in degrees.
@@ -206,18 +208,18 @@ impl Format {
     /// the original with `v`.
     #[must_use]
     pub fn snap<V: Into<[f32; 3]> + From<[f32; 3]>>(self, v: V) -> V {
-        let v = or_z(Vec3::from_array(v.into())).0;
-        let code = Self { is_plain: false, ..self }.encode_words(v.to_array());
+        let v = usable(v.into());
+        let code = || Self { is_plain: false, ..self }.encode_words(v.to_array());
         let written = |v: &Vec3| self.decode_words(self.plain().encode_words(v.to_array())).into();
         let snapped = match self.row.mapping {
             Mapping::Octahedral { lattice, layout, pole_x, .. } => {
-                let numbers = layout.numbers(code, lattice, self.bits);
+                let numbers = layout.numbers(code(), lattice, self.bits);
                 // Parts of a step, around the middle of what the original rounds or truncates to the code.
                 let aims = around([0, 0], [0, 1, -1]).map(|aim| aim.map(|i| self.row.aim + 0.25 * i as f32));
                 let beside = aims.map(|aim| lattice.direction(self.bits, numbers, pole_x, aim));
                 nearest_of(v, beside.chain([v]), written)
             }
-            Mapping::Tetrahedron => nearest_of(v, [tetrahedron::decode(code[0]), v].into_iter(), written),
+            Mapping::Tetrahedron => nearest_of(v, [tetrahedron::decode(code()[0]), v].into_iter(), written),
             Mapping::Snorm => nearest_of(v, components::beside(v, self.bits).chain([v]), written),
         };
         snapped.unwrap_or(v).to_array().into()
@@ -226,7 +228,7 @@ impl Format {
     /// [`encode`](Self::encode), to the low and the high word.
     #[doc(hidden)]
     pub fn encode_words(self, v: [f32; 3]) -> [u32; 2] {
-        let v = or_z(Vec3::from_array(v)).0;
+        let v = usable(v);
         match self.row.mapping {
             Mapping::Octahedral { layout, plain, .. } if self.is_plain => {
                 layout.code(plain(v, self.bits), self.bits)
@@ -325,6 +327,15 @@ impl Format {
             coder => decode_slice_by(coder, level, codes, vectors),
             decode_slice_by(One(self), level, codes, vectors))
     }
+}
+
+/// The vector, or +Z where it has no usable direction, of a length whose square is a normal number.
+fn usable(v: [f32; 3]) -> Vec3 {
+    const FAR: f32 = 1.099_511_6e12;
+    let (v, norm) = or_z(Vec3::from_array(v));
+    // Powers of two change no digit.
+    let up = if norm < 1.0 / FAR { FAR } else { 1.0 };
+    v * if norm > FAR { 1.0 / (FAR * FAR) } else { up }
 }
 
 /// A code of two words, the low one first.

@@ -26,7 +26,7 @@ fn projected(v: Vec3) -> (f32, f32) {
 }
 
 /// `2^bits - 1`.
-fn most(bits: u32) -> f32 {
+pub(super) fn most(bits: u32) -> f32 {
     ((1u32 << bits) - 1) as f32
 }
 

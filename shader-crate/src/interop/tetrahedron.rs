@@ -48,7 +48,7 @@ pub(super) fn encode(v: Vec3, is_plain: bool) -> [u32; 2] {
         let face = (1..4).fold(0, |best, face| if places[face].z > places[best].z { face } else { best });
         return code(number(places[face].x), number(places[face].y), face);
     }
-    let before = (0..4).filter(|face| places[*face].z > 0.3);
+    let before = (0..4).filter(|face| places[*face].z > 0.0);
     let codes = before.flat_map(|face| {
         let point = [number(places[face].x), number(places[face].y)];
         around(point, [-1, 0, 1]).map(move |[x, y]| code(x.clamp(0, 1023), y.clamp(0, 1023), face))

@@ -196,7 +196,8 @@ pub fn decode(arguments: &Decode) -> Result<ExitCode> {
 /// The same format with the encoder of its own software.
 pub fn plain_of(format: &AnyCodec) -> Result<&'static AnyCodec> {
     format.plain().ok_or_else(|| {
-        let words = format!("--plain is for formats of other software; {} is a codec of this one", format.id);
+        let words =
+            format!("--plain is for vectors in formats of other software; {} has one encoder", format.id);
         Error::Usage(words)
     })
 }
@@ -208,8 +209,10 @@ fn codec_of(
     header: Option<&Header>,
 ) -> Result<&'static AnyCodec> {
     let told = header.map(|header| find_any(&header.codec)).transpose()?;
+    // The plain encoder's codes have the same decoder.
+    let decoder = |codec: &'static AnyCodec| codec.plain().unwrap_or(codec);
     match (named, told) {
-        (Some(named), Some(told)) if named != told => Err(Error::Usage(format!(
+        (Some(named), Some(told)) if decoder(named) != decoder(told) => Err(Error::Usage(format!(
             "{} has codes of {}, not of {}; leave --codec out",
             path.display(),
             told.id,

@@ -22,8 +22,8 @@ pub struct Arguments {
     /// own software's encoder, and one for the nearest codes.
     #[arg(long, visible_alias = "format", value_name = "ID,...", value_delimiter = ',')]
     codec: Vec<String>,
-    /// File that FILE was made from, with as many vectors in the same order: measure how far FILE's are from it, and what the
-    /// codecs make of it; if none is given, the formats that FILE's vectors are in.
+    /// File that FILE was made from, with as many vectors in the same order: measure how far FILE's are from it, and what
+    /// codecs make of it: without --codec, the formats that FILE's vectors fit, or else the recommended ones.
     #[arg(long, value_name = "FILE")]
     original: Option<PathBuf>,
     /// What runs the codecs.
@@ -63,7 +63,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         }
         (Some(_), _) => {
             return Err(Error::Usage(
-                "--original is of one FILE, and neither is -: they are read twice".to_owned(),
+                "--original takes one FILE, and neither may be -: both are read twice".to_owned(),
             ));
         }
         (None, _) => formats(&arguments.codec)?,
@@ -120,7 +120,7 @@ fn compare(meter: &mut Meter, original: &Path, made: &Path, kind: Kind) -> Resul
     if let Some((a, b)) = of_original.count.zip(of_made.count).filter(|(a, b)| a != b) {
         let unit = meter.element().plural();
         return Err(Error::Usage(format!(
-            "{second} has {b} {unit}, and {first} {a}: a tool that joins, splits or leaves out vertices cannot be measured"
+            "{second} has {b} {unit}, and {first} {a}: compare files whose vertices were not joined, split or left out"
         )));
     }
     let mean = meter
@@ -133,9 +133,12 @@ fn compare(meter: &mut Meter, original: &Path, made: &Path, kind: Kind) -> Resul
 fn formats(ids: &[String]) -> Result<Vec<&'static AnyCodec>> {
     if !ids.is_empty() {
         let chosen = ids.iter().map(|id| Ok(find_any(id)?)).collect::<Result<Vec<_>>>()?;
-        let mut rows: Vec<_> =
-            chosen.into_iter().flat_map(|one| one.plain().into_iter().chain([one])).collect();
-        rows.dedup();
+        let mut rows = Vec::new();
+        for one in chosen.into_iter().flat_map(|one| one.plain().into_iter().chain([one])) {
+            if !rows.contains(&one) {
+                rows.push(one);
+            }
+        }
         return Ok(rows);
     }
     let recommended =
@@ -179,8 +182,7 @@ fn text(report: &Report, columns: Option<usize>) -> String {
         text += &wrapped(&format!("warning: {words}\n"), "    ", columns);
     }
     for Quantised { file, formats } in &report.quantised {
-        text +=
-            &wrapped(&format!("{file}: its vectors are those of {}\n", formats.join(", ")), "    ", columns);
+        text += &wrapped(&format!("{file}: its vectors fit {}\n", formats.join(", ")), "    ", columns);
     }
     if !report.computed.is_empty() {
         let names: Vec<_> = report.computed.iter().map(FileName::to_string).collect();

@@ -112,6 +112,7 @@ fn write_beside(files: &[Beside], input: &Path, out: &Path, warnings: &mut Vec<S
             () if check_unused(&target).is_err() => {
                 "would replace a file that this run reads or has written, from"
             }
+            () if target.exists() && !out.exists() => "would replace a file that is there, beside",
             () => continue,
         };
         let words = format!(
@@ -220,9 +221,12 @@ impl Tallies {
 /// Moves the vectors of an element to those that it is decoded to, or to those that the format's own software encodes alike,
 /// but for those without a direction and tangents of such normals. Returns the angles of what was moved.
 fn snap<const N: usize>(codec: &AnyCodec, element: &mut [f32; N]) -> [Option<Moved>; 2] {
-    let mut decoded: [f32; N] = codec.decode_one(codec.encode_one(*element));
-    if let Some(format) = codec.format() {
-        decoded[..3].copy_from_slice(&format.snap([element[0], element[1], element[2]]));
+    let mut decoded = *element;
+    match codec.format() {
+        Some(format) => {
+            decoded[..3].copy_from_slice(&format.snap([element[0], element[1], element[2]]));
+        }
+        None => decoded = codec.decode_one(codec.encode_one(*element)),
     }
     let written = |original: [f32; 3], v: [f32; 3]| {
         codec
