@@ -89,5 +89,7 @@ fn tables(columns: Option<usize>) -> String {
         ROWS.iter().map(ToString::to_string).chain(FRAMES.iter().map(|format| format.name.to_owned()));
     let names = names.collect::<Vec<_>>().join(", ");
     let words = format!("\nformats of other software, for encode, decode, error and snap: {names}\n");
-    text + &table::wrapped(&words, "    ", columns) + &table::left_out(&[&of_vectors, &of_frames])
+    // A list has no columns to show: lines of a length that is easy to read, on any terminal.
+    let wrapped = table::wrapped(&words, "    ", Some(columns.map_or(100, |columns| columns.min(100))));
+    text + &wrapped + &table::left_out(&[&of_vectors, &of_frames])
 }

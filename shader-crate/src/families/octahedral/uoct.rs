@@ -31,6 +31,7 @@ use super::nearest::nearest;
 use crate::arith::{SnormDivision, TWO_23, mask, max, normalize_octahedral, ratio, unorm_max, with_sign};
 use crate::codec::{Codec, Width};
 use crate::direction::{is_usable, l1_norm};
+use crate::oct::Oct;
 use glam::{Vec2, Vec3};
 
 /// The largest coordinate of the lattice of unorms of `bits` bits: `(2^bits - 1) / 2`.
@@ -62,7 +63,7 @@ pub(crate) fn from_lattice(e: Vec2, m: f32) -> Vec3 {
 #[inline(always)]
 pub fn project_precise<const BITS: u32>(v: Vec3) -> Vec2
 where
-    UOctPrecise<BITS>: Width,
+    Oct<BITS>: Width,
 {
     let code = UOctPrecise::<BITS>::encode_vec3(v);
     let by_most = const { SnormDivision::new(BITS / 2 + 1) };
@@ -75,7 +76,7 @@ pub struct UOctPrecise<const BITS: u32>;
 
 impl<const BITS: u32> Codec for UOctPrecise<BITS>
 where
-    Self: Width,
+    Oct<BITS>: Width,
 {
     const BITS: u32 = BITS;
     /// The bound of [`oct`](crate::oct), for this lattice's steps.

@@ -36,6 +36,8 @@ macro_rules! for_each_projection {
             [oct32p_snorm Pair = oct::project_precise::<32>, oct::unproject]
             [hemioct_snorm Pair = hemioct::project, hemioct::unproject]
             [hemioct_unorm Pair = hemioct::project_unorm, hemioct::unproject_unorm]
+            [hemioct16p_snorm Pair = hemioct::project_precise::<16>, hemioct::unproject]
+            [hemioct32p_snorm Pair = hemioct::project_precise::<32>, hemioct::unproject]
             [eaoct_snorm Pair = eaoct::project, eaoct::unproject]
             [eaoct_unorm Pair = eaoct::project_unorm, eaoct::unproject_unorm]
             [eaoct16p_snorm Pair = eaoct::project_precise::<16>, eaoct::unproject]
