@@ -235,6 +235,16 @@ fn what_is_told() {
     let output = command("snap --for oct16 in out".split(' ')).current_dir(folder.path()).output().unwrap();
     assert!(stderr(&output).contains("b/a b.bin would replace a file that this run"), "{}", stderr(&output));
     assert!(!folder.path().join("out/c.gltf").exists());
+    // So would a mesh of another name in a later run; one that replaces its own output would not.
+    let written = std::fs::read(folder.path().join("out/b/a b.bin")).unwrap();
+    let mut later = command("snap --for oct20 in/a.gltf out/other.gltf".split(' '));
+    assert_fails(
+        later.current_dir(folder.path()),
+        2,
+        &["b/a b.bin would replace", "there already", "another folder"],
+    );
+    assert_eq!(std::fs::read(folder.path().join("out/b/a b.bin")).unwrap(), written);
+    succeeds(folder.path(), "snap --for oct20 in/a.gltf out");
     // Buffers of a later input are no place for those of an earlier one.
     std::fs::create_dir(folder.path().join("a")).unwrap();
     write(&folder.path().join("a"), &outside(&frames()));

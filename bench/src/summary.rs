@@ -51,10 +51,12 @@ fn machine() -> String {
 fn main() -> Result<(), Box<dyn Error>> {
     let target = env::var_os("CARGO_TARGET_DIR").map_or_else(|| PathBuf::from("target"), PathBuf::from);
     let root = env::args_os().nth(1).map_or_else(|| target.join("criterion"), PathBuf::from);
-    let both = ["encode", "decode"].map(|operation| rows(&root, operation, &COUNTS));
-    let rows =
-        [both.into_iter().collect::<Result<Vec<_>, _>>()?.concat(), rows(&root, "formats", &COUNTS[..1])?]
-            .concat();
+    let rows = [
+        rows(&root, "encode", &COUNTS)?,
+        rows(&root, "decode", &COUNTS)?,
+        rows(&root, "formats", &COUNTS[..1])?,
+    ]
+    .concat();
     println!("{:#}", json!({ "machine": machine(), "counts": COUNTS, "rows": rows }));
     Ok(())
 }

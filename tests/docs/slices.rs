@@ -9,25 +9,22 @@ static REPORT: LazyLock<Value> = LazyLock::new(|| {
     serde_json::from_slice(&std::fs::read(repository().join("docs/data/slices.json")).unwrap()).unwrap()
 });
 
-fn rows(operation: &str) -> impl Iterator<Item = (&'static str, [f64; 3])> {
+/// The rows of an operation, with nanoseconds a vector in slices of 2^10, and where that was measured 2^16 and 2^24 vectors.
+fn rows(operation: &str) -> impl Iterator<Item = (&'static str, Vec<f64>)> {
     let rows = REPORT["rows"].as_array().unwrap().iter().filter(move |row| row["operation"] == operation);
-    rows.map(|row| (row["name"].as_str().unwrap(), [0, 1, 2].map(|size| row["ns"][size].as_f64().unwrap())))
+    let ns = |row: &Value| row["ns"].as_array().unwrap().iter().map(|ns| ns.as_f64().unwrap()).collect();
+    rows.map(move |row| (row["name"].as_str().unwrap(), ns(row)))
 }
 
-/// Nanoseconds a vector in slices of 2^10, 2^16 and 2^24 vectors.
-fn ns(operation: &str, name: &str) -> [f64; 3] {
+/// The times of a row.
+fn ns(operation: &str, name: &str) -> Vec<f64> {
     let found = rows(operation).find(|row| row.0 == name);
     found.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json")).1
 }
 
 /// The time of a row of an operation in slices of 2^10 vectors, in those of another row.
 pub fn times(operation: &str, name: &str, of: &str) -> String {
-    let ns = |name: &str| {
-        let rows = REPORT["rows"].as_array().unwrap().iter();
-        let row = rows.filter(|row| row["operation"] == operation).find(|row| row["name"] == name);
-        row.unwrap_or_else(|| panic!("{name} is not in docs/data/slices.json"))["ns"][0].as_f64().unwrap()
-    };
-    let times = ns(name) / ns(of);
+    let times = ns(operation, name)[0] / ns(operation, of)[0];
     if times < 10.0 { format!("{times:.1}") } else { format!("{times:.0}") }
 }
 
@@ -43,7 +40,7 @@ pub fn table(operation: &str) -> String {
     let rows = rows(operation).map(|(name, own)| {
         let four_components = operation == "decode" && ["meshopt16", "oct32-i16x4"].contains(&name);
         let copy = ns(operation, if four_components { "memcpy8" } else { "memcpy12" });
-        let [few, some, many] = own;
+        let [few, some, many] = own[..] else { panic!("{name} was measured with {} counts", own.len()) };
         let [faster, of_copy] = [ns(operation, "meshopt16")[1] / some, copy[2] / many];
         format!("`{name}` | {few:.2} | {some:.2} | {many:.2} | {faster:.2} | {of_copy:.2}")
     });

@@ -8,7 +8,7 @@
 // compilers do not fuse or reorder operations; quotients and roots are put right.
 //
 //   oct16_encode_dithered(v, offset), oct16_decode_dithered(code, offset)    so for all widths of oct, hemioct, soct, eaoct
-//   oct16p_encode_dithered(v, offset), ...       and of the precise encoders of oct and eaoct
+//   oct16p_encode_dithered(v, offset), ...       and of the precise encoders
 //   dither_from_key(key)                         an offset from a vertex index, or another number that both sides know
 //   dither_from_pixel(pixel)                     from a pixel
 //   dither_from_texel(texel)                     from a texel of a tile of noise in R8G8_UNORM

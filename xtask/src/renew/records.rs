@@ -272,7 +272,7 @@ pub static RECORDS: &[Record] = &[
         outputs: &[Bytes("docs/data/imprecise.csv")],
         from: "the modules, GLSL, HLSL and WGSL, rewritten for devices that round badly",
         inputs: &[KERNELS, GLSL, OTHER_LANGUAGES, &[Code("host/lab/src/imprecise/*.rs")]],
-        minutes: 15,
+        minutes: 42,
         renew: || {
             let file = repository().join("docs/data/imprecise.csv").display().to_string();
             conform(&["imprecise", "--seeds", "8", "--csv", &file].map(str::to_owned))

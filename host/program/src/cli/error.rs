@@ -52,30 +52,28 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Result<ExitCode> {
     let columns = arguments.wide.columns()?;
     let kind = Kind { raw: arguments.raw, dtype: arguments.dtype, reach: arguments.buffers.reach() };
-    let formats = match (&arguments.original, &arguments.file[..]) {
-        (Some(original), [made]) if [original, made].iter().all(|path| path.as_os_str() != "-") => {
-            if arguments.codec.is_empty() {
-                let mut floats = Elements::open(made, Element::Vector, kind)?.floats;
-                formats(&Fit::of(Named::new(made, &mut floats))?.least())?
-            } else {
-                formats(&arguments.codec)?
-            }
-        }
-        (Some(_), _) => {
-            return Err(Error::Usage(
-                "--original takes one FILE, and neither may be -: both are read twice".to_owned(),
-            ));
-        }
-        (None, _) => formats(&arguments.codec)?,
-    };
+    let (made, original) = (&arguments.file[0], arguments.original.as_ref());
+    let is_stream = |path: &PathBuf| path.as_os_str() == "-";
+    if original
+        .is_some_and(|original| arguments.file.len() > 1 || [original, made].into_iter().any(is_stream))
+    {
+        let words = "--original takes one FILE, and neither may be -: both are read twice";
+        return Err(Error::Usage(words.to_owned()));
+    }
+    let mut ids = arguments.codec.clone();
+    if original.is_some() && ids.is_empty() {
+        let mut floats = Elements::open(made, Element::Vector, kind)?.floats;
+        ids = Fit::of(Named::new(made, &mut floats))?.least();
+    }
+    let formats = formats(&ids)?;
     formats.iter().try_for_each(|format| check_backend(format, arguments.backend))?;
     let mut meter = Meter::new(formats)?;
     let mut open = OpenBackend::open(arguments.backend, &arguments.vulkan)?;
-    if arguments.file.iter().filter(|path| path.as_os_str() == "-").count() > 1 {
+    if arguments.file.iter().filter(|path| is_stream(path)).count() > 1 {
         return Err(Error::Usage("- can be read once; name it once".to_owned()));
     }
     // What is missing is told before minutes of measuring.
-    let files = match &arguments.original {
+    let files = match original {
         Some(original) => vec![original.clone()],
         None => files_of(&arguments.file, is_mesh)?,
     };
@@ -102,8 +100,8 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode> {
         warnings.extend(suspicion.map(|words| shown(format_args!("{}: {words}", path.display()))));
     }
     live.finish();
-    if let Some(original) = &arguments.original {
-        warnings.extend(compare(&mut meter, original, &arguments.file[0], kind)?);
+    if let Some(original) = original {
+        warnings.extend(compare(&mut meter, original, made, kind)?);
     }
     let report = Report { computed, warnings, ..meter.report() };
     arguments.json.write_or_print(&report, || text(&report, columns))?;

@@ -112,7 +112,7 @@ fn write_beside(files: &[Beside], input: &Path, out: &Path, warnings: &mut Vec<S
             () if check_unused(&target).is_err() => {
                 "would replace a file that this run reads or has written, from"
             }
-            () if target.exists() && !out.exists() => "would replace a file that is there, beside",
+            () if target.exists() && !out.exists() => "would replace a file that is there already, from",
             () => continue,
         };
         let words = format!(
